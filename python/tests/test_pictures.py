@@ -40,6 +40,23 @@ def test_images_are_red_green_blue_and_masks_have_16_bits(handmade: HandmadeSess
     assert (frame.mask() == 7).sum() == 36
 
 
+def test_class_maps_have_8_bits(handmade: HandmadeSession, decoder: str) -> None:
+    classes = (np.arange(HEIGHT * WIDTH).reshape(HEIGHT, WIDTH) % len(gtaharvest.SEMANTIC_CLASS_NAMES)).astype(np.uint8)
+    handmade.lines[1]["classMap"] = {"file": "classes/1.png", "method": "exact", "raysCast": 0, "interpolatedPixels": 0}
+    folder = handmade.write()
+    (folder / "classes").mkdir()
+    (folder / "classes/1.png").write_bytes(png.encode(classes))
+    frame = open_session(folder)[1]
+    assert frame.class_map().dtype == np.uint8
+    np.testing.assert_array_equal(frame.class_map(), classes)
+    assert gtaharvest.SEMANTIC_CLASS_NAMES[1] == "road" and gtaharvest.SEMANTIC_CLASS_NAMES[20] == "other"
+    with pytest.raises(gtaharvest.MissingPictureError, match="line 1: the frame has no class map"):
+        open_session(folder)[0].class_map()
+    (folder / "classes/1.png").write_bytes(png.encode(classes.astype(np.uint16)))
+    with pytest.raises(gtaharvest.PictureError, match="8 bits"):
+        open_session(folder)[1].class_map()
+
+
 def test_bmp_images(handmade: HandmadeSession, decoder: str) -> None:
     picture = conftest.image(0)
     handmade.lines[0]["image"] = "frames/0.bmp"

@@ -63,7 +63,7 @@ def test_labels_as_arrays_with_nan_for_unknown(handmade: HandmadeSession) -> Non
     arrays = open_session(handmade.write())[1].view.arrays()
     assert len(arrays) == 2
     assert arrays.ids.tolist() == [7, 9] and arrays.class_names.tolist() == ["car", "pedestrian"]
-    assert arrays.box2d.shape == (2, 4) and np.isnan(arrays.box2d_visible).all()
+    assert arrays.box2d.shape == (2, 4) and np.isnan(arrays.box2d_visible).all() and np.isnan(arrays.box2d_whole).all()
     np.testing.assert_array_equal(arrays.visible_fraction, [0.75, np.nan])
     np.testing.assert_array_equal(arrays.centre, [[0, 12, 0], [3, 21, 0]])
     np.testing.assert_array_equal(arrays.axes[0], np.eye(3))

@@ -41,6 +41,12 @@ internal sealed class GameDisplay : IDisplay
     }
 
     /// <inheritdoc/>
+    public void Triangle(Vector3D a, Vector3D b, Vector3D c, Colour colour) => Natives.Call(
+        Hash.DRAW_POLY,
+        (float)a.X, (float)a.Y, (float)a.Z, (float)b.X, (float)b.Y, (float)b.Z, (float)c.X, (float)c.Y, (float)c.Z,
+        colour.Red, colour.Green, colour.Blue, Opaque);
+
+    /// <inheritdoc/>
     public void HideGames()
     {
         Natives.Call(Hash.HIDE_HUD_AND_RADAR_THIS_FRAME);

@@ -39,9 +39,10 @@ internal sealed class GameRays : IRayCaster
         using var hit = new NativeOutput();
         using var point = new NativeOutput();
         using var normal = new NativeOutput();
+        using var material = new NativeOutput();
         using var entity = new NativeOutput();
         const int ready = 2;
-        if (Natives.Call<int>(Hash.GET_SHAPE_TEST_RESULT, test, hit, point, normal, entity) != ready)
+        if (Natives.Call<int>(Hash.GET_SHAPE_TEST_RESULT_INCLUDING_MATERIAL, test, hit, point, normal, material, entity) != ready)
         {
             throw new InvalidOperationException("The game did not answer a ray.");
         }
@@ -52,7 +53,11 @@ internal sealed class GameRays : IRayCaster
         }
 
         int met = entity.Integer;
-        return new RayHit((point.Vector - start).Length, IsEntity(met) ? met : RayHit.World);
+        return new RayHit((point.Vector - start).Length, IsEntity(met) ? met : RayHit.World)
+        {
+            Material = unchecked((uint)material.Integer),
+            NormalZ = normal.Vector.Z,
+        };
     }
 
     private bool IsEntity(int handle)

@@ -51,6 +51,7 @@ public sealed class HarvesterScript : Script
         _folder = new ModFolder(BaseDirectory);
         _messages = new PlayerMessages(BaseDirectory, message => Notification.Show(message), clock);
         PlayerSettings player = PlayerSettings.Read(_folder.Settings, BaseDirectory);
+        player = player with { Options = player.Options with { Materials = _folder.Materials } };
         var measured = new MeasuredFaces(player.FacesFolder, _folder.ShippedFaces, _folder.FacesWith(player.FacesFolder));
         var display = new GameDisplay();
         var time = new GameTime(
@@ -60,6 +61,8 @@ public sealed class HarvesterScript : Script
         var reading = new ReadingRecord();
         var calls = new GameCalls(rays);
         var markers = new DrawnMarkers(display);
+        var sheets = new DrawnSheets(display);
+        var hidden = new HiddenEntities(new GameShownEntities(), _folder.HiddenPath, _messages, () => _harvest!.IsOn);
         var roads = new GrowingRoads(player.LaneWidthMetres, player.NarrowLaneWidthMetres);
         var vehicles = new GameVehicles();
         var models = new GameModels();
@@ -78,6 +81,8 @@ public sealed class HarvesterScript : Script
             Roads = roads,
             Lights = lights,
             MountedCamera = mount,
+            Visibility = hidden,
+            Sheets = sheets,
             Calls = calls,
             Reading = reading
         };
@@ -111,8 +116,8 @@ public sealed class HarvesterScript : Script
             SurveyLines = [() => survey.Line, () => _signs.Line, () => marking.Line]
         };
         var frozen = new FrozenWorld(time, () => _harvest.IsOn || _calibration.IsOn || _drive.IsOn);
-        _features = new FeatureSet(_messages, calls, clock, frozen, car, mount, _harvest, lights, _calibration, markers, survey, _signs,
-            marking, unknown, _drive, line, overlay);
+        _features = new FeatureSet(_messages, calls, clock, frozen, hidden, sheets, car, mount, _harvest, lights,
+            _calibration, markers, survey, _signs, marking, unknown, _drive, line, overlay);
         if (player.RoadFile is { } file)
         {
             roads.Prepare(() => RoadSurveyFile.Load(file) ?? throw new FileNotFoundException($"There is no {file}."), "roadFile");

@@ -51,9 +51,9 @@ public sealed class FaultTests
     }
 
     [Fact]
-    public void Every_native_of_the_mod_is_called_by_the_fault_scenario()
+    public void Every_native_of_the_mod_is_called_by_a_fault_scenario()
     {
-        Assert.Empty(Enum.GetValues<Hash>().Except(Played.Value));
+        Assert.Empty(Enum.GetValues<Hash>().Except(Played.Value).Except(HidingTests.OwnNatives));
     }
 
     [Fact]

@@ -36,7 +36,7 @@ public sealed class GameRaysTests
         GameHost.Current = game;
         RayHit? hit = Cast(new GameRays(), new Vector3D(0, 0, -1));
 
-        Assert.Equal(new RayHit(50, RayHit.World), hit);
+        Assert.Equal(new RayHit(50, RayHit.World) { Material = TestGame.Concrete, NormalZ = 1 }, hit);
         Assert.Empty(game.LeakedScriptHandles);
         Assert.Empty(game.Misuses);
     }

@@ -26,8 +26,10 @@ public sealed class NativeTableTests
     {
         using var driver = new ScriptDriver(Playthrough.Ini, faces: LightTests.TableOfOne);
         Playthrough.Of(driver);
+        using ScriptDriver hiding = HidingTests.Harvesting();
+        hiding.Until(() => hiding.Game.Calls.Contains(Hash.DRAW_POLY));
 
-        Assert.Empty(Enum.GetValues<Hash>().Except(driver.Game.Calls));
-        Assert.Empty(driver.Game.Misuses);
+        Assert.Empty(Enum.GetValues<Hash>().Except(driver.Game.Calls).Except(hiding.Game.Calls));
+        Assert.Empty(driver.Game.Misuses.Concat(hiding.Game.Misuses));
     }
 }

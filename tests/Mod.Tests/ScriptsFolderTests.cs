@@ -9,7 +9,10 @@ public sealed class ScriptsFolderTests
     public void Build_creates_a_folder_with_exactly_the_scripts_content()
     {
         Assert.Equal(
-            ["GtaDataHarvester-LICENSE.txt", "GtaDataHarvester.dll", "GtaDataHarvester.ini", "INSTALL.txt", "spaces_of_interest.csv"],
+            [
+                "GtaDataHarvester-LICENSE.txt", "GtaDataHarvester.dll", "GtaDataHarvester.ini", "INSTALL.txt", "materials.csv",
+                "spaces_of_interest.csv",
+            ],
             Directory.EnumerateFileSystemEntries(Folder).Select(Path.GetFileName).Order(StringComparer.Ordinal));
     }
 

@@ -65,12 +65,13 @@ public sealed class StandInTests
         using var hit = new OutputArgument();
         using var point = new OutputArgument();
         using var normal = new OutputArgument();
+        using var material = new OutputArgument();
         using var entity = new OutputArgument();
         OnScriptThread(() =>
         {
             int test = Function.Call<int>(
                 Hash.START_EXPENSIVE_SYNCHRONOUS_SHAPE_TEST_LOS_PROBE, 0f, 0f, 100f, 0f, 0f, 200f, 1, 0, 7);
-            return Function.Call<int>(Hash.GET_SHAPE_TEST_RESULT, test, hit, point, normal, entity);
+            return Function.Call<int>(Hash.GET_SHAPE_TEST_RESULT_INCLUDING_MATERIAL, test, hit, point, normal, material, entity);
         });
 
         Assert.Equal(expected, hit.GetResult<bool>());

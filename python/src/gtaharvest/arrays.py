@@ -16,8 +16,8 @@ from .records import JOINT_NAMES, Box, ObjectLabel
 class ObjectArrays:
     """The objects of an image, one row each. NaN stands for unknown.
 
-    ids: (n,). class_names: (n,), text. box2d, box2d_amodal, box2d_visible: (n, 4), pixels. truncated_fraction, occluded_fraction,
-    visible_fraction, distance_metres: (n,). centre, half_extents, velocity: (n, 3), metres and metres per second, world.
+    ids: (n,). class_names: (n,), text. box2d, box2d_amodal, box2d_visible, box2d_whole: (n, 4), pixels. truncated_fraction,
+    occluded_fraction, visible_fraction, distance_metres: (n,). centre, half_extents, velocity: (n, 3), metres and metres per second, world.
     axes: (n, 3, 3), right, forward and up as rows. joints: (n, 22, 3), metres, world. joint_pixels: (n, 22, 2).
     joint_visibility: (n, 22), text, empty for objects without joints.
     """
@@ -27,6 +27,7 @@ class ObjectArrays:
     box2d: Array
     box2d_amodal: Array
     box2d_visible: Array
+    box2d_whole: Array
     truncated_fraction: Array
     occluded_fraction: Array
     visible_fraction: Array
@@ -60,6 +61,7 @@ class ObjectArrays:
             _rows([item.box2d for item in objects], 4),
             _rows([item.box2d_amodal for item in objects], 4),
             _rows([_box(item.box2d_visible) for item in objects], 4),
+            _rows([_box(item.box2d_whole) for item in objects], 4),
             np.array([item.truncated_fraction for item in objects], dtype=np.float64),
             np.array([item.occluded_fraction for item in objects], dtype=np.float64),
             np.array([item.visible_fraction for item in objects], dtype=np.float64),

@@ -19,7 +19,7 @@ CLASS_COLOURS: Dict[str, Colour] = {
     "trailer": (180, 120, 60), "pedestrian": (255, 60, 90), "sign": (60, 230, 90), "trafficLight": (180, 255, 60)}
 """Red, green, blue by class; other classes are white."""
 
-KINDS = ("cuboid", "amodal", "visible", "3d", "none")
+KINDS = ("cuboid", "amodal", "visible", "whole", "3d", "none")
 """The kinds of boxes that annotate draws."""
 
 _WHITE: Colour = (255, 255, 255)
@@ -35,7 +35,8 @@ def annotate(view: View, boxes: str = "cuboid", joints: bool = True, selection: 
     picture = np.ascontiguousarray(view.image()).copy()
     for item in view.select(selection):
         colour = CLASS_COLOURS.get(item.class_name, _WHITE)
-        box = {"cuboid": item.box2d, "amodal": item.box2d_amodal, "visible": item.box2d_visible}.get(boxes)
+        box = {
+            "cuboid": item.box2d, "amodal": item.box2d_amodal, "visible": item.box2d_visible, "whole": item.box2d_whole}.get(boxes)
         if boxes == "3d":
             draw_cuboid(picture, view.camera, item, colour)
         elif box is not None:

@@ -10,7 +10,7 @@ from .arrays import ObjectArrays
 from .camera import Camera
 from .errors import LabelError, MissingPictureError, PictureError
 from .lanes import Lanes
-from .pictures import read_image, read_mask
+from .pictures import read_class_map, read_image, read_mask
 from .png import Picture
 from .records import Ego, IgnoreRegion, ObjectLabel
 from .selection import Selection
@@ -99,6 +99,22 @@ class View:
             raise MissingPictureError(f"{self._source}: the frame has no mask. Harvest with --masks, or see harvester masks import.")
         return self._sized(path, read_mask(path))
 
+    @property
+    def class_map_path(self) -> Optional[Path]:
+        """The file of the class map; None if the frame has none."""
+        classes = self.raw.get("classMap")
+        return None if classes is None else self._inner(_checked(self._source, lambda: str(classes["file"])))
+
+    def class_map(self) -> Picture:
+        """The class map as (height, width), uint8: the place in SEMANTIC_CLASS_NAMES of the class visible at each pixel.
+
+        Raises MissingPictureError if the frame has no class map or the file does not exist, and PictureError as image does.
+        """
+        path = self.class_map_path
+        if path is None:
+            raise MissingPictureError(f"{self._source}: the frame has no class map. Harvest with --semantics.")
+        return self._sized(path, read_class_map(path))
+
     def _sized(self, path: Path, picture: Picture) -> Picture:
         size = (self.camera.height, self.camera.width)
         if picture.shape[:2] != size:
@@ -180,6 +196,10 @@ class Frame:
     def mask(self) -> Picture:
         """The instance mask of the only view; see View.mask."""
         return self.view.mask()
+
+    def class_map(self) -> Picture:
+        """The class map of the only view; see View.class_map."""
+        return self.view.class_map()
 
     def to_pandas(self, selection: Optional[Selection] = None) -> pandas.DataFrame:
         """A table with one row per object; see Session.to_pandas."""

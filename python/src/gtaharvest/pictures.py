@@ -39,6 +39,17 @@ def read_mask(path: Path) -> Picture:
     return picture.astype(np.uint16, copy=False)
 
 
+def read_class_map(path: Path) -> Picture:
+    """A class map as (rows, columns), uint8: the number of the class visible at each pixel.
+
+    Raises MissingPictureError and PictureError.
+    """
+    picture = _read(path)
+    if picture.ndim != 2 or picture.dtype != np.uint8:
+        raise PictureError(f"{path}: a class map is a greyscale PNG of 8 bits.")
+    return picture
+
+
 def _read(path: Path) -> Picture:
     try:
         data = path.read_bytes()

@@ -29,6 +29,10 @@ CLASS_NAMES: Tuple[str, ...] = (
     "car", "truck", "bus", "motorcycle", "bicycle", "trailer", "pedestrian", "sign", "trafficLight", "other")
 """The classes of the format, in the order of their numbers."""
 
+SEMANTIC_CLASS_NAMES: Tuple[str, ...] = (
+    "none", "road", "pavement", "laneMarking", "building", "vegetation", "terrain", "sky", "water", "pole", "fence") + CLASS_NAMES
+"""The classes of class maps, in the order of their numbers."""
+
 # The corners of a cuboid as signs of (right, forward, up), and its edges as pairs of corners.
 _CORNERS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64)
 CUBOID_EDGES: Tuple[Tuple[int, int], ...] = (
@@ -125,6 +129,7 @@ class ObjectLabel:
     box2d: Box
     box2d_amodal: Box
     box2d_visible: Optional[Box]
+    box2d_whole: Optional[Box]
     truncated_fraction: float
     occluded_fraction: Optional[float]
     occlusion_method: str
@@ -146,9 +151,9 @@ class ObjectLabel:
             item["id"], item["class"], item["model"], item["name"], item["parent"], item["knownParts"], item["hasRider"],
             (item["box2d"][0], item["box2d"][1], item["box2d"][2], item["box2d"][3]),
             (item["box2dAmodal"][0], item["box2dAmodal"][1], item["box2dAmodal"][2], item["box2dAmodal"][3]),
-            _box(item["box2dVisible"]), item["truncatedFraction"], item["occludedFraction"], item["occlusionMethod"],
-            item["visibleFraction"], item.get("trueOccludedFraction"), Cuboid.from_json(item["box3d"]), item["distanceMetres"],
-            vector(item["velocity"]),
+            _box(item["box2dVisible"]), _box(item.get("box2dWhole")), item["truncatedFraction"], item["occludedFraction"],
+            item["occlusionMethod"], item["visibleFraction"], item.get("trueOccludedFraction"), Cuboid.from_json(item["box3d"]),
+            item["distanceMetres"], vector(item["velocity"]),
             None if space is None else Face.from_json(space),
             None if lights is None else VehicleLights(lights["brake"], lights["left"], lights["right"], lights["head"]),
             _box(item.get("box2dJoints")),
@@ -204,4 +209,4 @@ class Ego:
 
 __all__ = [
     "Box", "CLASS_NAMES", "CUBOID_EDGES", "Camera", "Cuboid", "Ego", "Face", "IgnoreRegion", "JOINT_NAMES", "Joint", "Light",
-    "ObjectLabel", "Vector", "VehicleLights"]
+    "ObjectLabel", "SEMANTIC_CLASS_NAMES", "Vector", "VehicleLights"]

@@ -36,7 +36,9 @@ def _row(item: ObjectLabel) -> Dict[str, Any]:
     row: Dict[str, Any] = {
         "id": item.id, "class_name": item.class_name, "model": item.model, "name": item.name, "parent": item.parent,
         "has_rider": item.has_rider}
-    for name, box in (("box2d", item.box2d), ("box2d_amodal", item.box2d_amodal), ("box2d_visible", item.box2d_visible)):
+    for name, box in (
+            ("box2d", item.box2d), ("box2d_amodal", item.box2d_amodal), ("box2d_visible", item.box2d_visible),
+            ("box2d_whole", item.box2d_whole)):
         row.update({f"{name}_{side}": None if box is None else box[i] for i, side in enumerate(_BOX)})
     row.update({
         "truncated_fraction": item.truncated_fraction, "occluded_fraction": item.occluded_fraction,

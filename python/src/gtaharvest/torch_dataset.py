@@ -15,6 +15,8 @@ from .frame import View
 from .selection import Selection
 from .session import Session, open_session
 
+_FIELDS = {"cuboid": "box2d", "amodal": "box2d_amodal", "visible": "box2d_visible", "whole": "box2d_whole"}
+
 Sample = Tuple[torch.Tensor, Dict[str, torch.Tensor]]
 
 
@@ -38,17 +40,18 @@ class DetectionDataset(Dataset[Any]):
     ) -> None:
         """sessions: one or several, opened or by folder. classes: those to detect; the ones of the first session by default.
         selection: a further filter; objects that do not pass it become `ignore` regions, as do undetermined ones.
-        boxes: `cuboid` (box2d), `amodal` (box2dAmodal) or `visible` (box2dVisible, which needs masks). transform: applied to each item.
+        boxes: `cuboid` (box2d), `amodal` (box2dAmodal), `visible` (box2dVisible, which needs masks) or `whole` (box2dWhole, which
+        needs amodal masks). transform: applied to each item.
         """
         several = [sessions] if isinstance(sessions, (Session, str, os.PathLike)) else list(sessions)
         if not several:
             raise ValueError("Give at least one session.")
-        if boxes not in ("cuboid", "amodal", "visible"):
-            raise ValueError(f"Unknown kind of box '{boxes}'; kinds are cuboid, amodal, visible.")
+        if boxes not in _FIELDS:
+            raise ValueError(f"Unknown kind of box '{boxes}'; kinds are {', '.join(_FIELDS)}.")
         self.sessions = [each if isinstance(each, Session) else open_session(each) for each in several]
         self.classes = tuple(classes if classes is not None else self.sessions[0].classes)
         self._selection = selection
-        self._field = {"cuboid": "box2d", "amodal": "box2d_amodal", "visible": "box2d_visible"}[boxes]
+        self._field = _FIELDS[boxes]
         self._transform = transform
         self._ends = list(itertools.accumulate(map(len, self.sessions)))
 

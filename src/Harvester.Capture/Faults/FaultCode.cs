@@ -30,6 +30,9 @@ public enum FaultCode
     /// <summary>No freeze method stops the world; the harvest goes on.</summary>
     NeverStill,
 
+    /// <summary>The game does not hide entities while it is frozen, so that masks come from rays; the harvest goes on.</summary>
+    NothingHidden,
+
     /// <summary>The session has used all object numbers.</summary>
     NumbersUsedUp,
 }

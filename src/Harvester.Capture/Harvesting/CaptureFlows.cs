@@ -18,12 +18,19 @@ internal sealed class CaptureFlows(
     {
         FrameLabeller labeller = LabellerFrom(sink.FirstObjectId);
         return options.Freeze
-            ? new FrozenFlow(options, game, reader, labeller, pool, budget, counters, calls)
+            ? new FrozenFlow(options, game, reader, labeller, pool, budget, counters, calls, Photographer)
             {
                 TakesNext = () => Takes(sink.FirstFrame + counters.Taken),
             }
             : new LiveFlow(game, reader, labeller, pool, budget, counters, lag ?? throw LagUnknown());
     }
+
+    /// <summary>Takes the pictures for coded masks; null if there are none.</summary>
+    public CodedPhotographer? Photographer { get; } =
+        options is { Masks: true, MaskMethod: not MaskMethod.Rays } ? new CodedPhotographer(game, pool, options.MaxPictureLagTicks) : null;
+
+    /// <summary>Compares masks of both methods; null if they are not compared.</summary>
+    public MaskComparison? Comparison { get; } = options is { Masks: true, MaskMethod: MaskMethod.Both } ? new MaskComparison() : null;
 
     private bool Takes(int frame) => frame > options.RecordedThrough && options.Shard.Takes(frame);
 
@@ -39,7 +46,9 @@ internal sealed class CaptureFlows(
         var rays = new FrameRays(game.Rays, options.RayBudget);
         return new FrameLabeller(options, rays, registry)
         {
+            Comparison = Comparison,
             Lanes = game.Roads is { } roads ? new LaneLabeller(roads, game.Paint, rays, registry) : null,
+            Semantics = options.Semantics is null ? null : new SemanticLabeller(options, rays, game.Paint, game.Surfaces),
             Faces = options.Faces is { } faces ? new FaceLabeller(faces, options, rays, game.Lights, registry) : null,
             DrawnOcclusion = game.DrawnOcclusion,
         };

@@ -36,6 +36,9 @@ public sealed class CapturedFrame : IDisposable
     /// <summary>Its instance map; null without pixel maps.</summary>
     public InstanceMap? Mask { get; }
 
+    /// <summary>Its class map; null without one.</summary>
+    public InstanceMap? Classes { get; init; }
+
     /// <summary>The scene from which its labels were made; null if scenes are not recorded.</summary>
     public RecordedScene? Scene { get; init; }
 

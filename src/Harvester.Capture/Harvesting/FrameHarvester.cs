@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Harvester.Capture.Labelling;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Semantics;
 
 namespace Harvester.Capture.Harvesting;
 
@@ -106,8 +107,14 @@ internal sealed class FrameHarvester(
         {
             picture = grabbed.Take();
             LightObserver.Observe(draft, picture);
+            if (draft.Classes is { } classes && draft.ClassSource.Method == SemanticsMethod.Rays)
+            {
+                ClassColours.Complete(classes, draft.Mask, picture);
+            }
+
             return new CapturedFrame(draft.Label(number, options.Format, options.Places), picture, draft.Mask, pool)
             {
+                Classes = draft.Classes,
                 Scene = options.Scenes
                     ? new RecordedScene(draft.Snapshot, options.Lens, draft.Ids, draft.Occlusions) { Distant = draft.Distant }
                     : null,

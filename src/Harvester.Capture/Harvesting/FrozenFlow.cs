@@ -24,7 +24,8 @@ internal sealed class FrozenFlow(
     PixelBufferPool pool,
     TickBudget budget,
     HarvestCounters counters,
-    PhaseCalls calls)
+    PhaseCalls calls,
+    CodedPhotographer? photographer)
     : ICaptureFlow
 {
     private readonly SceneComparison _comparison = new(options.StillToleranceMetres);
@@ -80,6 +81,21 @@ internal sealed class FrozenFlow(
                 yield break;
             }
 
+            if (photographer is not null)
+            {
+                foreach (HarvestPhase phase in photographer.Take(labeller.TargetsOf(snapshot), picture?.WaitForPixels()))
+                {
+                    yield return phase;
+                }
+
+                calls.Charge(HarvestPhase.Photographing);
+                if (photographer.Refusal is { } failed)
+                {
+                    counters.Discard(failed);
+                    yield break;
+                }
+            }
+
             FrameDraft? draft = null;
             budget.BeginSteps();
             if (!isOurs)
@@ -87,7 +103,7 @@ internal sealed class FrozenFlow(
                 labeller.Pass(snapshot);
             }
 
-            foreach (FrameDraft? slice in isOurs ? labeller.Label(snapshot, static () => true) : [])
+            foreach (FrameDraft? slice in isOurs ? labeller.Label(snapshot, static () => true, photographer?.Pictures) : [])
             {
                 draft = slice;
                 if (slice is null && budget.IsSpent)
@@ -117,6 +133,7 @@ internal sealed class FrozenFlow(
         finally
         {
             picture?.Dispose();
+            photographer?.Release();
             game.Pause.Unfreeze();
             calls.Charge(HarvestPhase.Labelling);
         }

@@ -46,6 +46,14 @@ internal sealed class GrabbedPicture : IDisposable
     /// <summary>Grabs the current picture of a screen; one that can defers drawing it.</summary>
     public static GrabbedPicture Of(IScreen screen, PixelBufferPool pool) => new(screen, pool);
 
+    /// <summary>Waits until the picture is drawn, and returns its pixels, which still belong to the picture.</summary>
+    /// <exception cref="Exception">The failure of drawing it.</exception>
+    public PixelBuffer WaitForPixels()
+    {
+        _drawing?.GetAwaiter().GetResult();
+        return _buffer ?? throw new InvalidOperationException("The picture was taken before.");
+    }
+
     /// <summary>Waits until the picture is drawn, and gives its buffer to the caller. Called once.</summary>
     /// <exception cref="Exception">The failure of drawing it.</exception>
     public PixelBuffer Take()

@@ -21,6 +21,9 @@ public enum HarvestPhase
     /// <summary>Live mode: the state has been read; its picture has not appeared yet.</summary>
     Following,
 
+    /// <summary>Photographs the frozen world with objects hidden.</summary>
+    Photographing,
+
     /// <summary>Computes labels, within the time budget of a tick.</summary>
     Labelling,
 

@@ -30,6 +30,8 @@ public sealed class HarvestSession : IDisposable
     private long _gameFrame;
     private double _timeSeconds;
     private bool _opened;
+    private CaptureFlows? _flows;
+    private IReadOnlyList<CaptureFault> _unchecked = [];
     private HarvestPhase _phase = HarvestPhase.Waiting;
 
     /// <summary>Creates a session. The game is not used before the first step.</summary>
@@ -44,6 +46,11 @@ public sealed class HarvestSession : IDisposable
         if (options is { Freeze: false, Masks: true })
         {
             throw new ArgumentException("Masks need a game that is frozen for each frame.", nameof(options));
+        }
+
+        if (options is { MaskMethod: MaskMethod.Both, Shard.Count: > 1 } or { MaskMethod: MaskMethod.Both, RecordedThrough: >= 0 })
+        {
+            throw new ArgumentException("Masks of two methods are compared in whole harvests only.", nameof(options));
         }
 
         if (options is { Freeze: false, Shard.Count: > 1 } or { Freeze: false, RecordedThrough: >= 0 })
@@ -69,7 +76,10 @@ public sealed class HarvestSession : IDisposable
     public string? Fault => Failure?.Message;
 
     /// <summary>What could not be checked; empty until the first frame.</summary>
-    public IReadOnlyList<CaptureFault> Warnings { get; private set; } = [];
+    public IReadOnlyList<CaptureFault> Warnings => [.. _unchecked, .. new[] { _flows?.Photographer?.Warning }.OfType<CaptureFault>()];
+
+    /// <summary>How well masks from rays agree with those from photographs; null if they are not compared.</summary>
+    public MaskComparison? MaskComparison => _flows?.Comparison;
 
     /// <summary>Error of the camera model, pixels; null if it was not checked, or not yet.</summary>
     public double? CalibrationErrorPixels { get; private set; }
@@ -173,8 +183,9 @@ public sealed class HarvestSession : IDisposable
         }
 
         bool isLagOpen = Lag is null && check.ErrorPixels is null && (_options.ProbeLag || check.Warning is not null);
-        Warnings = [.. new[] { freeze.Warning, check.Warning, isLagOpen ? LagUnchecked : null }.OfType<CaptureFault>()];
-        ICaptureFlow flow = new CaptureFlows(_options, _game, reader, pool, _budget, Counters, Calls).For(_sink, Lag);
+        _unchecked = [.. new[] { freeze.Warning, check.Warning, isLagOpen ? LagUnchecked : null }.OfType<CaptureFault>()];
+        CaptureFlows flows = _flows = new CaptureFlows(_options, _game, reader, pool, _budget, Counters, Calls);
+        ICaptureFlow flow = flows.For(_sink, Lag);
         using var frames = new FrameHarvester(_options, _sink, flow, pool, Counters);
         var schedule = new FrameSchedule(_options.RateHz);
         while (true)
@@ -272,6 +283,7 @@ public sealed class HarvestSession : IDisposable
             try
             {
                 // Disposing the flow of a frame resumes the game; a flow that was ended by a fault may not have done so.
+                _flows?.Photographer?.Release();
                 _game.Pause.Unfreeze();
             }
             finally
@@ -290,6 +302,8 @@ public sealed class HarvestSession : IDisposable
                 _gameFrame, _timeSeconds, Counters.Captured, [.. Counters.Discards], [.. Counters.SettleTicks], Lag, Fault)
             {
                 Reading = _game.Reading?.Report,
+                MaskComparison = MaskComparison,
+                MaskWarning = _flows?.Photographer?.Warning?.Message,
             });
         }
     }

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 
 namespace Harvester.Capture.Harvesting;
@@ -23,4 +24,10 @@ public sealed record SessionEnd(
 {
     /// <summary>What could not be read of the game correctly; null for a game that is always read completely.</summary>
     public ReadingReport? Reading { get; init; }
+
+    /// <summary>How well masks from rays agree with those from photographs; null if they are not compared.</summary>
+    public MaskComparison? MaskComparison { get; init; }
+
+    /// <summary>Why masks come from rays although others were asked for; null if they do not.</summary>
+    public string? MaskWarning { get; init; }
 }

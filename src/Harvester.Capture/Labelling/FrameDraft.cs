@@ -8,6 +8,7 @@ using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Semantics;
 
 namespace Harvester.Capture.Labelling;
 
@@ -36,6 +37,12 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
 
     /// <summary>The instance map; null until there is one.</summary>
     public InstanceMap? Mask { get; set; }
+
+    /// <summary>The class map; null until there is one.</summary>
+    public InstanceMap? Classes { get; private set; }
+
+    /// <summary>Where the class map comes from.</summary>
+    public (SemanticsMethod Method, int RaysCast, int InterpolatedPixels) ClassSource { get; private set; }
 
     /// <summary>The accuracy of the mask; null without one.</summary>
     public PixelMapLabel? PixelMap { get; set; }
@@ -87,6 +94,10 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
         List(null, region);
     }
 
+    /// <summary>Takes the class map.</summary>
+    public void Take(InstanceMap classes, SemanticsMethod method, int raysCast, int interpolatedPixels) =>
+        (Classes, ClassSource) = (classes, (method, raysCast, interpolatedPixels));
+
     /// <summary>Replaces each object label by the result of a function.</summary>
     public void Update(Func<ObjectLabel, ObjectLabel> change)
     {
@@ -116,6 +127,8 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
         Place = places?.PlaceOf(frame),
         PlaceFrame = frame - places?.FirstFrameOf(places.PlaceOf(frame)),
         PixelMap = PixelMap,
+        ClassMap = Classes is null ? null
+            : new ClassMapLabel(FramePaths.Classes(frame), ClassSource.Method, ClassSource.RaysCast, ClassSource.InterpolatedPixels),
         Rays = Rays,
         IgnoreRegions = IgnoreRegions,
         Lanes = Lanes,

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
@@ -24,8 +25,14 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
     /// <summary>Labels the lanes; null to label none.</summary>
     public LaneLabeller? Lanes { get; init; }
 
+    /// <summary>Compares masks of both methods; null if they are not compared.</summary>
+    public MaskComparison? Comparison { get; init; }
+
     /// <summary>Labels faces of signs and heads of traffic lights; null to label none.</summary>
     public FaceLabeller? Faces { get; init; }
+
+    /// <summary>Makes the class map; null for none.</summary>
+    public SemanticLabeller? Semantics { get; init; }
 
     /// <summary>Tells how much of each object the drawing hides; null to leave it open.</summary>
     public IDrawnOcclusion? DrawnOcclusion { get; init; }
@@ -38,16 +45,23 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
     /// <param name="mayCastRays">
     /// Called before each object and each ray of a mask. If it returns false, an object has no occlusion and a mask gets no further rays.
     /// </param>
-    public IEnumerable<FrameDraft?> Label(SceneSnapshot snapshot, Func<bool> mayCastRays)
+    /// <param name="pictures">The photographs for a coded mask; null if there are none.</param>
+    public IEnumerable<FrameDraft?> Label(SceneSnapshot snapshot, Func<bool> mayCastRays, CodedPictures? pictures = null)
     {
         rays.Begin();
         Camera camera = options.CameraOf(snapshot.Camera);
         var draft = new FrameDraft(snapshot, camera);
         List<LabelCandidate> candidates = _objects.CandidatesOf(camera, snapshot);
         IEnumerable<bool> objects = options.Masks
-            ? new MapLabeller(options, _objects, rays).Label(draft, candidates, mayCastRays)
+            ? new MapLabeller(options, _objects, rays) { Comparison = Comparison }.Label(draft, candidates, mayCastRays, pictures)
             : LabelByRays(draft, candidates, mayCastRays);
         foreach (bool _ in objects)
+        {
+            yield return null;
+        }
+
+        rays.Begin(RayPhase.Semantics);
+        foreach (bool _ in Semantics?.Label(draft, mayCastRays) ?? [])
         {
             yield return null;
         }
@@ -90,6 +104,10 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
         draft.Rays = rays.Counts;
         yield return draft;
     }
+
+    /// <summary>The objects of a snapshot that a mask may show, with the numbers that they have until it is finished.</summary>
+    public IReadOnlyList<MapTarget> TargetsOf(SceneSnapshot snapshot) =>
+        MapLabeller.TargetsOf(_objects.CandidatesOf(options.CameraOf(snapshot.Camera), snapshot));
 
     /// <summary>
     /// Passes over a snapshot that is not labelled. The state kept from frame to frame, the ids of objects and the road, is afterwards as

@@ -12,7 +12,7 @@ namespace Harvester.Capture.Labelling;
 /// <param name="budget">Maximum number of rays per frame.</param>
 internal sealed class FrameRays(IRayCaster rays, int budget) : IRayCaster
 {
-    private readonly int[] _counts = new int[1 + (int)RayPhase.Joints];
+    private readonly int[] _counts = new int[1 + (int)RayPhase.Semantics];
     private RayPhase _phase;
     private int _cast;
 
@@ -26,7 +26,10 @@ internal sealed class FrameRays(IRayCaster rays, int budget) : IRayCaster
         _counts[(int)RayPhase.Faces],
         _counts[(int)RayPhase.IgnoreRegions],
         _counts[(int)RayPhase.Lanes],
-        _counts[(int)RayPhase.Joints]);
+        _counts[(int)RayPhase.Joints])
+    {
+        Classes = _counts[(int)RayPhase.Semantics],
+    };
 
     /// <summary>Begins a frame.</summary>
     public void Begin()

@@ -20,12 +20,19 @@ internal sealed record LabelCandidate(EntityState Entity, ushort Id, Cuboid Cubo
     /// <summary>The distance of its centre from a camera, metres.</summary>
     public double DistanceFrom(Camera camera) => (Cuboid.Centre - camera.Pose.Position).Length;
 
-    /// <summary>The part of its label that is the same for entities and faces.</summary>
-    public ObjectLabel Label(Camera camera, ObjectClass objectClass, OcclusionEstimate occlusion) => new()
+    /// <summary>The label of an entity, and the part of a face's label that is the same.</summary>
+    /// <param name="camera">The camera of the image.</param>
+    /// <param name="objectClass">The class of the label.</param>
+    /// <param name="occlusion">Its occlusion.</param>
+    /// <param name="knownParts">Number of faces known on its model; null for a face and without a table of faces.</param>
+    public ObjectLabel Label(Camera camera, ObjectClass objectClass, OcclusionEstimate occlusion, int? knownParts = null) => new()
     {
         Id = Id,
         Class = objectClass,
         Model = Entity.Model,
+        KnownParts = knownParts,
+        HasRider = Entity.HasRider,
+        Lights = Entity.Lights,
         Box2D = Box,
         Box2DAmodal = Projection.AmodalBox!.Value,
         TruncatedFraction = Projection.TruncatedFraction,

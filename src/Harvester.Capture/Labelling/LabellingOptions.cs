@@ -6,6 +6,7 @@ using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Semantics;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.Labelling;
@@ -38,8 +39,18 @@ public record LabellingOptions
     /// <summary>Whether instance masks are made.</summary>
     public bool Masks { get; init; }
 
+    /// <summary>How instance masks are made. Methods other than rays need a frozen game that can hide its entities.</summary>
+    public MaskMethod MaskMethod { get; init; } = MaskMethod.Rays;
+
+    /// <summary>Where the classes of class maps come from; null for no class maps. They need masks.</summary>
+    public SemanticsMethod? Semantics { get; init; }
+
+    /// <summary>The classes of the materials that rays report.</summary>
+    public MaterialTable Materials { get; init; } = MaterialTable.BuiltIn;
+
     /// <summary>
-    /// Maximum number of rays per frame, 0 to 10,000,000: for the mask first, then for objects, faces, ignore regions, lanes and joints.
+    /// Maximum number of rays per frame, 0 to 10,000,000: for the mask first, then for objects, the class map, faces, ignore
+    /// regions, lanes and joints.
     /// When they are used up, the mask is finished from what is known, and the rest is undetermined.
     /// </summary>
     public int RayBudget { get; init => field = OptionCheck.InRange(value, 0, MaxRays, nameof(RayBudget)); } = 50_000;

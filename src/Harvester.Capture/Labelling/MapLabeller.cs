@@ -13,27 +13,57 @@ namespace Harvester.Capture.Labelling;
 /// <summary>Labels objects together with the instance mask that shows them.</summary>
 internal sealed class MapLabeller(LabellingOptions options, ObjectLabeller objects, FrameRays rays)
 {
+    /// <summary>Compares masks of both methods; null if they are not compared.</summary>
+    public MaskComparison? Comparison { get; init; }
+
+    /// <summary>The targets of a map: which objects are kept is known only after it, so until then they have consecutive numbers.</summary>
+    public static MapTarget[] TargetsOf(IReadOnlyList<LabelCandidate> candidates) => [.. candidates.Select((candidate, index) =>
+        new MapTarget(candidate.Entity.Handle, (ushort)(index + 1), candidate.Cuboid, candidate.Projection))];
+
     /// <summary>Labels the objects of a frame, in steps.</summary>
     /// <param name="draft">The frame; receives labels, occlusions and mask. Rays pass through the vehicle that carries its camera.</param>
     /// <param name="candidates">The objects.</param>
     /// <param name="mayCastRays">Called before each ray of the map, and before each object.</param>
-    public IEnumerable<bool> Label(FrameDraft draft, List<LabelCandidate> candidates, Func<bool> mayCastRays)
+    /// <param name="pictures">The photographs for a coded mask; null for a mask from rays.</param>
+    public IEnumerable<bool> Label(
+        FrameDraft draft, List<LabelCandidate> candidates, Func<bool> mayCastRays, CodedPictures? pictures = null)
     {
         Camera camera = draft.Camera;
         int egoHandle = draft.Snapshot.Ego.Handle;
-
-        // Which objects are kept is known only after the map: until then they have consecutive numbers.
-        MapTarget[] targets = [.. candidates.Select((candidate, index) =>
-            new MapTarget(candidate.Entity.Handle, (ushort)(index + 1), candidate.Cuboid, candidate.Projection))];
+        MapTarget[] targets = TargetsOf(candidates);
         rays.Begin(RayPhase.Map);
-        var mapOptions = new PixelMapOptions { RayBudget = rays.Left, RayReachMetres = options.RayReachMetres };
-        var mapper = new AdaptivePixelMapper(camera, targets, egoHandle, rays, mapOptions);
-        while (mayCastRays() && mapper.Step())
+        MadeMap? coded = null;
+        if (pictures is not null)
         {
-            yield return true;
+            var maker = new CodedMapMaker(options, camera, targets, egoHandle, rays, pictures);
+            foreach (bool _ in maker.Make(mayCastRays))
+            {
+                yield return true;
+            }
+
+            coded = maker.Made;
         }
 
-        AdaptivePixelMap map = mapper.Finish();
+        MadeMap? fromRays = null;
+        if (coded is null || Comparison is not null)
+        {
+            var mapper = new AdaptivePixelMapper(
+                camera, targets, egoHandle, rays,
+                new PixelMapOptions { RayBudget = rays.Left, RayReachMetres = options.RayReachMetres });
+            while (mayCastRays() && mapper.Step())
+            {
+                yield return true;
+            }
+
+            fromRays = MadeMap.Of(mapper.Finish());
+        }
+
+        MadeMap map = coded ?? fromRays!;
+        if (coded is not null && fromRays is not null)
+        {
+            Comparison!.Add(candidates, coded.Map, fromRays.Map);
+        }
+
         yield return true;
 
         rays.Begin(RayPhase.Occlusion);
@@ -52,7 +82,7 @@ internal sealed class MapLabeller(LabellingOptions options, ObjectLabeller objec
             draft.Add(
                 RecordedOcclusion.Of(candidate.Entity.Handle, null, candidate.Id, occlusion, null),
                 occlusion,
-                label is null ? null : label with { Box2DVisible = bounds[number] },
+                label is null ? null : label with { Box2DVisible = bounds[number], AmodalMask = map.AmodalOf(number) },
                 ObjectLabeller.RegionOf(camera, candidate, occlusion));
             yield return true;
         }
@@ -63,6 +93,6 @@ internal sealed class MapLabeller(LabellingOptions options, ObjectLabeller objec
         }
 
         draft.Mask = map.Map;
-        draft.PixelMap = new PixelMapLabel(map.ResolutionPixels, map.InterpolatedPixels, map.RaysCast);
+        draft.PixelMap = map.Label;
     }
 }

@@ -33,12 +33,7 @@ internal sealed class ObjectLabeller(LabellingOptions options, ObjectRegistry re
 
     /// <summary>The label of an entity in the image; null if it is not listed.</summary>
     public ObjectLabel? LabelOf(Camera camera, LabelCandidate candidate, OcclusionEstimate occlusion) => options.IsListed(occlusion)
-        ? candidate.Label(camera, candidate.Entity.Class, occlusion) with
-        {
-            KnownParts = options.Faces?.Of(candidate.Entity.Model).Count,
-            HasRider = candidate.Entity.HasRider,
-            Lights = candidate.Entity.Lights,
-        }
+        ? candidate.Label(camera, candidate.Entity.Class, occlusion, options.Faces?.Of(candidate.Entity.Model).Count)
         : null;
 
     /// <summary>The ignore region of an entity in the image; null unless its visibility could not be determined.</summary>

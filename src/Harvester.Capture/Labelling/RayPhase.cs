@@ -20,4 +20,7 @@ internal enum RayPhase
 
     /// <summary>The visibility of joints.</summary>
     Joints,
+
+    /// <summary>The class map.</summary>
+    Semantics,
 }

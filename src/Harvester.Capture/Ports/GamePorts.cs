@@ -17,6 +17,9 @@ public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IP
     /// <summary>The paint on the roads; null if the game does not report it.</summary>
     public IRoadPaint? Paint { get; init; }
 
+    /// <summary>What the picture truly shows, of a simulated game; otherwise null.</summary>
+    public ISurfaceTruth? Surfaces { get; init; }
+
     /// <summary>The traffic lights that the harvester itself drives; null if there are none.</summary>
     public ILights? Lights { get; init; }
 
@@ -31,6 +34,12 @@ public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IP
 
     /// <summary>What could not be read of the game correctly; null for a game that is always read completely.</summary>
     public ReadingRecord? Reading { get; init; }
+
+    /// <summary>Hides entities from pictures; null if the game cannot.</summary>
+    public IVisibility? Visibility { get; init; }
+
+    /// <summary>Draws sheets on the ground; null if the game cannot.</summary>
+    public ISheets? Sheets { get; init; }
 
     /// <summary>The camera, if it can be moved on its vehicle; otherwise null.</summary>
     public IMountedCamera? MountedCamera { get; init; }

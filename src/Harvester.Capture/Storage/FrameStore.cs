@@ -77,6 +77,11 @@ internal sealed class FrameStore(ISessionFiles files, SyncMode mode, PictureEnco
             written.Add(new(path, files.WriteWhole(path, stream => _png.Write(mask, stream))));
         }
 
+        if (frame is { Label.ClassMap.File: { } classPath, Classes: { } classes })
+        {
+            written.Add(new(classPath, files.WriteWhole(classPath, stream => _png.WriteGrey8(classes, stream))));
+        }
+
         if (frame.Scene is { } scene)
         {
             string name = FramePaths.Scene(frame.Label.Frame);

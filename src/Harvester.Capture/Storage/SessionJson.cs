@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Labelling;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
@@ -70,14 +71,21 @@ internal static class SessionJson
     private static IEnumerable<ObjectClass> ClassesOf(HarvestOptions options) =>
         typeof(ObjectClass).GetEnumValues().Cast<ObjectClass>().Where(each => options.Classes?.Contains(each) ?? true);
 
-    private static void Append(JsonText json, HarvestOptions options) =>
+    private static void Append(JsonText json, HarvestOptions options)
+    {
         json.BeginObject()
             .Key("rateHz").Number(options.RateHz, LabelDecimals.Seconds)
             .Key("rangeMetres").Number(options.RangeMetres, LabelDecimals.Metres)
             .Key("ignoreRangeMetres").Number(options.IgnoreRangeMetres, LabelDecimals.Metres)
             .Key("freeze").Boolean(options.Freeze)
             .Key("freezeBy").String(options.FreezeBy is { } method ? JsonName.Of(method) : "auto")
-            .Key("masks").Boolean(options.Masks)
+            .Key("masks").Boolean(options.Masks);
+        if (options is { Masks: true, MaskMethod: not MaskMethod.Rays })
+        {
+            json.Key("maskMethod").String(JsonName.Of(options.MaskMethod));
+        }
+
+        json.Key("semantics").String(options.Semantics is { } semantics ? JsonName.Of(semantics) : null)
             .Key("scenes").Boolean(options.Scenes)
             .Key("rayBudget").Integer(options.RayBudget)
             .Key("rayReachMetres").Number(options.RayReachMetres, LabelDecimals.Metres)
@@ -89,6 +97,7 @@ internal static class SessionJson
             .Key("maxSettleTicks").Integer(options.MaxSettleTicks)
             .Key("stillToleranceMetres").Number(options.StillToleranceMetres, LabelDecimals.Seconds)
             .EndObject();
+    }
 
     private static void AppendTruth(JsonText json, IReadOnlyList<KeyValuePair<string, LabelTruth>> truth)
     {
@@ -175,6 +184,11 @@ internal static class SessionJson
                 .EndObject();
         }
 
+        if (end.MaskComparison is not null || end.MaskWarning is not null)
+        {
+            AppendMasks(json.Key("masks"), end);
+        }
+
         if (end.Reading is { } reading)
         {
             json.Key("reading").BeginObject()
@@ -184,5 +198,28 @@ internal static class SessionJson
                 .Key("distortedEntities").Integer(reading.DistortedEntities)
                 .EndObject();
         }
+    }
+
+    private static void AppendMasks(JsonText json, SessionEnd end)
+    {
+        json.BeginObject().Key("warning").String(end.MaskWarning);
+        if (end.MaskComparison is { } comparison)
+        {
+            json.Key("objectPixels").Integer(comparison.ObjectPixels)
+                .Key("differentPixels").Integer(comparison.DifferentPixels)
+                .Key("agreement").BeginArray();
+            foreach (MaskAgreement each in comparison.Classes)
+            {
+                json.BeginObject()
+                    .Key("class").String(JsonName.Of(each.Class))
+                    .Key("objects").Integer(each.Objects)
+                    .Key("meanIou").Number(each.MeanIou, LabelDecimals.Fraction)
+                    .EndObject();
+            }
+
+            json.EndArray();
+        }
+
+        json.EndObject();
     }
 }

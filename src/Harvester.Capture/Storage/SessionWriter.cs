@@ -54,7 +54,7 @@ public sealed class SessionWriter : IFrameSink
         }
 
         _before = resume ? SessionContent.Read(directory) : SessionContent.Nothing;
-        foreach (string folder in new[] { "", FramePaths.Frames, FramePaths.Masks, FramePaths.Scenes })
+        foreach (string folder in new[] { "", FramePaths.Frames, FramePaths.Masks, FramePaths.ClassMaps, FramePaths.Scenes })
         {
             AtomicFile.DeleteLeftovers(Path.Combine(directory, folder), _ => true);
         }
@@ -187,6 +187,11 @@ public sealed class SessionWriter : IFrameSink
         if (_start!.Options.Masks)
         {
             _files.MakeFolder(FramePaths.Masks);
+        }
+
+        if (_start.Options.Semantics is not null)
+        {
+            _files.MakeFolder(FramePaths.ClassMaps);
         }
 
         if (_before.HasManifest)

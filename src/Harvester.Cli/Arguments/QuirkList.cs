@@ -16,6 +16,11 @@ internal static class QuirkList
         + "  vanish=P       at a fraction P of snapshots, an object disappears right afterwards\n"
         + "  boxRays        rays hit the box around an object instead of its shape\n"
         + "  missedRays=P   rays pass through a fraction P of the moving vehicles beyond 30 m\n"
+        + "  lateHiding=N   objects are hidden and shown N ticks after the harvest asks for it\n"
+        + "  unhideable=P   a fraction P of the objects cannot be hidden\n"
+        + "  shadowsRemain  hidden objects still cast shadows\n"
+        + "  noise=L        every pixel has noise with a standard deviation of L grey levels, 0 to 20\n"
+        + "  movingTextures textures move on in a tenth of the world while it is frozen\n"
         + "  creep=N        a frozen world moves on for up to N ticks\n"
         + "  restless       a frozen world never stands still\n"
         + "  heldCamera     the camera cannot be moved while the world is frozen\n"
@@ -24,8 +29,10 @@ internal static class QuirkList
         + "The last five apply to both freeze methods; the prefix paused. or timeScale., as in paused.creep=3, limits them to one.";
 
     private const string Form =
-        "lag=N, lateCamera, vanish=P, boxRays, missedRays=P, creep=N, restless, heldCamera, weather and visibility";
+        "lag=N, lateCamera, vanish=P, boxRays, missedRays=P, lateHiding=N, unhideable=P, shadowsRemain, noise=L, movingTextures, "
+        + "creep=N, restless, heldCamera, weather and visibility";
     private const int MaxTicks = 60;
+    private const double MaxLevels = 20;
 
     public static Option<string?> Option() => new("--quirks")
     {
@@ -56,6 +63,11 @@ internal static class QuirkList
             ("vanish", not null) => Fraction(value) is { } gone ? quirks with { VanishingFraction = gone } : null,
             ("missedRays", not null) => Fraction(value) is { } missed ? quirks with { RayMissFraction = missed } : null,
             ("lateCamera", null) => quirks with { IsCameraReportedLate = true },
+            ("lateHiding", not null) => Ticks(value) is { } late ? quirks with { VisibilityDelayTicks = late } : null,
+            ("unhideable", not null) => Fraction(value) is { } shown ? quirks with { UnhideableFraction = shown } : null,
+            ("shadowsRemain", null) => quirks with { ShadowsRemain = true },
+            ("noise", not null) => Levels(value) is { } levels ? quirks with { PictureNoiseLevels = levels } : null,
+            ("movingTextures", null) => quirks with { TexturesMove = true },
             ("boxRays", null) => quirks with { RaysMeetBoxes = true },
             _ => WithFreezing(quirks, halves[0], value),
         };
@@ -88,6 +100,10 @@ internal static class QuirkList
 
     private static int? Ticks(string text) =>
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int ticks) && ticks <= MaxTicks ? ticks : null;
+
+    private static double? Levels(string text) =>
+        double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double levels) && levels <= MaxLevels
+            ? levels : null;
 
     private static double? Fraction(string text) =>
         double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double fraction) && fraction <= 1

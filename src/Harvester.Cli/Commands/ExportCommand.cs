@@ -33,6 +33,7 @@ internal sealed class ExportCommand
         + "  only    faces and heads, and no other objects\n\n"
         + "2D boxes:\n"
         + "  visible   around the visible pixels; needs masks\n"
+        + "  whole     around all pixels of the object in the image, hidden ones included; needs amodal masks\n"
         + "  cuboid    around the part of the cuboid in the image\n"
         + "  amodal    around the whole cuboid, including what lies outside the image\n\n"
         + "An option that has no effect in the format is an error. To continue an interrupted export, run the same command again. The\n"

@@ -34,10 +34,12 @@ internal sealed class HarvestCommand
         + "frame and leaves a valid session. The same command with --resume goes on after the last frame, whatever stopped it, and ends\n"
         + "with the same bytes as if it had not been stopped; without --resume it starts anew. A shard is a session with every N-th\n"
         + "frame of the full run, under the same frame numbers and without a report; harvester merge combines all shards.\n\n"
+        + MaskOption.Notes + "\n\n"
         + QuirkList.Notes + "\n\n"
         + "Examples:\n"
         + "  harvester harvest --out out\n"
         + "  harvester harvest --out rain --frames 500 --seed 7 --weather rain --time 18:30 --masks\n"
+        + "  harvester harvest --out classes --semantics rays\n"
         + "  harvester harvest --out distorted --k1 -0.05 --focal-scale 1.01\n"
         + "  harvester harvest --out streets --roads nodes.zip --places 20\n"
         + "  harvester harvest --out part-2 --frames 5000 --shard 2/8";
@@ -79,10 +81,11 @@ internal sealed class HarvestCommand
     private Option<Vector2D?> Near { get; } =
         ValueParsers.Point("--near", "X,Y", "Start position, metres [default: the middle of the road network]");
     private VarietyOptions Variety { get; } = new();
-
     private MomentOptions Moment { get; } = new();
 
-    private Option<bool> Masks { get; } = new("--masks") { Description = "Also write instance masks" };
+    private Option<string?> Masks { get; } = MaskOption.Create();
+    private SemanticsOptions Semantics { get; } = new();
+
     private Option<bool> TrueOcclusion { get; } = new("--true-occlusion")
     {
         Description = "Also label how much of each object the renderer hides, exactly; slower",
@@ -95,11 +98,8 @@ internal sealed class HarvestCommand
 
     private Option<double> RayReach { get; } = WithDefault(
         ValueParsers.Number(
-            "--ray-reach",
-            "M",
-            "Distance to which rays hit objects reliably, metres; objects beyond it become ignore regions",
-            IsDistance,
-            DistanceForm),
+            "--ray-reach", "M", "Distance to which rays hit objects reliably, metres; objects beyond it become ignore regions",
+            IsDistance, DistanceForm),
         new HarvestOptions().RayReachMetres);
 
     private Option<bool> NoScenes { get; } =
@@ -109,11 +109,8 @@ internal sealed class HarvestCommand
 
     private Option<double> IgnoreRange { get; } = WithDefault(
         ValueParsers.Number(
-            "--ignore-range",
-            "M",
-            "Mark visible objects between --range and this distance as ignore regions, metres; 0 marks none",
-            value => value is >= 0 and <= MaxRange,
-            "a number from 0 to 100000"),
+            "--ignore-range", "M", "Mark visible objects between --range and this distance as ignore regions, metres; 0 marks none",
+            value => value is >= 0 and <= MaxRange, "a number from 0 to 100000"),
         new HarvestOptions().IgnoreRangeMetres);
 
     private Option<LookAhead> LaneLookAhead { get; } = LaneOptions.LookAhead();
@@ -158,6 +155,7 @@ internal sealed class HarvestCommand
                 RayReach, NoScenes, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, DetailOf, Quirks, FreezeBy,
                     MaxPictureLag, MaxCameraError, ShardOf, Sync, NoReport,
         };
+        Semantics.AddTo(command);
         Moment.AddTo(command);
         Variety.AddTo(command);
         LensOf.AddTo(command);
@@ -264,6 +262,7 @@ internal sealed class HarvestCommand
     private HarvestOptions OptionsOf(ParseResult parsed)
     {
         ImageFormat format = parsed.GetValue(Format) ?? ImageFormat.Png;
+        MaskMethod? masks = MaskOption.Parse(parsed, Masks, isWhole: parsed.GetValue(ShardOf).Count == 1 && !parsed.GetValue(Resume));
         return new HarvestOptions
         {
             Image = parsed.GetValue(Size),
@@ -276,7 +275,10 @@ internal sealed class HarvestCommand
             RangeMetres = parsed.GetValue(Range),
             IgnoreRangeMetres = parsed.GetValue(IgnoreRange),
             Classes = ClassList.Parse(parsed.GetValue(Classes)),
-            Masks = parsed.GetValue(Masks),
+            Masks = masks is not null || Semantics.Method(parsed) is not null,
+            MaskMethod = masks ?? MaskMethod.Rays,
+            Semantics = Semantics.Method(parsed),
+            Materials = Semantics.Materials(parsed),
             RayBudget = parsed.GetValue(Rays),
             RayReachMetres = parsed.GetValue(RayReach),
             Lens = LensOf.Parse(parsed),

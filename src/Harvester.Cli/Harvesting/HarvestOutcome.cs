@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Labelling;
 
 namespace Harvester.Cli.Harvesting;
 
@@ -21,6 +22,9 @@ internal sealed record HarvestOutcome(int Frames, int Discarded, TimeSpan Elapse
 
     /// <summary>The freeze methods that were tried; null if the method was given.</summary>
     public FreezeReport? Freezing { get; init; }
+
+    /// <summary>How well masks from rays agree with those from photographs; null if they were not compared.</summary>
+    public MaskComparison? Masks { get; init; }
 
     /// <summary>New frames per second of real time.</summary>
     public double FramesPerSecond => Elapsed > TimeSpan.Zero ? (Frames - Resumed) / Elapsed.TotalSeconds : 0;

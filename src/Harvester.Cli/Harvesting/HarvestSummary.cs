@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using Harvester.Capture.Labelling;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Statistics;
 using Harvester.Sessions.Scenes;
@@ -34,6 +35,19 @@ internal static class HarvestSummary
         if (outcome.Freezing is { } freezing)
         {
             terminal.Out.WriteLine($"freeze   {freezing}");
+        }
+
+        foreach (MaskAgreement each in outcome.Masks?.Classes ?? [])
+        {
+            string compared = Counted.Of(each.Objects, "object");
+            terminal.Out.WriteLine(FormattableString.Invariant(
+                $"masks    {JsonName.Of(each.Class)}: rays and photographs agree with an IoU of {each.MeanIou:0.000} ({compared})"));
+        }
+
+        if (outcome.Masks is { ObjectPixels: > 0 } masks)
+        {
+            terminal.Out.WriteLine(FormattableString.Invariant(
+                $"masks    {100.0 * masks.DifferentPixels / masks.ObjectPixels:0.0} % of the pixels of objects differ"));
         }
 
         terminal.Out.WriteLine($"session  {plan.Folder}");

@@ -128,6 +128,7 @@ internal sealed class SimulatedHarvest
             Resumed = resumed,
             Warnings = [.. session.Warnings.Select(HarvestAdvice.TextOf)],
             Freezing = session.Freezing,
+            Masks = session.MaskComparison,
         };
     }
 

@@ -16,6 +16,12 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
     /// <summary>Whether it requires instance masks.</summary>
     public bool NeedsMasks { get; init; }
 
+    /// <summary>Whether it requires class maps.</summary>
+    public bool NeedsClassMaps { get; init; }
+
+    /// <summary>Whether its labels depend on class maps, so that sessions with and without them cannot be mixed.</summary>
+    public bool UsesClassMaps { get; init; }
+
     /// <summary>Whether it requires lanes.</summary>
     public bool NeedsLanes { get; init; }
 
@@ -49,8 +55,8 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
     /// <summary>Whether it cannot represent lens distortion.</summary>
     public bool NeedsRectilinear { get; init; }
 
-    /// <summary>Whether it lists objects; lane formats do not.</summary>
-    public bool HasObjects => !NeedsLanes;
+    /// <summary>Whether it lists objects; lane formats and class maps do not.</summary>
+    public bool HasObjects => !NeedsLanes && !NeedsClassMaps;
 
     /// <summary>Whether it lists faces of signs and heads of lights, which are parts of other objects.</summary>
     public bool HasParts { get; init; }

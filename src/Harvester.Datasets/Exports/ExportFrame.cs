@@ -18,6 +18,7 @@ public sealed class ExportFrame
     private readonly ObjectSelector _selector;
     private InstanceMap? _mask;
     private InstanceMap? _dividedMask;
+    private InstanceMap? _classes;
     private IReadOnlyDictionary<int, InstancePixels>? _pixels;
     private IReadOnlyDictionary<int, InstancePixels>? _dividedPixels;
     private FrameSelection? _selection;
@@ -84,9 +85,17 @@ public sealed class ExportFrame
     /// <summary>Path of the mask; null without one.</summary>
     public string? MaskPath => Label.Mask is null ? null : PathOf(Label.Mask);
 
+    /// <summary>Path of the class map; null without one.</summary>
+    public string? ClassMapPath => Label.ClassMap is { } map ? PathOf(map.File) : null;
+
     /// <summary>The instance mask, read on first use; null if the session has none.</summary>
     /// <exception cref="DatasetFormatException">The mask is missing, damaged or of another size than the image.</exception>
-    public InstanceMap? Mask => MaskPath is null ? null : _mask ??= ReadMask(MaskPath);
+    public InstanceMap? Mask => MaskPath is null ? null : _mask ??= ReadMap(Label.Mask!, "mask", PngDecoder.ReadInstanceMap);
+
+    /// <summary>The class map, read on first use; null if the frame has none.</summary>
+    /// <exception cref="DatasetFormatException">The map is missing, damaged or of another size than the image.</exception>
+    internal InstanceMap? Classes =>
+        Label.ClassMap is { } map ? _classes ??= ReadMap(map.File, "class map", PngDecoder.ReadLabelMap) : null;
 
     /// <summary>The instance mask with separate pixels for faces and heads; null if the session has none.</summary>
     /// <exception cref="DatasetFormatException">As for <see cref="Mask"/>.</exception>
@@ -128,18 +137,18 @@ public sealed class ExportFrame
     private string PathOf(string name) =>
         Session.IsWithin(name) ? Session.PathOf(name) : throw Problem($"'{name}' points outside the session.");
 
-    private InstanceMap ReadMask(string path)
+    private InstanceMap ReadMap(string name, string kind, Func<string, InstanceMap> read)
     {
         try
         {
-            InstanceMap mask = PngDecoder.ReadInstanceMap(path);
-            return mask.Image.Width == Label.Camera.Width && mask.Image.Height == Label.Camera.Height
-                ? mask
+            InstanceMap map = read(PathOf(name));
+            return map.Image.Width == Label.Camera.Width && map.Image.Height == Label.Camera.Height
+                ? map
                 : throw new DatasetFormatException("its size is not that of the image.");
         }
         catch (DatasetFormatException e)
         {
-            throw Problem($"the mask '{Label.Mask}' cannot be used: {e.Message}");
+            throw Problem($"the {kind} '{name}' cannot be used: {e.Message}");
         }
     }
 }

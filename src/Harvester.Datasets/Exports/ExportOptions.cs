@@ -48,6 +48,9 @@ public sealed record ExportOptions
     /// <summary>MUTCD codes of the signs in the sessions, in ordinal order; empty unless signs have subclasses.</summary>
     internal IReadOnlyList<string> MutcdCodes { get; init; } = [];
 
+    /// <summary>Whether the sessions have class maps.</summary>
+    internal bool HasClassMaps { get; init; }
+
     /// <summary>The exported classes, in the order of the enumeration.</summary>
     internal IReadOnlyList<ObjectClass> ClassList => [.. Enum.GetValues<ObjectClass>().Where(Includes)];
 

@@ -16,6 +16,11 @@ internal static class FrameRequirements
             throw frame.Problem($"it has no mask, which {format.Name} needs. Harvest with masks, or choose another format.");
         }
 
+        if (format.NeedsClassMaps && frame.Label.ClassMap is null)
+        {
+            throw frame.Problem($"it has no class map, which {format.Name} needs. Harvest with --semantics, or choose another format.");
+        }
+
         if (format.NeedsLanes && frame.Label.Lanes is null)
         {
             throw frame.Problem($"it has no lanes, which {format.Name} needs. Harvest with roads, or choose another format.");

@@ -56,6 +56,7 @@ internal sealed class ObjectSelector(DatasetFormat format, ExportOptions options
     private Box2D? BoxOf(ObjectLabel label, ExportFrame frame) => options.Boxes switch
     {
         BoxKind.Visible => VisibleBoxOf(label, frame),
+        BoxKind.Whole => label.Parent is null ? label.Box2DWhole ?? VisibleBoxOf(label, frame) : label.Box2D,
         BoxKind.Amodal => format.HasBoxesBeyondImage ? label.Box2DAmodal : label.Box2DAmodal.Intersect(frame.Image),
         _ => label.Box2D,
     };

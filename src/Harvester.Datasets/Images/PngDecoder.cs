@@ -21,6 +21,7 @@ public static class PngDecoder
     private const int BitDepthAt = 24;
     private const byte ColourTypeGrey = 0;
     private const byte ColourTypeRgb = 2;
+    private const byte ColourTypePalette = 3;
     private const int BytesPerGreyPixel = 2;
 
     /// <summary>Reads an image. Chunk checksums are not verified; the compressed data has its own.</summary>
@@ -58,7 +59,7 @@ public static class PngDecoder
         return map;
     }
 
-    /// <summary>Reads an 8-bit label map.</summary>
+    /// <summary>Reads an 8-bit label map, grey or with a palette.</summary>
     /// <exception cref="DatasetFormatException">The file is not such an image, or is damaged; the message refers to the file as
     /// "it".</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
@@ -81,7 +82,7 @@ public static class PngDecoder
         using FileStream file = InputFile.OpenRead(path);
         Span<byte> header = stackalloc byte[HeaderLength];
         file.ReadExactly(header);
-        if (header[BitDepthAt] != bitDepth || header[BitDepthAt + 1] != colourType || header[BitDepthAt + 4] != 0)
+        if (header[BitDepthAt] != bitDepth || !IsOf(header[BitDepthAt + 1], colourType) || header[BitDepthAt + 4] != 0)
         {
             throw new DatasetFormatException($"it is not {kind} PNG without interlacing.");
         }
@@ -97,6 +98,10 @@ public static class PngDecoder
             throw new DatasetFormatException("its pixels are damaged.", e);
         }
     }
+
+    /// <summary>The numbers of a palette are read like those of a grey image.</summary>
+    private static bool IsOf(byte found, byte wanted) =>
+        found == wanted || (wanted == ColourTypeGrey && found == ColourTypePalette);
 
     private static void ReadRows(ZLibStream rows, byte[] pixels, ImageSize size, int bytesPerPixel)
     {

@@ -67,6 +67,8 @@ internal sealed class ImportedFrame
         {
             var id = (ushort)item["id"]!.GetValue<int>();
             item["box2dVisible"] = _bounds.TryGetValue(id, out Box2D box) ? new JsonArray(box.XMin, box.YMin, box.XMax, box.YMax) : null;
+            item.Remove("amodalMask");
+            item.Remove("box2dWhole");
             item["boxes"] = new JsonArray([.. BoxKinds.Known(_bounds.ContainsKey(id)).Select(kind => JsonValue.Create(JsonName.Of(kind)))]);
             if (OccludedFraction(id) is { } occluded)
             {

@@ -108,6 +108,11 @@ public static class MaskImporter
     {
         yield return new(label.Image, digests.Of(label.Frame, label.Image));
         yield return new(FramePaths.Mask(label.Frame), mask);
+        if (label.ClassMap is { } classes)
+        {
+            yield return new(classes.File, digests.Of(label.Frame, classes.File));
+        }
+
         if (label.Frame >= 0 && FramePaths.Scene(label.Frame) is var scene && File.Exists(session.PathOf(scene)))
         {
             yield return new(scene, digests.Of(label.Frame, scene));

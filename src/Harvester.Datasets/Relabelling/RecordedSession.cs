@@ -15,6 +15,7 @@ using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Semantics;
 
 namespace Harvester.Datasets.Relabelling;
 
@@ -78,6 +79,7 @@ internal sealed class RecordedSession
                 RangeMetres = options.Number("rangeMetres"),
                 IgnoreRangeMetres = options.OptionalNumber("ignoreRangeMetres") ?? 0,
                 Masks = options.Boolean("masks"),
+                Semantics = options.Has("semantics") ? options.Name<SemanticsMethod>("semantics") : null,
                 MinBoxAreaPixels = options.Number("minBoxAreaPixels"),
                 MinBoxSidePixels = options.Number("minBoxSidePixels"),
                 MaxOccludedFraction = options.Number("maxOccludedFraction"),

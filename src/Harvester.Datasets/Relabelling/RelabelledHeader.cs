@@ -35,6 +35,7 @@ internal sealed class RelabelledHeader(RecordedSession recorded, RelabelOptions 
         Set(asked, "minBoxSidePixels", changes.MinBoxSidePixels, 3);
         Set(asked, "maxOccludedFraction", changes.MaxOccludedFraction, 4);
         asked["masks"] = options.Masks;
+        asked["semantics"] = options.Semantics is { } semantics ? JsonName.Of(semantics) : null;
         asked["scenes"] = false;
         json["classes"] = new JsonArray([.. Enum.GetValues<ObjectClass>()
             .Where(kind => options.Classes!.Contains(kind)).Select(kind => (JsonNode)JsonName.Of(kind)!)]);

@@ -16,6 +16,7 @@ using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Semantics;
 
 namespace Harvester.Datasets.Relabelling;
 
@@ -77,6 +78,7 @@ public sealed class SessionRelabeller
         int position = 0;
         int frames = 0;
         bool masks = _recorded.Options.Masks;
+        SemanticsMethod? semantics = _recorded.Options.Semantics;
         using var digests = new CarriedDigests(_recorded.Session);
         NewSession.Write(folder, _changes.Sync, session =>
         {
@@ -87,6 +89,7 @@ public sealed class SessionRelabeller
                 {
                     lens = _changes.Lens ?? scene.Lens;
                     masks = masks && FrameRelabeller.KeepsMask(scene, label, lens);
+                    semantics = FrameRelabeller.KeepsClassMap(scene, label, lens) ? semantics : null;
                     labeller = new FrameRelabeller(_options with { Lens = lens }, _recorded.Options, ids, roads);
                 }
 
@@ -102,7 +105,8 @@ public sealed class SessionRelabeller
                 session.EndFrame(made.Frame, JsonLabelWriter.Line(made));
                 report(++frames);
             }
-        }, () => new RelabelledHeader(_recorded, _changes, _options with { Lens = lens, Masks = masks }).Text(frames));
+        }, () => new RelabelledHeader(
+            _recorded, _changes, _options with { Lens = lens, Masks = masks, Semantics = semantics }).Text(frames));
         return frames;
     }
 
@@ -158,6 +162,11 @@ public sealed class SessionRelabeller
     private void PlaceFiles(NewSession session, CarriedDigests digests, FrameLabel recorded, FrameLabel made)
     {
         Place(recorded.Image);
+        if (made.ClassMap is { } classes)
+        {
+            Place(classes.File);
+        }
+
         if (made.Mask is not { } mask)
         {
             return;

@@ -169,7 +169,10 @@ public sealed class SessionRepairer
         }
 
         string scene = FramePaths.Scene(label.Frame);
-        foreach (string name in new[] { label.Image, label.Mask, File.Exists(_session.PathOf(scene)) ? scene : null }.OfType<string>())
+        foreach (string name in new[]
+            {
+                label.Image, label.Mask, label.ClassMap?.File, File.Exists(_session.PathOf(scene)) ? scene : null,
+            }.OfType<string>())
         {
             made.Place(name, _session, transfer, () => digests.Of(label.Frame, name));
         }

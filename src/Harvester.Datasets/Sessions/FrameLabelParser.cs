@@ -11,6 +11,7 @@ using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Semantics;
 
 namespace Harvester.Datasets.Sessions;
 
@@ -59,6 +60,7 @@ public static class FrameLabelParser
             Place = frame.Has("place") ? frame.Integer("place") : null,
             PlaceFrame = frame.Has("placeFrame") ? frame.Integer("placeFrame") : null,
             PixelMap = frame.Has("pixelMap") ? ReadPixelMap(frame.Fields("pixelMap")) : null,
+            ClassMap = frame.Has("classMap") ? ReadClassMap(frame.Fields("classMap")) : null,
             Rays = frame.Has("rays") ? ReadRays(frame.Fields("rays")) : null,
             IgnoreRegions = frame.Has("ignoreRegions") ? [.. frame.List("ignoreRegions").Select(ReadIgnoreRegion)] : [],
             Lanes = frame.Has("lanes") ? LanesParser.Parse(frame.Fields("lanes")) : null,
@@ -73,13 +75,42 @@ public static class FrameLabelParser
     }
 
     private static PixelMapLabel ReadPixelMap(JsonFields map) =>
-        new(map.Integer("resolutionPixels"), map.Integer("interpolatedPixels"), map.Integer("raysCast"));
+        new(map.Integer("resolutionPixels"), map.Integer("interpolatedPixels"), map.Integer("raysCast"))
+        {
+            Pictures = map.Has("pictures") ? map.Integer("pictures") : null,
+            UndeterminedPixels = map.Has("undeterminedPixels") ? map.Integer("undeterminedPixels") : null,
+        };
+
+    private static AmodalMask? ReadAmodalMask(JsonFields label)
+    {
+        AmodalMask? amodal = null;
+        if (label.Has("amodalMask"))
+        {
+            JsonFields mask = label.Fields("amodalMask");
+            int[] box = WholeNumbers(mask, "box");
+            amodal = box.Length == 4 ? new AmodalMask(box[0], box[1], box[2], box[3], WholeNumbers(mask, "runs"))
+                : throw new DatasetFormatException("The box of amodalMask must have 4 numbers: left, top, width and height.");
+        }
+
+        Box2D? whole = label.Has("box2dWhole") ? ReadBox(label, "box2dWhole") : null;
+        return whole == amodal?.Box ? amodal : throw new DatasetFormatException("box2dWhole must be the box of amodalMask.");
+    }
+
+    private static int[] WholeNumbers(JsonFields mask, string name) => [.. mask.Numbers(name).Select(value =>
+        value is >= 0 and <= int.MaxValue && value == Math.Floor(value) ? (int)value
+            : throw new DatasetFormatException($"{name} of amodalMask must hold whole numbers of at least 0."))];
 
     private static RayCounts ReadRays(JsonFields rays) => new(
         rays.Integer("map"), rays.Integer("occlusion"), rays.Integer("faces"), rays.Integer("ignoreRegions"), rays.Integer("lanes"),
 
         // Sessions of earlier versions have no joints.
-        rays.Has("joints") ? rays.Integer("joints") : 0);
+        rays.Has("joints") ? rays.Integer("joints") : 0)
+    {
+        Classes = rays.Has("classes") ? rays.Integer("classes") : 0,
+    };
+
+    private static ClassMapLabel ReadClassMap(JsonFields map) => new(
+        PictureName(map, "file"), map.Name<SemanticsMethod>("method"), map.Integer("raysCast"), map.Integer("interpolatedPixels"));
 
     private static CameraLabel ReadCamera(JsonFields camera)
     {
@@ -139,6 +170,7 @@ public static class FrameLabelParser
             Box2D = ReadBox(label, "box2d"),
             Box2DAmodal = ReadBox(label, "box2dAmodal"),
             Box2DVisible = label.Has("box2dVisible") ? ReadBox(label, "box2dVisible") : null,
+            AmodalMask = ReadAmodalMask(label),
             TruncatedFraction = label.Number("truncatedFraction"),
             OccludedFraction = label.OptionalNumber("occludedFraction"),
             OcclusionMethod = label.Name<OcclusionMethod>("occlusionMethod"),

@@ -14,7 +14,7 @@ public static class SessionFolder
     public const string Report = "report.html";
 
     private static readonly string[] Files = [SessionInfo.FileName, SessionReader.LabelsFile, Manifest.FileName, Report];
-    private static readonly string[] Folders = [FramePaths.Frames, FramePaths.Masks, FramePaths.Scenes];
+    private static readonly string[] Folders = [FramePaths.Frames, FramePaths.Masks, FramePaths.ClassMaps, FramePaths.Scenes];
     private static readonly string[] Common = [Path.GetFileName(FramePaths.Faces), Path.GetFileName(FramePaths.Roads)];
     private static readonly Regex FrameFile = new(@"\A[0-9]{8,}\.(png|bmp|jpg|json)\z", RegexOptions.CultureInvariant);
 

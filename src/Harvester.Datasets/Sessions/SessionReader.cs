@@ -80,10 +80,11 @@ public sealed class SessionReader
     {
         string name = Path.GetRelativePath(InnerPath.Resolve(Folder), InnerPath.Resolve(path)).Replace('\\', '/');
         return name is SessionInfo.FileName or LabelsFile or Manifest.FileName
-            || ((string[])[FramePaths.Frames, FramePaths.Masks, FramePaths.Scenes])
+            || ((string[])[FramePaths.Frames, FramePaths.Masks, FramePaths.ClassMaps, FramePaths.Scenes])
                 .Contains(name.Split('/')[0], StringComparer.OrdinalIgnoreCase)
             || (InnerPath.IsWithin(Folder, name)
-                && ReadLines().Any(line => line.Label is { } label && (label.Image == name || label.Mask == name)));
+                && ReadLines().Any(line => line.Label is { } label
+                    && (label.Image == name || label.Mask == name || label.ClassMap?.File == name)));
     }
 
     /// <summary>Reads session.json.</summary>

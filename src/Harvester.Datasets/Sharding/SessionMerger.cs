@@ -140,7 +140,11 @@ public static class SessionMerger
         {
             using JsonDocument label = JsonInput.Parse(line);
             var fields = new JsonFields(label.RootElement);
-            names = [fields.Text("image"), fields.OptionalText("mask")];
+            names =
+            [
+                fields.Text("image"), fields.OptionalText("mask"),
+                fields.Has("classMap") ? fields.Fields("classMap").Text("file") : null,
+            ];
         }
         catch (Exception e) when (e is JsonException or DatasetFormatException)
         {

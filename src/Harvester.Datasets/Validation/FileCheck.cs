@@ -11,19 +11,21 @@ namespace Harvester.Datasets.Validation;
 
 /// <summary>
 /// Checks the files that labels refer to: they lie in the session, belong to one frame only, are complete, have the size in the label and
-/// agree with the manifest; masks agree with the labels.
+/// agree with the manifest; masks and class maps agree with the labels.
 /// </summary>
 /// <param name="session">The session.</param>
 /// <param name="isQuick">Whether pictures are not decoded.</param>
 internal sealed class FileCheck(SessionReader session, bool isQuick)
 {
     private const int MaskBitsPerPixel = 16;
+    private const int ClassBitsPerPixel = 8;
 
     private readonly HashSet<string> _named = new(StringComparer.Ordinal);
 
     /// <summary>Takes the names of a label for it, and returns those that an earlier one has. Labels come in their order.</summary>
     public IReadOnlyList<string> Claim(FrameLabel label) =>
-        [.. new[] { label.Image, label.Mask }.OfType<string>().Where(name => session.IsWithin(name) && !_named.Add(name))];
+        [.. new[] { label.Image, label.Mask, label.ClassMap?.File }.OfType<string>()
+            .Where(name => session.IsWithin(name) && !_named.Add(name))];
 
     /// <summary>What is wrong with the files of a label; several labels may be asked for at once.</summary>
     /// <param name="label">The label.</param>
@@ -33,6 +35,11 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
     {
         IEnumerable<string> mask = label.Mask is { } name ? MaskProblems(label, name, taken, manifest)
             : MaskCheck.ProblemsWithoutMask(label);
+        if (label.ClassMap is { } classes)
+        {
+            mask = mask.Concat(ClassProblems(label, classes.File, taken, manifest));
+        }
+
         return Problem("image", label.Image, label.Camera, null, taken, manifest) is { } image ? mask.Prepend(image) : mask;
     }
 
@@ -50,6 +57,23 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
         catch (DatasetFormatException e)
         {
             return [$"mask '{name}' cannot be used: {e.Message}"];
+        }
+    }
+
+    private IEnumerable<string> ClassProblems(FrameLabel label, string name, IReadOnlyList<string> taken, ManifestFrame? manifest)
+    {
+        if (Problem("class map", name, label.Camera, ClassBitsPerPixel, taken, manifest) is { } problem)
+        {
+            return [problem];
+        }
+
+        try
+        {
+            return isQuick ? [] : ClassMapCheck.Problems(name, PngDecoder.ReadLabelMap(session.PathOf(name)));
+        }
+        catch (DatasetFormatException e)
+        {
+            return [$"class map '{name}' cannot be used: {e.Message}"];
         }
     }
 

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Validation;
@@ -48,10 +49,20 @@ internal static class ObjectCheck
             yield return Of(item, $"box2d {Text(item.Box2D)} does not lie within box2dAmodal {Text(item.Box2DAmodal)}.");
         }
 
-        // An imported mask, which has no pixelMap, may show an object beyond its cuboid.
-        if (frame.PixelMap is not null && item.Box2DVisible is { } visible && !item.Box2D.Contains(visible, PixelBorder))
+        // An imported mask, which has no pixelMap, may show an object beyond its cuboid, and so may one from photographs.
+        if (frame.PixelMap is { Pictures: null } && item.Box2DVisible is { } visible && !item.Box2D.Contains(visible, PixelBorder))
         {
             yield return Of(item, $"box2dVisible {Text(visible)} does not lie within box2d {Text(item.Box2D)}.");
+        }
+
+        if (item.AmodalMask?.ProblemIn(new ImageSize(camera.Width, camera.Height)) is { } unfit)
+        {
+            yield return Of(item, unfit);
+        }
+
+        if (item is { Box2DWhole: { } whole, Box2DVisible: { } seen } && !whole.Contains(seen, RoundingPixels))
+        {
+            yield return Of(item, $"box2dVisible {Text(seen)} does not lie within box2dWhole {Text(whole)}.");
         }
 
         if (item.TruncatedFraction is < 0 or > 1)
@@ -93,6 +104,11 @@ internal static class ObjectCheck
         if (item.Box2DVisible is { } visible)
         {
             yield return ("box2dVisible", visible);
+        }
+
+        if (item.Box2DWhole is { } whole)
+        {
+            yield return ("box2dWhole", whole);
         }
     }
 

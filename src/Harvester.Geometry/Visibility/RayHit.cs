@@ -6,6 +6,12 @@ namespace Harvester.Geometry.Visibility;
 /// entity.</param>
 public readonly record struct RayHit(double Distance, int Entity)
 {
+    /// <summary>Hash of the material of the surface, as the game names it; 0 if it is not reported.</summary>
+    public uint Material { get; init; }
+
+    /// <summary>Vertical part of the surface's unit normal: 1 for level ground, 0 for a wall. Null if it is not reported.</summary>
+    public double? NormalZ { get; init; }
+
     /// <summary>The handle of everything that is not an entity.</summary>
     public const int World = 0;
 }

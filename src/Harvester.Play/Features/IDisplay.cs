@@ -20,6 +20,13 @@ public interface IDisplay
     /// <param name="colour">Its colour, unaffected by lights.</param>
     void Ball(Vector3D centre, double radiusMetres, Colour colour);
 
+    /// <summary>Draws a triangle in the world, which is seen from the side from which its corners run counter-clockwise.</summary>
+    /// <param name="a">A corner, metres, world.</param>
+    /// <param name="b">The next corner.</param>
+    /// <param name="c">The last corner.</param>
+    /// <param name="colour">Its colour, unaffected by lights.</param>
+    void Triangle(Vector3D a, Vector3D b, Vector3D c, Colour colour);
+
     /// <summary>Hides the game's own head-up display, map and messages.</summary>
     void HideGames();
 }

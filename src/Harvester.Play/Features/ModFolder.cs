@@ -5,6 +5,7 @@ using System.Linq;
 using System.Threading;
 using Harvester.Play.Settings;
 using Harvester.Sessions.Faces;
+using Harvester.Sessions.Semantics;
 using Harvester.Surveys.Faces;
 
 namespace Harvester.Play.Features;
@@ -26,16 +27,25 @@ public sealed class ModFolder
         _folder = folder;
         Settings = Read(ReadSettings, () => IniFile.Read(TextReader.Null), SettingsFile);
         ShippedFaces = ReadFaces(Path.Combine(folder, FacesFile), FacesFile);
+        string materials = Path.Combine(folder, MaterialTable.FileName);
+        Materials = File.Exists(materials)
+            ? Read(() => ReadMaterials(materials), () => MaterialTable.BuiltIn, MaterialTable.FileName) : MaterialTable.BuiltIn;
     }
 
     /// <summary>Path of the settings file.</summary>
     public string SettingsPath => Path.Combine(_folder, SettingsFile);
+
+    /// <summary>Path of the list of entities that are hidden, which exists only while some are.</summary>
+    public string HiddenPath => Path.Combine(_folder, "GtaDataHarvester.hidden");
 
     /// <summary>The settings.</summary>
     public IniFile Settings { get; }
 
     /// <summary>The faces of signs and traffic lights shipped with the mod.</summary>
     public FaceTable ShippedFaces { get; }
+
+    /// <summary>The classes of materials: those of the table beside the mod, if there is one.</summary>
+    public MaterialTable Materials { get; }
 
     /// <summary>The problems of the files, one sentence each; complete after all settings have been read.</summary>
     public IEnumerable<string> Complaints => _complaints.Concat(Settings.Complaints.Select(Told));
@@ -57,6 +67,12 @@ public sealed class ModFolder
     {
         using TextReader reader = File.Exists(SettingsPath) ? new StreamReader(SettingsPath) : TextReader.Null;
         return IniFile.Read(reader);
+    }
+
+    private static MaterialTable ReadMaterials(string path)
+    {
+        using var reader = new StreamReader(path);
+        return MaterialTable.Read(reader);
     }
 
     private FaceTable ReadFaces(string path, string name)

@@ -6,6 +6,7 @@ using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Imaging.Jpeg;
 using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Semantics;
 
 namespace Harvester.Play.Settings;
 
@@ -34,6 +35,8 @@ public static class HarvestSettings
         var fallback = new HarvestOptions();
         IReadOnlyList<ObjectClass> classes = ini.Choices<ObjectClass>(
             Harvest, "Classes", [], "a list of " + string.Join(", ", typeof(ObjectClass).GetEnumNames()));
+        MaskChoice masks = ini.Choice(Harvest, "Masks", MaskChoice.Off, "Off, Rays, Coded or Both");
+        bool semantics = ini.Choice(Harvest, "Semantics", Switch.Off, "On or Off") == Switch.On;
         return fallback with
         {
             Image = new ImageSize(
@@ -46,7 +49,14 @@ public static class HarvestSettings
             Classes = classes.Count > 0 ? classes : null,
             Freeze = ini.Choice(Harvest, "Mode", CaptureMode.Freeze, "Freeze or Live") == CaptureMode.Freeze,
             FreezeBy = FreezeByOf(ini.Choice(Harvest, "Freeze", FreezeChoice.Auto, "Paused, TimeScale or Auto")),
-            Masks = ini.Choice(Harvest, "Masks", Switch.Off, "On or Off") == Switch.On,
+            Masks = masks != MaskChoice.Off || semantics,
+            MaskMethod = masks switch
+            {
+                MaskChoice.Coded => MaskMethod.Coded,
+                MaskChoice.Both => MaskMethod.Both,
+                _ => MaskMethod.Rays,
+            },
+            Semantics = semantics ? SemanticsMethod.Rays : null,
             RayBudget = ini.Whole(Harvest, "Rays", fallback.RayBudget, 0, LabellingOptions.MaxRays),
             RayReachMetres = ini.Number(Harvest, "RayReach", fallback.RayReachMetres, 1, 100_000),
             OcclusionSamples = ini.Whole(Harvest, "OcclusionRays", fallback.OcclusionSamples, 1, 10_000),

@@ -12,6 +12,9 @@ public static class FramePaths
     /// <summary>Folder of the instance masks.</summary>
     public const string Masks = "masks";
 
+    /// <summary>Folder of the class maps.</summary>
+    public const string ClassMaps = "classes";
+
     /// <summary>Folder of the scenes from which labels can be recomputed.</summary>
     public const string Scenes = "scenes";
 
@@ -26,6 +29,9 @@ public static class FramePaths
 
     /// <summary>Path of an instance mask.</summary>
     public static string Mask(int frame) => $"{Masks}/{Number(frame)}.png";
+
+    /// <summary>Path of a class map.</summary>
+    public static string Classes(int frame) => $"{ClassMaps}/{Number(frame)}.png";
 
     /// <summary>Path of a scene.</summary>
     public static string Scene(int frame) => $"{Scenes}/{Number(frame)}.json";

@@ -11,4 +11,7 @@ public enum BoxKind
 
     /// <summary><see cref="ObjectLabel.Box2DVisible"/>: the visible pixels of the object.</summary>
     Visible,
+
+    /// <summary><see cref="ObjectLabel.Box2DWhole"/>: all pixels of the object in the image, hidden ones included.</summary>
+    Whole,
 }

@@ -39,6 +39,9 @@ public sealed record FrameLabel(
     /// <summary>The accuracy of the mask; null without a mask and for an imported one.</summary>
     public PixelMapLabel? PixelMap { get; init; }
 
+    /// <summary>The class map; null without one.</summary>
+    public ClassMapLabel? ClassMap { get; init; }
+
     /// <summary>Regions that show, or may show, objects without a label, the nearest first.</summary>
     public IReadOnlyList<IgnoreRegion> IgnoreRegions { get; init; } = [];
 

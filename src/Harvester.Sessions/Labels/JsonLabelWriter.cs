@@ -34,6 +34,16 @@ public static class JsonLabelWriter
             .Key("image").String(frame.Image)
             .Key("mask").String(frame.Mask);
         Append(json.Key("pixelMap"), frame.PixelMap);
+        if (frame.ClassMap is { } classes)
+        {
+            json.Key("classMap").BeginObject()
+                .Key("file").String(classes.File)
+                .Key("method").String(JsonName.Of(classes.Method))
+                .Key("raysCast").Integer(classes.RaysCast)
+                .Key("interpolatedPixels").Integer(classes.InterpolatedPixels)
+                .EndObject();
+        }
+
         Append(json.Key("rays"), frame.Rays);
         Append(json.Key("camera"), frame.Camera);
         Append(json.Key("ego"), frame.Ego);
@@ -106,8 +116,26 @@ public static class JsonLabelWriter
         json.BeginObject()
             .Key("resolutionPixels").Integer(map.ResolutionPixels)
             .Key("interpolatedPixels").Integer(map.InterpolatedPixels)
-            .Key("raysCast").Integer(map.RaysCast)
-            .EndObject();
+            .Key("raysCast").Integer(map.RaysCast);
+        if (map.Pictures is not null)
+        {
+            json.Key("pictures").Integer(map.Pictures).Key("undeterminedPixels").Integer(map.UndeterminedPixels);
+        }
+
+        json.EndObject();
+    }
+
+    private static void Append(JsonText json, AmodalMask mask)
+    {
+        json.BeginObject().Key("box").BeginArray()
+            .Integer(mask.Left).Integer(mask.Top).Integer(mask.Width).Integer(mask.Height)
+            .EndArray().Key("runs").BeginArray();
+        foreach (int run in mask.Runs)
+        {
+            json.Integer(run);
+        }
+
+        json.EndArray().EndObject();
     }
 
     private static void Append(JsonText json, RayCounts? rays)
@@ -125,8 +153,13 @@ public static class JsonLabelWriter
             .Key("faces").Integer(rays.Faces)
             .Key("ignoreRegions").Integer(rays.IgnoreRegions)
             .Key("lanes").Integer(rays.Lanes)
-            .Key("joints").Integer(rays.Joints)
-            .EndObject();
+            .Key("joints").Integer(rays.Joints);
+        if (rays.Classes > 0)
+        {
+            json.Key("classes").Integer(rays.Classes);
+        }
+
+        json.EndObject();
     }
 
     private static void Append(JsonText json, EgoLabel ego)
@@ -175,8 +208,13 @@ public static class JsonLabelWriter
             .Key("hasRider").Boolean(label.HasRider)
             .Key("box2d").Box(label.Box2D, LabelDecimals.Pixels)
             .Key("box2dAmodal").Box(label.Box2DAmodal, LabelDecimals.Pixels)
-            .Key("box2dVisible").Box(label.Box2DVisible, LabelDecimals.Pixels)
-            .Key("boxes").BeginArray();
+            .Key("box2dVisible").Box(label.Box2DVisible, LabelDecimals.Pixels);
+        if (label.Box2DWhole is { } whole)
+        {
+            json.Key("box2dWhole").Box(whole, LabelDecimals.Pixels);
+        }
+
+        json.Key("boxes").BeginArray();
         foreach (BoxKind kind in label.Boxes)
         {
             json.String(JsonName.Of(kind));
@@ -195,6 +233,11 @@ public static class JsonLabelWriter
         Append(json.Key("box3d"), label.Box3D);
         json.Key("distanceMetres").Number(label.DistanceMetres, LabelDecimals.Metres)
             .Key("velocity").Vector(label.Velocity, LabelDecimals.Speed);
+        if (label.AmodalMask is { } amodal)
+        {
+            Append(json.Key("amodalMask"), amodal);
+        }
+
         Append(json.Key("space"), label.Face);
         VehicleLightsJson.Append(json, label.Lights);
         if (label.Joints is { } joints)

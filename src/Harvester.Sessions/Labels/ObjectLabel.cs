@@ -47,8 +47,18 @@ public sealed record ObjectLabel
     /// <summary>The box around its visible pixels; null without a pixel map or if none is visible.</summary>
     public Box2D? Box2DVisible { get; init; }
 
+    /// <summary>
+    /// Its pixels including those that other objects hide; null if they are not known. What is no object of the frame still hides it.
+    /// </summary>
+    public AmodalMask? AmodalMask { get; init; }
+
+    /// <summary>
+    /// The box around all its pixels in the image, hidden ones included; null without an amodal mask.
+    /// </summary>
+    public Box2D? Box2DWhole => AmodalMask?.Box;
+
     /// <summary>The kinds of boxes that are known.</summary>
-    public IReadOnlyList<BoxKind> Boxes => BoxKinds.Known(Box2DVisible is not null);
+    public IReadOnlyList<BoxKind> Boxes => BoxKinds.Known(Box2DVisible is not null, Box2DWhole is not null);
 
     /// <summary>Fraction of its silhouette outside the image, 0 to 1.</summary>
     public required double TruncatedFraction { get; init; }

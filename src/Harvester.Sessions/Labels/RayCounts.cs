@@ -9,6 +9,9 @@ namespace Harvester.Sessions.Labels;
 /// <param name="Joints">For the visibility of joints.</param>
 public sealed record RayCounts(int Map, int Occlusion, int Faces, int IgnoreRegions, int Lanes, int Joints)
 {
+    /// <summary>For the class map; 0 without one.</summary>
+    public int Classes { get; init; }
+
     /// <summary>Rays of all phases together.</summary>
-    public int Total => Map + Occlusion + Faces + IgnoreRegions + Lanes + Joints;
+    public int Total => Classes + Map + Occlusion + Faces + IgnoreRegions + Lanes + Joints;
 }

@@ -15,7 +15,8 @@ namespace Harvester.Simulation.Game;
 /// <param name="world">The scene whose static part is drawn.</param>
 /// <param name="lens">The lens of the camera.</param>
 /// <param name="detail">How much of the light is shown.</param>
-internal sealed class PicturePainter(RenderScene world, RenderLens lens, Detail detail)
+/// <param name="noise">What changes from picture to picture.</param>
+internal sealed class PicturePainter(RenderScene world, RenderLens lens, Detail detail, PictureNoise noise)
 {
     private readonly Renderer _renderer = new(detail);
     private RenderTarget? _picture;
@@ -36,13 +37,32 @@ internal sealed class PicturePainter(RenderScene world, RenderLens lens, Detail 
     {
         RenderScene scene = moment.SceneIn(world);
         _last = _last.ContinueWith(
-            _ => Copy(PaintNow(moment, scene, target.Size), target), TaskScheduler.Default);
+            _ => Copy(PaintNow(moment, scene, target.Size), moment, target), TaskScheduler.Default);
         return _last;
     }
 
-    /// <summary>Copies the colours of a picture.</summary>
-    public static void Copy(RenderTarget picture, PixelBuffer target) =>
+    /// <summary>Draws a moment as the game's screen shows it, with noise.</summary>
+    public void Show(Moment moment, PixelBuffer target) => Copy(Paint(moment, target.Size), moment, target);
+
+    private void Copy(RenderTarget picture, Moment moment, PixelBuffer target)
+    {
+        if (noise.IsAny)
+        {
+            noise.Apply(picture, CameraOf(moment, target.Size), moment.Truth.GameFrame, target);
+            return;
+        }
+
         Buffer.BlockCopy(picture.Colour, 0, target.Bytes, 0, target.Bytes.Length);
+    }
+
+    private RenderCamera CameraOf(Moment moment, ImageSize size)
+    {
+        CameraState camera = moment.Truth.Camera;
+        return new RenderCamera(camera.Pose, camera.VerticalFovDegrees, camera.WindowAspect, camera.NearClip, size.Width, size.Height)
+        {
+            Lens = lens,
+        };
+    }
 
     private RenderTarget PaintNow(Moment moment, RenderScene scene, ImageSize size)
     {
@@ -55,12 +75,7 @@ internal sealed class PicturePainter(RenderScene world, RenderLens lens, Detail 
         if (_state != moment.State)
         {
             _state = -1;
-            CameraState camera = moment.Truth.Camera;
-            RenderCamera eye = new(camera.Pose, camera.VerticalFovDegrees, camera.WindowAspect, camera.NearClip, size.Width, size.Height)
-            {
-                Lens = lens,
-            };
-            _renderer.Render(scene, eye, _picture);
+            _renderer.Render(scene, CameraOf(moment, size), _picture);
             _state = moment.State;
         }
 

@@ -8,7 +8,7 @@ internal sealed class ScreenPort(SimulatedGame game) : IScreen
 {
     public GrabResult Grab(PixelBuffer target)
     {
-        PicturePainter.Copy(game.Render(target.Size), target);
+        game.Show(target);
         return GrabResult.Good;
     }
 }

@@ -7,6 +7,7 @@ using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.PixelMaps.Coded;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
@@ -54,6 +55,7 @@ public sealed class SimulatedGame
         _weather = new WeatherClock(options);
         Enter(0);
         Freezing = new Freezing(options.Seed, options.Quirks);
+        Hidden = new HiddenEntities(options.Seed, options.Quirks);
         _vanishing = new Vanishing(options.Seed, options.Quirks.VanishingFraction);
         CameraMount = _mount;
         Ports = new GamePorts(
@@ -68,6 +70,9 @@ public sealed class SimulatedGame
             MountedCamera = new MountedCameraPort(this),
             Paint = new PaintPort(this),
             Lights = new LightsPort(this),
+            Visibility = new VisibilityPort(this),
+            Sheets = new SheetsPort(this),
+            Surfaces = new SurfacePort(this),
             DrawnOcclusion = options.ReportsTrueOcclusion ? new DrawnOcclusionPort(this) : null,
         };
     }
@@ -103,12 +108,22 @@ public sealed class SimulatedGame
 
     internal Freezing Freezing { get; }
 
+    /// <summary>The entities that the harvest hides from the pictures.</summary>
+    internal HiddenEntities Hidden { get; }
+
     internal RenderLens Lens => _options.Lens;
 
     internal SimulatedWorld World => _world;
 
     /// <summary>Balls that are shown in addition to the world.</summary>
     internal IReadOnlyList<PlannedMarker> Markers
+    {
+        get;
+        set => (field, _state) = (value, _state + 1);
+    } = [];
+
+    /// <summary>Sheets that are shown on the ground.</summary>
+    internal IReadOnlyList<GroundSheet> Sheets
     {
         get;
         set => (field, _state) = (value, _state + 1);
@@ -160,9 +175,13 @@ public sealed class SimulatedGame
                     _state,
                     new SceneSnapshot(GameFrame, _world.TimeSeconds, Camera, _world.EgoState,
                         _world.EntitiesNear(eye, double.PositiveInfinity), Environment),
-                    [.. _world.MovingNear(eye, SightRange), .. Markers.Select(MarkerModel.Of)],
+                    [.. _world.MovingNear(eye, SightRange), .. Markers.Select(MarkerModel.Of), .. Sheets.Select(SheetModel.Of)],
                     _weather.LightingAt(WeatherSeconds) with { PrecipitationSeed = _precipitation },
-                    _world.LightsNear(eye));
+                    _world.LightsNear(eye))
+                {
+                    Hidden = Hidden.Current,
+                    ShadowsRemain = _options.Quirks.ShadowsRemain,
+                };
             }
 
             if (_present.Truth.GameFrame != GameFrame)
@@ -219,6 +238,7 @@ public sealed class SimulatedGame
             _state++;
         }
 
+        _state += Hidden.Tick() ? 1 : 0;
         _vanishing.Tick(GameFrame);
         Hide();
 
@@ -251,6 +271,17 @@ public sealed class SimulatedGame
 
     /// <summary>Renders the current picture, with the handle and depth of each pixel; it is overwritten by the next one.</summary>
     public RenderTarget Render(ImageSize size) => _painter.Paint(MomentShown, size);
+
+    /// <summary>Renders the current state without some entities, for a comparison; nothing of the game changes.</summary>
+    internal RenderTarget RenderWithout(IReadOnlyCollection<int> hidden, ImageSize size)
+    {
+        Moment now = Present;
+        var moment = new Moment(now.State, now.Truth, now.Moving, now.Lighting, now.Lights) { Hidden = hidden };
+        return new PicturePainter(_world.Scene, _options.Lens, Detail.Plain, new PictureNoise(0, new GameQuirks())).Paint(moment, size);
+    }
+
+    /// <summary>Draws the current picture with the noise of the screen.</summary>
+    internal void Show(PixelBuffer target) => _painter.Show(MomentShown, target);
 
     /// <summary>Renders the current picture on another thread, while the world moves on.</summary>
     internal Task RenderLater(PixelBuffer target) => _painter.PaintLater(MomentShown, target);
@@ -289,7 +320,7 @@ public sealed class SimulatedGame
         _world = new SimulatedWorld(_options, _handles, place, before);
         Place = place;
         _weatherAheadSeconds -= _world.TimeSeconds - before;
-        _painter = new PicturePainter(_world.Scene, _options.Lens, _options.Detail);
+        _painter = new PicturePainter(_world.Scene, _options.Lens, _options.Detail, new PictureNoise(_options.Seed, _options.Quirks));
         _rayShapes = RayShapes.AreNeededFor(_options.Quirks) ? new RayShapes(_options.Quirks, _options.Seed, _world.Scene) : null;
         _toBeShown.Clear();
         _cameraBefore = Camera;

@@ -29,7 +29,7 @@ public static class BuildingModels
     public static Mesh Create(BuildingStyle style, double width, double depth, double height, int seed)
     {
         var random = new Random(seed);
-        var builder = new MeshBuilder();
+        var builder = new MeshBuilder { Kind = SurfaceKind.Building };
         Rgb wall = Plaster[random.Next(Plaster.Length)].Scaled(0.85 + (random.NextDouble() * 0.3));
         var min = new Vector3D(-width / 2, -depth / 2, 0);
         var max = new Vector3D(width / 2, depth / 2, height);

@@ -25,7 +25,7 @@ internal static class RiderModels
     private static Mesh Build(VehicleRow row, (Rgb Jacket, Rgb Trousers, Rgb Helmet) clothes)
     {
         var frame = new ModelFrame(row.Min, row.Max);
-        var builder = new MeshBuilder();
+        var builder = new MeshBuilder { Kind = SurfaceKind.Person };
         (double seat, double saddle, double lean, double hands, double grips) = row.Shape switch
         {
             VehicleShape.Bicycle => (0.36, 0.87, 0.3, 0.705, 0.98),

@@ -20,7 +20,7 @@ internal static class RockModels
     private static Mesh Boulder(int seed, double size)
     {
         Random random = new(seed);
-        MeshBuilder builder = new();
+        MeshBuilder builder = new() { Kind = SurfaceKind.Terrain };
         const int sides = 7;
         Vector3D[] low = new Vector3D[sides];
         Vector3D[] high = new Vector3D[sides];
@@ -47,7 +47,7 @@ internal static class RockModels
     private static Mesh Shrub(int seed, double size)
     {
         Random random = new(seed);
-        MeshBuilder builder = new();
+        MeshBuilder builder = new() { Kind = SurfaceKind.Vegetation };
         const int clouds = 3;
         for (int i = 0; i < clouds; i++)
         {

@@ -23,7 +23,7 @@ internal static class StreetModels
 
     public static Model StreetLamp()
     {
-        var builder = new MeshBuilder();
+        var builder = new MeshBuilder { Kind = SurfaceKind.Pole };
         builder.AddCylinder(new(0, 0, 0), new(0, 0, 7.6), 0.12, 0.07, 8, Pole);
         builder.AddCylinder(new(0, 0, 7.5), new(-2, 0, 8.2), 0.06, 0.04, 6, Pole);
         builder.AddBox(new(-2.6, -0.14, 8.12), new(-1.8, 0.14, 8.26), Pole);
@@ -36,7 +36,7 @@ internal static class StreetModels
     {
         const double seat = Rest.SeatHeight;
         const double half = 0.85;
-        var builder = new MeshBuilder();
+        var builder = new MeshBuilder { Kind = SurfaceKind.Thing };
         builder.AddBox(new(-half, -0.2, seat - 0.06), new(half, 0.26, seat), Bark);
         builder.AddBox(new(-half, -0.3, seat + 0.12), new(half, -0.26, seat + 0.4), Bark);
         foreach (double side in new[] { -0.7, 0.7 })
@@ -58,7 +58,7 @@ internal static class StreetModels
     private static Mesh Broadleaf(int seed, double height)
     {
         var random = new Random(seed);
-        var builder = new MeshBuilder();
+        var builder = new MeshBuilder { Kind = SurfaceKind.Vegetation };
         builder.AddCylinder(new(0, 0, 0), new(0, 0, height * 0.55), 0.22, 0.12, 7, Bark);
         for (int cloud = 0; cloud < 6; cloud++)
         {
@@ -74,7 +74,7 @@ internal static class StreetModels
 
     private static Mesh Cypress(double height)
     {
-        var builder = new MeshBuilder();
+        var builder = new MeshBuilder { Kind = SurfaceKind.Vegetation };
         builder.AddCylinder(new(0, 0, 0), new(0, 0, height * 0.15), 0.16, 0.14, 6, Bark);
         builder.AddEllipsoid(new(0, 0, height * 0.54), new(height * 0.11, height * 0.11, height * 0.46), 10, 9, Leaf.Scaled(0.72));
         return builder.Build();
@@ -84,7 +84,7 @@ internal static class StreetModels
     {
         const int fronds = 13;
         var random = new Random(seed);
-        var builder = new MeshBuilder();
+        var builder = new MeshBuilder { Kind = SurfaceKind.Vegetation };
         builder.AddCylinder(new(0, 0, 0), new(0, 0, height), 0.24, 0.13, 8, PalmBark);
         var crown = new Vector3D(0, 0, height);
         for (int frond = 0; frond < fronds; frond++)

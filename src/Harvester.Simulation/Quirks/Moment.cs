@@ -18,6 +18,18 @@ internal sealed record Moment(
 {
     private RenderScene? _scene;
 
+    /// <summary>Handles of the entities that are hidden from pictures.</summary>
+    public IReadOnlyCollection<int> Hidden { get; init; } = [];
+
+    /// <summary>Whether hidden entities still cast shadows.</summary>
+    public bool ShadowsRemain { get; init; }
+
     /// <summary>What is drawn of it, within the static part of a scene; made once, and to be called by one thread.</summary>
-    public RenderScene SceneIn(RenderScene world) => _scene ??= new RenderScene(world, Moving) { Lighting = Lighting, Lights = Lights };
+    public RenderScene SceneIn(RenderScene world) => _scene ??= new RenderScene(world, Moving)
+    {
+        Lighting = Lighting,
+        Lights = Lights,
+        Hidden = Hidden,
+        ShadowsRemain = ShadowsRemain,
+    };
 }

@@ -33,8 +33,8 @@ internal sealed class InstanceSet
     /// Shortens a ray to the nearest triangle of the set, if one is nearer than the limit. Of several instances at the same distance, the
     /// first in the tree's order counts, whatever the order in which they are visited.
     /// </summary>
-    /// <returns>Whether the ray was shortened; the handle is then that of the entity hit.</returns>
-    public bool Intersect(Ray ray, int ignoredHandle, ref double limit, ref int handle)
+    /// <returns>Whether the ray was shortened; handle and kind are then those of the instance hit.</returns>
+    public bool Intersect(Ray ray, int ignoredHandle, ref double limit, ref int handle, ref SurfaceKind kind)
     {
         RayTree rays = Rays;
         var visitor = new InstanceVisitor(_instances, rays, ray, ignoredHandle);
@@ -45,6 +45,7 @@ internal sealed class InstanceSet
         }
 
         handle = _instances[visitor.Nearest].Handle;
+        kind = _instances[visitor.Nearest].Mesh.Kind;
         return true;
     }
 

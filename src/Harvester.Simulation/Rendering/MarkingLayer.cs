@@ -80,6 +80,19 @@ internal sealed class MarkingLayer
         }
     }
 
+    /// <summary>Enters markings into what a row of the road shows, where they cover at least half of a pixel.</summary>
+    public void AddTo(Span<SurfaceKind> kinds, int row)
+    {
+        const float half = 0.5f;
+        for (int column = 0; _hasAny[row] && column < kinds.Length; column++)
+        {
+            if (kinds[column] == SurfaceKind.Road && _coverage[(row * _width) + column] >= half)
+            {
+                kinds[column] = SurfaceKind.Marking;
+            }
+        }
+    }
+
     /// <summary>Whether a row shows any marking.</summary>
     public bool HasAny(int row) => _hasAny[row];
 

@@ -37,6 +37,9 @@ public sealed class Mesh
     /// <summary>Maximum coordinates of all corners, metres.</summary>
     public Vector3D Max => Bounds.Max;
 
+    /// <summary>What its surface is.</summary>
+    public SurfaceKind Kind { get; init; }
+
     internal Bounds Bounds { get; }
 
     /// <summary>Whether it consists of road markings.</summary>

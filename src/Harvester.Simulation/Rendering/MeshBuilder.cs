@@ -9,8 +9,11 @@ public sealed class MeshBuilder
 {
     private readonly List<MeshTriangle> _triangles = [];
 
+    /// <summary>What the surface of the mesh is.</summary>
+    public SurfaceKind Kind { get; init; }
+
     /// <summary>Creates the mesh of all parts added.</summary>
-    public Mesh Build() => new(_triangles);
+    public Mesh Build() => new(_triangles) { Kind = Kind };
 
     /// <summary>Adds a triangle.</summary>
     public MeshBuilder AddTriangle(Vector3D a, Vector3D b, Vector3D c, Rgb colour, Surface surface = Surface.Matte)

@@ -17,6 +17,7 @@ public sealed class RenderTarget
         Colour = new byte[checked(pixels * 3)];
         Handles = new int[pixels];
         Depth = new float[pixels];
+        Kinds = new SurfaceKind[pixels];
     }
 
     /// <summary>Width in pixels.</summary>
@@ -30,6 +31,11 @@ public sealed class RenderTarget
 
     /// <summary>Handle of the entity visible at each pixel's centre; 0 for the static world and the sky.</summary>
     public int[] Handles { get; }
+
+    /// <summary>
+    /// What the surface visible at each pixel's centre is. A road marking is shown where it covers at least half of the pixel.
+    /// </summary>
+    public SurfaceKind[] Kinds { get; }
 
     /// <summary>
     /// Distance along the camera's forward axis of what is visible at each pixel's centre, metres; positive infinity for the sky.

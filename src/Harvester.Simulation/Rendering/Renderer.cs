@@ -148,6 +148,11 @@ public sealed class Renderer
             {
                 foreach (ref readonly MeshInstance instance in set.Instances.Slice(first, count))
                 {
+                    if (scene.IsHidden(instance.Handle))
+                    {
+                        continue;
+                    }
+
                     var toClip = new ClipTransform(view.Matrix * Matrix4.ToWorld(instance.Pose));
                     ScreenBox? box = ScreenBox.Of(instance.Mesh.Bounds, toClip, view);
                     if (_markings is not null && instance.Mesh.IsMarking)
@@ -241,6 +246,7 @@ public sealed class Renderer
             row.Number = number;
             ReadOnlySpan<int> ids = _ids.AsSpan(number * width, width);
             Span<int> handles = target.Handles.AsSpan(number * width, width);
+            Span<SurfaceKind> kinds = target.Kinds.AsSpan(number * width, width);
             shader.Begin(row, _nearness.AsSpan(number * width, width));
             for (int column = 0; column < width;)
             {
@@ -250,18 +256,21 @@ public sealed class Renderer
                 if (id == ScreenTriangles.Nothing)
                 {
                     handles.Slice(column, length).Clear();
+                    kinds.Slice(column, length).Fill(SurfaceKind.Sky);
                     shader.ShadeSky(row, column, length);
                 }
                 else
                 {
                     ref readonly ScreenTriangle triangle = ref _screen[id];
                     handles.Slice(column, length).Fill(triangle.Handle);
+                    kinds.Slice(column, length).Fill(triangle.Kind);
                     shader.Shade(triangle, row, column, length);
                 }
 
                 column += length;
             }
 
+            _markings?.AddTo(kinds, number);
             row.Depths.AsSpan(0, width).CopyTo(target.Depth.AsSpan(number * width, width));
             row.CopyTo(target.Colour.AsSpan(number * width * 3, width * 3));
         }

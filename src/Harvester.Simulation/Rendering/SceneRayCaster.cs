@@ -21,8 +21,9 @@ public sealed class SceneRayCaster : IRayCaster
     {
         double limit = maxDistance;
         int handle = RayHit.World;
-        bool hit = _scene.Static.Intersect(ray, ignoredEntity, ref limit, ref handle);
-        hit |= _scene.Dynamic.Intersect(ray, ignoredEntity, ref limit, ref handle);
-        return hit ? new RayHit(limit, handle) : null;
+        SurfaceKind kind = default;
+        bool hit = _scene.Static.Intersect(ray, ignoredEntity, ref limit, ref handle, ref kind);
+        hit |= _scene.Dynamic.Intersect(ray, ignoredEntity, ref limit, ref handle, ref kind);
+        return hit ? new RayHit(limit, handle) { Material = SurfaceMaterial.Of(kind) } : null;
     }
 }

@@ -46,12 +46,12 @@ internal sealed class SceneShadows
         Vector3D forward = camera.Pose.Axes.Forward;
         Vector3D near = eye + (forward * NearAhead);
         Vector3D sun = Rounded(scene.Lighting.SunDirection);
-        Action drawSky = () => _sky.Draw(near, scene.Static, scene.Dynamic);
+        Action drawSky = () => _sky.Draw(near, scene);
         Action[] work = AreCast
             ? [
                 drawSky,
-                () => _near.Draw(ShadowFrame.Around(sun, near, NearTexel, Texels), scene.Static, scene.Dynamic),
-                () => _far.Draw(ShadowFrame.Around(sun, eye + (forward * FarAhead), FarTexel, Texels), scene.Static, scene.Dynamic),
+                () => _near.Draw(ShadowFrame.Around(sun, near, NearTexel, Texels), scene),
+                () => _far.Draw(ShadowFrame.Around(sun, eye + (forward * FarAhead), FarTexel, Texels), scene),
             ]
             : [drawSky];
         Parallel.Invoke(work);

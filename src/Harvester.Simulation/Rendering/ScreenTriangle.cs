@@ -18,11 +18,12 @@ internal readonly struct ScreenTriangle
     /// <param name="doubleArea">Twice the area in square pixels, positive where the corners run clockwise on the screen; not 0.</param>
     /// <param name="pixels">The pixels that it may cover.</param>
     /// <param name="handle">The handle of what it belongs to.</param>
+    /// <param name="kind">What the surface of its mesh is.</param>
     /// <param name="source">The triangle that is shown.</param>
     /// <param name="normal">Unit vector of the world square to it, on the camera's side.</param>
     /// <param name="lanes">Where wheels run on it.</param>
     public ScreenTriangle(Vector256<double> a, Vector256<double> b, Vector256<double> c, double doubleArea, PixelRectangle pixels,
-        int handle, in MeshTriangle source, Vector3 normal, in LanePlane lanes)
+        int handle, SurfaceKind kind, in MeshTriangle source, Vector3 normal, in LanePlane lanes)
     {
         Edges = doubleArea >= 0 ? new EdgeTriple(a, b, c) : new EdgeTriple(b, a, c);
         Vector256<double> ab = b - a;
@@ -32,6 +33,7 @@ internal readonly struct ScreenTriangle
         _atOrigin = a[2] - (_slopeX * a[0]) - (_slopeY * a[1]);
         Pixels = pixels;
         Handle = handle;
+        Kind = kind;
         Colour = source.Colour;
         Surface = source.Surface;
         Normal = normal;
@@ -46,6 +48,8 @@ internal readonly struct ScreenTriangle
     public PixelRectangle Pixels { get; }
 
     public int Handle { get; }
+
+    public SurfaceKind Kind { get; }
 
     public Rgb Colour { get; }
 

@@ -19,6 +19,7 @@ internal sealed class ShadowMap(int size)
     private readonly List<(int First, int Count)> _ranges = [];
     private ShadowFrame _frame;
     private InstanceSet? _drawn;
+    private HashSet<int>? _left;
     private Vector3 _across;
     private Vector3 _along;
     private Vector3 _light;
@@ -28,20 +29,21 @@ internal sealed class ShadowMap(int size)
     public ReadOnlySpan<float> Heights => _heights;
 
     /// <summary>
-    /// Draws the instances that reach into a frame: the static ones only if the frame or the world is another than before, then the moving
-    /// ones.
+    /// Draws the instances that reach into a frame: the static ones only if the frame, the world or the hidden entities are others than
+    /// before, then the moving ones.
     /// </summary>
-    public void Draw(in ShadowFrame frame, InstanceSet world, InstanceSet moving)
+    public void Draw(in ShadowFrame frame, RenderScene scene)
     {
-        if (_drawn != world || _frame != frame)
+        HashSet<int>? left = scene.Shadowless;
+        if (_drawn != scene.Static || _frame != frame || !IsSame(_left, left))
         {
-            (_drawn, _frame) = (world, frame);
+            (_drawn, _frame, _left) = (scene.Static, frame, left);
             Array.Fill(_fixedHeights, float.NegativeInfinity);
-            Draw(world, _fixedHeights);
+            Draw(scene.Static, left, _fixedHeights);
         }
 
         _fixedHeights.CopyTo(_heights, 0);
-        Draw(moving, _heights);
+        Draw(scene.Dynamic, left, _heights);
     }
 
     /// <summary>Prepares for places relative to an eye.</summary>
@@ -115,7 +117,9 @@ internal sealed class ShadowMap(int size)
     private static Vector256<float> Reaches(Vector256<float> height, ReadOnlySpan<float> near, int corner) =>
         Vector256.GreaterThanOrEqual(height, Vector256.Create(near.Slice(corner * Lanes, Lanes)));
 
-    private void Draw(InstanceSet set, float[] heights)
+    private static bool IsSame(HashSet<int>? a, HashSet<int>? b) => a == b || (a is not null && b is not null && a.SetEquals(b));
+
+    private void Draw(InstanceSet set, HashSet<int>? left, float[] heights)
     {
         Span<Plane> sides = stackalloc Plane[SideCount];
         _frame.WriteSides(sides);
@@ -126,6 +130,11 @@ internal sealed class ShadowMap(int size)
         {
             foreach (ref readonly MeshInstance instance in set.Instances.Slice(first, count))
             {
+                if (left?.Contains(instance.Handle) == true)
+                {
+                    continue;
+                }
+
                 var toMap = new ClipTransform(fromWorld * Matrix4.ToWorld(instance.Pose));
                 foreach (ref readonly MeshTriangle triangle in instance.Mesh.Given)
                 {

@@ -39,9 +39,9 @@ internal sealed class SkyView
     private readonly float[] _highest = new float[Texels * Texels];
 
     /// <summary>Draws what lies around a place.</summary>
-    public void Draw(Vector3D place, InstanceSet world, InstanceSet moving)
+    public void Draw(Vector3D place, RenderScene scene)
     {
-        _map.Draw(ShadowFrame.Around(new Vector3D(0, 0, 1), place, TexelMetres, Texels), world, moving);
+        _map.Draw(ShadowFrame.Around(new Vector3D(0, 0, 1), place, TexelMetres, Texels), scene);
         Spread(_map.Heights, _highestInRow, TapTexels);
         Spread(_highestInRow, _highest, TapTexels * Texels);
     }

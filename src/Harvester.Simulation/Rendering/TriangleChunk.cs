@@ -147,7 +147,9 @@ internal sealed class TriangleChunk
                     lanes = triangle.Lanes.Outer > 0 ? new LanePlane(triangle, instance.Pose, view.Camera.Pose.Position) : default;
                 }
 
-                Add(new ScreenTriangle(a, b, c, doubleArea, pixels, instance.Handle, triangle, normal.Value, lanes), bandHeight);
+                var shown = new ScreenTriangle(
+                    a, b, c, doubleArea, pixels, instance.Handle, instance.Mesh.Kind, triangle, normal.Value, lanes);
+                Add(shown, bandHeight);
             }
         }
     }

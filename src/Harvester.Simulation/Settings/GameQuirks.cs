@@ -30,4 +30,19 @@ public sealed record GameQuirks
     /// Fraction of the moving vehicles beyond 30 m that rays pass through, 0 to 1; which ones changes with every state of the world.
     /// </summary>
     public double RayMissFraction { get; init; }
+
+    /// <summary>Number of ticks after which the hiding or showing of an entity takes effect; 0, the next picture, or more.</summary>
+    public int VisibilityDelayTicks { get; init; }
+
+    /// <summary>Fraction of the entities that cannot be hidden, 0 to 1.</summary>
+    public double UnhideableFraction { get; init; }
+
+    /// <summary>Whether the shadows of hidden entities remain.</summary>
+    public bool ShadowsRemain { get; init; }
+
+    /// <summary>Standard deviation of the noise in every pixel of a picture, grey levels of 255; 0 or more.</summary>
+    public double PictureNoiseLevels { get; init; }
+
+    /// <summary>Whether textures move on in a tenth of the world while it is frozen, by 10 grey levels.</summary>
+    public bool TexturesMove { get; init; }
 }

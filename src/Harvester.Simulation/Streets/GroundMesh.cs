@@ -7,20 +7,20 @@ using Harvester.Simulation.Rendering;
 namespace Harvester.Simulation.Streets;
 
 /// <summary>
-/// Collects faces of the ground in world coordinates and returns them as square patches, so that a view need not process all of them;
-/// road markings have patches of their own.
+/// Collects faces of the ground in world coordinates and returns them as square patches, each of one kind of surface, so that a view need
+/// not process all of them.
 /// </summary>
 internal sealed class GroundMesh
 {
     private const double PatchSize = 80;
     private const double MarkingPatchSize = 40;
 
-    private readonly SortedDictionary<(int X, int Y, bool IsMarking), List<MeshTriangle>> _patches = [];
+    private readonly SortedDictionary<(int X, int Y, SurfaceKind Kind), List<MeshTriangle>> _patches = [];
 
-    public void AddQuad(Vector3D a, Vector3D b, Vector3D c, Vector3D d, Rgb colour, Surface surface)
+    public void AddQuad(Vector3D a, Vector3D b, Vector3D c, Vector3D d, Rgb colour, Surface surface, SurfaceKind kind)
     {
-        AddTriangle(a, b, c, colour, surface);
-        AddTriangle(a, c, d, colour, surface);
+        AddTriangle(a, b, c, colour, surface, kind);
+        AddTriangle(a, c, d, colour, surface, kind);
     }
 
     /// <summary>Adds asphalt from a left to a right offset across its road.</summary>
@@ -29,25 +29,26 @@ internal sealed class GroundMesh
     /// <param name="right">The same of its right side.</param>
     public void AddAsphalt(RoadFacet facet, LaneOffsets left, LaneOffsets right)
     {
-        AddTriangle(new MeshTriangle(facet.NearLeft, facet.NearRight, facet.FarRight, Palette.Asphalt, Surface.Asphalt)
+        var near = new MeshTriangle(facet.NearLeft, facet.NearRight, facet.FarRight, Palette.Asphalt, Surface.Asphalt)
         {
             Lanes = left with { B = right.A, C = right.A },
-        });
-        AddTriangle(new MeshTriangle(facet.NearLeft, facet.FarRight, facet.FarLeft, Palette.Asphalt, Surface.Asphalt)
+        };
+        var far = new MeshTriangle(facet.NearLeft, facet.FarRight, facet.FarLeft, Palette.Asphalt, Surface.Asphalt)
         {
             Lanes = left with { B = right.A },
-        });
+        };
+        AddTriangle(near, SurfaceKind.Road);
+        AddTriangle(far, SurfaceKind.Road);
     }
 
-    public void AddTriangle(Vector3D a, Vector3D b, Vector3D c, Rgb colour, Surface surface) =>
-        AddTriangle(new MeshTriangle(a, b, c, colour, surface));
+    public void AddTriangle(Vector3D a, Vector3D b, Vector3D c, Rgb colour, Surface surface, SurfaceKind kind) =>
+        AddTriangle(new MeshTriangle(a, b, c, colour, surface), kind);
 
-    private void AddTriangle(in MeshTriangle triangle)
+    private void AddTriangle(in MeshTriangle triangle, SurfaceKind kind)
     {
-        (Vector3D a, Surface surface) = (triangle.A, triangle.Surface);
-        bool isMarking = surface == Surface.Marking;
-        double size = isMarking ? MarkingPatchSize : PatchSize;
-        (int X, int Y, bool IsMarking) key = ((int)Math.Floor(a.X / size), (int)Math.Floor(a.Y / size), isMarking);
+        Vector3D a = triangle.A;
+        double size = kind == SurfaceKind.Marking ? MarkingPatchSize : PatchSize;
+        (int X, int Y, SurfaceKind Kind) key = ((int)Math.Floor(a.X / size), (int)Math.Floor(a.Y / size), kind);
         if (!_patches.TryGetValue(key, out List<MeshTriangle>? patch))
         {
             _patches[key] = patch = [];
@@ -57,5 +58,6 @@ internal sealed class GroundMesh
     }
 
     public IEnumerable<MeshInstance> Instances() =>
-        _patches.Values.Select(patch => new MeshInstance(new Mesh(patch), new Pose(Vector3D.Zero, Axes.Identity), 0));
+        _patches.Select(patch => new MeshInstance(
+            new Mesh(patch.Value) { Kind = patch.Key.Kind }, new Pose(Vector3D.Zero, Axes.Identity), 0));
 }

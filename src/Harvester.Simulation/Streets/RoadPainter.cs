@@ -74,7 +74,7 @@ internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintRun> runs, R
         Vector3D up = Horizontal.Up * PaintRun.Height;
         foreach (Vector3D[] face in facets.Cover(from, to, left, right))
         {
-            mesh.AddQuad(face[0] + up, face[1] + up, face[2] + up, face[3] + up, colour, Surface.Marking);
+            mesh.AddQuad(face[0] + up, face[1] + up, face[2] + up, face[3] + up, colour, Surface.Marking, SurfaceKind.Marking);
         }
     }
 }

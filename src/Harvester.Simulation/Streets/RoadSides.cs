@@ -60,7 +60,7 @@ internal sealed class RoadSides(RoadIndex index, Terrain terrain, RoadLevels lev
                 Vector3D down = Horizontal.Up * -thickness;
                 mesh.AddQuad(
                     near.Left.Edge + down, near.Right.Edge + down, far.Right.Edge + down, far.Left.Edge + down,
-                    Palette.Concrete, Surface.Matte);
+                    Palette.Concrete, Surface.Matte, SurfaceKind.Building);
                 run += far.Distance - near.Distance;
                 if (run >= PierSpacing && TryAddPier(road, middle, thickness))
                 {
@@ -113,8 +113,8 @@ internal sealed class RoadSides(RoadIndex index, Terrain terrain, RoadLevels lev
 
         if (road.IsStreet)
         {
-            Lay(from.Kerb, to.Kerb, 0, from.Kerb, to.Kerb, height, Palette.Kerb, Surface.Matte);
-            Lay(from.Kerb, to.Kerb, height, from.Edge, to.Edge, height, Palette.Pavement, Surface.Ground);
+            Lay(from.Kerb, to.Kerb, 0, from.Kerb, to.Kerb, height, Palette.Kerb, Surface.Matte, SurfaceKind.Pavement);
+            Lay(from.Kerb, to.Kerb, height, from.Edge, to.Edge, height, Palette.Pavement, Surface.Ground, SurfaceKind.Pavement);
         }
 
         if (isShared && !(IsClear(road, from.Edge) && IsClear(road, (from.Edge + to.Edge) / 2) && IsClear(road, to.Edge)))
@@ -127,27 +127,31 @@ internal sealed class RoadSides(RoadIndex index, Terrain terrain, RoadLevels lev
         {
             Vector3D outerFrom = from.Edge + (from.Outward * ParapetThickness);
             Vector3D outerTo = to.Edge + (to.Outward * ParapetThickness);
-            double top = deck is not null || gap > ParapetAbove ? ParapetHeight : height;
-            Lay(from.Edge, to.Edge, 0, from.Edge, to.Edge, top, Palette.Concrete, Surface.Matte);
-            Lay(from.Edge, to.Edge, top, outerFrom, outerTo, top, Palette.Concrete, Surface.Matte);
+            bool hasParapet = deck is not null || gap > ParapetAbove;
+            SurfaceKind inner = hasParapet ? SurfaceKind.Fence : SurfaceKind.Building;
+            double top = hasParapet ? ParapetHeight : height;
+            Lay(from.Edge, to.Edge, 0, from.Edge, to.Edge, top, Palette.Concrete, Surface.Matte, inner);
+            Lay(from.Edge, to.Edge, top, outerFrom, outerTo, top, Palette.Concrete, Surface.Matte, inner);
             mesh.AddQuad(
                 outerFrom + (up * top), outerFrom - (up * (deck ?? (from.Gap + Buried))),
-                outerTo - (up * (deck ?? (to.Gap + Buried))), outerTo + (up * top), Palette.Concrete, Surface.Matte);
+                outerTo - (up * (deck ?? (to.Gap + Buried))), outerTo + (up * top), Palette.Concrete, Surface.Matte, SurfaceKind.Building);
             if (deck is { } thickness)
             {
-                Lay(from.Edge, to.Edge, -thickness, outerFrom, outerTo, -thickness, Palette.Concrete, Surface.Matte);
+                Lay(from.Edge, to.Edge, -thickness, outerFrom, outerTo, -thickness, Palette.Concrete, Surface.Matte, SurfaceKind.Building);
             }
 
             return;
         }
 
         mesh.AddQuad(
-            from.Edge + (up * height), FootOf(from), FootOf(to), to.Edge + (up * height), Palette.Grass, Surface.Ground);
+            from.Edge + (up * height), FootOf(from), FootOf(to), to.Edge + (up * height), Palette.Grass, Surface.Ground,
+            SurfaceKind.Terrain);
 
         void Lay(
-            Vector3D fromA, Vector3D toA, double heightA, Vector3D fromB, Vector3D toB, double heightB, Rgb colour, Surface surface) =>
+            Vector3D fromA, Vector3D toA, double heightA, Vector3D fromB, Vector3D toB, double heightB, Rgb colour, Surface surface,
+            SurfaceKind kind) =>
             mesh.AddQuad(
-                fromA + (up * heightA), fromB + (up * heightB), toB + (up * heightB), toA + (up * heightA), colour, surface);
+                fromA + (up * heightA), fromB + (up * heightB), toB + (up * heightB), toA + (up * heightA), colour, surface, kind);
     }
 
     /// <summary>Where the bank beside an edge enters the ground.</summary>
@@ -165,7 +169,7 @@ internal sealed class RoadSides(RoadIndex index, Terrain terrain, RoadLevels lev
         Vector3D low = Horizontal.Up * -(section.MostGap + Buried);
         mesh.AddQuad(
             section.Left.Edge + high, section.Right.Edge + high, section.Right.Edge + low, section.Left.Edge + low,
-            Palette.Concrete, Surface.Matte);
+            Palette.Concrete, Surface.Matte, SurfaceKind.Building);
     }
 
     private bool TryAddPier(Road road, double distance, double thickness)
@@ -194,7 +198,8 @@ internal sealed class RoadSides(RoadIndex index, Terrain terrain, RoadLevels lev
         for (int i = 0; i < around.Length; i++)
         {
             Vector3D next = around[(i + 1) % around.Length];
-            mesh.AddQuad(low + around[i], low + next, high + next, high + around[i], Palette.Concrete, Surface.Matte);
+            mesh.AddQuad(low + around[i], low + next, high + next, high + around[i], Palette.Concrete, Surface.Matte,
+                SurfaceKind.Building);
         }
 
         return true;

@@ -38,7 +38,8 @@ internal sealed class RoadSurfaces(
         {
             if (road.IsUnpaved)
             {
-                mesh.AddQuad(facet.NearLeft, facet.NearRight, facet.FarRight, facet.FarLeft, Palette.Dirt, Surface.Ground);
+                mesh.AddQuad(
+                    facet.NearLeft, facet.NearRight, facet.FarRight, facet.FarLeft, Palette.Dirt, Surface.Ground, SurfaceKind.Road);
             }
             else
             {
@@ -56,9 +57,11 @@ internal sealed class RoadSurfaces(
             double half = (median / 2) - lineRoom;
             Func<double, bool> isPresent = distance => !road.IsInTrim(distance);
             Rgb top = road.IsHighway ? Palette.DryGrass : Palette.Grass;
-            ribbon.Lay(new Rail(-half, Walkway.KerbHeight), new Rail(half, Walkway.KerbHeight), top, Surface.Ground, isPresent);
-            ribbon.Lay(new Rail(-half, 0), new Rail(-half, Walkway.KerbHeight), Palette.Kerb, Surface.Matte, isPresent);
-            ribbon.Lay(new Rail(half, Walkway.KerbHeight), new Rail(half, 0), Palette.Kerb, Surface.Matte, isPresent);
+            ribbon.Lay(new Rail(-half, Walkway.KerbHeight), new Rail(half, Walkway.KerbHeight), top, Surface.Ground, SurfaceKind.Terrain,
+                isPresent);
+            ribbon.Lay(new Rail(-half, 0), new Rail(-half, Walkway.KerbHeight), Palette.Kerb, Surface.Matte, SurfaceKind.Pavement,
+                isPresent);
+            ribbon.Lay(new Rail(half, Walkway.KerbHeight), new Rail(half, 0), Palette.Kerb, Surface.Matte, SurfaceKind.Pavement, isPresent);
         }
     }
 
@@ -79,7 +82,8 @@ internal sealed class RoadSurfaces(
         Vector3D down = Horizontal.Up * -below;
         for (int i = 0; i < sides; i++)
         {
-            mesh.AddTriangle(junction.Position + down, rim[i] + down, rim[(i + 1) % sides] + down, colour, surface);
+            mesh.AddTriangle(
+                junction.Position + down, rim[i] + down, rim[(i + 1) % sides] + down, colour, surface, SurfaceKind.Road);
         }
     }
 }

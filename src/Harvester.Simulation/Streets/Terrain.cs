@@ -65,7 +65,7 @@ internal sealed class Terrain
     {
         foreach ((Vector3D a, Vector3D b, Vector3D c) in _grid.Triangles())
         {
-            mesh.AddTriangle(a, b, c, LandColours.Of(settlement.At(a), a, b, c), Surface.Ground);
+            mesh.AddTriangle(a, b, c, LandColours.Of(settlement.At(a), a, b, c), Surface.Ground, SurfaceKind.Terrain);
         }
 
         AddSurroundings(mesh, settlement);
@@ -153,7 +153,7 @@ internal sealed class Terrain
             Vector3D b = border[(i + 1) % border.Count];
             Vector3D farA = a + (((a - middle) with { Z = 0 }).Normalized() * horizon);
             Vector3D farB = b + (((b - middle) with { Z = 0 }).Normalized() * horizon);
-            mesh.AddQuad(a, farA, farB, b, LandColours.Of(settlement.At(a), a, farA, farB), Surface.Ground);
+            mesh.AddQuad(a, farA, farB, b, LandColours.Of(settlement.At(a), a, farA, farB), Surface.Ground, SurfaceKind.Terrain);
         }
     }
 }

@@ -59,9 +59,10 @@ internal sealed class TunnelBuilder(RoadIndex index, Asphalt asphalt, GroundMesh
     {
         double left = road.LeftKerb - BesideAsphalt;
         double right = road.RightKerb + BesideAsphalt;
-        piece.Lay(new Rail(left, CeilingHeight), new Rail(right, CeilingHeight), Dark, Surface.Matte);
+        piece.Lay(new Rail(left, CeilingHeight), new Rail(right, CeilingHeight), Dark, Surface.Matte, SurfaceKind.Building);
         piece.Lay(
-            new Rail(left - WallThickness, RoofHeight), new Rail(right + WallThickness, RoofHeight), Palette.DryGrass, Surface.Ground);
+            new Rail(left - WallThickness, RoofHeight), new Rail(right + WallThickness, RoofHeight), Palette.DryGrass, Surface.Ground,
+            SurfaceKind.Terrain);
         foreach (int side in new[] { -1, 1 })
         {
             double wall = side < 0 ? left : right;
@@ -71,13 +72,14 @@ internal sealed class TunnelBuilder(RoadIndex index, Asphalt asphalt, GroundMesh
                 continue;
             }
 
-            piece.Lay(new Rail(wall, -Buried), new Rail(wall, TilesFrom), Dark, Surface.Matte);
-            piece.Lay(new Rail(wall, TilesFrom), new Rail(wall, TilesTo), Tiles, Surface.Matte);
-            piece.Lay(new Rail(wall, TilesTo), new Rail(wall, CeilingHeight), Palette.Concrete, Surface.Matte);
+            piece.Lay(new Rail(wall, -Buried), new Rail(wall, TilesFrom), Dark, Surface.Matte, SurfaceKind.Building);
+            piece.Lay(new Rail(wall, TilesFrom), new Rail(wall, TilesTo), Tiles, Surface.Matte, SurfaceKind.Building);
+            piece.Lay(new Rail(wall, TilesTo), new Rail(wall, CeilingHeight), Palette.Concrete, Surface.Matte, SurfaceKind.Building);
             bool hasSlope = IsFree(road, middle, outer + (side * SlopeWidth), SlopeWidth);
             piece.Lay(
                 new Rail(outer, RoofHeight), new Rail(hasSlope ? outer + (side * SlopeWidth) : outer, -Buried),
-                hasSlope ? Palette.DryGrass : Palette.Concrete, hasSlope ? Surface.Ground : Surface.Matte);
+                hasSlope ? Palette.DryGrass : Palette.Concrete, hasSlope ? Surface.Ground : Surface.Matte,
+                hasSlope ? SurfaceKind.Terrain : SurfaceKind.Building);
         }
     }
 
@@ -90,7 +92,7 @@ internal sealed class TunnelBuilder(RoadIndex index, Asphalt asphalt, GroundMesh
         {
             piece.Lay(
                 new Rail(middle - halfWidth, CeilingHeight - belowCeiling), new Rail(middle + halfWidth, CeilingHeight - belowCeiling),
-                LampColour, Surface.Lamp);
+                LampColour, Surface.Lamp, SurfaceKind.Building);
         }
     }
 
@@ -120,7 +122,7 @@ internal sealed class TunnelBuilder(RoadIndex index, Asphalt asphalt, GroundMesh
         {
             Vector3D[] places = [.. corners.Select(corner =>
                 road.Curve.OffsetAt(distance, corner.Right) + (Horizontal.Up * corner.Up))];
-            mesh.AddQuad(places[0], places[1], places[2], places[3], Palette.Concrete, Surface.Matte);
+            mesh.AddQuad(places[0], places[1], places[2], places[3], Palette.Concrete, Surface.Matte, SurfaceKind.Building);
         }
     }
 

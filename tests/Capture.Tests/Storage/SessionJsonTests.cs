@@ -78,6 +78,7 @@ public sealed class SessionJsonTests
                 "freeze": true,
                 "freezeBy": "paused",
                 "masks": false,
+                "semantics": null,
                 "scenes": true,
                 "rayBudget": 50000,
                 "rayReachMetres": 1000,

@@ -157,13 +157,13 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData(
         "--images",
         "copy",
-        "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, bdd100k, motchallenge, "
-            + "openlabel, tusimple, culane, openlane, imagefolder, csv")]
+        "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, semantic, bdd100k, "
+            + "motchallenge, openlabel, tusimple, culane, openlane, imagefolder, csv")]
     [InlineData(
         "--split-block",
         "10",
-        "kitti, coco, coco-panoptic, coco-keypoints, yolo, yolo-segment, voc, cityscapes, bdd100k, deepdriving, tusimple, culane, "
-            + "openlane, webdataset, imagefolder, csv")]
+        "kitti, coco, coco-panoptic, coco-keypoints, yolo, yolo-segment, voc, cityscapes, semantic, bdd100k, deepdriving, tusimple, "
+            + "culane, openlane, webdataset, imagefolder, csv")]
     public void Export_refuses_an_option_that_has_no_effect_on_the_format(string option, string value, string formats)
     {
         foreach (string format in DatasetFormats.All.Select(format => format.Name))

@@ -9,6 +9,9 @@ namespace Harvester.Cli.Tests.Commands;
 /// <summary>Sessions and datasets with images in every format.</summary>
 public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture<HarvestedFormats>, IDisposable
 {
+    /// <summary>What the paths of pictures that are no camera images contain.</summary>
+    private static readonly string[] Maps = ["gtFine", "panoptic_", "/classes/", "/drivable/"];
+
     private readonly TemporaryFolder _folder = new();
 
     public static TheoryData<string> Formats => [.. DatasetFormats.All.Select(format => format.Name)];
@@ -143,8 +146,7 @@ public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture
     }
 
     private static bool IsImage(string path) =>
-        Path.GetExtension(path) is ".png" or ".bmp" or ".jpg" && !path.Contains("gtFine", StringComparison.Ordinal) && !path.Contains(
-            "panoptic_", StringComparison.Ordinal);
+        Path.GetExtension(path) is ".png" or ".bmp" or ".jpg" && !Maps.Any(part => path.Contains(part, StringComparison.Ordinal));
 
     private byte[] Jpeg(int frame, int quality)
     {

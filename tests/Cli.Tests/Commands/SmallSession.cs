@@ -1,12 +1,12 @@
 namespace Harvester.Cli.Tests.Commands;
 
-/// <summary>Two small frames with masks and lanes.</summary>
+/// <summary>Two small frames with masks, class maps and lanes.</summary>
 public sealed class SmallSession : IDisposable
 {
     private readonly TemporaryFolder _folder = new();
 
     public SmallSession() =>
-        SharedHarvest.CopyTo(Folder, "--frames", "2", "--seed", "5", "--size", "80x60", "--masks", "--no-report");
+        SharedHarvest.CopyTo(Folder, "--frames", "2", "--seed", "5", "--size", "80x60", "--semantics", "exact", "--no-report");
 
     public string Folder => _folder.PathOf("session");
 

@@ -22,8 +22,8 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     [MemberData(nameof(Formats))]
     public void Export_twice_gives_the_same_bytes(string format)
     {
-        ExportResult result = Folder.Export(format, simulated.Open(), SplitsOf(format), "a");
-        Folder.Export(format, simulated.Open(), SplitsOf(format) with { Images = ImageTransfer.Copy }, "b", sync: SyncMode.Batch);
+        ExportResult result = Folder.Export(format, simulated.OpenFor(format), SplitsOf(format), "a");
+        Folder.Export(format, simulated.OpenFor(format), SplitsOf(format) with { Images = ImageTransfer.Copy }, "b", sync: SyncMode.Batch);
 
         Assert.Equal(SimulatedSession.Frames, result.Frames + result.FramesLeftOut);
         Assert.True(result.Labels > SimulatedSession.Frames);
@@ -37,11 +37,12 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     [MemberData(nameof(Formats))]
     public void Merge_of_shards_gives_the_bytes_of_a_single_run(string format)
     {
-        Folder.Export(format, [simulated.Open(), simulated.Open()], TwoSplits, "single");
+        Folder.Export(format, [simulated.OpenFor(format), simulated.OpenFor(format)], TwoSplits, "single");
         for (int number = 1; number <= 3; number++)
         {
             // The first two share a folder, as runs on one file system may.
-            Folder.Export(format, [simulated.Open(), simulated.Open()], TwoSplits, number < 3 ? "a" : "b", new Shard(number, 3));
+            string folder = number < 3 ? "a" : "b";
+            Folder.Export(format, [simulated.OpenFor(format), simulated.OpenFor(format)], TwoSplits, folder, new Shard(number, 3));
         }
 
         DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("merged"), ImageTransfer.Link);

@@ -20,7 +20,7 @@ public sealed class DatasetManifestTests(SimulatedSession simulated) : ExportTes
     [MemberData(nameof(DatasetExporterTests.Formats), MemberType = typeof(DatasetExporterTests))]
     public void Manifest_has_every_file_with_its_digest(string format)
     {
-        Folder.Export(format, simulated.Open(), DatasetExporterTests.SplitsOf(format));
+        Folder.Export(format, simulated.OpenFor(format), DatasetExporterTests.SplitsOf(format));
 
         string[] files = [.. Folder.Contents("out").Keys.Where(name => name != "manifest.jsonl")];
         Assert.Equal(
@@ -174,7 +174,7 @@ public sealed class DatasetManifestTests(SimulatedSession simulated) : ExportTes
 
     private void FlipBits(string format, Func<IEnumerable<string>, IEnumerable<string>> choose)
     {
-        Folder.Export(format, simulated.Open(), Copied);
+        Folder.Export(format, simulated.OpenFor(format), Copied);
         var random = new Random(Seed);
         foreach (string name in choose(Folder.Contents("out").Keys).ToArray())
         {
@@ -193,7 +193,7 @@ public sealed class DatasetManifestTests(SimulatedSession simulated) : ExportTes
 
     private void RemoveFiles(string format, Func<IEnumerable<string>, IEnumerable<string>> choose)
     {
-        Folder.Export(format, simulated.Open());
+        Folder.Export(format, simulated.OpenFor(format));
         foreach (string name in choose(Folder.Contents("out").Keys.Where(name => name != "export.json")).ToArray())
         {
             File.Move(Folder.PathOf("out/" + name), Folder.PathOf("away"));

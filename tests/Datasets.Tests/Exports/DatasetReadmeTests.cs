@@ -17,7 +17,7 @@ public sealed class DatasetReadmeTests(SimulatedSession simulated) : ExportTests
     [MemberData(nameof(Formats))]
     public void Readme_says_what_wrote_it_and_repeats_the_notice(string format)
     {
-        Folder.Export(format, simulated.Open());
+        Folder.Export(format, simulated.OpenFor(format));
 
         string text = File.ReadAllText(Folder.PathOf(Readme));
         Assert.Contains($"\nharvester export SESSION... --format {format} ", text, StringComparison.Ordinal);
@@ -55,7 +55,7 @@ public sealed class DatasetReadmeTests(SimulatedSession simulated) : ExportTests
     public void Card_begins_with_the_header_that_the_hub_reads(string format, string train, string validation)
     {
         var options = new ExportOptions { Splits = new SplitPlan([new("train", 0.5), new("val-2", 0.5)], 1, 1) };
-        Folder.Export(format, simulated.Open(), options);
+        Folder.Export(format, simulated.OpenFor(format), options);
 
         string[] lines = Folder.Lines(Readme);
         Assert.Equal(

@@ -14,7 +14,7 @@ public sealed class DatasetValidatorTests(SimulatedSession simulated) : ExportTe
     [MemberData(nameof(Formats))]
     public void Validate_of_an_export_finds_nothing(string format)
     {
-        Folder.Export(format, simulated.Open());
+        Folder.Export(format, simulated.OpenFor(format));
 
         Assert.Empty(DatasetValidator.Validate(Folder.PathOf("out")).Problems);
     }
@@ -25,7 +25,7 @@ public sealed class DatasetValidatorTests(SimulatedSession simulated) : ExportTe
     {
         Folder.Export(
             format,
-            [simulated.Open(), simulated.Open()],
+            [simulated.OpenFor(format), simulated.OpenFor(format)],
             new ExportOptions { Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 1, 1) });
 
         Assert.Empty(DatasetValidator.Validate(Folder.PathOf("out")).Problems);

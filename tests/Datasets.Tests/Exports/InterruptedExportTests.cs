@@ -17,11 +17,12 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
     public void Killed_export_resumes(string format)
     {
         ExportOptions splits = DatasetExporterTests.SplitsOf(format);
-        Folder.Export(format, simulated.Open(), splits, "single");
+        Folder.Export(format, simulated.OpenFor(format), splits, "single");
         KillAfter(3, format);
 
         var done = new List<int>();
-        new DatasetExporter(ExportFolder.Plan(format, [simulated.Open()], splits), Folder.PathOf("killed"), Shard.Whole).Run(done.Add);
+        new DatasetExporter(ExportFolder.Plan(format, [simulated.OpenFor(format)], splits), Folder.PathOf("killed"), Shard.Whole)
+            .Run(done.Add);
 
         Assert.Equal(4, done[0]);
         Assert.Equal(Folder.Contents("single"), Folder.Contents("killed"));
@@ -118,7 +119,9 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
     {
         using var stop = new CancellationTokenSource();
         var exporter = new DatasetExporter(
-            ExportFolder.Plan(format, [simulated.Open()], DatasetExporterTests.SplitsOf(format)), Folder.PathOf("killed"), Shard.Whole);
+            ExportFolder.Plan(format, [simulated.OpenFor(format)], DatasetExporterTests.SplitsOf(format)),
+            Folder.PathOf("killed"),
+            Shard.Whole);
         Assert.Throws<OperationCanceledException>(() => exporter.Run(
             done =>
             {

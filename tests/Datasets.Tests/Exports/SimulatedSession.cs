@@ -1,8 +1,10 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
+using Harvester.Datasets.Exports.Formats;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Semantics;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Settings;
 
@@ -14,14 +16,40 @@ public sealed class SimulatedSession : IDisposable
     public const string Collection = "Simulated session";
     public const int Frames = 7;
 
-    public SimulatedSession()
+    private readonly Lazy<string> _withClassMaps = new(() => Harvest(SemanticsMethod.Exact));
+
+    public string Folder { get; } = Harvest(null);
+
+    public SessionReader Open() => new(Folder);
+
+    /// <summary>Opens the session, or the same with class maps for a format that needs them.</summary>
+    public SessionReader OpenFor(string format) =>
+        new(DatasetFormats.Find(format)!.NeedsClassMaps ? _withClassMaps.Value : Folder);
+
+    public void Dispose()
     {
+        Directory.Delete(Folder, recursive: true);
+        if (_withClassMaps.IsValueCreated)
+        {
+            Directory.Delete(_withClassMaps.Value, recursive: true);
+        }
+    }
+
+    private static string Harvest(SemanticsMethod? semantics)
+    {
+        string folder = Directory.CreateTempSubdirectory("harvester-test-").FullName;
         var game = new SimulatedGame(new SimulationOptions { Seed = 8, WindowAspect = 4.0 / 3 });
-        using var writer = new SessionWriter(Folder, new SessionOrigin { Game = "simulation", Tool = "test", Seed = 8 });
-        using var session = new HarvestSession(
-            new HarvestOptions { Image = new ImageSize(200, 150), MaxFrames = Frames, RateHz = 2, RangeMetres = 80, Masks = true },
-            game.Ports with { Roads = new FixedRoads(game.Roads, "simulation") },
-            writer);
+        using var writer = new SessionWriter(folder, new SessionOrigin { Game = "simulation", Tool = "test", Seed = 8 });
+        var options = new HarvestOptions
+        {
+            Image = new ImageSize(200, 150),
+            MaxFrames = Frames,
+            RateHz = 2,
+            RangeMetres = 80,
+            Masks = true,
+            Semantics = semantics,
+        };
+        using var session = new HarvestSession(options, game.Ports with { Roads = new FixedRoads(game.Roads, "simulation") }, writer);
         do
         {
             writer.WaitForRoom();
@@ -32,11 +60,6 @@ public sealed class SimulatedSession : IDisposable
         session.Stop();
         writer.Dispose();
         Assert.Null(session.Fault ?? writer.Fault);
+        return folder;
     }
-
-    public string Folder { get; } = Directory.CreateTempSubdirectory("harvester-test-").FullName;
-
-    public SessionReader Open() => new(Folder);
-
-    public void Dispose() => Directory.Delete(Folder, recursive: true);
 }

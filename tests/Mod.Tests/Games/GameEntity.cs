@@ -56,6 +56,9 @@ internal sealed class GameEntity
     /// <summary>Handle of the vehicle in which a person sits; 0 if there is none.</summary>
     public int Vehicle { get; init; }
 
+    /// <summary>Whether a script has hidden it.</summary>
+    public bool IsHidden { get; set; }
+
     public bool IsFrozen { get; set; }
 
     /// <summary>The shape that rays hit; null for its box.</summary>

@@ -14,6 +14,14 @@ internal sealed partial class TestGame
         _natives[Hash.GET_PED_BONE_INDEX] = a => JointOf((int)a[0], (int)a[1]) is null ? -1 : (int)a[1] % 100;
         _natives[Hash.GET_PED_BONE_COORDS] = a => ToGame(JointOf((int)a[0], (int)a[1]) ?? default);
         _natives[Hash.DOES_ENTITY_EXIST] = a => Entities.ContainsKey((int)a[0]);
+        _natives[Hash.IS_ENTITY_VISIBLE] = a => Entities.TryGetValue((int)a[0], out GameEntity? entity) && !entity.IsHidden;
+        Do(Hash.SET_ENTITY_VISIBLE, a =>
+        {
+            if (Entities.TryGetValue((int)a[0], out GameEntity? entity))
+            {
+                entity.IsHidden = !(bool)a[1];
+            }
+        });
         _natives[Hash.GET_ENTITY_TYPE] = a => Entities.TryGetValue((int)a[0], out GameEntity? entity)
             ? entity.Pool switch { PoolKind.Peds => 1, PoolKind.Vehicles => 2, _ => 3 }
             : 0;

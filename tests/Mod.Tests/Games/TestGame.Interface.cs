@@ -69,6 +69,7 @@ internal sealed partial class TestGame
             Assert.Equal([a[10], a[10]], [a[11], a[12]]);
             Balls.Add(new PlannedMarker(ToWorld(a[1], a[2], a[3]), (float)a[10], default));
         });
+        Do(Hash.DRAW_POLY, _ => { });
         Do(Hash.HIDE_HUD_AND_RADAR_THIS_FRAME, _ => IsHudHidden = true);
         Do(Hash.THEFEED_HIDE_THIS_FRAME, _ => IsFeedHidden = true);
         Do(Hash.DRAW_RECT, a =>

@@ -6,9 +6,14 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Mod.Tests.Games;
 
-/// <summary>The natives about rays. The world under z = 0 is a building, for which each ray makes a script handle.</summary>
+/// <summary>
+/// The natives about rays. The world under z = 0 is a building of level concrete, for which each ray makes a script handle.
+/// </summary>
 internal sealed partial class TestGame
 {
+    /// <summary>What the game calls the material of the world.</summary>
+    public const uint Concrete = 0x46CA81E8;
+
     private const int Building = 2_000_000;
     private (RayHit? Hit, Ray Ray) _probe;
     private (int Handle, SceneRayCaster? Rays) _shown;
@@ -31,14 +36,15 @@ internal sealed partial class TestGame
             _probe = (SceneRays is { } scene ? scene.Cast(ray, way.Length, (int)a[7]) : Cast(ray, way.Length, (int)a[7]), ray);
             return 1;
         };
-        _natives[Hash.GET_SHAPE_TEST_RESULT] = a =>
+        _natives[Hash.GET_SHAPE_TEST_RESULT_INCLUDING_MATERIAL] = a =>
         {
             Write(a[1], _probe.Hit is not null);
             if (_probe.Hit is { } hit)
             {
                 Write(a[2], ToGame(_probe.Ray.At(hit.Distance)));
-                Write(a[3], ToGame(default));
-                Write(a[4], ScriptHandleOf(hit.Entity));
+                Write(a[3], ToGame(new Vector3D(0, 0, hit.NormalZ ?? 0)));
+                Write(a[4], unchecked((int)hit.Material));
+                Write(a[5], ScriptHandleOf(hit.Entity));
             }
 
             return 2;
@@ -54,7 +60,8 @@ internal sealed partial class TestGame
             .Where(hit => hit.Distance is not null)
             .Select(hit => new RayHit(hit.Distance!.Value, hit.Key));
         double toGround = ray.Direction.Z < 0 ? -ray.Origin.Z / ray.Direction.Z : double.PositiveInfinity;
-        RayHit first = hits.Append(new RayHit(toGround, RayHit.World)).MinBy(hit => hit.Distance);
+        var ground = new RayHit(toGround, RayHit.World) { Material = Concrete, NormalZ = 1 };
+        RayHit first = hits.Append(ground).MinBy(hit => hit.Distance);
         return first.Distance <= maxDistance ? first : null;
     }
 

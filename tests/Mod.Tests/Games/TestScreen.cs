@@ -7,6 +7,12 @@ namespace Harvester.Mod.Tests.Games;
 /// <summary>A screen that shows the number of the frame, and records what else was visible when it was grabbed.</summary>
 internal sealed class TestScreen(TestGame game) : IScreen, IGameWindow
 {
+    /// <summary>The picture differs by so many levels while an entity is hidden.</summary>
+    private const int HiddenLevels = 100;
+
+    /// <summary>Whether the picture changes with the entities that are hidden.</summary>
+    public bool ShowsHiding { get; set; } = true;
+
     public string? Refusal { get; set; }
 
     /// <summary>Grabs with anything of the game's display or the mod's in the picture.</summary>
@@ -22,7 +28,8 @@ internal sealed class TestScreen(TestGame game) : IScreen, IGameWindow
 
         // The picture grabbed in a tick is the one that the frame before drew.
         SpoiltPictures += game.ShowedDisplay ? 1 : 0;
-        Array.Fill(target.Bytes, (byte)(1 + (game.Frame % 255)));
+        int hidden = ShowsHiding && game.Entities.Values.Any(entity => entity.IsHidden) ? HiddenLevels : 0;
+        Array.Fill(target.Bytes, (byte)((1 + (game.Frame % 255) + hidden) % 256));
         return Refusal is null ? GrabResult.Good : GrabResult.Refused(Refusal);
     }
 }

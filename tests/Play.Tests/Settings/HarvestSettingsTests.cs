@@ -5,6 +5,7 @@ using Harvester.Play.Settings;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Semantics;
 
 namespace Harvester.Play.Tests.Settings;
 
@@ -32,6 +33,7 @@ public sealed class HarvestSettingsTests
             Mode = Live
             Freeze = timeScale
             Masks = On
+            Semantics = On
             Rays = 3000
             RayReach = 120.5
             OcclusionRays = 9
@@ -64,6 +66,7 @@ public sealed class HarvestSettingsTests
             Freeze = false,
             FreezeBy = FreezeMethod.TimeScale,
             Masks = true,
+            Semantics = SemanticsMethod.Rays,
             RayBudget = 3000,
             RayReachMetres = 120.5,
             OcclusionSamples = 9,

@@ -25,8 +25,9 @@ internal static class MasksImportCommand
         "DIR has one mask per frame: a 16-bit greyscale PNG of the image's size, named after the frame number (12.png or 00000012.png).\n"
         + "The value of a pixel is the id of its label, or 0. With --match, the values may be any numbers that are unique within a frame;\n"
         + "each is matched with the object whose cuboid it overlaps most.\n\n"
-        + "box2dVisible, occludedFraction and visibleFraction are recomputed from the masks, occlusionMethod becomes imported, and an\n"
-        + "existing report is rewritten. If any mask is invalid, the session is not changed. docs/pixel-maps.md has details and limits.\n\n"
+        + "box2dVisible, occludedFraction and visibleFraction are recomputed from the masks, occlusionMethod becomes imported, amodal\n"
+        + "masks with their boxes are removed, and an existing report is rewritten. If any mask is invalid, the session is not changed.\n"
+        + "docs/pixel-maps.md has details and limits.\n\n"
         + Examples;
 
     public static Command Create(Terminal terminal)

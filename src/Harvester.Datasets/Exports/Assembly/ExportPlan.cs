@@ -68,6 +68,11 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
         }
 
         json.WriteEndArray();
+        if (Options.HasClassMaps)
+        {
+            json.WriteBoolean("classMaps", true);
+        }
+
         json.WriteNumber("minVisibleFraction", Options.MinVisibleFraction);
         WriteName(json, "parts", Options.Parts);
         WriteName(json, "boxes", Options.Boxes);
@@ -113,6 +118,7 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
             Names = names.Names.ToDictionary(ClassOf, names.Text),
             Subclasses = (Subclasses)plan.Integer("subclasses"),
             MutcdCodes = plan.Texts("mutcdCodes"),
+            HasClassMaps = plan.Has("classMaps") && plan.Boolean("classMaps"),
             Parts = plan.Has("parts") ? plan.Name<PartSelection>("parts") : null,
             Boxes = plan.Has("boxes") ? plan.Name<BoxKind>("boxes") : null,
             Segmentation = plan.Name<SegmentationKind>("segmentation"),

@@ -23,6 +23,8 @@ internal sealed class SessionSurvey
     private readonly List<FramePlace> _written = [];
     private readonly int[] _frames;
     private readonly int[] _masks;
+    private readonly int[] _classMaps;
+    private bool _hasWholeBoxes;
     private readonly SortedSet<string> _mutcdCodes = new(StringComparer.Ordinal);
 
     private SessionSurvey(ExportPlan plan)
@@ -30,6 +32,7 @@ internal sealed class SessionSurvey
         _plan = plan;
         _frames = new int[plan.Sessions.Count];
         _masks = new int[plan.Sessions.Count];
+        _classMaps = new int[plan.Sessions.Count];
     }
 
     private DatasetFormat Format => _plan.Format;
@@ -74,6 +77,7 @@ internal sealed class SessionSurvey
             Options = options with
             {
                 Boxes = boxes,
+                HasClassMaps = _classMaps.Sum() > 0,
                 Parts = options.Parts ?? Format.DefaultParts,
                 MutcdCodes = options.Subclasses.HasFlag(Subclasses.Mutcd) ? [.. _mutcdCodes] : [],
             },
@@ -91,6 +95,7 @@ internal sealed class SessionSurvey
         }
 
         CheckMasks();
+        CheckClassMaps();
         if (_written.Count == 0)
         {
             throw new DatasetFormatException(
@@ -108,7 +113,9 @@ internal sealed class SessionSurvey
     {
         FrameRequirements.Check(Format, frame);
         _frames[frame.SessionIndex]++;
+        _classMaps[frame.SessionIndex] += frame.Label.ClassMap is null ? 0 : 1;
         _masks[frame.SessionIndex] += frame.Label.Mask is null ? 0 : 1;
+        _hasWholeBoxes |= frame.Label.Objects.Any(label => label.Box2DWhole is not null);
         _mutcdCodes.UnionWith(frame.Label.Objects.Select(label => label.Face?.MutcdCode).OfType<string>());
         if (!Format.LeavesOutUnknownLanes || frame.Label.Lanes is { Status: LaneStatus.Known })
         {
@@ -124,6 +131,12 @@ internal sealed class SessionSurvey
 
     private void CheckMasks()
     {
+        if (_plan.Options.Boxes == BoxKind.Whole && !_hasWholeBoxes)
+        {
+            throw new DatasetFormatException(
+                "Boxes of whole objects need amodal masks, and the sessions have none. Harvest with amodal masks, or choose other boxes.");
+        }
+
         if (!HasMasks)
         {
             if (_plan.Options.Boxes == BoxKind.Visible)
@@ -145,6 +158,17 @@ internal sealed class SessionSurvey
             ? $"'{FolderOf(without[0])}' has masks for {_masks[without[0]]} of {Counted.Of(_frames[without[0]], "frame")}"
             : $"'{FolderOf(without[0])}' has no masks, and '{FolderOf(Array.FindIndex(_masks, masks => masks > 0))}' has";
         throw new DatasetFormatException($"Labels would not be comparable: {reason}. Export sessions with and without masks separately.");
+    }
+
+    private void CheckClassMaps()
+    {
+        int without = Enumerable.Range(0, _frames.Length).FirstOrDefault(session => _classMaps[session] < _frames[session], -1);
+        if (Format.UsesClassMaps && without >= 0 && _classMaps.Sum() > 0)
+        {
+            throw new DatasetFormatException(
+                $"Labels would not be comparable: '{FolderOf(without)}' has class maps for {_classMaps[without]} of "
+                + $"{Counted.Of(_frames[without], "frame")}, and other frames have them. Export them separately.");
+        }
     }
 
     private string AdviceFor(SplitPlan splits)

@@ -13,6 +13,7 @@ using Harvester.Datasets.Exports.Formats.Lanes;
 using Harvester.Datasets.Exports.Formats.Mcap;
 using Harvester.Datasets.Exports.Formats.MotChallenge;
 using Harvester.Datasets.Exports.Formats.OpenLabel;
+using Harvester.Datasets.Exports.Formats.Semantic;
 using Harvester.Datasets.Exports.Formats.Voc;
 using Harvester.Datasets.Exports.Formats.WebDataset;
 using Harvester.Datasets.Exports.Formats.Yolo;
@@ -43,7 +44,8 @@ public static class DatasetFormats
         },
         new("coco-panoptic", "COCO panoptic segmentation", options => new CocoPanopticWriter(options))
         {
-            NeedsMasks = true, HasNames = true, HasSubclasses = true, HasParts = true, Check = CocoPanopticCheck.Problems,
+            NeedsMasks = true, UsesClassMaps = true, HasNames = true, HasSubclasses = true, HasParts = true,
+                Check = CocoPanopticCheck.Problems,
         },
         new("coco-keypoints", "COCO keypoints of people", options => new CocoKeypointsWriter(options))
         {
@@ -67,7 +69,12 @@ public static class DatasetFormats
         },
         new("cityscapes", "Maps of instances and classes in the style of Cityscapes", options => new CityscapesWriter(options))
         {
-            NeedsMasks = true, HasNames = true, Names = CityscapesLabels.Names, HasParts = true, Check = CityscapesCheck.Problems,
+            NeedsMasks = true, UsesClassMaps = true, HasNames = true, Names = CityscapesLabels.ObjectNames, HasParts = true,
+                Check = CityscapesCheck.Problems,
+        },
+        new("semantic", "Class maps with a palette, and the drivable area", _ => new SemanticWriter())
+        {
+            NeedsClassMaps = true, Check = SemanticCheck.Problems,
         },
         new("bdd100k", "BDD100K detection, tracking and lane markings", options => new Bdd100KWriter(options))
         {

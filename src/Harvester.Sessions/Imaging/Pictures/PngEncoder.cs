@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.IO.Compression;
 using System.Text;
@@ -8,8 +9,8 @@ using Harvester.Geometry.PixelMaps;
 namespace Harvester.Sessions.Imaging.Pictures;
 
 /// <summary>
-/// Writes PNG images (ISO/IEC 15948): 8-bit red, green, blue, and grey of 16 or 8 bits. Rows of colours are filtered with Sub and those of
-/// maps with Up, the cheapest of the filters that help. One encoder serves one thread; its buffers are reused.
+/// Writes PNG images (ISO/IEC 15948): 8-bit red, green, blue, grey of 16 or 8 bits, and 8 bits with a palette. Rows of colours are filtered
+/// with Sub and those of maps with Up, the cheapest of the filters that help. One encoder serves one thread; its buffers are reused.
 /// </summary>
 #pragma warning disable CA1001 // A memory stream holds nothing to dispose.
 public sealed class PngEncoder
@@ -21,6 +22,7 @@ public sealed class PngEncoder
     private const byte BitsOfColour = 8;
     private const byte ColourTypeGrey = 0;
     private const byte ColourTypeRgb = 2;
+    private const byte ColourTypePalette = 3;
     private static readonly byte[] Signature = [0x89, (byte)'P', (byte)'N', (byte)'G', 0x0D, 0x0A, 0x1A, 0x0A];
 
     private readonly CompressionLevel _level;
@@ -85,17 +87,55 @@ public sealed class PngEncoder
             throw new ArgumentException("The numbers of a map of 8 bits are 0 to 255.", nameof(map));
         }
 
+        Write8(map, ColourTypeGrey, null, target);
+    }
+
+    /// <summary>Writes a map of small numbers with a palette: 8 bits per pixel.</summary>
+    /// <param name="map">The map.</param>
+    /// <param name="palette">The colour of each number; at most 256.</param>
+    /// <param name="target">Receives the image.</param>
+    /// <exception cref="ArgumentException">A number has no colour, or there are too many colours.</exception>
+    /// <exception cref="IOException">The stream cannot be written.</exception>
+    public void WriteIndexed(InstanceMap map, IReadOnlyList<(byte Red, byte Green, byte Blue)> palette, Stream target)
+    {
+        if (map is null)
+        {
+            throw new ArgumentNullException(nameof(map));
+        }
+
+        if (palette is null)
+        {
+            throw new ArgumentNullException(nameof(palette));
+        }
+
+        if (palette.Count > byte.MaxValue + 1 || Array.Exists(map.Ids, id => id >= palette.Count))
+        {
+            throw new ArgumentException("A palette has at most 256 colours, and one for each number of the map.", nameof(palette));
+        }
+
+        byte[] colours = new byte[palette.Count * PixelBuffer.BytesPerPixel];
+        for (int i = 0; i < palette.Count; i++)
+        {
+            (colours[i * 3], colours[(i * 3) + 1], colours[(i * 3) + 2]) = palette[i];
+        }
+
+        Write8(map, ColourTypePalette, colours, target);
+    }
+
+    private void Write8(InstanceMap map, byte colourType, byte[]? palette, Stream target)
+    {
         int width = map.Image.Width;
-        Write(target, map.Image, 8, ColourTypeGrey, width, (row, line) =>
+        Write(target, map.Image, 8, colourType, width, (row, line) =>
         {
             for (int column = 0; column < width; column++)
             {
                 line[column] = (byte)map.Ids[(row * width) + column];
             }
-        });
+        }, palette);
     }
 
-    private void Write(Stream target, ImageSize size, byte bits, byte colourType, int stride, Action<int, byte[]> readRow)
+    private void Write(
+        Stream target, ImageSize size, byte bits, byte colourType, int stride, Action<int, byte[]> readRow, byte[]? palette = null)
     {
         if (target is null)
         {
@@ -109,6 +149,11 @@ public sealed class PngEncoder
         header[8] = bits;
         header[9] = colourType;
         WriteChunk(target, "IHDR", header, header.Length);
+        if (palette is not null)
+        {
+            WriteChunk(target, "PLTE", palette, palette.Length);
+        }
+
         Compress(size.Height, stride, colourType, readRow);
         WriteChunk(target, "IDAT", _compressed.GetBuffer(), (int)_compressed.Length);
         WriteChunk(target, "IEND", [], 0);

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Semantics;
 
 namespace Harvester.Datasets.Exports.Formats.Cityscapes;
 
@@ -19,9 +20,16 @@ internal static class CityscapesLabels
         new("unlabeled", 0, NotTrained, false),
         new("static", 4, NotTrained, false),
         new("dynamic", 5, NotTrained, false),
+        new("road", 7, 0, false),
+        new("sidewalk", 8, 1, false),
+        new("building", 11, 2, false),
+        new("fence", 13, 4, false),
         new("pole", 17, 5, false),
         new("traffic light", 19, 6, false),
         new("traffic sign", 20, 7, false),
+        new("vegetation", 21, 8, false),
+        new("terrain", 22, 9, false),
+        new("sky", 23, 10, false),
         new("person", 24, 11, true),
         new("rider", 25, 12, true),
         new("car", 26, 13, true),
@@ -40,8 +48,12 @@ internal static class CityscapesLabels
     /// <summary>Posts of signs and traffic lights.</summary>
     public static CityscapesLabel Pole { get; } = Named("pole");
 
-    /// <summary>Label names that classes can be given.</summary>
+    /// <summary>The names of all labels.</summary>
     public static IReadOnlyCollection<string> Names { get; } = [.. Labels.Select(label => label.Name)];
+
+    /// <summary>Label names that classes of objects can be given.</summary>
+    public static IReadOnlyCollection<string> ObjectNames { get; } =
+        [.. Names.Except(["road", "sidewalk", "building", "fence", "vegetation", "terrain", "sky"])];
 
     /// <summary>The label of a class.</summary>
     /// <param name="kind">The class.</param>
@@ -61,6 +73,20 @@ internal static class CityscapesLabels
             ObjectClass.Other => "dynamic",
             _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, "The class has no label in Cityscapes."),
         });
+
+    /// <summary>The label of a value in class maps; unlabeled for water, for objects, and for what is unknown.</summary>
+    public static CityscapesLabel OfSurface(SemanticClass kind) => kind switch
+    {
+        SemanticClass.Road or SemanticClass.LaneMarking => Named("road"),
+        SemanticClass.Pavement => Named("sidewalk"),
+        SemanticClass.Building => Named("building"),
+        SemanticClass.Fence => Named("fence"),
+        SemanticClass.Pole => Pole,
+        SemanticClass.Vegetation => Named("vegetation"),
+        SemanticClass.Terrain => Named("terrain"),
+        SemanticClass.Sky => Named("sky"),
+        _ => Unlabeled,
+    };
 
     /// <summary>
     /// The label of an instance id, which is the label id itself for labels without instances; null for an unknown id.

@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Semantics;
 
 namespace Harvester.Datasets.Exports.Formats.Cityscapes;
 
@@ -22,6 +23,15 @@ internal sealed class CityscapesWriter(ExportOptions options) : IDatasetWriter
         output.Image($"leftImg8bit/{frame.Split}/{city}/{name}_leftImg8bit{frame.ImageExtension}", frame);
         string maps = $"gtFine/{frame.Split}/{city}/{name}_gtFine_";
         InstanceMap instances = Map(mask, value => ids.GetValueOrDefault(value));
+        if (frame.Classes is { } classes)
+        {
+            InstanceMap surfaces = Map(classes, value => CityscapesLabels.OfSurface((SemanticClass)value).Id);
+            for (int i = 0; i < instances.Ids.Length; i++)
+            {
+                instances.Ids[i] = mask.Ids[i] == 0 ? surfaces.Ids[i] : instances.Ids[i];
+            }
+        }
+
         output.File(maps + "instanceIds.png", stream => _png.Write(instances, stream));
         InstanceMap labels = Map(instances, id => CityscapesLabels.OfInstance(id)!.Id);
         output.File(maps + "labelIds.png", stream => _png.WriteGrey8(labels, stream));

@@ -6,6 +6,7 @@ using Harvester.Datasets.Masks.Pixels;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Semantics;
 
 namespace Harvester.Datasets.Exports.Formats.Coco;
 
@@ -30,8 +31,13 @@ internal sealed class CocoPanopticWriter(ExportOptions options) : IDatasetWriter
             segments.Add(post.Id, Stuff.Pole.Segment);
         }
 
-        segments.Add(0, Stuff.Background.Segment);
-        var map = new SegmentMap(mask, id => segments.GetValueOrDefault(id, Void));
+        if (frame.Classes is null)
+        {
+            segments.Add(0, Stuff.Background.Segment);
+        }
+
+        int[] surfaces = [.. Enumerable.Range(0, SemanticClasses.Greatest + 1).Select(value => Stuff.SegmentOf((SemanticClass)value))];
+        var map = new SegmentMap(mask, id => segments.GetValueOrDefault(id, Void), frame.Classes, value => surfaces[value]);
         string image = frame.Name + frame.ImageExtension;
         output.Image($"images/{frame.Split}/{image}", frame);
         output.File($"annotations/panoptic_{frame.Split}/{frame.Name}.png", stream => _png.Write(map.Picture, stream));
@@ -43,9 +49,11 @@ internal sealed class CocoPanopticWriter(ExportOptions options) : IDatasetWriter
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
         CocoJson.Files("panoptic", options, StuffOf(options));
 
-    /// <summary>The categories that are not objects. Posts are one only if they are not part of their signs and lights.</summary>
+    /// <summary>
+    /// The categories that are not objects. Without class maps, posts are one only if they are not part of their signs and lights.
+    /// </summary>
     public static IEnumerable<Stuff> StuffOf(ExportOptions options) =>
-        options.Parts == PartSelection.Faces ? [Stuff.Pole, Stuff.Background] : [Stuff.Background];
+        options.HasClassMaps ? Stuff.Surfaces : options.Parts == PartSelection.Faces ? [Stuff.Pole, Stuff.Background] : [Stuff.Background];
 
     private string Annotation(ExportFrame frame, ExportObject[] seen, SegmentMap map) => JsonLine.Of(json =>
     {

@@ -20,8 +20,10 @@ internal sealed class SegmentMap
     /// <summary>Draws a mask.</summary>
     /// <param name="mask">The mask.</param>
     /// <param name="segmentOf">The segment of a mask value.</param>
-    public SegmentMap(InstanceMap mask, Func<int, int> segmentOf)
-        : this(Draw(mask, segmentOf))
+    /// <param name="classes">The class map, which is drawn where the mask is 0; null without one.</param>
+    /// <param name="surfaceOf">The segment of a value of the class map.</param>
+    public SegmentMap(InstanceMap mask, Func<int, int> segmentOf, InstanceMap? classes, Func<int, int> surfaceOf)
+        : this(Draw(mask, segmentOf, classes, surfaceOf))
     {
     }
 
@@ -31,7 +33,7 @@ internal sealed class SegmentMap
     /// <summary>The segments by id.</summary>
     public IReadOnlyDictionary<int, Segment> Segments { get; }
 
-    private static PixelBuffer Draw(InstanceMap mask, Func<int, int> segmentOf)
+    private static PixelBuffer Draw(InstanceMap mask, Func<int, int> segmentOf, InstanceMap? classes, Func<int, int> surfaceOf)
     {
         var picture = new PixelBuffer(mask.Image);
         (ushort value, int segment) = ((ushort)0, segmentOf(0));
@@ -44,9 +46,10 @@ internal sealed class SegmentMap
             }
 
             int at = i * PixelBuffer.BytesPerPixel;
-            picture.Bytes[at] = (byte)segment;
-            picture.Bytes[at + 1] = (byte)(segment >> 8);
-            picture.Bytes[at + 2] = (byte)(segment >> 16);
+            int drawn = classes is not null && value == 0 ? surfaceOf(classes.Ids[i]) : segment;
+            picture.Bytes[at] = (byte)drawn;
+            picture.Bytes[at + 1] = (byte)(drawn >> 8);
+            picture.Bytes[at + 2] = (byte)(drawn >> 16);
         }
 
         return picture;

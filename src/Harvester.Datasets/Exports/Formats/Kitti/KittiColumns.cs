@@ -97,9 +97,10 @@ internal sealed class KittiColumns(BoxKind boxes)
         }
 
         double rounding = RoundingPixels + MaxDistortionPixels + missPixels + (p[0] * RoundingMetres / nearest);
-        double overhang = boxes == BoxKind.Visible ? MaxOverhangFraction : 0;
+        bool isOfPixels = boxes is BoxKind.Visible or BoxKind.Whole;
+        double overhang = isOfPixels ? MaxOverhangFraction : 0;
         return Grown(seen, rounding + (overhang * seen.Width), rounding + (overhang * seen.Height)).Contains(box, 0)
-            && (boxes == BoxKind.Visible || !whole.Contains(around, 0) || box.Contains(seen, rounding));
+            && (isOfPixels || !whole.Contains(around, 0) || box.Contains(seen, rounding));
     }
 
     private static Box2D Grown(Box2D box, double across, double down) =>

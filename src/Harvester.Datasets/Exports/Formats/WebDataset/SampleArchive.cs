@@ -21,6 +21,7 @@ internal sealed class SampleArchive(DatasetContent dataset, string name, string 
     private const int BlockLength = 512;
     private const int EndLength = 2 * BlockLength;
     private const int MaskBits = 16;
+    private const int ClassBits = 8;
     private const int MaxKeyLength = 255;
     private const int MaxSamples = 1_000_000;
     private const long MaxSampleBytes = 512L << 20;
@@ -179,11 +180,11 @@ internal sealed class SampleArchive(DatasetContent dataset, string name, string 
         try
         {
             ImageHeader header = ImageHeader.Read(new MemoryStream(content));
-            bool isMask = part == "mask.png";
-            return isMask && header.BitsPerPixel != MaskBits ? $"it has {header.BitsPerPixel} bits per pixel instead of {MaskBits}."
+            int? bits = part switch { "mask.png" => MaskBits, "classes.png" => ClassBits, _ => null };
+            return bits is { } wanted && header.BitsPerPixel != wanted ? $"it has {header.BitsPerPixel} bits per pixel instead of {wanted}."
                 : camera is not null && (header.Size.Width != camera.Width || header.Size.Height != camera.Height)
                     ? $"it is {header.Size.Width} x {header.Size.Height}, but its label says {camera.Width} x {camera.Height}."
-                : isMask || part == ImageEnd ? null : "it is not a part of a sample.";
+                : bits is not null || part == ImageEnd ? null : "it is not a part of a sample.";
         }
         catch (DatasetFormatException e)
         {

@@ -35,6 +35,11 @@ internal sealed class WebDatasetWriter : IDatasetWriter
                 {
                     Add(tar, frame.Name + ".mask.png", InputFile.ReadAllBytes(mask, InputFile.MaxPictureBytes));
                 }
+
+                if (frame.ClassMapPath is { } classes)
+                {
+                    Add(tar, frame.Name + ".classes.png", InputFile.ReadAllBytes(classes, InputFile.MaxPictureBytes));
+                }
             }
 
             stream.Write(entries.GetBuffer(), 0, (int)entries.Length - EndLength);

@@ -1,0 +1,101 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.PixelMaps;
+using Harvester.Geometry.PixelMaps.Coded;
+using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Labels;
+
+namespace Harvester.Capture.Labelling;
+
+/// <summary>
+/// Makes an instance map from photographs. Objects that change no photograph may be hidden by the world, or the game may not hide them:
+/// a few rays decide, and show the pixels of those that it does not hide.
+/// </summary>
+internal sealed class CodedMapMaker(
+    LabellingOptions options, Camera camera, IReadOnlyList<MapTarget> targets, int egoHandle, FrameRays rays, CodedPictures pictures)
+{
+    /// <summary>Maximum number of rays for the objects that change no photograph.</summary>
+    private const int MaxRays = 500;
+
+    /// <summary>
+    /// An object that rays meet, but that changes no photograph, is drawn from rays if they show so many pixels of it. Fewer may be a
+    /// corner of its collision hull.
+    /// </summary>
+    private const int MinPixelsFromRays = 256;
+
+    /// <summary>The map; null until it is made.</summary>
+    public MadeMap? Made { get; private set; }
+
+    /// <summary>Makes the map, in steps.</summary>
+    /// <param name="mayCastRays">Called before each ray.</param>
+    public IEnumerable<bool> Make(Func<bool> mayCastRays)
+    {
+        var decoder = new CodedMaskDecoder(camera, pictures.Targets, pictures.Code, pictures.Pictures);
+        while (decoder.Step())
+        {
+            yield return true;
+        }
+
+        CodedMask mask = decoder.Finish();
+        MapTarget[] missing = [.. targets.Where(target =>
+            !mask.Amodal.TryGetValue(target.Number, out PixelMap? amodal) || amodal.Count == 0)];
+        var mapper = new AdaptivePixelMapper(
+            camera, missing, egoHandle, rays,
+            new PixelMapOptions { RayBudget = Math.Min(MaxRays, rays.Left), RayReachMetres = options.RayReachMetres });
+        while (mayCastRays() && mapper.Step())
+        {
+            yield return true;
+        }
+
+        AdaptivePixelMap rest = mapper.Finish();
+        var sights = new Dictionary<ushort, Sight>();
+        Draw(mask.Map, rest, missing, sights);
+        int[] visible = new int[targets.Count + 1];
+        foreach (ushort number in mask.Map.Ids)
+        {
+            visible[number]++;
+        }
+
+        foreach (MapTarget target in targets)
+        {
+            if (!sights.ContainsKey(target.Number))
+            {
+                sights[target.Number] = visible[target.Number] > 0 ? Sight.Seen : Sight.Unseen;
+            }
+        }
+
+        Made = new MadeMap(mask.Map, sights, new PixelMapLabel(1, 0, rest.RaysCast)
+        {
+            Pictures = pictures.Pictures.Count,
+            UndeterminedPixels = mask.Undetermined.Count,
+        })
+        {
+            Amodal = mask.Amodal,
+        };
+    }
+
+    private static void Draw(InstanceMap map, AdaptivePixelMap rest, MapTarget[] missing, Dictionary<ushort, Sight> sights)
+    {
+        var counts = new Dictionary<ushort, int>();
+        foreach (ushort number in rest.Map.Ids)
+        {
+            counts[number] = (counts.TryGetValue(number, out int count) ? count : 0) + 1;
+        }
+
+        foreach (MapTarget target in missing)
+        {
+            bool isDrawn = counts.TryGetValue(target.Number, out int count) && count >= MinPixelsFromRays;
+            Sight sight = rest.Sights[target.Number];
+            sights[target.Number] = sight == Sight.Seen && !isDrawn ? Sight.Unseen : sight;
+            for (int i = 0; isDrawn && i < map.Ids.Length; i++)
+            {
+                if (map.Ids[i] == 0 && rest.Map.Ids[i] == target.Number)
+                {
+                    map.Ids[i] = target.Number;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,15 @@
+using System;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Semantics;
+
+namespace Harvester.Capture.Ports;
+
+/// <summary>What the picture of a simulated game truly shows.</summary>
+public interface ISurfaceTruth
+{
+    /// <summary>Draws the classes of the current picture.</summary>
+    /// <param name="image">The size of the picture, pixels.</param>
+    /// <param name="classOf">The class of an entity by its handle.</param>
+    InstanceMap Draw(ImageSize image, Func<int, SemanticClass> classOf);
+}

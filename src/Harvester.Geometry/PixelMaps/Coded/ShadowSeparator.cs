@@ -1,0 +1,207 @@
+using System;
+using Harvester.Geometry.Boxes;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Geometry.PixelMaps.Coded;
+
+/// <summary>
+/// Separates an object from its shadow on what is behind it. Both change with the object. A shadow is recognised by its colour, which is
+/// that of the background times the light that shadows of this frame leave, and by the texture of the background, which is still there.
+/// Evidence is shared with the pixels around.
+/// </summary>
+internal sealed class ShadowSeparator(Camera camera, NoiseMap noise, ShadowLight light, SheetMap sheets)
+{
+    /// <summary>Texture is compared over so many rows and columns on each side.</summary>
+    private const int TextureReach = 2;
+
+    /// <summary>Overlapping windows see the same texture, so each counts for part of it only.</summary>
+    private const double TextureWeight = 0.35;
+
+    /// <summary>No single pixel decides: evidence of colour and of texture is limited to this.</summary>
+    private const double MaxEvidence = 8;
+    private const int SmoothRounds = 2;
+
+    /// <summary>The ground is seen below a vehicle under this height, metres.</summary>
+    private const double Clearance = 0.3;
+
+    /// <summary>Logarithms of how much more likely a shadow is than the object, by where the line of sight passes.</summary>
+    private const double Never = -50;
+    private const double Behind = -6;
+    private const double Below = 0;
+    private const double Outside = 4;
+
+    /// <summary>Marks the pixels of a plane that show the object's shadow.</summary>
+    /// <param name="plane">The plane.</param>
+    /// <param name="isFirst">Whether nothing is in front of the object in a pixel of the image.</param>
+    public void Separate(ObjectPlane plane, Func<ObjectPlane, int, bool> isFirst)
+    {
+        var evidence = new double[plane.State.Length];
+        for (int y = 0; y < plane.Height; y++)
+        {
+            for (int x = 0; x < plane.Width; x++)
+            {
+                int index = (y * plane.Width) + x;
+                if (plane.State[index] == PixelState.Object)
+                {
+                    evidence[index] = SheetEvidence(plane, x, y, isFirst) ?? OpticalEvidence(plane, x, y);
+                }
+            }
+        }
+
+        double[] smooth = evidence;
+        for (int round = 0; round < SmoothRounds; round++)
+        {
+            smooth = Smoothed(plane, smooth);
+        }
+
+        for (int index = 0; index < evidence.Length; index++)
+        {
+            if (plane.State[index] == PixelState.Object && (plane.IsSettled[index] ? evidence : smooth)[index] > 0)
+            {
+                plane.State[index] = PixelState.Shadow;
+            }
+        }
+    }
+
+    private double? SheetEvidence(ObjectPlane plane, int x, int y, Func<ObjectPlane, int, bool> isFirst)
+    {
+        int column = x + plane.Left;
+        int row = y + plane.Top;
+        int pixel = (row * camera.Image.Width) + column;
+        if (!isFirst(plane, pixel))
+        {
+            return null;
+        }
+
+        bool isSeen = sheets.IsSeen(pixel);
+        if (!isSeen && !sheets.IsExpected(plane, column, row))
+        {
+            return null;
+        }
+
+        plane.IsSettled[(y * plane.Width) + x] = true;
+        return isSeen ? MaxEvidence : -MaxEvidence;
+    }
+
+    private double OpticalEvidence(ObjectPlane plane, int x, int y)
+    {
+        double expectation = Expectation(plane, x, y);
+        return !light.IsAny || expectation == Never
+            ? Never : Limited(ColourEvidence(plane, x, y)) + Limited(TextureEvidence(plane, x, y)) + expectation;
+    }
+
+    private static double Limited(double value) => Math.Max(-MaxEvidence, Math.Min(MaxEvidence, value));
+
+    private double VarianceAt(ObjectPlane plane, int x, int y) => noise.At(((y + plane.Top) * camera.Image.Width) + x + plane.Left);
+
+    /// <summary>
+    /// What the place says: the ground is seen in the silhouette of an object below it, around its feet, or behind it. A line of sight that
+    /// does not come down to the ground near the object meets no shadow of it there.
+    /// </summary>
+    private double Expectation(ObjectPlane plane, int x, int y)
+    {
+        Ray ray = camera.RayThrough(x + plane.Left + 0.5, y + plane.Top + 0.5);
+        Cuboid cuboid = plane.Target.Cuboid;
+        Vector3D up = cuboid.Axes.Up;
+        double height = (ray.Origin - cuboid.Centre).Dot(up) + cuboid.HalfExtents.Z;
+        double descent = -ray.Direction.Dot(up);
+        if (height <= 0 || descent <= 0)
+        {
+            return Never;
+        }
+
+        double ground = height / descent;
+        double reach = cuboid.HalfExtents.Length * 4;
+        if ((ray.Origin + (ray.Direction * ground) - cuboid.Centre).Length > reach)
+        {
+            return Never;
+        }
+
+        return cuboid.Intersect(ray) is not { } span ? Outside
+            : height - (descent * span.Entry) < Clearance ? Below : Behind;
+    }
+
+    private double ColourEvidence(ObjectPlane plane, int x, int y)
+    {
+        int index = (y * plane.Width) + x;
+        double variance = VarianceAt(plane, x, y);
+        return light.Evidence(
+            plane.ColourAt(index), plane.BehindAt(index), variance / plane.Counts[2 * index], variance / plane.Counts[(2 * index) + 1]);
+    }
+
+    /// <summary>
+    /// Compares how well the texture behind, darkened, explains that in front with how well an even surface does: the difference of the
+    /// squared deviations in units of the noise.
+    /// </summary>
+    private double TextureEvidence(ObjectPlane plane, int x, int y)
+    {
+        (double a, double g, double gg, double ag, int count) = (0, 0, 0, 0, 0);
+        double noises = 0;
+        for (int v = y - TextureReach; v <= y + TextureReach; v++)
+        {
+            for (int u = x - TextureReach; u <= x + TextureReach; u++)
+            {
+                if (plane.Has(u, v))
+                {
+                    int index = (v * plane.Width) + u;
+                    double front = Grey(plane.Colours, index);
+                    double behind = Grey(plane.Behind, index);
+                    a += front;
+                    g += behind;
+                    gg += behind * behind;
+                    ag += front * behind;
+                    noises += 1.0 / plane.Counts[2 * index];
+                    count++;
+                }
+            }
+        }
+
+        const int least = 6;
+        if (count < least || g <= 0)
+        {
+            return 0;
+        }
+
+        double ratio = Math.Min(1, a / g);
+        double variation = gg - (g * g / count);
+        double shared = ag - (a * g / count);
+        double variance = (VarianceAt(plane, x, y) * noises / count / 3) + 0.05;
+        double gain = (2 * ratio * shared) - (ratio * ratio * variation);
+        return TextureWeight * gain / (2 * variance * (1 + (ratio * ratio)));
+    }
+
+    private static double Grey(float[] colours, int index) =>
+        (colours[3 * index] + colours[(3 * index) + 1] + colours[(3 * index) + 2]) / 3;
+
+    private static double[] Smoothed(ObjectPlane plane, double[] evidence)
+    {
+        var smooth = new double[evidence.Length];
+        for (int y = 0; y < plane.Height; y++)
+        {
+            for (int x = 0; x < plane.Width; x++)
+            {
+                if (!plane.Has(x, y))
+                {
+                    continue;
+                }
+
+                (double sum, int count) = (0, 0);
+                for (int v = y - 1; v <= y + 1; v++)
+                {
+                    for (int u = x - 1; u <= x + 1; u++)
+                    {
+                        if (plane.Has(u, v))
+                        {
+                            sum += evidence[(v * plane.Width) + u];
+                            count++;
+                        }
+                    }
+                }
+
+                smooth[(y * plane.Width) + x] = sum / count;
+            }
+        }
+
+        return smooth;
+    }
+}

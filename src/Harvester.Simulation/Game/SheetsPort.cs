@@ -1,0 +1,19 @@
+using System.Collections.Generic;
+using Harvester.Capture.Ports;
+using Harvester.Geometry.PixelMaps.Coded;
+
+namespace Harvester.Simulation.Game;
+
+/// <summary>Shows sheets on the ground of the simulated world.</summary>
+internal sealed class SheetsPort(SimulatedGame game) : ISheets
+{
+    public void Show(IReadOnlyList<GroundSheet> sheets) => game.Sheets = sheets;
+
+    public void Clear()
+    {
+        if (game.Sheets.Count > 0)
+        {
+            game.Sheets = [];
+        }
+    }
+}

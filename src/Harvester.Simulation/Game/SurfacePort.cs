@@ -1,0 +1,39 @@
+using System;
+using Harvester.Capture.Ports;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Semantics;
+using Harvester.Simulation.Rendering;
+
+namespace Harvester.Simulation.Game;
+
+/// <summary>The classes of the surfaces that the renderer drew.</summary>
+internal sealed class SurfacePort(SimulatedGame game) : ISurfaceTruth
+{
+    public InstanceMap Draw(ImageSize image, Func<int, SemanticClass> classOf)
+    {
+        RenderTarget picture = game.Render(image);
+        var map = new InstanceMap(image);
+        for (int i = 0; i < map.Ids.Length; i++)
+        {
+            map.Ids[i] = (ushort)(picture.Handles[i] != 0 ? classOf(picture.Handles[i]) : ClassOf(picture.Kinds[i]));
+        }
+
+        return map;
+    }
+
+    private static SemanticClass ClassOf(SurfaceKind kind) => kind switch
+    {
+        SurfaceKind.Road => SemanticClass.Road,
+        SurfaceKind.Pavement => SemanticClass.Pavement,
+        SurfaceKind.Marking => SemanticClass.LaneMarking,
+        SurfaceKind.Building => SemanticClass.Building,
+        SurfaceKind.Vegetation => SemanticClass.Vegetation,
+        SurfaceKind.Terrain => SemanticClass.Terrain,
+        SurfaceKind.Sky => SemanticClass.Sky,
+        SurfaceKind.Pole => SemanticClass.Pole,
+        SurfaceKind.Fence => SemanticClass.Fence,
+        SurfaceKind.Person => SemanticClass.Pedestrian,
+        _ => SemanticClass.Other,
+    };
+}

@@ -1,0 +1,155 @@
+using System.Windows.Forms;
+using GTA.Native;
+using Harvester.Mod.Tests.Games;
+
+namespace Harvester.Mod.Tests;
+
+/// <summary>What the mod hides for coded masks is shown again, whatever ends the harvest.</summary>
+public sealed class HidingTests
+{
+    private const string Ini = "[Harvest]\nMasks = Coded\nFreeze = Paused\n";
+
+    /// <summary>More than the photographs of a frame take.</summary>
+    private const int TicksOfAFrame = 80;
+
+    public static TheoryData<Hash> Natives => [.. OwnNatives];
+
+    /// <summary>The natives that only a harvest with coded masks calls.</summary>
+    internal static IReadOnlyList<Hash> OwnNatives { get; } = [Hash.IS_ENTITY_VISIBLE, Hash.SET_ENTITY_VISIBLE, Hash.DRAW_POLY];
+
+    [Fact]
+    public void Everything_is_shown_after_an_abort_at_any_tick()
+    {
+        int hidden = 0;
+        for (int ticks = 0; ticks < TicksOfAFrame; ticks += 4)
+        {
+            using var driver = Harvesting();
+            for (int tick = 0; tick < ticks; tick++)
+            {
+                driver.WaitForDisk();
+                driver.Tick();
+            }
+
+            hidden += IsAnyHidden(driver) ? 1 : 0;
+            driver.Script.RaiseAborted();
+            driver.WaitForDisk();
+
+            Assert.False(IsAnyHidden(driver), $"after {ticks} ticks");
+            Assert.False(File.Exists(List(driver)), $"after {ticks} ticks");
+        }
+
+        Assert.True(hidden > 3, "The harvest hid nothing, so that the test shows nothing.");
+    }
+
+    [Fact]
+    public void List_is_on_disk_before_anything_is_hidden()
+    {
+        using var driver = Harvesting();
+        bool wasListed = true;
+        driver.Game.Fault = native =>
+        {
+            wasListed &= native != Hash.SET_ENTITY_VISIBLE || File.Exists(List(driver));
+            return null;
+        };
+        driver.Until(() => IsAnyHidden(driver));
+
+        Assert.True(wasListed);
+    }
+
+    [Fact]
+    public void Next_start_shows_what_a_crashed_script_left_hidden()
+    {
+        using var driver = Harvesting();
+        driver.Until(() => IsAnyHidden(driver));
+        string list = File.ReadAllText(List(driver));
+        int[] left = [.. driver.Game.Entities.Where(entity => entity.Value.IsHidden).Select(entity => entity.Key)];
+        driver.Reload();
+        driver.WaitForDisk();
+
+        // As if the script had been torn out of the game in the middle of a tick.
+        Array.ForEach(left, entity => driver.Game.Entities[entity].IsHidden = true);
+        File.WriteAllText(List(driver), list);
+        driver.Reload();
+        driver.Until(() => !IsAnyHidden(driver));
+        driver.WaitForDisk();
+
+        Assert.False(File.Exists(List(driver)));
+        Assert.Contains(driver.Game.Notifications, message => message.Contains("are shown again", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void List_of_another_process_shows_nothing()
+    {
+        using var driver = new ScriptDriver(Ini);
+        HarvestTests.Street(driver.Game);
+        int entity = driver.Game.Entities.Keys.First(handle => handle != TestGame.Player);
+        driver.Game.Entities[entity].IsHidden = true;
+        File.WriteAllText(List(driver), $"1 20200101-000000\n{entity}\n");
+        driver.Tick();
+        driver.WaitForDisk();
+        driver.Tick();
+
+        Assert.True(driver.Game.Entities[entity].IsHidden);
+    }
+
+    [Fact]
+    public void Entity_hidden_by_another_mod_stays_hidden()
+    {
+        using var driver = Harvesting();
+        int others = driver.Game.Entities.First(entity => entity.Key != TestGame.Player && entity.Key != driver.Game.PlayersVehicle).Key;
+        driver.Game.Entities[others].IsHidden = true;
+        driver.Tick(TicksOfAFrame);
+        driver.Press(Keys.J);
+        driver.WaitForDisk();
+
+        Assert.True(driver.Game.Entities[others].IsHidden);
+        Assert.Single(driver.Game.Entities.Values, entity => entity.IsHidden);
+    }
+
+    [Fact]
+    public void Masks_come_from_rays_if_visibility_does_not_change()
+    {
+        using var driver = new ScriptDriver(Ini);
+        driver.Screen.ShowsHiding = false;
+        HarvestTests.Street(driver.Game);
+        driver.Press(Keys.J);
+        driver.Until(() => Directory.Exists(driver.Output)
+            && Directory.GetFiles(driver.Output, "labels.jsonl", SearchOption.AllDirectories)
+                .Any(file => File.ReadAllLines(file).Length > 3));
+        driver.Press(Keys.J);
+        driver.WaitForDisk();
+
+        Assert.Contains(
+            driver.Game.Notifications,
+            message => message.Contains("Masks come from rays: hidden objects still show", StringComparison.Ordinal));
+        Assert.DoesNotContain("\"pictures\"", driver.Labels()[^1], StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [MemberData(nameof(Natives))]
+    public void Everything_is_shown_after_a_fault(Hash broken)
+    {
+        using var driver = Harvesting();
+        driver.Until(() => IsAnyHidden(driver));
+        driver.Game.Fault = native => native == broken ? new InvalidOperationException("The native is broken.") : null;
+        driver.UntilMessage("The native is broken.");
+        driver.Game.Fault = _ => null;
+        driver.Script.RaiseAborted();
+        driver.WaitForDisk();
+
+        Assert.False(IsAnyHidden(driver));
+    }
+
+    /// <summary>A script that harvests a street with masks from photographs.</summary>
+    internal static ScriptDriver Harvesting()
+    {
+        var driver = new ScriptDriver(Ini);
+        HarvestTests.Street(driver.Game);
+        driver.Press(Keys.J);
+        return driver;
+    }
+
+    private static bool IsAnyHidden(ScriptDriver driver) => driver.Game.Entities.Values.Any(entity => entity.IsHidden);
+
+    private static string List(ScriptDriver driver) => Path.Combine(driver.Folder, "GtaDataHarvester.hidden");
+}
