@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Geometry.PixelMaps;
-using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;

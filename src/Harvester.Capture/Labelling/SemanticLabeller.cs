@@ -7,7 +7,6 @@ using Harvester.Geometry.Cameras;
 using Harvester.Geometry.ClassMaps;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
-using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Semantics;
 

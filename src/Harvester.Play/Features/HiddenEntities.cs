@@ -14,11 +14,11 @@ namespace Harvester.Play.Features;
 /// disk, and it stays there until everything is shown. If the script ends in between, its next start shows what is on the list. Entities
 /// that were hidden by someone else are left as they are.
 /// </summary>
-/// <param name="entities">The game's entities.</param>
+/// <param name="visibility">Shows and hides the entities of the game.</param>
 /// <param name="path">The file of the list.</param>
 /// <param name="messages">Says if the list cannot be written.</param>
 /// <param name="isNeeded">Whether a feature may need entities hidden.</param>
-public sealed class HiddenEntities(IShownEntities entities, string path, PlayerMessages messages, Func<bool> isNeeded)
+public sealed class HiddenEntities(IShownEntities visibility, string path, PlayerMessages messages, Func<bool> isNeeded)
     : IVisibility, ILastingFeature
 {
     private static readonly TimeSpan MaxWaitForDisk = TimeSpan.FromSeconds(2);
@@ -38,7 +38,7 @@ public sealed class HiddenEntities(IShownEntities entities, string path, PlayerM
     public bool IsBusy => !_writing.IsCompleted || _reading is { IsCompleted: false };
 
     /// <inheritdoc/>
-    public IReadOnlyCollection<int>? Announce(IReadOnlyCollection<int> handles)
+    public IReadOnlyCollection<int>? Announce(IReadOnlyCollection<int> entities)
     {
         if (!_isRestored || !_writing.IsCompleted)
         {
@@ -47,8 +47,8 @@ public sealed class HiddenEntities(IShownEntities entities, string path, PlayerM
 
         if (_announced is null)
         {
-            _announced = [.. handles.Where(entity => entities.Exists(entity) && entities.IsShown(entity))];
-            string text = string.Join("\n", new[] { entities.Process }.Concat(_announced.Select(Text))) + "\n";
+            _announced = [.. entities.Where(entity => visibility.Exists(entity) && visibility.IsShown(entity))];
+            string text = string.Join("\n", new[] { visibility.Process }.Concat(_announced.Select(Text))) + "\n";
             _writing = Task.Run(() => AtomicFile.Write(path, text));
             return null;
         }
@@ -65,21 +65,21 @@ public sealed class HiddenEntities(IShownEntities entities, string path, PlayerM
     }
 
     /// <inheritdoc/>
-    public void HideOnly(IReadOnlyCollection<int> handles)
+    public void HideOnly(IReadOnlyCollection<int> entities)
     {
         if (_announced is not { } announced || !_writing.IsCompleted)
         {
             throw new InvalidOperationException("Entities are announced before they are hidden.");
         }
 
-        var wanted = new HashSet<int>(handles.Where(announced.Contains));
+        var wanted = new HashSet<int>(entities.Where(announced.Contains));
         foreach (int entity in announced)
         {
-            if (wanted.Contains(entity) != _hidden.Contains(entity) && entities.Exists(entity))
+            if (wanted.Contains(entity) != _hidden.Contains(entity) && visibility.Exists(entity))
             {
                 // Noted first: a fault between the two calls leaves an entity on the list that is shown once too often, not one hidden.
                 _hidden.Add(entity);
-                entities.Show(entity, !wanted.Contains(entity));
+                visibility.Show(entity, !wanted.Contains(entity));
                 if (!wanted.Contains(entity))
                 {
                     _hidden.Remove(entity);
@@ -98,9 +98,9 @@ public sealed class HiddenEntities(IShownEntities entities, string path, PlayerM
 
         foreach (int entity in _hidden.ToList())
         {
-            if (entities.Exists(entity))
+            if (visibility.Exists(entity))
             {
-                entities.Show(entity, true);
+                visibility.Show(entity, true);
             }
 
             _hidden.Remove(entity);
@@ -135,14 +135,14 @@ public sealed class HiddenEntities(IShownEntities entities, string path, PlayerM
         _isRestored = true;
         string[] lines = _reading.Status == TaskStatus.RanToCompletion ? _reading.Result : [];
         int shown = 0;
-        if (lines.Length > 0 && lines[0] == entities.Process)
+        if (lines.Length > 0 && lines[0] == visibility.Process)
         {
             foreach (string line in lines.Skip(1))
             {
                 if (int.TryParse(line, NumberStyles.Integer, CultureInfo.InvariantCulture, out int entity)
-                    && entities.Exists(entity) && !entities.IsShown(entity))
+                    && visibility.Exists(entity) && !visibility.IsShown(entity))
                 {
-                    entities.Show(entity, true);
+                    visibility.Show(entity, true);
                     shown++;
                 }
             }

@@ -1,7 +1,6 @@
 using System.Text.Json.Nodes;
 using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Images;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Tests.Exports;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging;

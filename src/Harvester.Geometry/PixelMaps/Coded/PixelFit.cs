@@ -98,7 +98,7 @@ internal sealed class PixelFit
     }
 
     /// <summary>Whether the pictures of a group show the same, apart from noise.</summary>
-    private bool IsEven(double cost, uint group)
+    private static bool IsEven(double cost, uint group)
     {
         double expected = 3 * (PictureStack.CountOf(group) - 1);
         return cost < expected + (3 * Math.Sqrt(2 * Math.Max(1, expected)));
