@@ -18,7 +18,7 @@ public sealed class LongSession : IDisposable
     {
         Assert.Equal(ExitCode.Done, CliRun.Of(
             "harvest", "--out", Folder, "--frames", $"{HarvestedFrames}", "--seed", "5", "--size", "80x60", "--masks",
-            "--no-report").ExitCode);
+            "--semantics", "rays", "--no-report").ExitCode);
         Copy(Folder, ShortFolder);
         string[] lines = File.ReadAllLines(Path.Combine(Folder, "labels.jsonl"));
         for (int frame = HarvestedFrames; frame < Frames; frame++)
@@ -47,13 +47,16 @@ public sealed class LongSession : IDisposable
     {
         JsonNode label = JsonNode.Parse(line)!;
         label["frame"] = frame;
-        foreach ((string field, string folder) in (ReadOnlySpan<(string, string)>)[("image", "frames"), ("mask", "masks")])
-        {
-            string name = $"{folder}/{frame:D8}.png";
-            File.Copy(Path.Combine(Folder, label[field]!.GetValue<string>()), Path.Combine(Folder, name));
-            label[field] = name;
-        }
+        CopyPicture(label, "image", $"frames/{frame:D8}.png");
+        CopyPicture(label, "mask", $"masks/{frame:D8}.png");
+        CopyPicture(label["classMap"]!, "file", $"classes/{frame:D8}.png");
 
         return label.ToJsonString();
+    }
+
+    private void CopyPicture(JsonNode label, string field, string name)
+    {
+        File.Copy(Path.Combine(Folder, label[field]!.GetValue<string>()), Path.Combine(Folder, name));
+        label[field] = name;
     }
 }
