@@ -33,7 +33,10 @@ public sealed class GuideTests
     {
         var options = new SimulationOptions
         {
-            Seed = Seed, Detail = Detail.Full, Lens = new RenderLens(1.004, 0, 0, -0.01, 0), TimeOfDay = TimeSpan.FromHours(10),
+            Seed = Seed,
+            Detail = Detail.Full,
+            Lens = new RenderLens(1.004, 0, 0, -0.01, 0),
+            TimeOfDay = TimeSpan.FromHours(10),
         };
         var scene = new SimulatedScene(options, FaceTable.Empty);
         using var driver = new ScriptDriver(string.Empty, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock);
