@@ -19,14 +19,14 @@ public sealed class HarvestFactorTests(ITestOutputHelper output)
     private const double SteadyMetres = 0.05;
 
     [Theory]
-    [InlineData("--wander", "3")]
-    [InlineData("--lane-changes", "3")]
-    [InlineData("--traffic", "3")]
-    [InlineData("--pedestrians", "3")]
-    [InlineData("--parked", "2.5")]
-    public void Factor_changes_what_it_is_a_factor_of(string option, string most)
+    [InlineData("--wander", "3", 4)]
+    [InlineData("--lane-changes", "3", 10)]
+    [InlineData("--traffic", "3", 10)]
+    [InlineData("--pedestrians", "3", 10)]
+    [InlineData("--parked", "2.5", 10)]
+    public void Factor_changes_what_it_is_a_factor_of(string option, string most, int places)
     {
-        double[] measured = [.. new[] { "0", "1", most }.Select(factor => Measured(option, factor))];
+        double[] measured = [.. new[] { "0", "1", most }.Select(factor => Measured(option, factor, places))];
 
         output.WriteLine($"{option} 0, 1, {most}: {string.Join(", ", measured.Select(value => value.ToString("F3")))}");
         Assert.InRange(measured[0], 0, option == "--wander" ? SteadyMetres : 0);
@@ -34,7 +34,7 @@ public sealed class HarvestFactorTests(ITestOutputHelper output)
         Assert.True(measured[2] > Growth * measured[1], "The greatest factor has hardly more than the default.");
     }
 
-    private static double Measured(string option, string factor)
+    private static double Measured(string option, string factor, int places)
     {
         using var folder = new TemporaryFolder();
         string session = folder.PathOf("session");
@@ -42,7 +42,7 @@ public sealed class HarvestFactorTests(ITestOutputHelper output)
         // Without wandering the car still changes lanes, which is an offset too.
         string[] alone = option == "--wander" ? ["--lane-changes", "0", "--traffic", "0"] : [];
         CliRun.Of([
-            "harvest", "--out", session, "--frames", "120", "--places", "4", "--hz", "1", "--seed", "6", "--size", "200x150", "--detail",
+            "harvest", "--out", session, "--frames", "120", "--places", $"{places}", "--hz", "1", "--seed", "6", "--size", "200x150", "--detail",
             "plain", "--no-report", "--no-scenes", option, factor, .. alone]).AssertDone();
         FrameLabel[] labels = [.. new SessionReader(session).ReadLabels()];
         return option switch
@@ -59,7 +59,7 @@ public sealed class HarvestFactorTests(ITestOutputHelper output)
     private static int Objects(FrameLabel[] labels, Func<ObjectLabel, bool> isCounted) =>
         labels.SelectMany(label => label.Objects).Where(isCounted).Select(item => item.Id).Distinct().Count();
 
-    /// <summary>Vehicles that never move; those that wait at a light drive on within the 30 seconds at a place, or have driven.</summary>
+    /// <summary>Vehicles that never move; those that wait at a light show it by their brake lights.</summary>
     private static int Standing(FrameLabel[] labels) => labels.SelectMany(label => label.Objects)
         .Where(item => VehicleClasses.AreVehicles(item.Class) && item.HasRider != true)
         .GroupBy(item => item.Id)

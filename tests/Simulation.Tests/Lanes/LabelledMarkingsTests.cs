@@ -31,7 +31,7 @@ public sealed class LabelledMarkingsTests(ITestOutputHelper output)
     [Trait("Category", "Heavy")]
     public void Labelled_markings_lie_on_the_paint_in_generated_towns(int seed) =>
         Assert.InRange(
-            Judge(new SimulationOptions { Seed = seed, IsTimeOfDayFixed = true }, frames: 8, everySeconds: 7), 150, int.MaxValue);
+            Judge(new SimulationOptions { Seed = seed, IsTimeOfDayFixed = true }, frames: 12, everySeconds: 7), 150, int.MaxValue);
 
     [Fact]
     [Trait("Category", "Heavy")]
