@@ -42,8 +42,8 @@ public sealed class HarvestFactorTests(ITestOutputHelper output)
         // Without wandering the car still changes lanes, which is an offset too.
         string[] alone = option == "--wander" ? ["--lane-changes", "0", "--traffic", "0"] : [];
         CliRun.Of([
-            "harvest", "--out", session, "--frames", "120", "--places", $"{places}", "--hz", "1", "--seed", "6", "--size", "200x150", "--detail",
-            "plain", "--no-report", "--no-scenes", option, factor, .. alone]).AssertDone();
+            "harvest", "--out", session, "--frames", "120", "--places", $"{places}", "--hz", "1", "--seed", "6", "--size", "200x150",
+            "--detail", "plain", "--no-report", "--no-scenes", option, factor, .. alone]).AssertDone();
         FrameLabel[] labels = [.. new SessionReader(session).ReadLabels()];
         return option switch
         {
