@@ -87,49 +87,13 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
             }
         }
 
-        if (_delay is not { } delay || Refusal is not null)
+        if (_delay is { } delay && Refusal is null)
         {
-            yield break;
-        }
-
-        var code = VisibilityCode.For(hidden);
-        var pictures = new List<byte[]>();
-        for (int number = 0; number < code.PictureCount; number++)
-        {
-            if (number == 0 && picture is not null)
+            foreach (HarvestPhase phase in Photograph(visibility, hidden, picture, delay + SpareTicks))
             {
-                pictures.Add(picture.Bytes);
-                continue;
-            }
-
-            if (picture is not null)
-            {
-                int shown = number;
-                visibility.HideOnly([.. hidden.Where((_, index) => !code.IsShown(shown, index)).Select(target => target.Entity)]);
-                if (number == code.PictureCount - 1)
-                {
-                    game.Sheets?.Show(GroundSheet.Under(hidden));
-                }
-            }
-
-            for (int tick = 0; number > 0 && tick < delay + SpareTicks; tick++)
-            {
-                yield return HarvestPhase.Photographing;
-            }
-
-            if (picture is not null)
-            {
-                pictures.Add(Grab().Bytes);
-                if (Refusal is not null)
-                {
-                    yield break;
-                }
+                yield return phase;
             }
         }
-
-        // Everything is shown again in the last picture. The sheets must be gone before rays are cast.
-        game.Sheets?.Clear();
-        Pictures = picture is null ? null : new CodedPictures(hidden, code, pictures);
     }
 
     /// <summary>Shows everything again and returns the buffers. Calling it again has no effect.</summary>
@@ -154,6 +118,49 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
                 game.Sheets?.Clear();
             }
         }
+    }
+
+    /// <summary>Takes the pictures of a code, and waits for each.</summary>
+    private IEnumerable<HarvestPhase> Photograph(IVisibility visibility, MapTarget[] hidden, PixelBuffer? picture, int ticks)
+    {
+        var code = VisibilityCode.For(hidden);
+        var pictures = new List<byte[]>();
+        for (int number = 0; number < code.PictureCount; number++)
+        {
+            if (number == 0 && picture is not null)
+            {
+                pictures.Add(picture.Bytes);
+                continue;
+            }
+
+            if (picture is not null)
+            {
+                int shown = number;
+                visibility.HideOnly([.. hidden.Where((_, index) => !code.IsShown(shown, index)).Select(target => target.Entity)]);
+                if (number == code.PictureCount - 1)
+                {
+                    game.Sheets?.Show(GroundSheet.Under(hidden));
+                }
+            }
+
+            for (int tick = 0; number > 0 && tick < ticks; tick++)
+            {
+                yield return HarvestPhase.Photographing;
+            }
+
+            if (picture is not null)
+            {
+                pictures.Add(Grab().Bytes);
+                if (Refusal is not null)
+                {
+                    yield break;
+                }
+            }
+        }
+
+        // Everything is shown again in the last picture. The sheets must be gone before rays are cast.
+        game.Sheets?.Clear();
+        Pictures = picture is null ? null : new CodedPictures(hidden, code, pictures);
     }
 
     private static CaptureFault Unhidden(string why) => new(FaultCode.NothingHidden, $"Masks come from rays: {why}.");

@@ -18,7 +18,7 @@ internal static class ClassColours
     /// <summary>The colours of both sides are taken from so many pixels around.</summary>
     private const int Window = 4;
 
-    /// <summary>Sides whose mean colours differ by less are not told apart: squared distance in units of 1/255.</summary>
+    /// <summary>Least squared distance between the mean colours of two distinguishable sides, square grey levels.</summary>
     private const double MinContrast = 24 * 24;
 
     /// <summary>How much nearer a pixel must be to the other side's colour than to its own: fraction of the squared distance.</summary>

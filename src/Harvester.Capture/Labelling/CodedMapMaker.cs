@@ -51,13 +51,8 @@ internal sealed class CodedMapMaker(
 
         AdaptivePixelMap rest = mapper.Finish();
         var sights = new Dictionary<ushort, Sight>();
-        Draw(mask.Map, rest, missing, sights);
-        int[] visible = new int[targets.Count + 1];
-        foreach (ushort number in mask.Map.Ids)
-        {
-            visible[number]++;
-        }
-
+        Draw(mask.Map, rest, missing, PixelCounts(rest.Map), sights);
+        int[] visible = PixelCounts(mask.Map);
         foreach (MapTarget target in targets)
         {
             if (!sights.ContainsKey(target.Number))
@@ -76,17 +71,23 @@ internal sealed class CodedMapMaker(
         };
     }
 
-    private static void Draw(InstanceMap map, AdaptivePixelMap rest, MapTarget[] missing, Dictionary<ushort, Sight> sights)
+    private int[] PixelCounts(InstanceMap map)
     {
-        var counts = new Dictionary<ushort, int>();
-        foreach (ushort number in rest.Map.Ids)
+        int[] counts = new int[targets.Count + 1];
+        foreach (ushort number in map.Ids)
         {
-            counts[number] = (counts.TryGetValue(number, out int count) ? count : 0) + 1;
+            counts[number]++;
         }
 
+        return counts;
+    }
+
+    private static void Draw(
+        InstanceMap map, AdaptivePixelMap rest, MapTarget[] missing, int[] counts, Dictionary<ushort, Sight> sights)
+    {
         foreach (MapTarget target in missing)
         {
-            bool isDrawn = counts.TryGetValue(target.Number, out int count) && count >= MinPixelsFromRays;
+            bool isDrawn = counts[target.Number] >= MinPixelsFromRays;
             Sight sight = rest.Sights[target.Number];
             sights[target.Number] = sight == Sight.Seen && !isDrawn ? Sight.Unseen : sight;
             for (int i = 0; isDrawn && i < map.Ids.Length; i++)

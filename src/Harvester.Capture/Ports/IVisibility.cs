@@ -22,7 +22,7 @@ public interface IVisibility
 
     /// <summary>
     /// Hides these entities, and shows all others that were announced. It takes effect in one of the next pictures. An entity that
-    /// vanishes meanwhile is passed over.
+    /// has vanished meanwhile is skipped.
     /// </summary>
     /// <param name="entities">Handles of entities that <see cref="Announce"/> returned.</param>
     void HideOnly(IReadOnlyCollection<int> entities);

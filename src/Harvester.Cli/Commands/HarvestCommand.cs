@@ -31,7 +31,7 @@ internal sealed class HarvestCommand
 
     private const string Notes =
         "docs/dataset-format.md describes the session. The same options and seed give the same bytes. Ctrl+C stops after the current\n"
-        + "frame and leaves a valid session. The same command with --resume goes on after the last frame, whatever stopped it, and ends\n"
+        + "frame and leaves a valid session. The same command with --resume continues after the last frame, whatever stopped it, and ends\n"
         + "with the same bytes as if it had not been stopped; without --resume it starts anew. A shard is a session with every N-th\n"
         + "frame of the full run, under the same frame numbers and without a report; harvester merge combines all shards.\n\n"
         + MaskOption.Notes + "\n\n"
@@ -49,7 +49,7 @@ internal sealed class HarvestCommand
     private Option<bool> Overwrite { get; } = new("--overwrite") { Description = "Replace an existing session in the folder" };
     private Option<bool> Resume { get; } = new("--resume")
     {
-        Description = "Go on with the session that the same command has left unfinished in the folder; without one, start it",
+        Description = "Continue the session that the same command left unfinished in the folder, or start one",
     };
     private Option<int> Frames { get; } = WithDefault(ValueParsers.Integer("--frames", "N", "Number of frames", 1, MaxFrames), 100);
     private Option<int> Seed { get; } = WithDefault(ValueParsers.Integer("--seed", "N", "Random seed", 0, int.MaxValue), 1);
@@ -169,7 +169,7 @@ internal sealed class HarvestCommand
     {
         if (plan is { Overwrite: true, Resume: true })
         {
-            throw new UsageException("--resume goes on with a session, and --overwrite replaces it. Give only one of them.");
+            throw new UsageException("--resume continues a session, and --overwrite replaces it. Give only one of them.");
         }
 
         using var output = new SessionOutput(terminal, plan.Folder, command, plan.Overwrite, keepsFrames: true, plan.Resume);
@@ -226,7 +226,7 @@ internal sealed class HarvestCommand
         if (outcome.IsCancelled)
         {
             terminal.WriteError(
-                $"Stopped after {outcome.Frames} of {Counted.Of(plan.Frames, "frame")}; the session is valid. To go on, give the same "
+                $"Stopped after {outcome.Frames} of {Counted.Of(plan.Frames, "frame")}; the session is valid. To continue, give the same "
                 + "command with --resume; without it, the command starts anew.");
         }
 

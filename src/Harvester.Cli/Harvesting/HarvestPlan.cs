@@ -17,7 +17,7 @@ internal sealed record HarvestPlan
     /// <summary>Whether an existing session in the folder is replaced.</summary>
     public required bool Overwrite { get; init; }
 
-    /// <summary>Whether to go on with what the same command has left unfinished in the folder.</summary>
+    /// <summary>Whether to continue what the same command left unfinished in the folder.</summary>
     public required bool Resume { get; init; }
 
     /// <summary>Options of capture and labelling. The table of faces is added when the game is built.</summary>

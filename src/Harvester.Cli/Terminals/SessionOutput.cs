@@ -29,7 +29,7 @@ internal sealed class SessionOutput : IDisposable
     /// <param name="command">The command, as <see cref="CommandText"/> gives it.</param>
     /// <param name="overwrite">Whether a session there is to be replaced; null for a command that never replaces one.</param>
     /// <param name="keepsFrames">Whether a new session that was begun stays when the command fails, because its frames are valid.</param>
-    /// <param name="resumes">Whether to go on with what the same command has left unfinished, instead of starting anew.</param>
+    /// <param name="resumes">Whether to continue what the same command left unfinished, instead of starting from the beginning.</param>
     /// <exception cref="IOException">A file is where the folder should be.</exception>
     /// <exception cref="OccupiedFolderException">The folder is in use, or holds something that is not to be replaced.</exception>
     public SessionOutput(Terminal terminal, string folder, string command, bool? overwrite, bool keepsFrames = false, bool resumes = false)

@@ -31,7 +31,7 @@ public static class SemanticClasses
     /// <exception cref="IndexOutOfRangeException">The value is no class.</exception>
     public static (byte Red, byte Green, byte Blue) ColourOf(SemanticClass kind) => Colours[(int)kind];
 
-    /// <summary>The class of a name, such as laneMarking; null if there is none.</summary>
+    /// <summary>The class with a name such as laneMarking; null if no class has it.</summary>
     public static SemanticClass? Named(string name) => ByName.TryGetValue(name, out SemanticClass found) ? found : null;
 
     private static Dictionary<string, SemanticClass> Names()

@@ -18,6 +18,7 @@ public sealed class HarvestFactorTests(ITestOutputHelper output)
     /// <summary>A car that does not wander is so near to the middle of its lane; it cuts bends by centimetres.</summary>
     private const double SteadyMetres = 0.05;
 
+    // At ten places of this seed, the offset at 3 is no greater than at 1 (1.00 and 1.17 m); at four places hardly anybody is on foot.
     [Theory]
     [InlineData("--wander", "3", 4)]
     [InlineData("--lane-changes", "3", 10)]

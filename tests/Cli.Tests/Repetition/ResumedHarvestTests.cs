@@ -70,7 +70,7 @@ public sealed class ResumedHarvestTests : IDisposable
     [Fact]
     public void Resume_and_overwrite_together_are_refused() =>
         Harvest(Out, "1/1", "--resume", "--overwrite").AssertFailed(
-            ExitCode.Usage, "--resume goes on with a session, and --overwrite replaces it. Give only one of them.");
+            ExitCode.Usage, "--resume continues a session, and --overwrite replaces it. Give only one of them.");
 
     private static string FrameOf(string folder, int frame) => Path.Combine(folder, FramePaths.Image(frame, ImageFormat.Png));
 

@@ -23,6 +23,22 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
     private const int MaxPictures = 17;
     private const int MaxRays = 500;
 
+    /// <summary>Pictures of a code of one bit: those of all, of either half, of none, and all again.</summary>
+    private const int MinPictures = 5;
+
+    /// <summary>What is reached without noise and shadows, so that a change for the worse is noticed.</summary>
+    private const double MinMeanIouOfPlainPictures = 0.93;
+
+    /// <summary>What is reached, so that a change for the worse is noticed; required are 0.985 and 0.97.</summary>
+    private const double MinMeanIou = 0.90;
+    private const double MinMeanAmodalIou = 0.85;
+
+    /// <summary>The required fraction of small objects that are found.</summary>
+    private const double MinFound = 0.99;
+
+    /// <summary>The labelling range of <see cref="HarvestOptions"/>, metres.</summary>
+    private const double RangeMetres = 150;
+
     /// <summary>Rays that meet boxes, noise of two grey levels, and moving textures; with Detail.Full also cast shadows.</summary>
     private static readonly GameQuirks Hard = new() { RaysMeetBoxes = true, PictureNoiseLevels = 2, TexturesMove = true };
 
@@ -31,8 +47,8 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
     {
         Scores scores = Judge([61], 1, new ImageSize(400, 300), Detail.Plain, new GameQuirks { RaysMeetBoxes = true });
 
-        Assert.InRange(scores.Large.Average(), 0.93, 1);
-        Assert.InRange(scores.MaxPictures, 5, MaxPictures);
+        Assert.InRange(scores.Large.Average(), MinMeanIouOfPlainPictures, 1);
+        Assert.InRange(scores.MaxPictures, MinPictures, MaxPictures);
         Assert.InRange(scores.MaxRays, 0, MaxRays);
     }
 
@@ -42,7 +58,7 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
         Scores scores = Judge(
             [61], 1, new ImageSize(400, 300), Detail.Plain, new GameQuirks { VisibilityDelayTicks = 5, PictureLagTicks = 2 });
 
-        Assert.InRange(scores.Large.Average(), 0.93, 1);
+        Assert.InRange(scores.Large.Average(), MinMeanIouOfPlainPictures, 1);
     }
 
     [Fact]
@@ -60,7 +76,7 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
     public void Hidden_objects_are_shown_again_for_the_next_frame()
     {
         var game = new SimulatedGame(Town(61, Detail.Plain, new GameQuirks { VisibilityDelayTicks = 3 }));
-        LabelledTown.Harvest(game, game.Ports, Options(new ImageSize(400, 300), 2), (frame, truth) =>
+        LabelledTown.Harvest(game, game.Ports, Options(new ImageSize(400, 300), 2), (frame, _) =>
         {
             // The judge renders right after the frame, when everything asked for has taken effect.
             Assert.NotEmpty(frame.Label.Objects);
@@ -84,15 +100,11 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
         output.WriteLine(scores.ToString());
 
         Assert.InRange(scores.Large.Average(), MinMeanIou, 1);
-        Assert.InRange(scores.SmallFound.Average(found => found ? 1.0 : 0), 0.99, 1);
+        Assert.InRange(scores.SmallFound.Average(found => found ? 1.0 : 0), MinFound, 1);
         Assert.InRange(scores.Amodal.Average(), MinMeanAmodalIou, 1);
-        Assert.InRange(scores.MaxPictures, 5, MaxPictures);
+        Assert.InRange(scores.MaxPictures, MinPictures, MaxPictures);
         Assert.InRange(scores.MaxRays, 0, MaxRays);
     }
-
-    /// <summary>What is reached, so that a change for the worse is noticed; required are 0.985 and 0.97.</summary>
-    private const double MinMeanIou = 0.90;
-    private const double MinMeanAmodalIou = 0.85;
 
     private static SimulationOptions Town(int seed, Detail detail, GameQuirks quirks) => new()
     {
@@ -108,6 +120,7 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
     {
         Image = image,
         MaxFrames = frames,
+        RangeMetres = RangeMetres,
         RateHz = 0.25,
         Masks = true,
         MaskMethod = MaskMethod.Coded,
@@ -168,7 +181,7 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
         }
     }
 
-    private static bool IsNear(TruePicture truth, Pose pose) => (pose.Position - truth.Scene.Camera.Pose.Position).Length < 150;
+    private static bool IsNear(TruePicture truth, Pose pose) => (pose.Position - truth.Scene.Camera.Pose.Position).Length < RangeMetres;
 
     /// <summary>Compares with the picture in which all other labelled objects are hidden.</summary>
     private static double AmodalIou(SimulatedGame game, PixelMap mask, int handle, int[] labelled)
