@@ -102,8 +102,9 @@ class View:
     @property
     def class_map_path(self) -> Optional[Path]:
         """The file of the class map; None if the frame has none."""
-        classes = self.raw.get("classMap")
-        return None if classes is None else self._inner(_checked(self._source, lambda: str(classes["file"])))
+        if self.raw.get("classMap") is None:
+            return None
+        return self._inner(_checked(self._source, lambda: str(self.raw["classMap"]["file"])))
 
     def class_map(self) -> Picture:
         """The class map as (height, width), uint8: the place in SEMANTIC_CLASS_NAMES of the class visible at each pixel.

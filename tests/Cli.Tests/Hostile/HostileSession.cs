@@ -7,7 +7,7 @@ namespace Harvester.Cli.Tests.Hostile;
 /// <summary>A copy of a small session for one test to damage, in a folder with a secret beside it that no command may touch.</summary>
 internal sealed class HostileSession : IDisposable
 {
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(60);
+    private static readonly TimeSpan Patience = TimeSpan.FromMinutes(3);
     private readonly TemporaryFolder _folder = new();
 
     public HostileSession(SmallSession session)

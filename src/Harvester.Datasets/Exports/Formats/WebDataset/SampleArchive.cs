@@ -121,7 +121,7 @@ internal sealed class SampleArchive(DatasetContent dataset, string name, string 
             entryName = entry.Name;
             return true;
         }
-        catch (Exception e) when (e is InvalidDataException or EndOfStreamException or FormatException)
+        catch (Exception e) when (e is InvalidDataException or EndOfStreamException or FormatException or OverflowException)
         {
             damage = "it is damaged: an entry cannot be read.";
             return false;
