@@ -18,7 +18,6 @@ public sealed partial class DefaultHarvestTests
 
     [Theory]
     [InlineData(100, 1)]
-    [InlineData(100, 9)]
     [InlineData(1000, 1)]
     [InlineData(1000, 31)]
     [Trait("Category", "Heavy")]

@@ -18,44 +18,60 @@ public sealed class HarvestFactorTests(ITestOutputHelper output)
     /// <summary>A car that does not wander is so near to the middle of its lane; it cuts bends by centimetres.</summary>
     private const double SteadyMetres = 0.05;
 
-    // At ten places of this seed, the offset at 3 is no greater than at 1 (1.00 and 1.17 m); at four places hardly anybody is on foot.
-    [Theory]
-    [InlineData("--wander", "3", 4)]
-    [InlineData("--lane-changes", "3", 10)]
-    [InlineData("--traffic", "3", 10)]
-    [InlineData("--pedestrians", "3", 10)]
-    [InlineData("--parked", "2.5", 10)]
-    public void Factor_changes_what_it_is_a_factor_of(string option, string most, int places)
-    {
-        double[] measured = [.. new[] { "0", "1", most }.Select(factor => Measured(option, factor, places))];
+    private static readonly string[] Factors = ["--lane-changes", "--traffic", "--pedestrians", "--parked"];
 
-        output.WriteLine($"{option} 0, 1, {most}: {string.Join(", ", measured.Select(value => value.ToString("F3")))}");
-        Assert.InRange(measured[0], 0, option == "--wander" ? SteadyMetres : 0);
+    // At ten places of this seed, the offset at 3 is no greater than at 1 (1.00 and 1.17 m).
+    [Fact]
+    public void Wander_moves_the_car_in_its_lane()
+    {
+        // Without wandering the car still changes lanes, which is an offset too.
+        string[] alone = ["--places", "4", "--lane-changes", "0", "--traffic", "0"];
+        double[] offsets = [.. new[] { "0", "1", "3" }
+            .Select(factor => Deviation([.. Labels(["--wander", factor, .. alone])
+                .Select(label => label.Lanes!.OffsetFromLaneCentreMetres).OfType<double>()]))];
+
+        AssertGrowth("--wander", offsets, SteadyMetres);
+    }
+
+    [Fact]
+    public void Factors_change_what_they_are_factors_of()
+    {
+        FrameLabel[] none = Labels([.. Factors.SelectMany(factor => new[] { factor, "0" })]);
+        FrameLabel[] usual = Labels();
+
+        Assert.All(Factors, factor =>
+        {
+            FrameLabel[] most = Labels(factor, factor == "--parked" ? "2.5" : "3");
+            AssertGrowth(factor, [.. new[] { none, usual, most }.Select(labels => Measured(factor, labels))], 0);
+        });
+    }
+
+    private void AssertGrowth(string option, double[] measured, double mostWithout)
+    {
+        output.WriteLine($"{option} none, default, most: {string.Join(", ", measured.Select(value => value.ToString("F3")))}");
+        Assert.InRange(measured[0], 0, mostWithout);
         Assert.True(measured[1] > measured[0], "The default has no more than none.");
         Assert.True(measured[2] > Growth * measured[1], "The greatest factor has hardly more than the default.");
     }
 
-    private static double Measured(string option, string factor, int places)
+    private static FrameLabel[] Labels(params string[] options)
     {
         using var folder = new TemporaryFolder();
         string session = folder.PathOf("session");
-
-        // Without wandering the car still changes lanes, which is an offset too.
-        string[] alone = option == "--wander" ? ["--lane-changes", "0", "--traffic", "0"] : [];
         CliRun.Of([
-            "harvest", "--out", session, "--frames", "120", "--places", $"{places}", "--hz", "1", "--seed", "6", "--size", "200x150",
-            "--detail", "plain", "--no-report", "--no-scenes", option, factor, .. alone]).AssertDone();
-        FrameLabel[] labels = [.. new SessionReader(session).ReadLabels()];
-        return option switch
-        {
-            "--wander" => Deviation([.. labels.Select(label => label.Lanes!.OffsetFromLaneCentreMetres).OfType<double>()]),
-            "--lane-changes" => labels.Count(label =>
-                label.Ego.Motion!.Manoeuvre is Manoeuvre.LaneChangeLeft or Manoeuvre.LaneChangeRight or Manoeuvre.Overtake),
-            "--traffic" => Objects(labels, item => VehicleClasses.AreVehicles(item.Class) && item.Velocity.Length > Moving),
-            "--pedestrians" => Objects(labels, item => item.Class == ObjectClass.Pedestrian),
-            _ => Standing(labels),
-        };
+            "harvest", "--out", session, "--frames", "120", "--hz", "1", "--seed", "6", "--size", "200x150",
+            "--detail", "plain", "--no-report", "--no-scenes", .. options]).AssertDone();
+        return [.. new SessionReader(session).ReadLabels()];
     }
+
+    private static double Measured(string factor, FrameLabel[] labels) => factor switch
+    {
+        "--lane-changes" => labels.Count(label =>
+            label.Ego.Motion!.Manoeuvre is Manoeuvre.LaneChangeLeft or Manoeuvre.LaneChangeRight or Manoeuvre.Overtake),
+        "--traffic" => Objects(labels, item => VehicleClasses.AreVehicles(item.Class) && item.Velocity.Length > Moving),
+        "--pedestrians" => Objects(labels, item => item.Class == ObjectClass.Pedestrian),
+        _ => Standing(labels),
+    };
 
     private static int Objects(FrameLabel[] labels, Func<ObjectLabel, bool> isCounted) =>
         labels.SelectMany(label => label.Objects).Where(isCounted).Select(item => item.Id).Distinct().Count();

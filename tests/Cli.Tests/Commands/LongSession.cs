@@ -9,7 +9,7 @@ namespace Harvester.Cli.Tests.Commands;
 /// </summary>
 public sealed class LongSession : IDisposable
 {
-    public const int Frames = 600;
+    public const int Frames = 300;
     public const int HarvestedFrames = 8;
 
     private readonly TemporaryFolder _folder = new();

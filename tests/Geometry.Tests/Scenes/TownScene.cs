@@ -11,8 +11,8 @@ namespace Harvester.Geometry.Tests.Scenes;
 /// </summary>
 internal sealed class TownScene : IRayCaster
 {
-    /// <summary>The seed of scene 0 of those that issue and documentation speak of.</summary>
-    public const int FirstSeed = 1000;
+    /// <summary>The seed of scene 0.</summary>
+    private const int FirstSeed = 1000;
 
     private readonly List<SolidThing> _things = [];
 

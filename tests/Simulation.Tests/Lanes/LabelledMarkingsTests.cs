@@ -55,7 +55,7 @@ public sealed class LabelledMarkingsTests(ITestOutputHelper output)
     [InlineData(17)]
     public void Labelled_markings_lie_on_the_paint_all_over_generated_towns(int seed) =>
         Assert.InRange(
-            Judge(new SimulationOptions { Seed = seed, IsTimeOfDayFixed = true }, frames: 60, everySeconds: 7), 500, int.MaxValue);
+            Judge(new SimulationOptions { Seed = seed, IsTimeOfDayFixed = true }, frames: 30, everySeconds: 7), 250, int.MaxValue);
 
     [RealWorldFact("nodes.zip")]
     [Trait("Category", "Heavy")]
@@ -64,8 +64,8 @@ public sealed class LabelledMarkingsTests(ITestOutputHelper output)
         RoadNetwork network = RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!).Network;
         Vector2D[] places = [new(0, -1000), new(-700, 1000), new(-300, 6200), new(2000, 3000)];
         int judged = places.Sum(near => Judge(
-            new SimulationOptions { Seed = 3, Roads = network, Near = near, IsTimeOfDayFixed = true }, frames: 30, everySeconds: 7));
-        Assert.InRange(judged, 1000, int.MaxValue);
+            new SimulationOptions { Seed = 3, Roads = network, Near = near, IsTimeOfDayFixed = true }, frames: 16, everySeconds: 7));
+        Assert.InRange(judged, 500, int.MaxValue);
     }
 
     private int Judge(SimulationOptions options, int frames, double everySeconds)

@@ -22,7 +22,7 @@ public sealed class HarvestWithQuirksTests
     [InlineData(1)]
     [InlineData(2)]
     [InlineData(3)]
-    public void Step_for_long_with_all_quirks_keeps_only_matching_frames(int lag) => Harvest(lag, frames: 1000);
+    public void Step_for_long_with_all_quirks_keeps_only_matching_frames(int lag) => Harvest(lag, frames: 400);
 
     [Fact]
     public void Judge_detects_frames_of_a_harvest_that_ignores_picture_lag()

@@ -58,7 +58,7 @@ public sealed class PictureLagTests(ITestOutputHelper output)
     {
         var wrong = new List<string>();
         int runs = 0;
-        for (int seed = 1; seed <= 12; seed++)
+        for (int seed = 1; seed <= 8; seed++)
         {
             string weather = seed % 4 == 0 ? "rain" : "clear";
             bool isCameraLate = seed % 2 == 1;
