@@ -147,7 +147,7 @@ public sealed class JointLabelTests(ITestOutputHelper output)
     {
         List<double> joints = [];
         List<double> cuboids = [];
-        Harvest(seed, frames: 16, (label, game, drawn) =>
+        Harvest(seed, frames: 30, (label, game, drawn) =>
         {
             foreach ((ObjectLabel person, int handle) in People(label, game).Where(each =>
                 each.Person is { TruncatedFraction: 0, OccludedFraction: 0 }))

@@ -18,10 +18,11 @@ internal sealed class PeopleInParts
     private static readonly Dictionary<(Mesh Whole, BodyPart Part), Mesh> Made = [];
 
     private readonly Dictionary<int, MeshInstance> _people = [];
-    private readonly RenderScene _scene;
     private readonly CameraState _camera;
     private readonly int _width;
     private readonly int _height;
+    private readonly Lazy<RenderTarget> _picture;
+    private readonly Lazy<RenderTarget> _alone;
 
     public PeopleInParts(SimulatedGame game, int width, int height, int finer)
     {
@@ -41,15 +42,16 @@ internal sealed class PeopleInParts
             }
         }
 
-        _scene = new RenderScene(game.World.Scene, moving);
-        Picture = Draw(_scene);
+        var scene = new RenderScene(game.World.Scene, moving);
+        _picture = new(() => Draw(scene, NewTarget()));
+        _alone = new(NewTarget);
     }
 
     /// <summary>How many pixels of the picture, across and down, lie on one of the image.</summary>
     public int Finer { get; }
 
     /// <summary>The picture of the whole scene.</summary>
-    public RenderTarget Picture { get; }
+    public RenderTarget Picture => _picture.Value;
 
     /// <summary>Whose part a number of the picture is; null for anything but a person.</summary>
     public static (int Handle, BodyPart Part)? Read(int number) => number >= 0 ? null : (-number / 16, (BodyPart)(-number % 16));
@@ -67,8 +69,8 @@ internal sealed class PeopleInParts
     /// <summary>A part of a person, alone.</summary>
     public MeshInstance PartOf(int handle, BodyPart part) => Part(_people[handle], part);
 
-    /// <summary>Draws some instances with nothing else in the world.</summary>
-    public RenderTarget DrawAlone(params MeshInstance[] instances) => Draw(new RenderScene(new RenderScene([]), instances));
+    /// <summary>Draws some instances with nothing else in the world. The next call draws into the same target.</summary>
+    public RenderTarget DrawAlone(params MeshInstance[] instances) => Draw(new RenderScene(new RenderScene([]), instances), _alone.Value);
 
     private static Dictionary<Mesh, (int Person, int Posture)> Postures()
     {
@@ -97,9 +99,10 @@ internal sealed class PeopleInParts
         return new MeshInstance(mesh, whole.Pose, -((whole.Handle * 16) + (int)part));
     }
 
-    private RenderTarget Draw(RenderScene scene)
+    private RenderTarget NewTarget() => new(_width, _height);
+
+    private RenderTarget Draw(RenderScene scene, RenderTarget target)
     {
-        var target = new RenderTarget(_width, _height);
         RenderCamera camera = new(_camera.Pose, _camera.VerticalFovDegrees, _camera.WindowAspect, _camera.NearClip, _width, _height);
         new Renderer().Render(scene, camera, target);
         return target;
