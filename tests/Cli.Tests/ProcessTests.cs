@@ -64,6 +64,7 @@ public sealed class ProcessTests : IDisposable
     }
 
     [PosixFact]
+    [Trait("Category", "Heavy")]
     public void Harvest_gives_the_same_bytes_on_one_core_and_on_two() =>
         AssertSameBytesOnOneCoreAndOnTwo("--masks --quirks lag=2,vanish=0.1 --weather rain");
 

@@ -11,6 +11,10 @@ public sealed class ResumedHarvestTests : IDisposable
 
     private readonly TemporaryFolder _folder = new();
 
+    public ResumedHarvestTests() => File.WriteAllText(Roads, WritingCommand.Roads);
+
+    private string Roads => _folder.PathOf("roads.csv");
+
     private string Out => _folder.PathOf("out");
 
     private string Whole => _folder.PathOf("whole");
@@ -74,10 +78,10 @@ public sealed class ResumedHarvestTests : IDisposable
 
     private static string FrameOf(string folder, int frame) => Path.Combine(folder, FramePaths.Image(frame, ImageFormat.Png));
 
-    private static CliRun Harvest(string folder, string shard, params string[] more) => CliRun.Of(
+    private CliRun Harvest(string folder, string shard, params string[] more) => CliRun.Of(
     [
         "harvest", "--out", folder, "--frames", "8", "--shard", shard, "--seed", "5", "--size", "64x48", "--places", "2", "--no-report",
-        .. more,
+        "--roads", Roads, .. more,
     ]);
 
     /// <summary>
@@ -102,6 +106,6 @@ public sealed class ResumedHarvestTests : IDisposable
         }
 
         UnfinishedMark.Write(
-            Out, $"harvester harvest --frames 8 --shard {shard} --seed 5 --size 64x48 --places 2 --no-report");
+            Out, $"harvester harvest --frames 8 --shard {shard} --seed 5 --size 64x48 --places 2 --no-report --roads {Roads}");
     }
 }

@@ -30,10 +30,6 @@ public sealed class LabelledFacesTests
     private const double MaxUnread = 0.02;
 
     [Fact]
-    public void Labelled_faces_are_the_visible_ones_and_lights_are_read() =>
-        Judge(StreetOfFaces.Harvest(60, firstSeed: 1), minFaces: 300, minHeads: 30);
-
-    [Fact]
     [Trait("Category", "Heavy")]
     public void Labelled_faces_are_the_visible_ones_with_their_light_states() =>
         Judge(StreetOfFaces.Harvest(1_000, firstSeed: 1_000), minFaces: 5_000, minHeads: 500);

@@ -29,6 +29,7 @@ public sealed class IgnoreRegionTests(ITestOutputHelper output)
     private const double MaxEmptyRegions = 0.02;
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Every_visible_object_out_of_range_is_an_ignore_region() => Judge(15, "snow");
 
     [Fact]
