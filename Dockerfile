@@ -1,5 +1,6 @@
-# The harvester command without a game:
+# The harvester command without a game; data is a folder of yours, in which the sessions appear:
 #   docker build -t harvester .
+#   mkdir data
 #   docker run --rm -v "$PWD/data:/data" --user "$(id -u):$(id -g)" harvester harvest --out /data/session
 FROM mcr.microsoft.com/dotnet/sdk:10.0 AS build
 WORKDIR /source

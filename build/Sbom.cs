@@ -8,10 +8,10 @@ using System.Text.Json.Nodes;
 using System.Xml.Linq;
 
 // Writes a software bill of materials, CycloneDX 1.5 as JSON, from the assets file that a restore leaves behind.
-// It has no serial number and no time, so the same packages give the same bytes.
-if (args.Length != 4)
+// It has no serial number and no time, so the same packages give the same bytes. With a system, it also has the runtime of that system.
+if (args.Length is not (4 or 5))
 {
-    Console.Error.WriteLine("Usage: dotnet run build/Sbom.cs -- PROJECT-FOLDER NAME VERSION FILE");
+    Console.Error.WriteLine("Usage: dotnet run build/Sbom.cs -- PROJECT-FOLDER NAME VERSION FILE [SYSTEM]");
     return 2;
 }
 
@@ -25,22 +25,19 @@ JsonArray references = [];
 foreach ((string key, JsonNode? library) in PackagesThatShip(assets))
 {
     string[] nameAndVersion = key.Split('/');
-    string url = $"pkg:nuget/{nameAndVersion[0]}@{nameAndVersion[1]}";
-    components.Add(new JsonObject
-    {
-        ["type"] = "library",
-        ["bom-ref"] = url,
-        ["name"] = nameAndVersion[0],
-        ["version"] = nameAndVersion[1],
-        ["hashes"] = new JsonArray(new JsonObject
-        {
-            ["alg"] = "SHA-512",
-            ["content"] = Convert.ToHexStringLower(Convert.FromBase64String((string)library!["sha512"]!)),
-        }),
-        ["licenses"] = new JsonArray(new JsonObject { ["expression"] = LicenceOf((string)library["path"]!) }),
-        ["purl"] = url,
-    });
-    references.Add(url);
+    Add("library", nameAndVersion[0], nameAndVersion[1], (string)library!["sha512"]!, LicenceOf((string)library["path"]!));
+}
+
+if (args.Length == 5)
+{
+    // The runtime is a package that the restore downloads; the host, which is the program's first code, has its version. The SDK brings the
+    // host of its own system, without the package and its hash.
+    string runtime = $"Microsoft.NETCore.App.Runtime.{args[4]}";
+    string runtimeVersion = VersionOfDownload(assets, runtime);
+    string path = Path.Combine(runtime.ToLowerInvariant(), runtimeVersion);
+    string hash = File.ReadAllText(Path.Combine(FolderOf(path), $"{runtime.ToLowerInvariant()}.{runtimeVersion}.nupkg.sha512"));
+    Add("framework", runtime, runtimeVersion, hash, LicenceOf(path));
+    Add("framework", $"Microsoft.NETCore.App.Host.{args[4]}", runtimeVersion, null, LicenceOf(path));
 }
 
 JsonObject bom = new()
@@ -70,6 +67,38 @@ File.Move(temporary, args[3], overwrite: true);
 Console.WriteLine(args[3]);
 return 0;
 
+void Add(string type, string component, string componentVersion, string? sha512, string licence)
+{
+    string url = $"pkg:nuget/{component}@{componentVersion}";
+    JsonObject added = new()
+    {
+        ["type"] = type,
+        ["bom-ref"] = url,
+        ["name"] = component,
+        ["version"] = componentVersion,
+    };
+    if (sha512 is not null)
+    {
+        added["hashes"] = new JsonArray(new JsonObject
+        {
+            ["alg"] = "SHA-512",
+            ["content"] = Convert.ToHexStringLower(Convert.FromBase64String(sha512)),
+        });
+    }
+
+    added["licenses"] = new JsonArray(new JsonObject { ["expression"] = licence });
+    added["purl"] = url;
+    components.Add(added);
+    references.Add(url);
+}
+
+// The version is a range of one, such as [10.0.1, 10.0.1].
+static string VersionOfDownload(JsonNode assets, string package) => assets["project"]!["frameworks"]!.AsObject()
+    .SelectMany(framework => framework.Value!["downloadDependencies"]!.AsArray())
+    .Where(download => (string)download!["name"]! == package)
+    .Select(download => ((string)download!["version"]!).Trim('[', ']').Split(',')[0])
+    .First();
+
 // Reference assemblies have no file for the runtime.
 static IEnumerable<KeyValuePair<string, JsonNode?>> PackagesThatShip(JsonNode assets)
 {
@@ -80,10 +109,11 @@ static IEnumerable<KeyValuePair<string, JsonNode?>> PackagesThatShip(JsonNode as
     return assets["libraries"]!.AsObject().Where(library => shipped.Contains(library.Key)).OrderBy(library => library.Key, StringComparer.Ordinal);
 }
 
+string FolderOf(string packagePath) => packageFolders.Select(parent => Path.Combine(parent, packagePath)).First(Directory.Exists);
+
 string LicenceOf(string packagePath)
 {
-    string folder = packageFolders.Select(parent => Path.Combine(parent, packagePath)).First(Directory.Exists);
-    XElement package = XDocument.Load(Directory.EnumerateFiles(folder, "*.nuspec").Single()).Root!;
+    XElement package = XDocument.Load(Directory.EnumerateFiles(FolderOf(packagePath), "*.nuspec").Single()).Root!;
     XElement? licence = package.Descendants().FirstOrDefault(element => element.Name.LocalName == "license");
     return licence?.Attribute("type")?.Value == "expression"
         ? licence.Value

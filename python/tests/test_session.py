@@ -192,13 +192,6 @@ def test_lines_are_found_with_and_without_a_manifest(handmade: HandmadeSession, 
     assert [len(frame.objects) for frame in session] == [1, 2, 2]
 
 
-def test_an_unfinished_last_line_is_ignored(handmade: HandmadeSession) -> None:
-    folder = handmade.write()
-    with open(folder / "labels.jsonl", "a", encoding="utf-8") as stream:
-        stream.write('{"frame":3,"gameF')
-    assert len(open_session(folder)) == 3
-
-
 def test_a_session_without_frames_is_empty(handmade: HandmadeSession) -> None:
     handmade.lines = []
     folder = handmade.write()
@@ -225,13 +218,16 @@ def test_a_newer_version_of_the_format_is_refused_by_name(handmade: HandmadeSess
     assert "\n" not in str(refused.value)
 
 
-@pytest.mark.parametrize("sign", ["state", "mark"])
+@pytest.mark.parametrize("sign", ["state", "mark", "line"])
 def test_a_partial_session_is_refused_unless_allowed(handmade: HandmadeSession, sign: str) -> None:
     if sign == "state":
         handmade.info["state"] = "recording"
     folder = handmade.write()
     if sign == "mark":
         (folder / ".harvester-unfinished").write_text("")
+    if sign == "line":
+        with open(folder / "labels.jsonl", "ab") as labels:
+            labels.write(b'{"frame":3,')
     with pytest.raises(gtaharvest.PartialSessionError, match="allow_partial"):
         open_session(folder)
     assert len(open_session(folder, allow_partial=True)) == 3

@@ -7,9 +7,11 @@ import sys
 import time
 
 FORMATS = [
-    "kitti", "kitti-tracking", "coco", "coco-panoptic", "yolo", "yolo-segment", "voc", "cityscapes",
-    "deepdriving", "tusimple", "openlane", "webdataset", "csv",
+    "kitti", "kitti-tracking", "coco", "coco-panoptic", "yolo", "yolo-segment", "voc", "cityscapes", "bdd100k", "motchallenge", "openlabel",
+    "deepdriving", "tusimple", "culane", "openlane", "webdataset", "imagefolder", "mcap", "csv",
 ]
+# These keep a session in one split.
+WHOLE_SESSIONS = {"kitti-tracking", "motchallenge", "openlabel", "mcap"}
 MOST_MEBIBYTES = 300
 # What the runtime's collector leaves lying about differs from run to run; a list of all frames would add hundreds of mebibytes.
 MOST_GROWTH_MEBIBYTES = 60
@@ -67,7 +69,8 @@ def measure(harvester, scratch, lengths, formats):
         print(f"| stats of the session | {frames:,} | {seconds:.0f} | {peak:.0f} | | |", flush=True)
         for name in formats:
             out = os.path.join(scratch, "out")
-            seconds, export_peak = run([*harvester, "export", session, "--format", name, "--out", out, "--split", "train:0.8,val:0.2"])
+            splits = [] if name in WHOLE_SESSIONS else ["--split", "train:0.8,val:0.2"]
+            seconds, export_peak = run([*harvester, "export", session, "--format", name, "--out", out, *splits])
             check_seconds, check_peak = run([*harvester, "validate", out])
             shutil.rmtree(out)
             peaks.setdefault(name, []).append(export_peak)

@@ -157,7 +157,8 @@ class Session:
 def open_session(folder: Union[str, os.PathLike[str]], allow_partial: bool = False) -> Session:
     """Opens the folder of a session.
 
-    allow_partial: also open a session whose recording was cut off or is still running; the frames whose lines are complete are read.
+    allow_partial: also open a session whose recording or last line was cut off, or that is still recorded; the frames whose lines are
+    complete are read.
 
     Raises NotASessionError, NewerFormatError and PartialSessionError.
     """
@@ -180,4 +181,15 @@ def open_session(folder: Union[str, os.PathLike[str]], allow_partial: bool = Fal
     if not allow_partial and (info.get("state") == "recording" or (path / _UNFINISHED_MARK).exists()):
         raise PartialSessionError(
             f"{path}: the recording of the session is unfinished. Finish it with the same command, or open it with allow_partial=True.")
+    if not allow_partial and _ends_in_part_of_a_line(path / "labels.jsonl"):
+        raise PartialSessionError(
+            f"{path / 'labels.jsonl'}: its last line is cut off. Run harvester repair, or open the session with allow_partial=True.")
     return Session(path, info)
+
+
+def _ends_in_part_of_a_line(path: Path) -> bool:
+    if not path.exists() or path.stat().st_size == 0:
+        return False
+    with open(path, "rb") as stream:
+        stream.seek(-1, os.SEEK_END)
+        return stream.read(1) != b"\n"

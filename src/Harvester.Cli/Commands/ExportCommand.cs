@@ -159,6 +159,12 @@ internal sealed class ExportCommand
         DatasetFormat format = DatasetFormats.Find(name) ?? throw new UsageException(
             $"--format takes one of {string.Join(", ", DatasetFormats.All.Select(each => each.Name))}, not '{name}'.");
         CheckOptions(parsed, format);
+        SplitPlan splits = SplitsOf(parsed);
+        if (format.ProblemOf(splits.Splits) is { } problem)
+        {
+            throw new UsageException($"--split: {problem}");
+        }
+
         string[] sessions = parsed.GetRequiredValue(Sessions);
         if (sessions.GroupBy(folder => Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder)))
             .FirstOrDefault(same => same.Count() > 1) is { } twice)
@@ -168,7 +174,7 @@ internal sealed class ExportCommand
 
         var options = new ExportOptions
         {
-            Splits = SplitsOf(parsed),
+            Splits = splits,
             Classes = ClassList.Parse(parsed.GetValue(Classes)),
             MinVisibleFraction = parsed.GetValue(MinVisible),
             Parts = parsed.GetValue(Parts),

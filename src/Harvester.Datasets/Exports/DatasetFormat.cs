@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports;
@@ -69,6 +70,33 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
 
     /// <summary>Whether a session stays together as one sequence, so that whole sessions are assigned to splits.</summary>
     public bool KeepsSessions { get; init; }
+
+    /// <summary>The names that a split has in the dataset; no two splits may share one.</summary>
+    internal Func<string, IReadOnlyList<string>> SplitNames { get; init; } = split => [split];
+
+    /// <summary>Why the format cannot keep some splits apart, as a sentence; null if it can.</summary>
+    /// <param name="splits">The splits.</param>
+    public string? ProblemOf(IEnumerable<DatasetSplit> splits)
+    {
+        var owners = new Dictionary<string, string>(StringComparer.OrdinalIgnoreCase);
+        foreach (string split in splits.Select(split => split.Name))
+        {
+            if (Card is not null && split == DatasetCard.AllSplits)
+            {
+                return $"The Hugging Face hub calls all splits together '{split}', so no split in {Name} can have this name.";
+            }
+
+            foreach (string name in Card is null ? SplitNames(split) : [DatasetCard.NameOf(split)])
+            {
+                if (!owners.TryAdd(name, split))
+                {
+                    return $"In {Name}, the splits '{owners[name]}' and '{split}' would share the name '{name}'. Rename one of them.";
+                }
+            }
+        }
+
+        return null;
+    }
 
     /// <summary>How the Hugging Face hub reads it; null if the hub has no reader for it.</summary>
     internal DatasetCard? Card { get; init; }

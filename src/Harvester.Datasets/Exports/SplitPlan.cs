@@ -16,7 +16,8 @@ public sealed class SplitPlan
     private readonly int _seed;
 
     /// <summary>Creates a plan.</summary>
-    /// <param name="splits">The splits; their names differ and their fractions add up to 1.</param>
+    /// <param name="splits">The splits; their names differ, also without regard to case as on Windows, and their fractions add up
+    /// to 1.</param>
     /// <param name="seed">Random seed.</param>
     /// <param name="blockFrames">Number of consecutive frames that stay together, at least 1; <see cref="int.MaxValue"/> for whole
     /// sessions.</param>
@@ -24,10 +25,12 @@ public sealed class SplitPlan
     public SplitPlan(IReadOnlyList<DatasetSplit> splits, int seed, int blockFrames)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(blockFrames, 1);
-        if (splits.Count == 0 || splits.Select(split => split.Name).Distinct(StringComparer.Ordinal).Count() != splits.Count
+        if (splits.Count == 0 || splits.Select(split => split.Name).Distinct(StringComparer.OrdinalIgnoreCase).Count() != splits.Count
             || splits.Any(split => !IsName(split.Name) || !(split.ShareFraction > 0)))
         {
-            throw new ArgumentException("Splits need different names of letters, digits, - and _, and fractions greater than 0.");
+            throw new ArgumentException(
+                "Splits need names of letters, digits, - and _ that differ in more than upper and lower case, "
+                + "and fractions greater than 0.");
         }
 
         if (Math.Abs(splits.Sum(split => split.ShareFraction) - 1) > ShareTolerance)

@@ -136,6 +136,16 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     }
 
     [Theory]
+    [InlineData("culane", "a:0.5,a_gt:0.5", "the splits 'a' and 'a_gt' would share the name 'a_gt'. Rename one of them.")]
+    [InlineData("webdataset", "a_b:0.5,a-b:0.5", "the splits 'a_b' and 'a-b' would share the name 'a_b'. Rename one of them.")]
+    public void Export_refuses_splits_that_the_format_cannot_keep_apart(string format, string splits, string message)
+    {
+        CliRun.Of("export", session.Folder, "--out", _folder.PathOf("out"), "--format", format, "--split", splits)
+            .AssertFailed(ExitCode.Usage, $"--split: In {format}, {message}");
+        Assert.False(Directory.Exists(_folder.PathOf("out")));
+    }
+
+    [Theory]
     [InlineData("--segmentation", "polygon", "coco")]
     [InlineData(
         "--classes",

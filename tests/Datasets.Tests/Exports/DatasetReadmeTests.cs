@@ -50,11 +50,11 @@ public sealed class DatasetReadmeTests(SimulatedSession simulated) : ExportTests
     }
 
     [Theory]
-    [InlineData("webdataset", "train-[0-9]*.tar", "val-2-[0-9]*.tar")]
-    [InlineData("imagefolder", "data/train/**", "data/val-2/**")]
+    [InlineData("webdataset", "train-[0-9][0-9][0-9][0-9][0-9][0-9].tar", "train-2-[0-9][0-9][0-9][0-9][0-9][0-9].tar")]
+    [InlineData("imagefolder", "data/train/**", "data/train-2/**")]
     public void Card_begins_with_the_header_that_the_hub_reads(string format, string train, string validation)
     {
-        var options = new ExportOptions { Splits = new SplitPlan([new("train", 0.5), new("val-2", 0.5)], 1, 1) };
+        var options = new ExportOptions { Splits = new SplitPlan([new("train", 0.5), new("train-2", 0.5)], 1, 1) };
         Folder.Export(format, simulated.OpenFor(format), options);
 
         string[] lines = Folder.Lines(Readme);
@@ -62,7 +62,7 @@ public sealed class DatasetReadmeTests(SimulatedSession simulated) : ExportTests
             [
                 "---", "pretty_name: Driving images with labels", "license: unknown", "task_categories:", "- object-detection",
                 "size_categories:", "- n<1K", "tags:", "- autonomous-driving", "- synthetic", "- " + format, "configs:",
-                "- config_name: default", "  data_files:", "  - split: train", $"    path: '{train}'", "  - split: val_2",
+                "- config_name: default", "  data_files:", "  - split: train", $"    path: '{train}'", "  - split: train_2",
                 $"    path: '{validation}'", "---",
             ],
             lines[..19]);

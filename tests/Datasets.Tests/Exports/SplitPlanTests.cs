@@ -64,6 +64,7 @@ public sealed class SplitPlanTests
     [Theory]
     [InlineData("train", 0.8, "val", 0.1)]
     [InlineData("train", 0.8, "train", 0.2)]
+    [InlineData("train", 0.8, "Train", 0.2)]
     [InlineData("train", 1.2, "val", -0.2)]
     [InlineData("../train", 0.8, "val", 0.2)]
     [InlineData("", 0.8, "val", 0.2)]

@@ -75,6 +75,19 @@ public sealed class UnusableSessionTests : ExportTests
             "frame 2: its lens bends straight lines", Refusal("kitti", [Session.Open(), _other.Open()]), StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData("culane", "train", "train_gt", "In culane, the splits 'train' and 'train_gt' would share the name 'train_gt'.")]
+    [InlineData("webdataset", "val_2", "val-2", "In webdataset, the splits 'val_2' and 'val-2' would share the name 'val_2'.")]
+    [InlineData("imagefolder", "all", "val", "The Hugging Face hub calls all splits together 'all', so no split in imagefolder can")]
+    public void Splits_that_the_format_cannot_keep_apart_are_refused(string format, string first, string second, string message)
+    {
+        var options = new ExportOptions { Splits = new SplitPlan([new(first, 0.5), new(second, 0.5)], 1, 1) };
+
+        Assert.StartsWith(
+            message, Assert.Throws<ArgumentException>(() => Folder.Export(format, Session.Open(), options)).Message, StringComparison.Ordinal);
+        Assert.False(Directory.Exists(Folder.PathOf("out")));
+    }
+
     protected override void Dispose(bool disposing)
     {
         _other.Dispose();

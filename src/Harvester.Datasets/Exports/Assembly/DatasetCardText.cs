@@ -23,7 +23,7 @@ internal static class DatasetCardText
         text.Append("configs:\n- config_name: default\n  data_files:\n");
         foreach (string split in result.FramesOfSplits.Keys)
         {
-            text.Append("  - split: ").Append(YamlScalar.Of(HubNameOf(split))).Append("\n    path: '").Append(card.FilesOf(split))
+            text.Append("  - split: ").Append(YamlScalar.Of(DatasetCard.NameOf(split))).Append("\n    path: '").Append(card.FilesOf(split))
                 .Append("'\n");
         }
 
@@ -45,9 +45,6 @@ internal static class DatasetCardText
 
 
         """.ReplaceLineEndings("\n");
-
-    /// <summary>The hub's names of splits have no hyphens.</summary>
-    private static string HubNameOf(string split) => split.Replace('-', '_');
 
     private static string SizeOf(int frames)
     {

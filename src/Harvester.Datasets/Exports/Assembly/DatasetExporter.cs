@@ -23,8 +23,14 @@ public sealed class DatasetExporter
     /// <param name="folder">Folder to write to: new, empty, or with a stopped export of the same plan.</param>
     /// <param name="shard">The shard to export.</param>
     /// <param name="sync">When to wait for the disk.</param>
+    /// <exception cref="ArgumentException">The format cannot keep the splits apart.</exception>
     public DatasetExporter(ExportPlan plan, string folder, Shard shard, SyncMode sync = SyncMode.Batch)
     {
+        if (plan.Format.ProblemOf(plan.Options.Splits.Splits) is { } problem)
+        {
+            throw new ArgumentException(problem, nameof(plan));
+        }
+
         _asked = plan.Format.KeepsSessions
             ? plan with
             {

@@ -97,13 +97,16 @@ public static class DatasetFormats
         new("tusimple", "TuSimple lanes", options =>
             new TuSimpleWriter(options)) { NeedsLanes = true, LeavesOutUnknownLanes = true, Check = TuSimpleCheck.Problems },
         new("culane", "CULane lanes", options =>
-            new CuLaneWriter(options)) { NeedsLanes = true, LeavesOutUnknownLanes = true, Check = CuLaneCheck.Problems },
+            new CuLaneWriter(options))
+        {
+            NeedsLanes = true, LeavesOutUnknownLanes = true, Check = CuLaneCheck.Problems, SplitNames = CuLaneWriter.ListsOf,
+        },
         new("openlane", "OpenLane 3D lane lines", _ =>
             new OpenLaneWriter()) { NeedsLanes = true, LeavesOutUnknownLanes = true, Check = OpenLaneCheck.Problems },
         new("webdataset", "Tar archives for streaming readers", _ => new WebDatasetWriter())
         {
             UsesMasks = true, KeepsUndetermined = true, HasParts = true, DefaultParts = PartSelection.All, KeepsImages = false,
-                Check = WebDatasetCheck.Problems, Card = new("webdataset", split => $"{split}-[0-9]*.tar"),
+                Check = WebDatasetCheck.Problems, Card = new("webdataset", WebDatasetWriter.ArchivesOf),
         },
         new("imagefolder", "Folders of images with metadata.jsonl, as Hugging Face reads them", options => new ImageFolderWriter(options))
         {

@@ -70,5 +70,16 @@ public sealed class McapTests : ExportTests
             problem => problem.ToString().Contains("cut off", StringComparison.Ordinal));
     }
 
+    [Fact]
+    public void Image_that_was_damaged_before_the_export_is_found()
+    {
+        System.IO.File.WriteAllText(Session.PathOf("frames/00000001.png"), "no image");
+        Folder.Export("mcap", Session.Open());
+
+        Assert.Contains(
+            "train/0000.mcap: image 2: it is not a PNG, BMP or JPEG file, or is cut off.",
+            DatasetValidator.Validate(Folder.PathOf("out")).Problems.Select(problem => problem.ToString()));
+    }
+
     private byte[] Content() => System.IO.File.ReadAllBytes(Folder.PathOf(File));
 }

@@ -33,6 +33,9 @@ internal sealed class CuLaneWriter(ExportOptions options) : IDatasetWriter
 
     private readonly PngEncoder _png = new();
 
+    /// <summary>The lists of a split: that of its images, and that with maps and flags.</summary>
+    public static string[] ListsOf(string split) => [split, split + "_gt"];
+
     public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
         // Without known lanes, the frame would say that there are none.
@@ -55,11 +58,8 @@ internal sealed class CuLaneWriter(ExportOptions options) : IDatasetWriter
     }
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => options.Splits.Splits.SelectMany(split =>
-        (AggregateFile[])
-        [
-            new($"list/{split.Name}.txt", [AggregateSection.Lines(ListPrefix + split.Name)]),
-            new($"list/{split.Name}_gt.txt", [AggregateSection.Lines(TruthPrefix + split.Name)]),
-        ]);
+        ListsOf(split.Name).Zip([ListPrefix, TruthPrefix], (list, prefix) =>
+            new AggregateFile($"list/{list}.txt", [AggregateSection.Lines(prefix + split.Name)])));
 
     /// <summary>The points of the lines by their places, from the bottom of the image upwards; null where there is no line.</summary>
     private static Vector2D[]?[] LinesOf(LanesLabel lanes, int height)

@@ -45,7 +45,7 @@ internal sealed class FoxgloveMessages(FrameLabel label, long nanoseconds)
     public byte[] Image(byte[] bytes, string format) => ProtoMessage.Of(message =>
     {
         Time(message, 1);
-        message.Bytes(2, bytes).Text(3, format).Text(4, CameraFrame);
+        message.Bytes(ImageMessage.DataField, bytes).Text(3, format).Text(4, CameraFrame);
     }, bytes.Length + ImageHeadBytes);
 
     /// <summary>CameraCalibration; k1 and k2 are the first two of plumb_bob's five coefficients.</summary>

@@ -134,7 +134,24 @@ internal sealed class McapReader(Stream file)
                 "a chunk has something other than whole messages.");
             int channel = BitConverter.ToUInt16(content, (int)at + McapRecord.HeadLength);
             _messages[channel] = _messages.GetValueOrDefault(channel) + 1;
+            if (channel == McapChannel.Image.Id)
+            {
+                CheckImage(content, (int)at + McapRecord.HeadLength + MessageHeadBytes, (int)length - MessageHeadBytes);
+            }
+
             at += McapRecord.HeadLength + length;
+        }
+    }
+
+    private void CheckImage(byte[] content, int start, int length)
+    {
+        try
+        {
+            ImageMessage.Check(content, start, length);
+        }
+        catch (DatasetFormatException e)
+        {
+            throw new DatasetFormatException($"image {_messages[McapChannel.Image.Id]}: {e.Message}", e);
         }
     }
 

@@ -21,6 +21,9 @@ internal sealed class WebDatasetWriter : IDatasetWriter
     /// <summary>Two empty blocks end an archive.</summary>
     private const int EndLength = 2 * 512;
 
+    /// <summary>Pattern of the archives of a split. All digits count: a split may be named as another with a number appended.</summary>
+    public static string ArchivesOf(string split) => split + "-[0-9][0-9][0-9][0-9][0-9][0-9].tar";
+
     public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
         string archive = $"{frame.Split}-{frame.Index / FramesPerArchive:D6}";
