@@ -9,9 +9,9 @@ namespace Harvester.Play.Features;
 public sealed class DrawnSheets(IDisplay display) : ISheets, IFeature
 {
     private static readonly Colour Magenta =
-        new((byte)GroundSheet.Colour.X, (byte)GroundSheet.Colour.Y, (byte)GroundSheet.Colour.Z);
+        new((byte)ScreenSheet.Colour.X, (byte)ScreenSheet.Colour.Y, (byte)ScreenSheet.Colour.Z);
 
-    private IReadOnlyList<GroundSheet> _sheets = [];
+    private IReadOnlyList<ScreenSheet> _sheets = [];
 
     /// <inheritdoc/>
     public string Name => "The sheets";
@@ -20,7 +20,7 @@ public sealed class DrawnSheets(IDisplay display) : ISheets, IFeature
     public bool IsOn => _sheets.Count > 0;
 
     /// <inheritdoc/>
-    public void Show(IReadOnlyList<GroundSheet> sheets) => _sheets = sheets;
+    public void Show(IReadOnlyList<ScreenSheet> sheets) => _sheets = sheets;
 
     /// <inheritdoc/>
     public void Clear() => _sheets = [];
@@ -28,7 +28,7 @@ public sealed class DrawnSheets(IDisplay display) : ISheets, IFeature
     /// <inheritdoc/>
     public void Tick()
     {
-        foreach (GroundSheet sheet in _sheets)
+        foreach (ScreenSheet sheet in _sheets)
         {
             display.Triangle(sheet.A, sheet.B, sheet.C, Magenta);
             display.Triangle(sheet.A, sheet.C, sheet.D, Magenta);

@@ -123,7 +123,7 @@ public sealed class SimulatedGame
     } = [];
 
     /// <summary>Sheets that are shown on the ground.</summary>
-    internal IReadOnlyList<GroundSheet> Sheets
+    internal IReadOnlyList<ScreenSheet> Sheets
     {
         get;
         set => (field, _state) = (value, _state + 1);

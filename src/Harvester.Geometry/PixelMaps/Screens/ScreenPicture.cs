@@ -1,0 +1,22 @@
+using System.Collections.Generic;
+
+namespace Harvester.Geometry.PixelMaps.Screens;
+
+/// <summary>A picture for one object, with the screens that may hide that object's.</summary>
+internal sealed record ScreenPicture(byte[] Bytes, IReadOnlyList<SilhouetteSpans> Nearer)
+{
+    /// <summary>Whether a nearer screen, widened by a pixel, covers a pixel.</summary>
+    public bool IsHidden(int column, int row)
+    {
+        foreach (SilhouetteSpans spans in Nearer)
+        {
+            if (spans.Contains(column, row) || spans.Contains(column - 1, row) || spans.Contains(column + 1, row)
+                || spans.Contains(column, row - 1) || spans.Contains(column, row + 1))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+}
