@@ -4,7 +4,10 @@ using Harvester.Geometry.PixelMaps.Coded;
 
 namespace Harvester.Play.Features;
 
-/// <summary>Sheets on the ground for coded masks. The game draws a sheet for one frame only, so all are drawn in each tick.</summary>
+/// <summary>
+/// Sheets of the screens behind objects, for masks from photographs. The game draws a sheet for one frame only, so all are drawn in each
+/// tick. It draws a triangle from one side only, so each is drawn twice.
+/// </summary>
 /// <param name="display">Draws the sheets.</param>
 public sealed class DrawnSheets(IDisplay display) : ISheets, IFeature
 {
@@ -31,7 +34,9 @@ public sealed class DrawnSheets(IDisplay display) : ISheets, IFeature
         foreach (ScreenSheet sheet in _sheets)
         {
             display.Triangle(sheet.A, sheet.B, sheet.C, Magenta);
+            display.Triangle(sheet.A, sheet.C, sheet.B, Magenta);
             display.Triangle(sheet.A, sheet.C, sheet.D, Magenta);
+            display.Triangle(sheet.A, sheet.D, sheet.C, Magenta);
         }
     }
 

@@ -122,7 +122,7 @@ public sealed class SimulatedGame
         set => (field, _state) = (value, _state + 1);
     } = [];
 
-    /// <summary>Sheets that are shown on the ground.</summary>
+    /// <summary>Sheets that are shown in addition to the world; they cast no shadows.</summary>
     internal IReadOnlyList<ScreenSheet> Sheets
     {
         get;

@@ -4,7 +4,7 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Models;
 
-/// <summary>The sheets of coded masks: magenta, luminous by day and at night.</summary>
+/// <summary>The sheets of masks from photographs: magenta, luminous by day and at night, without shadows.</summary>
 internal static class SheetModel
 {
     private static readonly Rgb Magenta = new((byte)ScreenSheet.Colour.X, (byte)ScreenSheet.Colour.Y, (byte)ScreenSheet.Colour.Z);

@@ -1,18 +1,18 @@
 namespace Harvester.Geometry.PixelMaps.Screens;
 
-/// <summary>What is known of a pixel of a screen.</summary>
+/// <summary>What a pixel of a screen shows in the picture of the object before it.</summary>
 internal enum MatteState : byte
 {
-    /// <summary>Outside the screen, or nothing is known: a nearer screen hides it.</summary>
+    /// <summary>Nothing is known: it is outside the screen, or a nearer screen hides it.</summary>
     Unknown,
 
-    /// <summary>The screen is seen past the object.</summary>
+    /// <summary>The screen.</summary>
     Screen,
 
-    /// <summary>Something else is in front of the screen, and of the object if that reaches there.</summary>
+    /// <summary>Something else that is in front of the screen.</summary>
     World,
 
-    /// <summary>Something else in front of the screen that changes as in a shadow, or the object.</summary>
+    /// <summary>The same in the shadow of the object, or the object.</summary>
     Doubt,
 
     /// <summary>The object.</summary>

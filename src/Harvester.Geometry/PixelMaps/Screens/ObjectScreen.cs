@@ -18,7 +18,7 @@ internal sealed class ObjectScreen
     private const double MarginPixels = 1.5;
 
     /// <summary>Its floor lies so high above the lower end of the cuboid, metres, that even ground does not cover it.</summary>
-    private const double LiftMetres = 0.015;
+    private const double LiftMetres = 0.005;
 
     private static readonly (int A, int B, int C, int D)[] Faces =
         [(0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5)];

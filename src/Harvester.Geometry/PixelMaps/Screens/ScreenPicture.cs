@@ -2,7 +2,9 @@ using System.Collections.Generic;
 
 namespace Harvester.Geometry.PixelMaps.Screens;
 
-/// <summary>A picture for one object, with the screens that may hide that object's.</summary>
+/// <summary>A picture with the screen of an object.</summary>
+/// <param name="Bytes">Red, green and blue of each pixel, rows from the top.</param>
+/// <param name="Nearer">The nearer screens of the picture that may hide that screen.</param>
 internal sealed record ScreenPicture(byte[] Bytes, IReadOnlyList<SilhouetteSpans> Nearer)
 {
     /// <summary>Whether a nearer screen, widened by a pixel, covers a pixel.</summary>

@@ -7,10 +7,10 @@ using Harvester.Geometry.PixelMaps.Coded;
 namespace Harvester.Geometry.PixelMaps.Screens;
 
 /// <summary>
-/// What each picture of a mask shows. Picture 0 shows all objects, picture 1 none. Each of the others shows some objects, each before a
-/// screen, and screens of other objects that are hidden. Every object is photographed once before its screen and once hidden, so that what
-/// else is in front of its screen is known. Screens of one picture do not overlap in the image as far as there are pictures for that;
-/// where they must, the nearer object is not harmed, as its screen lies in front.
+/// Photographs each object before a screen of its own. Picture 0 shows all objects, picture 1 none. Each of the others shows some objects
+/// before their screens, and screens of other objects, which are hidden; so what else is in front of each screen is known. As far as there
+/// are pictures for that, the screens of one picture do not overlap in the image; where they must, the nearer object is not harmed, because
+/// its screen is in front.
 /// </summary>
 public sealed class ScreenPlan : IPicturePlan
 {
@@ -19,7 +19,7 @@ public sealed class ScreenPlan : IPicturePlan
 
     private const int FirstScreened = 2;
 
-    /// <summary>An object before its screen matters more than the screen without it.</summary>
+    /// <summary>Losing a part of an object before its screen is so many times worse than losing it of the screen only.</summary>
     private const double ShownWeight = 4;
 
     private readonly Camera _camera;
@@ -31,26 +31,25 @@ public sealed class ScreenPlan : IPicturePlan
 
     private ScreenPlan(Camera camera, IReadOnlyList<MapTarget> targets)
     {
-        _camera = camera;
-        _targets = targets;
-        ObjectScreen[] screens = [.. targets.Select(target => ObjectScreen.Of(camera, target))];
-        _screens = screens;
-        _harm = new double[screens.Length, screens.Length];
-        var degrees = new int[screens.Length];
-        for (int i = 0; i < screens.Length; i++)
+        (_camera, _targets) = (camera, targets);
+        _screens = [.. targets.Select(target => ObjectScreen.Of(camera, target))];
+        _harm = new double[_screens.Length, _screens.Length];
+        var degrees = new int[_screens.Length];
+        for (int i = 0; i < _screens.Length; i++)
         {
-            for (int j = i + 1; j < screens.Length; j++)
+            for (int j = i + 1; j < _screens.Length; j++)
             {
-                int shared = screens[i].PixelsSharedWith(screens[j]);
+                int shared = _screens[i].PixelsSharedWith(_screens[j]);
                 int farther = IsNearer(i, j) ? j : i;
-                _harm[i, j] = _harm[j, i] = (double)shared / Math.Max(1, screens[farther].Spans.PixelCount);
+                _harm[i, j] = _harm[j, i] = (double)shared / Math.Max(1, _screens[farther].Spans.PixelCount);
                 degrees[i] += shared > 0 ? 1 : 0;
                 degrees[j] += shared > 0 ? 1 : 0;
             }
         }
 
-        int[] order = [.. Enumerable.Range(0, screens.Length).Where(index => screens[index].Spans.PixelCount > 0)
-            .OrderByDescending(index => degrees[index]).ThenBy(index => screens[index].DistanceMetres).ThenBy(static index => index)];
+        // Those that overlap with most others are the hardest to place.
+        int[] order = [.. Enumerable.Range(0, _screens.Length).Where(index => _screens[index].Spans.PixelCount > 0)
+            .OrderByDescending(index => degrees[index]).ThenBy(index => _screens[index].DistanceMetres).ThenBy(static index => index)];
         foreach (int index in order)
         {
             Place(index, _shown);
@@ -70,23 +69,16 @@ public sealed class ScreenPlan : IPicturePlan
     /// <summary>Makes a plan.</summary>
     /// <param name="camera">The camera of the pictures.</param>
     /// <param name="targets">The objects that can be hidden.</param>
-    public static ScreenPlan For(Camera camera, IReadOnlyList<MapTarget> targets)
-        => new(Guard.NotNull(camera, nameof(camera)), Guard.NotNull(targets, nameof(targets)));
+    public static ScreenPlan For(Camera camera, IReadOnlyList<MapTarget> targets) =>
+        new(Guard.NotNull(camera, nameof(camera)), Guard.NotNull(targets, nameof(targets)));
 
     /// <inheritdoc/>
     public bool IsShown(int picture, int target) =>
         picture == 0 || (picture >= FirstScreened && _shown[picture - FirstScreened].Contains(target));
 
-    /// <summary>Whether a picture has a target's screen.</summary>
-    /// <param name="picture">Number of the picture, from 0.</param>
-    /// <param name="target">Index of the target, from 0.</param>
-    public bool HasScreen(int picture, int target) => picture >= FirstScreened
-        && (_shown[picture - FirstScreened].Contains(target) || _empty[picture - FirstScreened].Contains(target));
-
     /// <inheritdoc/>
-    public IReadOnlyList<ScreenSheet> Sheets(int picture) => picture < FirstScreened ? []
-        : [.. _shown[picture - FirstScreened].Concat(_empty[picture - FirstScreened])
-            .SelectMany(index => _screens[index].Sheets(_camera.Pose.Position))];
+    public IReadOnlyList<ScreenSheet> Sheets(int picture) =>
+        [.. ScreensOf(picture).SelectMany(index => _screens[index].Sheets(_camera.Pose.Position))];
 
     /// <inheritdoc/>
     public IMaskDecoder Decoder(IReadOnlyList<byte[]> pictures) => new ScreenDecoder(_camera, _targets, this, pictures);
@@ -97,10 +89,13 @@ public sealed class ScreenPlan : IPicturePlan
     /// <summary>The picture with a target's screen without it; 0 if there is none.</summary>
     internal int EmptyPicture(int target) => NumberOf(_empty, target);
 
+    /// <summary>The targets whose screens a picture has.</summary>
+    internal IEnumerable<int> ScreensOf(int picture) =>
+        picture < FirstScreened ? [] : _shown[picture - FirstScreened].Concat(_empty[picture - FirstScreened]);
+
     /// <summary>The nearer targets whose screens may hide that of a target in a picture.</summary>
-    internal IReadOnlyList<int> Nearer(int picture, int target) =>
-        [.. _shown[picture - FirstScreened].Concat(_empty[picture - FirstScreened])
-            .Where(other => other != target && _harm[other, target] > 0 && IsNearer(other, target))];
+    internal IEnumerable<int> Nearer(int picture, int target) =>
+        ScreensOf(picture).Where(other => other != target && _harm[other, target] > 0 && IsNearer(other, target));
 
     private static int NumberOf(List<List<int>> pictures, int target)
     {
@@ -108,10 +103,14 @@ public sealed class ScreenPlan : IPicturePlan
         return index < 0 ? 0 : index + FirstScreened;
     }
 
-    private bool IsNearer(int a, int b) =>
-        _screens[a].DistanceMetres < _screens[b].DistanceMetres || (_screens[a].DistanceMetres == _screens[b].DistanceMetres && a < b);
+    private bool IsNearer(int a, int b)
+    {
+        (double ofA, double ofB) = (_screens[a].DistanceMetres, _screens[b].DistanceMetres);
+        return ofA < ofB || (ofA.Equals(ofB) && a < b);
+    }
 
-    private void Place(int index, List<List<int>> slots)
+    /// <summary>Adds a target to the first picture without harm, to a new one, or to the one with the least harm.</summary>
+    private void Place(int index, List<List<int>> kind)
     {
         (int best, double least) = (-1, double.PositiveInfinity);
         for (int number = 0; number < _shown.Count && least > 0; number++)
@@ -131,11 +130,11 @@ public sealed class ScreenPlan : IPicturePlan
 
         if (best >= 0)
         {
-            slots[best].Add(index);
+            kind[best].Add(index);
         }
     }
 
-    /// <summary>How much of the objects would be lost if another were added to a picture.</summary>
+    /// <summary>How much of the objects of a picture would be lost if another were added.</summary>
     private double HarmIn(int number, int index) =>
         (ShownWeight * _shown[number].Sum(other => _harm[other, index])) + _empty[number].Sum(other => _harm[other, index]);
 }
