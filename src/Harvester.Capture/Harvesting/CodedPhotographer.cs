@@ -14,7 +14,8 @@ namespace Harvester.Capture.Harvesting;
 
 /// <summary>
 /// Takes the photographs for a coded mask while the game is frozen. How late visibility takes effect is measured once, by hiding all
-/// objects of a frame and waiting for the picture to change. If it does not change in several frames, coded masks are given up.
+/// objects of a frame and waiting for the picture to change. If it does not change in several frames, coded masks are given up. Whether
+/// the game draws screens is tried once, too; if it does not, objects are hidden by code words instead.
 /// </summary>
 /// <param name="game">The game.</param>
 /// <param name="pool">Buffers for the pictures.</param>

@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.PixelMaps.Coded;
 
