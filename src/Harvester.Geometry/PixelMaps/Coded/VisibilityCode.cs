@@ -6,9 +6,9 @@ namespace Harvester.Geometry.PixelMaps.Coded;
 
 /// <summary>
 /// Which objects are hidden in which picture of a coded mask. Every object has a code word of a few bits. The pictures are: one with all
-/// objects; for each bit one without the objects whose word has it and one without the others; one without any; and again one with all, from
-/// which the noise is estimated. Words are unique. Objects that may touch in the image get
-/// words that differ in about half of their bits, so that pictures show each of the two alone, both, and neither.
+/// objects; for each bit one without the objects whose word has it and one without the others; one without any; and again one with all,
+/// from which the noise is estimated. Words are unique. Objects that may touch in the image get words that differ in about half of their
+/// bits, so that pictures show each of the two alone, both, and neither.
 /// </summary>
 public sealed class VisibilityCode : IPicturePlan
 {

@@ -12,7 +12,7 @@ namespace Harvester.Geometry.PixelMaps.Screens;
 /// </summary>
 internal sealed class ScreenDecoder : IMaskDecoder
 {
-    /// <summary>A pixel that differs by more than this, squared grey levels, between the pictures with and without objects shows one.</summary>
+    /// <summary>A pixel shows an object if the pictures with and without objects differ by more than this, squared grey levels.</summary>
     private const double ChangedSquares = 30 * 30;
 
     /// <summary>Number of pixels in a step.</summary>

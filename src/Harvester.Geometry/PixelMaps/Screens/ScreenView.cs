@@ -10,7 +10,7 @@ namespace Harvester.Geometry.PixelMaps.Screens;
 /// </summary>
 internal sealed class ScreenView
 {
-    /// <summary>Where a line of sight comes down to the floor of the screen, or ends so little above it, metres, the ground is seen.</summary>
+    /// <summary>Where a line of sight ends at the floor of the screen, or so little above it, metres, the ground is seen.</summary>
     private const double GroundMetres = 0.15;
 
     private readonly Camera _camera;

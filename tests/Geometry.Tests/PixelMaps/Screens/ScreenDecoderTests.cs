@@ -8,7 +8,7 @@ namespace Harvester.Geometry.Tests.PixelMaps.Screens;
 
 public sealed class ScreenDecoderTests
 {
-    /// <summary>Where a ball touches the ground, the floor of its screen hides half a centimetre of it: less than a row of pixels.</summary>
+    /// <summary>The floor of a screen hides half a centimetre of a ball, less than a row of pixels; the rest is noise.</summary>
     private const double MinIou = 0.97;
 
     private static readonly Camera Camera = new(

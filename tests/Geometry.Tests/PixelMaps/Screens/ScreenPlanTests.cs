@@ -10,7 +10,9 @@ public sealed class ScreenPlanTests
 {
     private const int MaxPictures = 17;
 
-    /// <summary>The floor of a screen is above the lower end of the cuboid by half a centimetre, so it may cut off so much, metres.</summary>
+    /// <summary>
+    /// A screen is 5 cm from the cuboid, and its floor half a centimetre above it; along a flat line of sight that is so much, metres.
+    /// </summary>
     private const double FloorTolerance = 0.5;
 
     private static readonly Camera Camera = new(
