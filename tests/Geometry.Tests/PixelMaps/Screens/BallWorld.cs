@@ -1,5 +1,4 @@
 using Harvester.Geometry.Cameras;
-using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.PixelMaps.Coded;
 
 namespace Harvester.Geometry.Tests.PixelMaps.Screens;
