@@ -4,15 +4,18 @@ using System.Linq;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
+using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.PixelMaps.Coded;
+using Harvester.Geometry.PixelMaps.Screens;
 using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
 /// Takes the photographs for a coded mask while the game is frozen. How late visibility takes effect is measured once, by hiding all
-/// objects of a frame and waiting for the picture to change. If it does not change in several frames, coded masks are given up.
+/// objects of a frame and waiting for the picture to change. If it does not change in several frames, coded masks are given up. Whether
+/// the game draws screens is tried once, too; if it does not, objects are hidden by code words instead.
 /// </summary>
 /// <param name="game">The game.</param>
 /// <param name="pool">Buffers for the pictures.</param>
@@ -36,7 +39,10 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
 
     private readonly List<PixelBuffer> _buffers = [];
     private int? _delay;
+    private bool? _showsScreens;
+    private int _noise;
     private int _failures;
+    private int _screenFailures;
     private bool _isHiding;
 
     /// <summary>The pictures of the last frame; null if there are none.</summary>
@@ -49,9 +55,10 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
     public CaptureFault? Warning { get; private set; }
 
     /// <summary>Takes the pictures of a frame. <see cref="Release"/> must be called afterwards, whatever happens.</summary>
+    /// <param name="camera">The camera of the frame.</param>
     /// <param name="targets">The objects of the frame.</param>
     /// <param name="picture">The picture with all objects; null for a frame of another shard, for which only time passes.</param>
-    public IEnumerable<HarvestPhase> Take(IReadOnlyList<MapTarget> targets, PixelBuffer? picture)
+    public IEnumerable<HarvestPhase> Take(Camera camera, IReadOnlyList<MapTarget> targets, PixelBuffer? picture)
     {
         Refusal = null;
         if (Warning is not null || targets.Count == 0)
@@ -89,7 +96,17 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
 
         if (_delay is { } delay && Refusal is null)
         {
-            foreach (HarvestPhase phase in Photograph(visibility, hidden, picture, delay + SpareTicks))
+            var screens = ScreenPlan.For(camera, hidden);
+            if (_showsScreens is null && game.Sheets is { } sheets)
+            {
+                foreach (HarvestPhase phase in TryScreens(sheets, screens, hidden, picture ?? Grab(), delay + SpareTicks))
+                {
+                    yield return phase;
+                }
+            }
+
+            IPicturePlan plan = _showsScreens == true ? screens : VisibilityCode.For(camera, hidden);
+            foreach (HarvestPhase phase in Photograph(visibility, plan, hidden, picture, delay + SpareTicks))
             {
                 yield return phase;
             }
@@ -120,12 +137,12 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
         }
     }
 
-    /// <summary>Takes the pictures of a code, and waits for each.</summary>
-    private IEnumerable<HarvestPhase> Photograph(IVisibility visibility, MapTarget[] hidden, PixelBuffer? picture, int ticks)
+    /// <summary>Takes the pictures of a plan, and waits for each.</summary>
+    private IEnumerable<HarvestPhase> Photograph(
+        IVisibility visibility, IPicturePlan plan, MapTarget[] hidden, PixelBuffer? picture, int ticks)
     {
-        var code = VisibilityCode.For(hidden);
         var pictures = new List<byte[]>();
-        for (int number = 0; number < code.PictureCount; number++)
+        for (int number = 0; number < plan.PictureCount && Refusal is null; number++)
         {
             if (number == 0 && picture is not null)
             {
@@ -136,11 +153,8 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
             if (picture is not null)
             {
                 int shown = number;
-                visibility.HideOnly([.. hidden.Where((_, index) => !code.IsShown(shown, index)).Select(target => target.Entity)]);
-                if (number == code.PictureCount - 1)
-                {
-                    game.Sheets?.Show(GroundSheet.Under(hidden));
-                }
+                visibility.HideOnly([.. hidden.Where((_, index) => !plan.IsShown(shown, index)).Select(target => target.Entity)]);
+                game.Sheets?.Show(plan.Sheets(number));
             }
 
             for (int tick = 0; number > 0 && tick < ticks; tick++)
@@ -151,16 +165,33 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
             if (picture is not null)
             {
                 pictures.Add(Grab().Bytes);
-                if (Refusal is not null)
-                {
-                    yield break;
-                }
             }
         }
 
-        // Everything is shown again in the last picture. The sheets must be gone before rays are cast.
+        // Everything is back before rays are cast and the scene is read again.
+        visibility.HideOnly([]);
         game.Sheets?.Clear();
-        Pictures = picture is null ? null : new CodedPictures(hidden, code, pictures);
+        for (int tick = 0; tick < ticks; tick++)
+        {
+            yield return HarvestPhase.Photographing;
+        }
+
+        Pictures = picture is null || Refusal is not null ? null : new CodedPictures(hidden, plan, pictures);
+    }
+
+    /// <summary>Shows the screens of all objects and looks whether the picture changes.</summary>
+    private IEnumerable<HarvestPhase> TryScreens(
+        ISheets sheets, ScreenPlan plan, MapTarget[] targets, PixelBuffer before, int ticks)
+    {
+        sheets.Show([.. Enumerable.Range(0, plan.PictureCount).SelectMany(plan.Sheets)]);
+        for (int tick = 0; tick < ticks; tick++)
+        {
+            yield return HarvestPhase.Photographing;
+        }
+
+        bool isChanged = ChangesBetween(before, Grab(), targets) > (2 * _noise) + ChangedPixels;
+        sheets.Clear();
+        _showsScreens = isChanged ? true : ++_screenFailures == MaxFailures ? false : null;
     }
 
     private static CaptureFault Unhidden(string why) => new(FaultCode.NothingHidden, $"Masks come from rays: {why}.");
@@ -169,7 +200,7 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
     private IEnumerable<HarvestPhase> MeasureDelay(IVisibility visibility, MapTarget[] targets, PixelBuffer before)
     {
         yield return HarvestPhase.Photographing;
-        int noise = ChangesBetween(before, Grab(), targets);
+        _noise = ChangesBetween(before, Grab(), targets);
         visibility.HideOnly([.. targets.Select(target => target.Entity)]);
         int most = MaxDelayTicks + maxTicks;
         int ticks = 0;
@@ -179,7 +210,7 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
             yield return HarvestPhase.Photographing;
             ticks++;
             PixelBuffer now = Grab();
-            isChanged = ChangesBetween(before, now, targets) > (2 * noise) + ChangedPixels;
+            isChanged = ChangesBetween(before, now, targets) > (2 * _noise) + ChangedPixels;
             _buffers.Remove(now);
             pool.Return(now);
         }

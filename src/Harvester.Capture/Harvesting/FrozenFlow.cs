@@ -83,7 +83,8 @@ internal sealed class FrozenFlow(
 
             if (photographer is not null)
             {
-                foreach (HarvestPhase phase in photographer.Take(labeller.TargetsOf(snapshot), picture?.WaitForPixels()))
+                foreach (HarvestPhase phase in photographer.Take(
+                    labeller.CameraOf(snapshot), labeller.TargetsOf(snapshot), picture?.WaitForPixels()))
                 {
                     yield return phase;
                 }

@@ -32,7 +32,7 @@ internal sealed class CodedMapMaker(
     /// <param name="mayCastRays">Called before each ray.</param>
     public IEnumerable<bool> Make(Func<bool> mayCastRays)
     {
-        var decoder = new CodedMaskDecoder(camera, pictures.Targets, pictures.Code, pictures.Pictures);
+        IMaskDecoder decoder = pictures.Plan.Decoder(pictures.Pictures);
         while (decoder.Step())
         {
             yield return true;

@@ -6,6 +6,6 @@ namespace Harvester.Capture.Labelling;
 
 /// <summary>The photographs from which the mask of a frame is decoded.</summary>
 /// <param name="Targets">The objects that were hidden in turn. Their numbers are those of the frame's candidates, from 1.</param>
-/// <param name="Code">Which of them were hidden in which picture.</param>
+/// <param name="Plan">What the pictures show.</param>
 /// <param name="Pictures">The pictures, three bytes a pixel; they may be used only until the frame is labelled.</param>
-internal sealed record CodedPictures(IReadOnlyList<MapTarget> Targets, VisibilityCode Code, IReadOnlyList<byte[]> Pictures);
+internal sealed record CodedPictures(IReadOnlyList<MapTarget> Targets, IPicturePlan Plan, IReadOnlyList<byte[]> Pictures);

@@ -105,9 +105,12 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
         yield return draft;
     }
 
+    /// <summary>The camera of a snapshot.</summary>
+    public Camera CameraOf(SceneSnapshot snapshot) => options.CameraOf(snapshot.Camera);
+
     /// <summary>The objects of a snapshot that a mask may show, with the numbers that they have until it is finished.</summary>
     public IReadOnlyList<MapTarget> TargetsOf(SceneSnapshot snapshot) =>
-        MapLabeller.TargetsOf(_objects.CandidatesOf(options.CameraOf(snapshot.Camera), snapshot));
+        MapLabeller.TargetsOf(_objects.CandidatesOf(CameraOf(snapshot), snapshot));
 
     /// <summary>
     /// Passes over a snapshot that is not labelled. The state kept from frame to frame, the ids of objects and the road, is afterwards as

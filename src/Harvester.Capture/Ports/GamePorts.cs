@@ -38,7 +38,7 @@ public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IP
     /// <summary>Hides entities from pictures; null if the game cannot.</summary>
     public IVisibility? Visibility { get; init; }
 
-    /// <summary>Draws sheets on the ground; null if the game cannot.</summary>
+    /// <summary>Draws sheets in the world; null if the game cannot.</summary>
     public ISheets? Sheets { get; init; }
 
     /// <summary>The camera, if it can be moved on its vehicle; otherwise null.</summary>

@@ -4,14 +4,17 @@ using Harvester.Geometry.PixelMaps.Coded;
 
 namespace Harvester.Play.Features;
 
-/// <summary>Sheets on the ground for coded masks. The game draws a sheet for one frame only, so all are drawn in each tick.</summary>
+/// <summary>
+/// Sheets of the screens behind objects, for masks from photographs. The game draws a sheet for one frame only, so all are drawn in each
+/// tick. It draws a triangle from one side only, so each is drawn twice.
+/// </summary>
 /// <param name="display">Draws the sheets.</param>
 public sealed class DrawnSheets(IDisplay display) : ISheets, IFeature
 {
     private static readonly Colour Magenta =
-        new((byte)GroundSheet.Colour.X, (byte)GroundSheet.Colour.Y, (byte)GroundSheet.Colour.Z);
+        new((byte)ScreenSheet.Colour.X, (byte)ScreenSheet.Colour.Y, (byte)ScreenSheet.Colour.Z);
 
-    private IReadOnlyList<GroundSheet> _sheets = [];
+    private IReadOnlyList<ScreenSheet> _sheets = [];
 
     /// <inheritdoc/>
     public string Name => "The sheets";
@@ -20,7 +23,7 @@ public sealed class DrawnSheets(IDisplay display) : ISheets, IFeature
     public bool IsOn => _sheets.Count > 0;
 
     /// <inheritdoc/>
-    public void Show(IReadOnlyList<GroundSheet> sheets) => _sheets = sheets;
+    public void Show(IReadOnlyList<ScreenSheet> sheets) => _sheets = sheets;
 
     /// <inheritdoc/>
     public void Clear() => _sheets = [];
@@ -28,10 +31,12 @@ public sealed class DrawnSheets(IDisplay display) : ISheets, IFeature
     /// <inheritdoc/>
     public void Tick()
     {
-        foreach (GroundSheet sheet in _sheets)
+        foreach (ScreenSheet sheet in _sheets)
         {
             display.Triangle(sheet.A, sheet.B, sheet.C, Magenta);
+            display.Triangle(sheet.A, sheet.C, sheet.B, Magenta);
             display.Triangle(sheet.A, sheet.C, sheet.D, Magenta);
+            display.Triangle(sheet.A, sheet.D, sheet.C, Magenta);
         }
     }
 

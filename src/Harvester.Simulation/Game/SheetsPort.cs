@@ -4,10 +4,10 @@ using Harvester.Geometry.PixelMaps.Coded;
 
 namespace Harvester.Simulation.Game;
 
-/// <summary>Shows sheets on the ground of the simulated world.</summary>
+/// <summary>Shows sheets in the simulated world.</summary>
 internal sealed class SheetsPort(SimulatedGame game) : ISheets
 {
-    public void Show(IReadOnlyList<GroundSheet> sheets) => game.Sheets = sheets;
+    public void Show(IReadOnlyList<ScreenSheet> sheets) => game.Sheets = sheets;
 
     public void Clear()
     {

@@ -122,8 +122,8 @@ public sealed class SimulatedGame
         set => (field, _state) = (value, _state + 1);
     } = [];
 
-    /// <summary>Sheets that are shown on the ground.</summary>
-    internal IReadOnlyList<GroundSheet> Sheets
+    /// <summary>Sheets that are shown in addition to the world; they cast no shadows.</summary>
+    internal IReadOnlyList<ScreenSheet> Sheets
     {
         get;
         set => (field, _state) = (value, _state + 1);

@@ -40,6 +40,9 @@ public sealed class Mesh
     /// <summary>What its surface is.</summary>
     public SurfaceKind Kind { get; init; }
 
+    /// <summary>Whether it casts shadows and takes light of the sky.</summary>
+    public bool CastsShadows { get; init; } = true;
+
     internal Bounds Bounds { get; }
 
     /// <summary>Whether it consists of road markings.</summary>

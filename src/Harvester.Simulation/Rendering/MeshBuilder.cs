@@ -12,8 +12,11 @@ public sealed class MeshBuilder
     /// <summary>What the surface of the mesh is.</summary>
     public SurfaceKind Kind { get; init; }
 
+    /// <summary>Whether the mesh casts shadows and takes light of the sky.</summary>
+    public bool CastsShadows { get; init; } = true;
+
     /// <summary>Creates the mesh of all parts added.</summary>
-    public Mesh Build() => new(_triangles) { Kind = Kind };
+    public Mesh Build() => new(_triangles) { Kind = Kind, CastsShadows = CastsShadows };
 
     /// <summary>Adds a triangle.</summary>
     public MeshBuilder AddTriangle(Vector3D a, Vector3D b, Vector3D c, Rgb colour, Surface surface = Surface.Matte)

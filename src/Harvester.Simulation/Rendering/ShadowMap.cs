@@ -130,7 +130,7 @@ internal sealed class ShadowMap(int size)
         {
             foreach (ref readonly MeshInstance instance in set.Instances.Slice(first, count))
             {
-                if (left?.Contains(instance.Handle) == true)
+                if (left?.Contains(instance.Handle) == true || !instance.Mesh.CastsShadows)
                 {
                     continue;
                 }

@@ -10,7 +10,7 @@ namespace Harvester.Geometry.PixelMaps.Coded;
 /// objects behind others are found too; then each object is separated from its shadow and its outline is settled. Work is done in
 /// steps of a row or an object, so that it can be spread over ticks.
 /// </summary>
-public sealed class CodedMaskDecoder
+public sealed class CodedMaskDecoder : IMaskDecoder
 {
     /// <summary>Every so many rows and columns outside all silhouettes are searched for shadows.</summary>
     private const int ShadowStep = 4;
@@ -36,8 +36,6 @@ public sealed class CodedMaskDecoder
     private readonly ushort[][] _order;
     private readonly float[] _margins;
     private readonly NoiseMap _noise;
-    private readonly byte[] _first;
-    private readonly byte[] _last;
     private CodedMask? _result;
 
     /// <summary>Prepares to decode pictures.</summary>
@@ -64,19 +62,16 @@ public sealed class CodedMaskDecoder
         _fit = new PixelFit(_stack, shown, [.. targets.Select(target => SilhouettePainter.DistanceOf(camera, target))]);
         _planes = [.. targets.Select(target => new ObjectPlane(target, image))];
         _shadows = [.. targets.Select(target => ShadowOf(target.Projection.Box ?? default))];
-        _first = pictures[0];
-        _last = pictures[pictures.Count - 1];
         _noise = new NoiseMap(pictures, image);
         _order = new ushort[image.PixelCount][];
         _margins = new float[image.PixelCount];
         _work = Work().GetEnumerator();
     }
 
-    /// <summary>Does a small part of the work.</summary>
-    /// <returns>False if nothing is left to do.</returns>
+    /// <inheritdoc/>
     public bool Step() => _work.MoveNext();
 
-    /// <summary>Does what is left of the work and returns the result.</summary>
+    /// <inheritdoc/>
     public CodedMask Finish()
     {
         while (Step())
@@ -109,13 +104,11 @@ public sealed class CodedMaskDecoder
             yield return true;
         }
 
-        var sheets = new SheetMap(_camera, _planes, _order, _first, _last);
-        yield return true;
-        var separator = new ShadowSeparator(_camera, _noise, _light, sheets);
-        var edges = new EdgeSettler(_stack, _noise, sheets, _image.Width);
+        var separator = new ShadowSeparator(_camera, _noise, _light);
+        var edges = new EdgeSettler(_stack, _noise, _image.Width);
         foreach (ObjectPlane plane in _planes)
         {
-            separator.Separate(plane, IsFirst);
+            separator.Separate(plane);
             edges.Settle(plane);
             yield return true;
         }
@@ -258,8 +251,6 @@ public sealed class CodedMaskDecoder
             }
         }
     }
-
-    private bool IsFirst(ObjectPlane plane, int pixel) => _order[pixel] is { } order && _planes[order[0]] == plane;
 
     /// <summary>Whether an object of a pixel has no other in front of it there.</summary>
     private bool IsFront(ObjectPlane plane, int column, int row)

@@ -8,7 +8,7 @@ namespace Harvester.Geometry.PixelMaps.Coded;
 /// colour, as its neighbours inside show it, makes up half of it or more. Pixels that miss only because object and background look alike
 /// are filled in where most neighbours are the object's. Faint _fragments are dropped, and small holes are filled.
 /// </summary>
-internal sealed class EdgeSettler(PictureStack stack, NoiseMap noise, SheetMap sheets, int imageWidth)
+internal sealed class EdgeSettler(PictureStack stack, NoiseMap noise, int imageWidth)
 {
     private static readonly (int Across, int Down)[] Sides = [(-1, 0), (1, 0), (0, -1), (0, 1)];
 
@@ -29,12 +29,6 @@ internal sealed class EdgeSettler(PictureStack stack, NoiseMap noise, SheetMap s
     private const double FillDeviations = 4;
     private const int FillNeighbours = 5;
     private const int FillRounds = 12;
-
-    /// <summary>
-    /// Where a sheet would be seen if no object were there, a pixel that differs no more than this, in grey levels, is filled.
-    /// </summary>
-    private const double LikeLevels = 8;
-    private const int LikeNeighbours = 2;
 
     private readonly FragmentFilter _fragments = new(noise, imageWidth);
 
@@ -74,7 +68,7 @@ internal sealed class EdgeSettler(PictureStack stack, NoiseMap noise, SheetMap s
         {
             for (int x = 0; x < plane.Width; x++)
             {
-                if (plane.Has(x, y) && !plane.IsSettled[(y * plane.Width) + x] && !IsInside(plane, x, y) && IsMostlyOther(plane, x, y))
+                if (plane.Has(x, y) && !IsInside(plane, x, y) && IsMostlyOther(plane, x, y))
                 {
                     trimmed.Add((y * plane.Width) + x);
                 }
@@ -142,15 +136,13 @@ internal sealed class EdgeSettler(PictureStack stack, NoiseMap noise, SheetMap s
                 int index = (y * plane.Width) + x;
                 int neighbours = NeighboursOf(plane, x, y);
                 if (plane.State[index] == PixelState.Other && plane.Covers(x + plane.Left, y + plane.Top)
-                    && neighbours >= LikeNeighbours && MeanAround(plane, x, y, 1, plane.Has) is { } around)
+                    && neighbours >= FillNeighbours && MeanAround(plane, x, y, 1, plane.Has) is { } around)
                 {
                     int pixel = PixelOf(plane, x, y);
                     stack.Load(pixel);
                     Vector3D colour = stack.MeanIn(1);
                     double limit = FillDeviations * Math.Sqrt(3 * noise.At(pixel));
-                    double difference = (colour - around).Length;
-                    bool isSurrounded = neighbours >= FillNeighbours && difference < limit;
-                    if (isSurrounded || (difference < limit + LikeLevels && sheets.IsMissing(plane, pixel)))
+                    if ((colour - around).Length < limit)
                     {
                         filled.Add((index, colour));
                     }

@@ -42,7 +42,7 @@ internal sealed class FragmentFilter(NoiseMap noise, int imageWidth)
         int most = (int)Math.Max(MinHolePixels, HoleFraction * plane.State.Count(static state => state == PixelState.Object));
         foreach (List<int> hole in Regions(plane, Sides, static state => state != PixelState.Object))
         {
-            if (hole.Count <= most && !hole.Exists(index => plane.IsSettled[index] || IsAtBorder(plane, index)))
+            if (hole.Count <= most && !hole.Exists(index => IsAtBorder(plane, index)))
             {
                 hole.ForEach(index => plane.State[index] = PixelState.Object);
             }

@@ -26,7 +26,7 @@ internal sealed class NoiseMap
     private const float RankQuantile = 1.2f;
     private const int MaxStep = 2;
 
-    /// <summary>A difference between the first and the last picture above this many grey levels is not noise but a sheet.</summary>
+    /// <summary>A difference between the first and the last picture above this many grey levels is not noise: something moved.</summary>
     private const float MaxDifference = 40;
 
     private readonly float[] _variances;

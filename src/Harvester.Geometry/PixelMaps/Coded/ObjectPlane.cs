@@ -28,7 +28,6 @@ internal sealed class ObjectPlane
         Colours = new float[3 * count];
         Behind = new float[3 * count];
         Counts = new byte[2 * count];
-        IsSettled = new bool[count];
     }
 
     public MapTarget Target { get; }
@@ -53,18 +52,11 @@ internal sealed class ObjectPlane
     /// <summary>Number of pictures of both means.</summary>
     public byte[] Counts { get; }
 
-    /// <summary>Whether a sheet on the ground has decided what a pixel shows.</summary>
-    public bool[] IsSettled { get; }
-
     /// <summary>First and last column of the silhouette in a row of the image.</summary>
     public (int First, int Last) Row(int row) => _spans.Row(row);
 
     /// <summary>Whether the silhouette covers a pixel of the image.</summary>
     public bool Covers(int column, int row) => _spans.Contains(column, row);
-
-    /// <summary>Whether another plane is so near in the image that the ground under one may be seen in the other.</summary>
-    public bool IsNear(ObjectPlane other) => Left - Width <= other.Left + other.Width && other.Left <= Left + (2 * Width)
-        && Top - Height <= other.Top + other.Height && other.Top <= Top + (2 * Height);
 
     /// <summary>The index of a pixel of the image; -1 outside the plane.</summary>
     public int IndexOf(int column, int row) =>

@@ -9,7 +9,7 @@ namespace Harvester.Geometry.PixelMaps.Coded;
 /// that of the background times the light that shadows of this frame leave, and by the texture of the background, which is still there.
 /// Evidence is shared with the pixels around.
 /// </summary>
-internal sealed class ShadowSeparator(Camera camera, NoiseMap noise, ShadowLight light, SheetMap sheets)
+internal sealed class ShadowSeparator(Camera camera, NoiseMap noise, ShadowLight light)
 {
     /// <summary>Texture is compared over so many rows and columns on each side.</summary>
     private const int TextureReach = 2;
@@ -31,9 +31,7 @@ internal sealed class ShadowSeparator(Camera camera, NoiseMap noise, ShadowLight
     private const double Outside = 4;
 
     /// <summary>Marks the pixels of a plane that show the object's shadow.</summary>
-    /// <param name="plane">The plane.</param>
-    /// <param name="isFirst">Whether nothing is in front of the object in a pixel of the image.</param>
-    public void Separate(ObjectPlane plane, Func<ObjectPlane, int, bool> isFirst)
+    public void Separate(ObjectPlane plane)
     {
         var evidence = new double[plane.State.Length];
         for (int y = 0; y < plane.Height; y++)
@@ -43,7 +41,7 @@ internal sealed class ShadowSeparator(Camera camera, NoiseMap noise, ShadowLight
                 int index = (y * plane.Width) + x;
                 if (plane.State[index] == PixelState.Object)
                 {
-                    evidence[index] = SheetEvidence(plane, x, y, isFirst) ?? OpticalEvidence(plane, x, y);
+                    evidence[index] = OpticalEvidence(plane, x, y);
                 }
             }
         }
@@ -56,31 +54,11 @@ internal sealed class ShadowSeparator(Camera camera, NoiseMap noise, ShadowLight
 
         for (int index = 0; index < evidence.Length; index++)
         {
-            if (plane.State[index] == PixelState.Object && (plane.IsSettled[index] ? evidence : smooth)[index] > 0)
+            if (plane.State[index] == PixelState.Object && smooth[index] > 0)
             {
                 plane.State[index] = PixelState.Shadow;
             }
         }
-    }
-
-    private double? SheetEvidence(ObjectPlane plane, int x, int y, Func<ObjectPlane, int, bool> isFirst)
-    {
-        int column = x + plane.Left;
-        int row = y + plane.Top;
-        int pixel = (row * camera.Image.Width) + column;
-        if (!isFirst(plane, pixel))
-        {
-            return null;
-        }
-
-        bool isSeen = sheets.IsSeen(pixel);
-        if (!isSeen && !sheets.IsExpected(plane, column, row))
-        {
-            return null;
-        }
-
-        plane.IsSettled[(y * plane.Width) + x] = true;
-        return isSeen ? MaxEvidence : -MaxEvidence;
     }
 
     private double OpticalEvidence(ObjectPlane plane, int x, int y)

@@ -1,15 +1,16 @@
 using System;
 using System.Collections.Generic;
+using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.PixelMaps.Coded;
 
 /// <summary>
 /// Which objects are hidden in which picture of a coded mask. Every object has a code word of a few bits. The pictures are: one with all
-/// objects; for each bit one without the objects whose word has it and one without the others; one without any; and again one with all, in
-/// which sheets may lie on the ground and from which the noise is estimated. Words are unique. Objects that may touch in the image get
-/// words that differ in about half of their bits, so that pictures show each of the two alone, both, and neither.
+/// objects; for each bit one without the objects whose word has it and one without the others; one without any; and again one with all,
+/// from which the noise is estimated. Words are unique. Objects that may touch in the image get words that differ in about half of their
+/// bits, so that pictures show each of the two alone, both, and neither.
 /// </summary>
-public sealed class VisibilityCode
+public sealed class VisibilityCode : IPicturePlan
 {
     /// <summary>Words of so many bits separate neighbours well; they give 17 pictures.</summary>
     private const int AmpleBits = 7;
@@ -23,28 +24,34 @@ public sealed class VisibilityCode
     private const double NearFraction = 0.25;
     private const double NearPixels = 8;
 
+    private readonly Camera _camera;
+    private readonly IReadOnlyList<MapTarget> _targets;
     private readonly uint[] _words;
 
-    private VisibilityCode(uint[] words, int bits)
+    private VisibilityCode(Camera camera, IReadOnlyList<MapTarget> targets, int bits)
     {
-        _words = words;
+        _camera = camera;
+        _targets = targets;
+        _words = Words(targets, bits);
         Bits = bits;
     }
 
     /// <summary>Number of bits of a word; 1 to 14.</summary>
     public int Bits { get; }
 
-    /// <summary>Number of pictures.</summary>
+    /// <inheritdoc/>
     public int PictureCount => (2 * Bits) + 3;
 
     /// <summary>The picture without any object.</summary>
     public int NonePicture => (2 * Bits) + 1;
 
     /// <summary>Assigns words to targets.</summary>
+    /// <param name="camera">The camera of the pictures.</param>
     /// <param name="targets">The targets, at most 16,384.</param>
     /// <exception cref="ArgumentOutOfRangeException">There are more targets.</exception>
-    public static VisibilityCode For(IReadOnlyList<MapTarget> targets)
+    public static VisibilityCode For(Camera camera, IReadOnlyList<MapTarget> targets)
     {
+        Guard.NotNull(camera, nameof(camera));
         const int maxBits = 14;
         if (Guard.NotNull(targets, nameof(targets)).Count > 1 << maxBits)
         {
@@ -58,16 +65,14 @@ public sealed class VisibilityCode
         }
 
         int bits = Math.Max(least, Math.Min(AmpleBits, least + SpareBits));
-        return new VisibilityCode(Words(targets, bits), bits);
+        return new VisibilityCode(camera, targets, bits);
     }
 
     /// <summary>The code word of a target.</summary>
     /// <param name="target">Its index, from 0.</param>
     public uint WordOf(int target) => _words[target];
 
-    /// <summary>Whether a picture shows a target, if nothing else hides it.</summary>
-    /// <param name="picture">Number of the picture, from 0.</param>
-    /// <param name="target">Index of the target, from 0.</param>
+    /// <inheritdoc/>
     public bool IsShown(int picture, int target)
     {
         if (picture == 0 || picture == NonePicture + 1)
@@ -78,6 +83,12 @@ public sealed class VisibilityCode
         bool hasBit = ((_words[target] >> ((picture - 1) / 2)) & 1) == 1;
         return picture != NonePicture && hasBit == (picture % 2 == 0);
     }
+
+    /// <inheritdoc/>
+    public IReadOnlyList<ScreenSheet> Sheets(int picture) => [];
+
+    /// <inheritdoc/>
+    public IMaskDecoder Decoder(IReadOnlyList<byte[]> pictures) => new CodedMaskDecoder(_camera, _targets, this, pictures);
 
     /// <summary>The pictures that show a target, as bits: bit 0 is picture 0.</summary>
     internal uint PicturesOf(int target)

@@ -19,7 +19,7 @@ public sealed class VisibilityCodeTests
     [InlineData(128, 8, 19)]
     public void Number_of_pictures_grows_with_the_logarithm(int objects, int bits, int pictures)
     {
-        VisibilityCode code = VisibilityCode.For(Row(objects));
+        VisibilityCode code = VisibilityCode.For(Camera, Row(objects));
 
         Assert.Equal(bits, code.Bits);
         Assert.Equal(pictures, code.PictureCount);
@@ -29,7 +29,7 @@ public sealed class VisibilityCodeTests
     [Fact]
     public void Each_pair_of_pictures_of_a_bit_shows_every_object_once()
     {
-        VisibilityCode code = VisibilityCode.For(Row(20));
+        VisibilityCode code = VisibilityCode.For(Camera, Row(20));
         for (int target = 0; target < 20; target++)
         {
             Assert.True(code.IsShown(0, target));
@@ -46,7 +46,7 @@ public sealed class VisibilityCodeTests
     public void Pictures_show_each_of_two_neighbours_alone_and_neither()
     {
         MapTarget[] targets = Row(40);
-        VisibilityCode code = VisibilityCode.For(targets);
+        VisibilityCode code = VisibilityCode.For(Camera, targets);
         for (int i = 1; i < targets.Length; i++)
         {
             int first = i - 1;
