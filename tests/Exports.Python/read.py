@@ -17,6 +17,7 @@ import culane
 import imagefolder
 import mcap
 import motchallenge
+import nuscenes
 import openlabel
 
 VANS = ("minivan", "speedo", "boxville")
@@ -337,4 +338,5 @@ if __name__ == "__main__":
     for module in (bdd100k, culane, imagefolder, motchallenge, openlabel):
         module.read(os.path.join(root, module.__name__), session)
         print(f"{module.__name__}: {len(session)} frames as in the session")
+    print(nuscenes.read(os.path.join(root, "nuscenes")))
     imagefolder.read_webdataset_card(os.path.join(root, "webdataset"))

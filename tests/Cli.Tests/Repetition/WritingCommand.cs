@@ -57,6 +57,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("export-jta", "export {inputs}/people --format jta --out {root}/out"),
         new("export-webdataset", "export {inputs}/session --format webdataset --out {root}/out"),
         new("export-openlabel", "export {inputs}/session --format openlabel --out {root}/out"),
+        new("export-nuscenes", "export {inputs}/session --format nuscenes --out {root}/out"),
         new("export-motchallenge", "export {inputs}/session --format motchallenge --out {root}/out"),
         new("export-culane", "export {inputs}/session --format culane --out {root}/out"),
         new("export-bdd100k", "export {inputs}/session --format bdd100k --out {root}/out"),
