@@ -13,7 +13,7 @@ from .errors import MissingPictureError, PictureError
 Points = npt.NDArray[Any]
 
 POINT_TYPE = np.dtype([
-    ("position", "<f4", 3), ("intensity", "<f4"), ("column", "<u2"), ("beam", "<u2"), ("object_id", "<u2"), ("class", "u1"),
+    ("position", "<f4", (3,)), ("intensity", "<f4"), ("column", "<u2"), ("beam", "<u2"), ("object_id", "<u2"), ("class", "u1"),
     ("flags", "u1"),
 ])
 """A point: position to the right, ahead and above of the sensor in metres, and what docs/rigs.md says of the other fields."""

@@ -157,7 +157,7 @@ public sealed class ExportFrame
     {
         try
         {
-            return LidarFile.Read(InputFile.ReadAllBytes(PathOf(file), InputFile.MaxPictureBytes));
+            return LidarFile.Read(InputFile.ReadAllBytes(PathOf(file), LidarFile.MaxPoints * LidarFile.BytesPerPoint));
         }
         catch (Exception e) when (e is FormatException or FileNotFoundException or DirectoryNotFoundException)
         {

@@ -88,7 +88,8 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
 
         try
         {
-            int points = LidarFile.Read(InputFile.ReadAllBytes(session.PathOf(sweep.File), InputFile.MaxPictureBytes)).Length;
+            byte[] content = InputFile.ReadAllBytes(session.PathOf(sweep.File), LidarFile.MaxPoints * LidarFile.BytesPerPoint);
+            int points = LidarFile.Read(content).Length;
             return points != sweep.Points ? $"{what} has {points} points, but its label says {sweep.Points}."
                 : DigestCheck.Problem(session.PathOf(sweep.File), sweep.File, manifest) is { } damage ? $"{what} {damage}" : null;
         }

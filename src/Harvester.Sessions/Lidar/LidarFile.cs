@@ -11,6 +11,9 @@ public static class LidarFile
     /// <summary>Length of the record of a point, bytes.</summary>
     public const int BytesPerPoint = 24;
 
+    /// <summary>Maximum number of points of a sweep.</summary>
+    public const int MaxPoints = 2_000_000;
+
     private const byte Interpolated = 1;
 
     /// <summary>Writes points.</summary>

@@ -47,8 +47,12 @@ internal sealed class RigFields
         ? [.. list.Select((item, index) => Checked($"{name}[{Text(index)}]", item, minimum, maximum))]
         : throw Wrong(name, "a list of numbers");
 
-    public Vector3D Vector(string name, double limit) => Numbers(name, -limit, limit) is [var x, var y, var z]
-        ? new Vector3D(x, y, z) : throw Wrong(name, "three numbers: right, forward and up, in metres");
+    public Vector3D Vector(string name, double limit)
+    {
+        double[] numbers = Numbers(name, -limit, limit);
+        return numbers.Length == 3 ? new Vector3D(numbers[0], numbers[1], numbers[2])
+            : throw Wrong(name, "three numbers: right, forward and up, in metres");
+    }
 
     public RigFields? Fields(string name) => Has(name) ? Of(Required(name), PathOf(name)) : Skipped<RigFields?>(name, null);
 

@@ -4,6 +4,7 @@ using System.Linq;
 using System.Text.RegularExpressions;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Lidar;
 
 namespace Harvester.Sessions.Rigs;
 
@@ -24,6 +25,7 @@ public static class RigParser
     private const int MaxBeams = 256;
     private const double MaxElevationDegrees = 89.9;
     private const int MaxColumns = 20_000;
+    private const int MaxRays = LidarFile.MaxPoints;
     private const double MinRateHz = 0.1;
     private const double MaxRateHz = 100;
     private const double MaxRangeMetres = 1000;
@@ -100,6 +102,11 @@ public static class RigParser
         if (columns > MaxColumns)
         {
             throw lidar.Wrong("rateHz", FormattableString.Invariant($"higher: a turn has {columns} firings, the most are {MaxColumns}"));
+        }
+
+        if ((long)columns * beams.Count > MaxRays)
+        {
+            throw lidar.Wrong("columns", FormattableString.Invariant($"fewer: with {beams.Count} beams, at most {MaxRays / beams.Count}"));
         }
 
         double nearest = lidar.Number("minRangeMetres", 0, MaxRangeMetres, UsualMinRangeMetres);

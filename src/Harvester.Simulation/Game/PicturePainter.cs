@@ -54,7 +54,7 @@ internal sealed class PicturePainter(RenderScene world, Detail detail, PictureNo
         Buffer.BlockCopy(picture.Colour, 0, target.Bytes, 0, target.Bytes.Length);
     }
 
-    private RenderCamera CameraOf(Moment moment, ImageSize size)
+    private static RenderCamera CameraOf(Moment moment, ImageSize size)
     {
         CameraState camera = moment.Truth.Camera;
         return new RenderCamera(camera.Pose, camera.VerticalFovDegrees, camera.WindowAspect, camera.NearClip, size.Width, size.Height)

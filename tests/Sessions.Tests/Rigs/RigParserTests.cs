@@ -97,13 +97,17 @@ public sealed class RigParserTests
     [InlineData("\"beamsDegrees\":[1,1],\"columns\":4", "lidars[0].beamsDegrees must be angles that all differ.")]
     [InlineData("\"beamsDegrees\":[],\"columns\":4", "lidars[0].beamsDegrees must be 1 to 256 angles.")]
     [InlineData("\"beamsDegrees\":[1]", "lidars[0].columns is missing.")]
+    [InlineData("\"model\":\"HDL-64E\",\"rateHz\":0.5", "lidars[0].rateHz must be higher")]
+    [InlineData("\"model\":\"HDL-64E\",\"columns\":20000,\"beamsDegrees\":BEAMS", "lidars[0].columns must be fewer: with 101 beams")]
     [InlineData("\"model\":\"X\"", "lidars[0].model must be one of HDL-32E, HDL-64E, VLP-16")]
     [InlineData("\"model\":\"VLP-16\",\"rateHz\":0.1", "lidars[0].rateHz must be higher")]
     [InlineData("\"model\":\"VLP-16\",\"minRangeMetres\":120", "lidars[0].rangeMetres must be greater than minRangeMetres")]
     public void Impossible_beams_are_refused(string fields, string message)
     {
+        string beams = $"[{string.Join(',', Enumerable.Range(-50, 101))}]";
+        string lidar = fields.Replace("BEAMS", beams, StringComparison.Ordinal);
         FormatException refused = Assert.Throws<FormatException>(
-            () => RigParser.Parse(With(Camera, $$"""{"name":"top","position":[0,0,2],{{fields}}}""")));
+            () => RigParser.Parse(With(Camera, $$"""{"name":"top","position":[0,0,2],{{lidar}}}""")));
 
         Assert.StartsWith(message, refused.Message, StringComparison.Ordinal);
     }

@@ -21,7 +21,15 @@ public sealed class NuScenesCheckTests(SimulatedSession simulated) : CheckTests(
 
     [Fact]
     public void Token_that_occurs_twice_is_found() => AssertDamageIsFound(
-        Tables + "visibility.json", "\"token\":\"2\"", "\"token\":\"1\"", $"{Tables}visibility.json: the token 1 occurs twice.");
+        Tables + "visibility.json", "\"token\":\"2\"", "\"token\":\"1\"", $"{Tables}visibility.json: line 3: the token 1 occurs twice.");
+
+    [Theory]
+    [InlineData("},\n", "}\n", "line 3: a comma must follow the record before.")]
+    [InlineData("\n\\]", ",\n]", "line 6: a record must follow the comma.")]
+    [InlineData("^\\[", "{", "line 1: it does not begin a list of records.")]
+    [InlineData("\n\\]\n", "\n", "it is cut off.")]
+    public void Table_that_is_no_list_is_found(string pattern, string replacement, string expected) =>
+        AssertDamageIsFound(Tables + "visibility.json", pattern, replacement, $"{Tables}visibility.json: {expected}");
 
     [Fact]
     public void Lost_table_is_found() => AssertLossIsFound(Tables + "log.json", $"{Tables}log.json: it is missing.");

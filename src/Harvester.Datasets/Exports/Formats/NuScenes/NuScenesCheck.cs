@@ -32,7 +32,15 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
 
     private static readonly string[] Chains = ["sample", "sample_annotation", "sample_data"];
 
+    /// <summary>Records are held in memory, about a kilobyte each.</summary>
+    private const int MaxRecords = 500_000;
+
+    private const string Begin = "[";
+    private const string End = "]";
+    private const string Empty = "[]";
+
     private readonly Dictionary<string, Dictionary<string, JsonFields>> _tables = new(StringComparer.Ordinal);
+    private int _records;
 
     public static IEnumerable<SessionProblem> Problems(DatasetContent dataset) => new NuScenesCheck(dataset).All();
 
@@ -67,6 +75,7 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
         return problems;
     }
 
+    /// <summary>Reads a table line by line, as it is written: the records between a line for each bracket.</summary>
     private string? ReadProblem(string table)
     {
         if (!dataset.Has(FileOf(table)))
@@ -74,26 +83,34 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
             return "it is missing.";
         }
 
-        try
+        var records = new Dictionary<string, JsonFields>(StringComparer.Ordinal);
+        string last = "";
+        foreach ((int number, string text) in dataset.Lines(FileOf(table)))
         {
-            using JsonDocument document = JsonInput.Read(dataset.PathOf(FileOf(table)));
-            var records = new Dictionary<string, JsonFields>(StringComparer.Ordinal);
-            foreach (JsonElement record in document.RootElement.Clone().EnumerateArray())
+            string? problem = last == End || last == Empty ? "a line follows the last."
+                : number == 1 ? text is Begin or Empty ? null : "it does not begin a list of records."
+                : text == End ? last.EndsWith(',') ? "a record must follow the comma." : null
+                : number > 2 && !last.EndsWith(',') ? "a comma must follow the record before."
+                : Checked(() => RecordProblem(text, records));
+            if (problem is not null)
             {
-                var fields = new JsonFields(record);
-                if (!records.TryAdd(fields.Text("token"), fields))
-                {
-                    return $"the token {fields.Text("token")} occurs twice.";
-                }
+                return $"line {number}: {problem}";
             }
 
-            _tables.Add(table, records);
-            return null;
+            last = text;
         }
-        catch (Exception e) when (e is JsonException or DatasetFormatException or InvalidOperationException)
-        {
-            return $"it is no list of records: {e.Message}";
-        }
+
+        _tables.Add(table, records);
+        return last is End or Empty ? null : "it is cut off.";
+    }
+
+    private string? RecordProblem(string text, Dictionary<string, JsonFields> records)
+    {
+        using JsonDocument document = JsonInput.Parse(text.EndsWith(',') ? text[..^1] : text);
+        var record = new JsonFields(document.RootElement.Clone());
+        return !records.TryAdd(record.Text("token"), record) ? $"the token {record.Text("token")} occurs twice."
+            : ++_records > MaxRecords ? $"the dataset has more than {MaxRecords} records, the limit of this check."
+            : null;
     }
 
     /// <summary>Adds the first problem of each table: what is wrong with one record is usually wrong with many.</summary>
