@@ -17,6 +17,7 @@ import culane
 import imagefolder
 import mcap
 import motchallenge
+import nuscenes
 import openlabel
 import panoptic
 
@@ -339,4 +340,5 @@ if __name__ == "__main__":
         module.read(os.path.join(root, module.__name__), session)
         print(f"{module.__name__}: {len(session)} frames as in the session")
     panoptic.read(os.path.join(root, "classes"), os.path.join(root, "panoptic-stuff"))
+    print(nuscenes.read(os.path.join(root, "nuscenes")))
     imagefolder.read_webdataset_card(os.path.join(root, "webdataset"))

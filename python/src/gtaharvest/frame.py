@@ -12,6 +12,7 @@ from .errors import LabelError, MissingPictureError, PictureError
 from .lanes import Lanes
 from .pictures import read_class_map, read_image, read_mask
 from .png import Picture
+from .points import Points, read_points
 from .records import Ego, IgnoreRegion, ObjectLabel
 from .selection import Selection
 
@@ -73,13 +74,13 @@ class View:
     @property
     def image_path(self) -> Path:
         """The file of the image."""
-        return self._inner(_checked(self._source, lambda: str(self.raw["image"])))
+        return self.inner(_checked(self._source, lambda: str(self.raw["image"])))
 
     @property
     def mask_path(self) -> Optional[Path]:
         """The file of the instance mask; None if the frame has none."""
         mask = self.raw.get("mask")
-        return None if mask is None else self._inner(str(mask))
+        return None if mask is None else self.inner(str(mask))
 
     def image(self) -> Picture:
         """The image as (height, width, 3), uint8, red first.
@@ -104,7 +105,7 @@ class View:
         """The file of the class map; None if the frame has none."""
         if self.raw.get("classMap") is None:
             return None
-        return self._inner(_checked(self._source, lambda: str(self.raw["classMap"]["file"])))
+        return self.inner(_checked(self._source, lambda: str(self.raw["classMap"]["file"])))
 
     def class_map(self) -> Picture:
         """The class map as (height, width), uint8: the place in SEMANTIC_CLASS_NAMES of the class visible at each pixel.
@@ -123,7 +124,7 @@ class View:
             raise PictureError(f"{path}: the picture has {shape} pixels; its label says {size[1]}x{size[0]}.")
         return picture
 
-    def _inner(self, name: str) -> Path:
+    def inner(self, name: str) -> Path:
         """The path of a file of the session. A label of somebody else must not open files elsewhere."""
         path = (self._folder / name).resolve()
         if self._folder not in path.parents:
@@ -132,7 +133,7 @@ class View:
 
 
 class Frame:
-    """One moment of a session. raw: the label line as parsed JSON."""
+    """One label line of a session: a moment, or one view of it with a rig. raw: the label line as parsed JSON."""
 
     def __init__(self, raw: Mapping[str, Any], folder: Path, source: str) -> None:
         self.raw = raw
@@ -169,10 +170,33 @@ class Frame:
         """The lanes around the car; None if no roads are known."""
         return _checked(self._source, lambda: Lanes.from_json(self.raw["lanes"]) if "lanes" in self.raw else None)
 
+    @property
+    def moment(self) -> Optional[int]:
+        """Number of the moment of a rig, which has a frame for each camera; None in a session with a single camera."""
+        return _checked(self._source, lambda: int(self.raw["moment"]) if "moment" in self.raw else None)
+
+    @property
+    def view_name(self) -> str:
+        """Name of the view: that of a camera of the rig, or ONLY_VIEW."""
+        return str(self.raw.get("view", ONLY_VIEW))
+
     @functools.cached_property
     def views(self) -> Dict[str, View]:
-        """The views by name. A session with a single camera has one, named ONLY_VIEW."""
-        return {ONLY_VIEW: View(ONLY_VIEW, self.number, self.raw, self._folder, self._source)}
+        """The view by name. Each view of a rig is a frame of its own; Session.moments has those of a moment together."""
+        return {self.view_name: View(self.view_name, self.number, self.raw, self._folder, self._source)}
+
+    @functools.cached_property
+    def lidars(self) -> Dict[str, Path]:
+        """The files of the LiDARs by name; empty in all but the first view of a moment."""
+        return _checked(
+            self._source, lambda: {str(each["sensor"]): self.view.inner(str(each["file"])) for each in self.raw.get("lidar", ())})
+
+    def points(self, sensor: str) -> Points:
+        """The points of a LiDAR as a structured array with the fields of POINT_TYPE.
+
+        Raises KeyError if the frame has no such LiDAR, and PictureError if the file cannot be read.
+        """
+        return read_points(self.lidars[sensor])
 
     @property
     def view(self) -> View:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import itertools
 import json
 import os
 import re
@@ -81,8 +82,13 @@ class Session:
 
     @property
     def view_names(self) -> Tuple[str, ...]:
-        """The views that each frame has; one in a session with a single camera."""
-        return (ONLY_VIEW,)
+        """The cameras of the rig, in the order of their frames; ONLY_VIEW in a session with a single camera."""
+        return tuple(str(camera["name"]) for camera in self.info["rig"]["cameras"]) if "rig" in self.info else (ONLY_VIEW,)
+
+    def moments(self) -> Iterator[Dict[str, Frame]]:
+        """The frames of each moment by the names of their views. A repaired session may lack some."""
+        for _, frames in itertools.groupby(self, lambda frame: frame.number if frame.moment is None else frame.moment):
+            yield {frame.view_name: frame for frame in frames}
 
     @functools.cached_property
     def _index(self) -> LineIndex:

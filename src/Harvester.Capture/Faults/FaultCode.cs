@@ -35,4 +35,7 @@ public enum FaultCode
 
     /// <summary>The session has used all object numbers.</summary>
     NumbersUsedUp,
+
+    /// <summary>The camera does not come to the place of a view of the rig while the game is frozen.</summary>
+    ViewNotShown,
 }

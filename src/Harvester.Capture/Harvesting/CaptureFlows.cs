@@ -2,6 +2,7 @@ using Harvester.Capture.Faults;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Rigs;
 
 namespace Harvester.Capture.Harvesting;
 
@@ -16,7 +17,20 @@ internal sealed class CaptureFlows(
     /// <exception cref="HarvestFaultException">The harvest is live, and the lag is unknown.</exception>
     public ICaptureFlow For(IFrameSink sink, PictureLag? lag)
     {
-        FrameLabeller labeller = LabellerFrom(sink.FirstObjectId);
+        var registry = new ObjectRegistry(sink.FirstObjectId);
+        var rays = new FrameRays(game.Rays, options.RayBudget);
+        LaneLabeller? lanes = game.Roads is { } roads ? new LaneLabeller(roads, game.Paint, rays, registry) : null;
+        if (options.Rig is { } rig)
+        {
+            return new RigFlow(
+                options, game, reader, rig, camera => LabellerOf(OptionsOf(camera), registry, rays, lanes), registry, budget, counters,
+                calls)
+            {
+                TakesNext = () => Takes(sink.FirstFrame + counters.Taken),
+            };
+        }
+
+        FrameLabeller labeller = LabellerOf(options, registry, rays, lanes);
         return options.Freeze
             ? new FrozenFlow(options, game, reader, labeller, pool, budget, counters, calls, Photographer)
             {
@@ -32,7 +46,8 @@ internal sealed class CaptureFlows(
     /// <summary>Compares masks of both methods; null if they are not compared.</summary>
     public MaskComparison? Comparison { get; } = options is { Masks: true, MaskMethod: MaskMethod.Both } ? new MaskComparison() : null;
 
-    private bool Takes(int frame) => frame > options.RecordedThrough && options.Shard.Takes(frame);
+    private bool Takes(int frame) =>
+        frame > options.RecordedThrough && options.Shard.Takes(frame / options.ViewsPerMoment);
 
     private static HarvestFaultException LagUnknown() =>
         new(new CaptureFault(
@@ -40,17 +55,15 @@ internal sealed class CaptureFlows(
             "The picture lag could not be measured, because nothing moved in view while the live harvest started. "
             + "Drive on and start again, or freeze the game for each frame."));
 
-    private FrameLabeller LabellerFrom(int firstObjectId)
-    {
-        var registry = new ObjectRegistry(firstObjectId);
-        var rays = new FrameRays(game.Rays, options.RayBudget);
-        return new FrameLabeller(options, rays, registry)
+    private HarvestOptions OptionsOf(RigCamera camera) => options with { Image = camera.Image, Lens = camera.Lens };
+
+    private FrameLabeller LabellerOf(HarvestOptions of, ObjectRegistry registry, FrameRays rays, LaneLabeller? lanes) =>
+        new(of, rays, registry)
         {
             Comparison = Comparison,
-            Lanes = game.Roads is { } roads ? new LaneLabeller(roads, game.Paint, rays, registry) : null,
-            Semantics = options.Semantics is null ? null : new SemanticLabeller(options, rays, game.Paint, game.Surfaces),
-            Faces = options.Faces is { } faces ? new FaceLabeller(faces, options, rays, game.Lights, registry) : null,
+            Lanes = lanes,
+            Semantics = of.Semantics is null ? null : new SemanticLabeller(of, rays, game.Paint, game.Surfaces),
+            Faces = of.Faces is { } faces ? new FaceLabeller(faces, of, rays, game.Lights, registry) : null,
             DrawnOcclusion = game.DrawnOcclusion,
         };
-    }
 }

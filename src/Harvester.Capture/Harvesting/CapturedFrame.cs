@@ -1,7 +1,9 @@
 using System;
+using System.Collections.Generic;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Lidar;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
@@ -38,6 +40,9 @@ public sealed class CapturedFrame : IDisposable
 
     /// <summary>Its class map; null without one.</summary>
     public InstanceMap? Classes { get; init; }
+
+    /// <summary>The points of the LiDARs, in the order of the label; empty except for the first view of a moment.</summary>
+    public IReadOnlyList<LidarSweep> Sweeps { get; init; } = [];
 
     /// <summary>The scene from which its labels were made; null if scenes are not recorded.</summary>
     public RecordedScene? Scene { get; init; }

@@ -13,13 +13,13 @@ namespace Harvester.Capture.Harvesting;
 /// has room for.
 /// </summary>
 internal sealed class FrameHarvester(
-    HarvestOptions options, IFrameSink sink, ICaptureFlow flow, PixelBufferPool pool, HarvestCounters counters)
+    HarvestOptions options, IFrameSink sink, ICaptureFlow flow, HarvestCounters counters)
     : IDisposable
 {
-    private readonly PictureQueue _drawing = new();
+    private readonly PictureQueue _drawing = new(Math.Max(PictureQueue.UsualCapacity, options.ViewsPerMoment));
     private CapturedFrame? _ready;
 
-    /// <summary>Harvests or discards one frame. Disposing the sequence resumes the game.</summary>
+    /// <summary>Harvests or discards one frame, or all views of one moment. Disposing the sequence resumes the game.</summary>
     public IEnumerable<HarvestPhase> HarvestOne()
     {
         foreach (HarvestPhase phase in flow.TakeFrame())
@@ -27,18 +27,19 @@ internal sealed class FrameHarvester(
             yield return phase;
         }
 
-        if (flow.Taken is { } frame)
+        foreach (TakenFrame frame in flow.Taken)
         {
             _drawing.Add(sink.FirstFrame + counters.Taken, frame);
             counters.Taken++;
         }
-        else if (flow.IsPassed)
+
+        if (flow.IsPassed)
         {
-            counters.Taken++;
-            counters.Captured++;
+            counters.Taken += options.ViewsPerMoment;
+            counters.Captured += options.ViewsPerMoment;
         }
 
-        if (_drawing.IsOldestDue)
+        while (_drawing.IsOldestDue)
         {
             foreach (HarvestPhase phase in HandOver())
             {
@@ -112,11 +113,15 @@ internal sealed class FrameHarvester(
                 ClassColours.Complete(classes, draft.Mask, picture);
             }
 
-            return new CapturedFrame(draft.Label(number, options.Format, options.Places), picture, draft.Mask, pool)
+            return new CapturedFrame(draft.Label(number, options.Format, options.Places), picture, draft.Mask, grabbed.Pool)
             {
                 Classes = draft.Classes,
+                Sweeps = draft.Sweeps,
                 Scene = options.Scenes
-                    ? new RecordedScene(draft.Snapshot, options.Lens, draft.Ids, draft.Occlusions) { Distant = draft.Distant }
+                    ? new RecordedScene(draft.Snapshot, draft.Camera.Intrinsics.Lens, draft.Ids, draft.Occlusions)
+                    {
+                        Distant = draft.Distant,
+                    }
                     : null,
             };
         }
@@ -125,7 +130,7 @@ internal sealed class FrameHarvester(
             // The session ends with the frame before; no later frame may follow.
             if (picture is not null)
             {
-                pool.Return(picture);
+                grabbed.Pool.Return(picture);
             }
 
             grabbed.Dispose();

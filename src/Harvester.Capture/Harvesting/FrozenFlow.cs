@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Imaging;
-using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
 
@@ -28,10 +27,9 @@ internal sealed class FrozenFlow(
     CodedPhotographer? photographer)
     : ICaptureFlow
 {
-    private readonly SceneComparison _comparison = new(options.StillToleranceMetres);
-    private SceneSnapshot? _latest;
+    private readonly FrozenScene _scene = new(options, reader, budget, counters, calls);
 
-    public TakenFrame? Taken { get; private set; }
+    public IReadOnlyList<TakenFrame> Taken { get; private set; } = [];
 
     public bool IsPassed { get; private set; }
 
@@ -43,37 +41,23 @@ internal sealed class FrozenFlow(
 
     public IEnumerable<HarvestPhase> TakeFrame()
     {
-        Taken = null;
+        Taken = [];
         IsPassed = false;
         bool isOurs = TakesNext();
         GrabbedPicture? picture = null;
         game.Pause.Freeze();
         try
         {
-            var gate = new StillnessGate(_comparison);
-            for (int readings = 0; readings == 0 || gate.StillTicks < options.MaxPictureLagTicks; readings++)
+            foreach (HarvestPhase phase in _scene.Settle())
             {
-                if (readings > options.MaxSettleTicks + options.MaxPictureLagTicks)
-                {
-                    counters.Discard("neverStill");
-                    yield break;
-                }
-
-                if (readings > 0)
-                {
-                    yield return HarvestPhase.Settling;
-                }
-
-                foreach (HarvestPhase phase in Read(HarvestPhase.Settling))
-                {
-                    yield return phase;
-                }
-
-                gate.Observe(_latest!);
+                yield return phase;
             }
 
-            SceneSnapshot snapshot = _latest!;
-            counters.Settled((int)gate.MovingTicks);
+            if (_scene.Settled is not { } snapshot)
+            {
+                yield break;
+            }
+
             picture = isOurs ? GrabbedPicture.Of(game.Screen, pool) : null;
             if (picture?.Refusal is { } refusal)
             {
@@ -113,12 +97,12 @@ internal sealed class FrozenFlow(
                 }
             }
 
-            foreach (HarvestPhase phase in Read(HarvestPhase.Labelling))
+            foreach (HarvestPhase phase in _scene.Read(HarvestPhase.Labelling))
             {
                 yield return phase;
             }
 
-            if (_comparison.FirstDifference(snapshot, _latest!) is { } difference)
+            if (_scene.Comparison.FirstDifference(snapshot, _scene.Latest!) is { } difference)
             {
                 counters.Discard(difference);
                 yield break;
@@ -127,7 +111,7 @@ internal sealed class FrozenFlow(
             IsPassed = !isOurs;
             if (isOurs)
             {
-                Taken = new TakenFrame(draft!, picture!);
+                Taken = [new TakenFrame(draft!, picture!)];
                 picture = null;
             }
         }
@@ -138,23 +122,5 @@ internal sealed class FrozenFlow(
             game.Pause.Unfreeze();
             calls.Charge(HarvestPhase.Labelling);
         }
-    }
-
-    /// <summary>Reads the scene into <see cref="_latest"/>, and gives the tick back wherever its budget is spent.</summary>
-    private IEnumerable<HarvestPhase> Read(HarvestPhase phase)
-    {
-        foreach (SceneSnapshot? snapshot in reader.ReadInSteps())
-        {
-            if (snapshot is not null)
-            {
-                _latest = snapshot;
-            }
-            else if (budget.IsSpent)
-            {
-                yield return phase;
-            }
-        }
-
-        calls.Charge(phase);
     }
 }

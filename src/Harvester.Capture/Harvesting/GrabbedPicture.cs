@@ -37,6 +37,9 @@ internal sealed class GrabbedPicture : IDisposable
         }
     }
 
+    /// <summary>The pool of its buffer.</summary>
+    public PixelBufferPool Pool => _pool;
+
     /// <summary>Why the picture must not be used, as in <see cref="GrabResult.Refusal"/>; null if it can be.</summary>
     public string? Refusal { get; }
 

@@ -1,9 +1,11 @@
 using System;
+using System.Linq;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Jpeg;
+using Harvester.Sessions.Rigs;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.Harvesting;
@@ -14,6 +16,15 @@ namespace Harvester.Capture.Harvesting;
 /// <exception cref="ArgumentOutOfRangeException">A value is out of its range.</exception>
 public sealed record HarvestOptions : LabellingOptions
 {
+    /// <summary>
+    /// The sensors that see each moment; null for the single camera of the game. With a rig, numbers of frames count views, and <see
+    /// cref="LabellingOptions.Image"/> and <see cref="LabellingOptions.Lens"/> are those of its first camera.
+    /// </summary>
+    public Rig? Rig { get; init; }
+
+    /// <summary>Number of frames of one moment: one per camera.</summary>
+    public int ViewsPerMoment => Rig?.Cameras.Count ?? 1;
+
     /// <summary>File format of the saved images.</summary>
     public ImageFormat Format { get; init; } = ImageFormat.Png;
 
@@ -124,4 +135,7 @@ public sealed record HarvestOptions : LabellingOptions
 
     /// <summary>Maximum number of frames waiting to be written, 1 to 1,000.</summary>
     public int QueueCapacity { get; init => field = OptionCheck.InRange(value, 1, 1_000, nameof(QueueCapacity)); } = 16;
+
+    /// <summary>Distance of the rig's farthest camera from the origin of the vehicle's model, metres; 0 without a rig.</summary>
+    internal double RigReachMetres => Rig?.Cameras.Max(camera => Rig.OnVehicle(camera.Mount).Position.Length) ?? 0;
 }

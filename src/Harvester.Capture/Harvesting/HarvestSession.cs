@@ -58,6 +58,12 @@ public sealed class HarvestSession : IDisposable
             throw new ArgumentException("Skipping frames needs a game that is frozen for each frame.", nameof(options));
         }
 
+        if (options.Rig is not null && (!options.Freeze || options.MaskMethod != MaskMethod.Rays || game.RigCamera is null))
+        {
+            throw new ArgumentException(
+                "A rig needs a game that is frozen for each moment and lets its camera move, and masks from rays.", nameof(options));
+        }
+
         _budget = new TickBudget(game.Clock, options.TickBudgetMilliseconds);
         Calls = new PhaseCalls(game.Calls);
         _run = Run().GetEnumerator();
@@ -186,7 +192,7 @@ public sealed class HarvestSession : IDisposable
         _unchecked = [.. new[] { freeze.Warning, check.Warning, isLagOpen ? LagUnchecked : null }.OfType<CaptureFault>()];
         CaptureFlows flows = _flows = new CaptureFlows(_options, _game, reader, pool, _budget, Counters, Calls);
         ICaptureFlow flow = flows.For(_sink, Lag);
-        using var frames = new FrameHarvester(_options, _sink, flow, pool, Counters);
+        using var frames = new FrameHarvester(_options, _sink, flow, Counters);
         var schedule = new FrameSchedule(_options.RateHz);
         while (true)
         {

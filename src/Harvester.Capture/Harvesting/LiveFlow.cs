@@ -21,7 +21,7 @@ internal sealed class LiveFlow(
     private readonly int _entityTick = Math.Max(0, lag.CameraTicks - lag.EntityTicks);
     private readonly int _cameraTick = Math.Max(0, lag.EntityTicks - lag.CameraTicks);
 
-    public TakenFrame? Taken { get; private set; }
+    public IReadOnlyList<TakenFrame> Taken { get; private set; } = [];
 
     public bool IsPassed => false;
 
@@ -31,7 +31,7 @@ internal sealed class LiveFlow(
 
     public IEnumerable<HarvestPhase> TakeFrame()
     {
-        Taken = null;
+        Taken = [];
         GrabbedPicture? picture = null;
         try
         {
@@ -75,7 +75,7 @@ internal sealed class LiveFlow(
 
             draft!.LagFrames = lag.EntityTicks;
             draft.LagSeconds = grabSeconds - draft.Snapshot.TimeSeconds;
-            Taken = new TakenFrame(draft, picture!);
+            Taken = [new TakenFrame(draft, picture!)];
             picture = null;
         }
         finally

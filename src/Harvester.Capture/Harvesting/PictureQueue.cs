@@ -7,13 +7,14 @@ namespace Harvester.Capture.Harvesting;
 /// Labelled frames whose pictures another thread is still drawing, in their order. It holds few, so that memory stays bounded: the harvest
 /// waits for the oldest picture before the queue grows further.
 /// </summary>
-internal sealed class PictureQueue : IDisposable
+/// <param name="capacity">Maximum number of frames that wait while the next ones are taken.</param>
+internal sealed class PictureQueue(int capacity) : IDisposable
 {
     /// <summary>
-    /// Maximum number of frames that wait while the next one is taken: one whose picture is being drawn, and one behind it, so that the
+    /// The usual capacity: one whose picture is being drawn, and one behind it, so that the
     /// drawing thread always has work.
     /// </summary>
-    public const int Capacity = 2;
+    public const int UsualCapacity = 2;
 
     private readonly Queue<(int Number, TakenFrame Frame)> _frames = new();
 
@@ -23,7 +24,7 @@ internal sealed class PictureQueue : IDisposable
     /// <summary>
     /// Whether the oldest frame is due: the queue is over its capacity, or the oldest picture was not deferred.
     /// </summary>
-    public bool IsOldestDue => _frames.Count > Capacity || (_frames.Count > 0 && !_frames.Peek().Frame.Picture.IsDeferred);
+    public bool IsOldestDue => _frames.Count > capacity || (_frames.Count > 0 && !_frames.Peek().Frame.Picture.IsDeferred);
 
     /// <summary>Adds a frame.</summary>
     /// <param name="number">Its number in the session.</param>

@@ -86,6 +86,9 @@ internal sealed class SceneComparison(double positionTolerance)
         return true;
     }
 
+    /// <summary>Whether two poses are the same within the tolerances.</summary>
+    public bool IsSame(Pose a, Pose b) => Same(a, b);
+
     private bool Same(Pose a, Pose b) =>
         (a.Position - b.Position).Length <= positionTolerance
         && (a.Axes.Right - b.Axes.Right).Length <= AxisTolerance

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Ports;
+using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
@@ -8,11 +9,13 @@ namespace Harvester.Capture.Harvesting;
 /// <summary>Reads one moment of a game's world into plain data.</summary>
 internal sealed class SceneReader(IWorld world, HarvestOptions options)
 {
+    private readonly double _range = options.ReadRangeMetres + options.RigReachMetres;
+
     /// <summary>Reads the scene at once, in the tick in hand.</summary>
     public SceneSnapshot Read()
     {
         CameraState camera = world.ReadCamera();
-        return SnapshotOf(camera, [.. world.ReadEntities(camera.Pose.Position, options.ReadRangeMetres)]);
+        return SnapshotOf(camera, [.. world.ReadEntities(CentreFor(camera), _range)]);
     }
 
     /// <summary>Reads the scene of a frozen game in steps; where the world cannot be read in steps, at once.</summary>
@@ -27,7 +30,7 @@ internal sealed class SceneReader(IWorld world, HarvestOptions options)
 
         CameraState camera = world.ReadCamera();
         var entities = new List<EntityState>();
-        foreach (EntityState? entity in stepwise.ReadEntitiesInSteps(camera.Pose.Position, options.ReadRangeMetres))
+        foreach (EntityState? entity in stepwise.ReadEntitiesInSteps(CentreFor(camera), _range))
         {
             if (entity is not null)
             {
@@ -40,10 +43,16 @@ internal sealed class SceneReader(IWorld world, HarvestOptions options)
         yield return SnapshotOf(camera, entities);
     }
 
+    /// <summary>The place around which entities are read: the camera, or the vehicle, which stands while a rig's camera moves.</summary>
+    private Vector3D CentreFor(CameraState camera) =>
+        options.Rig is null ? camera.Pose.Position : world.ReadEgo().Pose.Position;
+
     private SceneSnapshot SnapshotOf(CameraState camera, List<EntityState> entities)
     {
         entities.Sort(static (a, b) => a.Handle.CompareTo(b.Handle));
-        ILookup<bool, EntityState> byRange = entities.ToLookup(entity => options.IsInRange(camera, entity));
+
+        // Which entities are in range of a rig's camera is found out for each view.
+        ILookup<bool, EntityState> byRange = entities.ToLookup(entity => options.Rig is not null || options.IsInRange(camera, entity));
         return new SceneSnapshot(world.GameFrame, world.TimeSeconds, camera, world.ReadEgo(), [.. byRange[true]], world.ReadEnvironment())
         {
             Distant = [.. byRange[false]],

@@ -7,6 +7,7 @@ using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Lidar;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Semantics;
 
@@ -52,6 +53,12 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
 
     /// <summary>The rays used; null for labels made without a game.</summary>
     public RayCounts? Rays { get; set; }
+
+    /// <summary>The view of a rig that the frame is; null without a rig.</summary>
+    public RigView? View { get; set; }
+
+    /// <summary>The points of the LiDARs at its moment, if it is the first view.</summary>
+    public IReadOnlyList<LidarSweep> Sweeps { get; set; } = [];
 
     /// <summary>The ids of the entities that have one, by handle.</summary>
     public IReadOnlyDictionary<int, int> Ids { get; set; } = new Dictionary<int, int>();
@@ -117,18 +124,26 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
         snapshot.TimeSeconds,
         LagFrames,
         LagSeconds,
-        FramePaths.Image(frame, format),
-        Mask is null ? null : FramePaths.Mask(frame),
+        FramePaths.Image(frame, format, View?.Camera.Name),
+        Mask is null ? null : FramePaths.Mask(frame, View?.Camera.Name),
         CameraLabel.Of(camera),
         EgoLabel.Of(snapshot.Ego),
         snapshot.Environment,
         Objects)
     {
+        Moment = View?.MomentOf(frame),
+        View = View?.Camera.Name,
+        Lidar = [.. Sweeps.Select(sweep => new SweepLabel(
+            sweep.Sensor, FramePaths.Sweep(frame, sweep.Sensor), sweep.Points.Count, sweep.RaysCast))],
         Place = places?.PlaceOf(frame),
         PlaceFrame = frame - places?.FirstFrameOf(places.PlaceOf(frame)),
         PixelMap = PixelMap,
         ClassMap = Classes is null ? null
-            : new ClassMapLabel(FramePaths.Classes(frame), ClassSource.Method, ClassSource.RaysCast, ClassSource.InterpolatedPixels),
+            : new ClassMapLabel(
+                FramePaths.Classes(frame, View?.Camera.Name),
+                ClassSource.Method,
+                ClassSource.RaysCast,
+                ClassSource.InterpolatedPixels),
         Rays = Rays,
         IgnoreRegions = IgnoreRegions,
         Lanes = Lanes,

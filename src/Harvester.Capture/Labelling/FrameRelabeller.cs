@@ -76,9 +76,10 @@ public sealed class FrameRelabeller
             throw new ArgumentNullException(nameof(recorded));
         }
 
-        bool isLensSame = scene.Lens == _options.Lens;
-        bool keepsMask = KeepsMask(scene, recorded, _options.Lens);
-        SceneSnapshot snapshot = Begin(scene, out Camera camera);
+        Lens lens = LensOf(scene, recorded);
+        bool isLensSame = scene.Lens == lens;
+        bool keepsMask = KeepsMask(scene, recorded, lens);
+        SceneSnapshot snapshot = Begin(scene, recorded, out Camera camera);
         var occlusions = new RecordedOcclusions(scene, recorded, _recordedOptions, isLensSame);
         var draft = new FrameDraft(snapshot, camera);
         foreach (LabelCandidate candidate in _objects.CandidatesOf(camera, snapshot))
@@ -123,7 +124,7 @@ public sealed class FrameRelabeller
         {
             Mask = keepsMask ? recorded.Mask : null,
             PixelMap = keepsMask ? recorded.PixelMap : null,
-            ClassMap = KeepsClassMap(scene, recorded, _options.Lens) ? recorded.ClassMap : null,
+            ClassMap = KeepsClassMap(scene, recorded, lens) ? recorded.ClassMap : null,
             Camera = CameraLabel.Of(camera),
             Ego = EgoLabel.Of(snapshot.Ego),
             Objects = draft.Objects,
@@ -133,25 +134,40 @@ public sealed class FrameRelabeller
     }
 
     /// <summary>Passes over a scene of another shard; ids and road are kept as if it had been labelled.</summary>
+    /// <param name="scene">The frame's scene.</param>
+    /// <param name="recorded">The label of the harvest.</param>
     /// <exception cref="HarvestFaultException">All object ids are used up.</exception>
-    public void Pass(RecordedScene scene)
+    public void Pass(RecordedScene scene, FrameLabel recorded)
     {
         if (scene is null)
         {
             throw new ArgumentNullException(nameof(scene));
         }
 
-        SceneSnapshot snapshot = Begin(scene, out Camera camera);
+        if (recorded is null)
+        {
+            throw new ArgumentNullException(nameof(recorded));
+        }
+
+        SceneSnapshot snapshot = Begin(scene, recorded, out Camera camera);
         _objects.CandidatesOf(camera, snapshot);
         _faces?.Pass(camera, snapshot);
         _lanes?.Pass(snapshot);
     }
 
-    private SceneSnapshot Begin(RecordedScene scene, out Camera camera)
+    /// <summary>The lens of a frame: that of its camera for a view of a rig, otherwise the one for all frames.</summary>
+    private Lens LensOf(RecordedScene scene, FrameLabel recorded) => recorded.View is null ? _options.Lens : scene.Lens;
+
+    private SceneSnapshot Begin(RecordedScene scene, FrameLabel recorded, out Camera camera)
     {
         _registry.Remember(scene);
         _lights.Show(scene);
-        camera = _options.CameraOf(scene.Snapshot.Camera);
+        LabellingOptions options = recorded.View is null ? _options : _options with
+        {
+            Image = new ImageSize(recorded.Camera.Width, recorded.Camera.Height),
+            Lens = scene.Lens,
+        };
+        camera = options.CameraOf(scene.Snapshot.Camera);
         return scene.Snapshot with
         {
             Entities =

@@ -21,11 +21,17 @@ public sealed record PlaceSequence
     /// <summary>Number of places.</summary>
     public int Count { get; }
 
+    /// <summary>
+    /// Number of views of each moment, which stay at one place; 1 without a rig. With more, the frames that the sequence was made for are
+    /// moments.
+    /// </summary>
+    public int ViewsPerMoment { get; init => field = OptionCheck.InRange(value, 1, int.MaxValue, nameof(ViewsPerMoment)); } = 1;
+
     /// <summary>The place of a frame, from 0.</summary>
     /// <param name="frame">Number of the frame in the session.</param>
-    public int PlaceOf(int frame) => (int)((((frame + 1L) * Count) - 1) / _frames);
+    public int PlaceOf(int frame) => (int)(((((frame / ViewsPerMoment) + 1L) * Count) - 1) / _frames);
 
     /// <summary>The number of the first frame of a place.</summary>
     /// <param name="place">Number of the place; the number of places gives the number of frames.</param>
-    public int FirstFrameOf(int place) => (int)((long)place * _frames / Count);
+    public int FirstFrameOf(int place) => (int)((long)place * _frames / Count) * ViewsPerMoment;
 }

@@ -43,4 +43,10 @@ public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IP
 
     /// <summary>The camera, if it can be moved on its vehicle; otherwise null.</summary>
     public IMountedCamera? MountedCamera { get; init; }
+
+    /// <summary>The camera, if it can take the places of a rig's cameras; otherwise null.</summary>
+    public IRigCamera? RigCamera { get; init; }
+
+    /// <summary>Rays that report the normal of the surface; null if the game reports none.</summary>
+    public ISurfaceRays? SurfaceRays { get; init; }
 }

@@ -7,6 +7,7 @@ using Harvester.Capture.Harvesting;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Lidar;
 
 namespace Harvester.Capture.Storage;
 
@@ -15,13 +16,19 @@ namespace Harvester.Capture.Storage;
 /// are held back until the files of a batch of frames are on the disk; then the lines of the manifest are written, then those of the
 /// labels.
 /// </summary>
-internal sealed class FrameStore(ISessionFiles files, SyncMode mode, PictureEncoder pictures, bool keepsManifest)
+/// <param name="files">The session's files.</param>
+/// <param name="mode">When to wait for the disk.</param>
+/// <param name="pictures">Encodes images.</param>
+/// <param name="keepsManifest">Whether the session has a manifest.</param>
+/// <param name="viewsPerMoment">Number of frames of a moment, whose lines are written together.</param>
+internal sealed class FrameStore(
+    ISessionFiles files, SyncMode mode, PictureEncoder pictures, bool keepsManifest, int viewsPerMoment)
 {
     private readonly PngEncoder _png = new();
     private readonly List<string> _manifestLines = [];
     private readonly List<string> _labelLines = [];
     private readonly Stopwatch _age = new();
-    private int _lastWritten = -1;
+    private readonly List<int> _frames = [];
     private int _committed;
 
     /// <summary>Frames whose label lines are written.</summary>
@@ -31,7 +38,7 @@ internal sealed class FrameStore(ISessionFiles files, SyncMode mode, PictureEnco
     public int LastCommitted { get; private set; } = -1;
 
     /// <summary>How long to wait for another frame before the lines held back are due; infinite when none are.</summary>
-    public TimeSpan Patience => _labelLines.Count == 0 ? Timeout.InfiniteTimeSpan
+    public TimeSpan Patience => _labelLines.Count < viewsPerMoment ? Timeout.InfiniteTimeSpan
         : _age.Elapsed < SyncBatch.MaxAge ? SyncBatch.MaxAge - _age.Elapsed : TimeSpan.Zero;
 
     private bool IsDurable => mode != SyncMode.Never;
@@ -82,6 +89,12 @@ internal sealed class FrameStore(ISessionFiles files, SyncMode mode, PictureEnco
             written.Add(new(classPath, files.WriteWhole(classPath, stream => _png.WriteGrey8(classes, stream))));
         }
 
+        foreach (LidarSweep sweep in frame.Sweeps)
+        {
+            string name = FramePaths.Sweep(frame.Label.Frame, sweep.Sensor);
+            written.Add(new(name, files.WriteWhole(name, stream => LidarFile.Write(stream, sweep.Points))));
+        }
+
         if (frame.Scene is { } scene)
         {
             string name = FramePaths.Scene(frame.Label.Frame);
@@ -97,7 +110,7 @@ internal sealed class FrameStore(ISessionFiles files, SyncMode mode, PictureEnco
 
         _manifestLines.Add(Manifest.FrameLine(frame.Label.Frame, FileDigest.Of(line), written));
         _labelLines.Add(line);
-        _lastWritten = frame.Label.Frame;
+        _frames.Add(frame.Label.Frame);
         if (mode != SyncMode.Batch || _labelLines.Count >= SyncBatch.MaxFrames || _age.Elapsed >= SyncBatch.MaxAge)
         {
             Commit();
@@ -105,24 +118,28 @@ internal sealed class FrameStore(ISessionFiles files, SyncMode mode, PictureEnco
     }
 
     /// <summary>
-    /// Writes the lines held back. After a failure their frames are given up: a disk that could not keep a file does not say so twice.
+    /// Writes the lines held back, of whole moments only. After a failure their frames are given up: a disk that could not keep a file does
+    /// not say so twice.
     /// </summary>
     public void Commit()
     {
-        if (_labelLines.Count == 0)
+        int whole = _labelLines.Count - (_labelLines.Count % viewsPerMoment);
+        if (whole == 0)
         {
             return;
         }
 
-        string[] manifestLines = [.. _manifestLines];
-        string[] labelLines = [.. _labelLines];
-        _manifestLines.Clear();
-        _labelLines.Clear();
+        List<string> manifestLines = _manifestLines.GetRange(0, whole);
+        List<string> labelLines = _labelLines.GetRange(0, whole);
+        int last = _frames[whole - 1];
+        _manifestLines.RemoveRange(0, whole);
+        _labelLines.RemoveRange(0, whole);
+        _frames.RemoveRange(0, whole);
         Sync();
         AppendToManifest(manifestLines);
         files.Append(SessionDirectory.Labels, labelLines, IsDurable);
-        LastCommitted = _lastWritten;
-        Volatile.Write(ref _committed, _committed + labelLines.Length);
+        LastCommitted = last;
+        Volatile.Write(ref _committed, _committed + whole);
     }
 
     private void AppendToManifest(IReadOnlyList<string> lines)

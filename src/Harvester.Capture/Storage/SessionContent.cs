@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using System.Linq;
 using System.Text;
 using Harvester.Capture.Labelling;
 using Harvester.Sessions.Files;
@@ -17,8 +18,13 @@ internal sealed record SessionContent(string? Header, int Frames, int LastFrame,
 {
     public static SessionContent Nothing { get; } = new(null, 0, -1, 0, false);
 
-    /// <summary>Reads a directory. An unfinished last line is cut off, so that the next one starts a line.</summary>
-    public static SessionContent Read(string directory)
+    /// <summary>
+    /// Reads a directory. An unfinished last line is cut off, so that the next one starts a line, and so are the lines of a last moment
+    /// that lacks views.
+    /// </summary>
+    /// <param name="directory">The directory.</param>
+    /// <param name="viewsPerMoment">Number of frames of a moment.</param>
+    public static SessionContent Read(string directory, int viewsPerMoment = 1)
     {
         string header = Path.Combine(directory, SessionDirectory.Header);
         string labels = Path.Combine(directory, SessionDirectory.Labels);
@@ -27,7 +33,8 @@ internal sealed record SessionContent(string? Header, int Frames, int LastFrame,
         int maxId = 0;
         if (File.Exists(labels))
         {
-            CutAfterLastLine(labels);
+            CutLines(labels, 0);
+            CutLines(labels, File.ReadLines(labels, Encoding.UTF8).Count() % viewsPerMoment);
             foreach (string line in File.ReadLines(labels, Encoding.UTF8))
             {
                 (int? frame, int lineMaxId) = NumbersIn(line);
@@ -105,14 +112,15 @@ internal sealed record SessionContent(string? Header, int Frames, int LastFrame,
         }
     }
 
-    private static void CutAfterLastLine(string file)
+    /// <summary>Cuts off what follows the last line feed, and a number of lines before it.</summary>
+    private static void CutLines(string file, int count)
     {
         using FileStream stream = AppendedFile.Open(file, FileAccess.ReadWrite);
         long end = stream.Length;
-        for (; end > 0; end--)
+        for (int left = count; end > 0; end--)
         {
             stream.Position = end - 1;
-            if (stream.ReadByte() == '\n')
+            if (stream.ReadByte() == '\n' && left-- == 0)
             {
                 break;
             }

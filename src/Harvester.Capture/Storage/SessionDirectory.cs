@@ -21,7 +21,7 @@ internal sealed class SessionDirectory(string path) : ISessionFiles
         if (!Directory.Exists(folder))
         {
             Directory.CreateDirectory(folder);
-            _written.AddFolder(path);
+            _written.AddFolder(Path.GetDirectoryName(folder)!);
         }
     }
 

@@ -5,6 +5,7 @@ using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Rigs;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 
@@ -42,6 +43,11 @@ internal static class SessionJson
             .Key("format").String(JsonName.Of(options.Format))
             .Key("quality").Integer(options.Format == ImageFormat.Jpeg ? options.JpegQuality : null)
             .EndObject();
+        if (options.Rig is { } rig)
+        {
+            RigJson.Append(json.Key("rig"), rig);
+        }
+
         AppendBoxes(json.Key("boxes"));
         Append(json.Key("options"), options);
         json.Key("classes").BeginArray();

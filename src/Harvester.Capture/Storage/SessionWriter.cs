@@ -2,6 +2,7 @@ using System;
 using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using System.Threading;
 using Harvester.Capture.Harvesting;
 using Harvester.Sessions.Faces;
@@ -35,14 +36,15 @@ public sealed class SessionWriter : IFrameSink
     /// <see cref="UnfinishedMark"/>.</param>
     /// <param name="origin">Where the session comes from.</param>
     /// <param name="resume">Whether to resume a session that the directory holds; its frames are kept and new ones are appended.</param>
+    /// <param name="viewsPerMoment">Number of frames of a moment; an incomplete last moment of a resumed session is dropped.</param>
     /// <exception cref="IOException">The directory is not empty, or cannot be created or read.</exception>
     /// <exception cref="UnauthorizedAccessException">The directory is not writable.</exception>
-    public SessionWriter(string directory, SessionOrigin origin, bool resume = false)
-        : this(directory, origin, resume, new SessionDirectory(directory))
+    public SessionWriter(string directory, SessionOrigin origin, bool resume = false, int viewsPerMoment = 1)
+        : this(directory, origin, resume, new SessionDirectory(directory), viewsPerMoment)
     {
     }
 
-    internal SessionWriter(string directory, SessionOrigin origin, bool resume, ISessionFiles files)
+    internal SessionWriter(string directory, SessionOrigin origin, bool resume, ISessionFiles files, int viewsPerMoment = 1)
     {
         Folder = directory;
         _origin = origin ?? throw new ArgumentNullException(nameof(origin));
@@ -53,10 +55,15 @@ public sealed class SessionWriter : IFrameSink
             throw new IOException($"The directory '{directory}' is not empty. Name another, or ask to resume the session in it.");
         }
 
-        _before = resume ? SessionContent.Read(directory) : SessionContent.Nothing;
-        foreach (string folder in new[] { "", FramePaths.Frames, FramePaths.Masks, FramePaths.ClassMaps, FramePaths.Scenes })
+        _before = resume ? SessionContent.Read(directory, viewsPerMoment) : SessionContent.Nothing;
+        AtomicFile.DeleteLeftovers(directory, _ => true);
+        foreach (string folder in FramePaths.Folders.Select(name => Path.Combine(directory, name)))
         {
-            AtomicFile.DeleteLeftovers(Path.Combine(directory, folder), _ => true);
+            AtomicFile.DeleteLeftovers(folder, _ => true);
+            foreach (string view in Directory.Exists(folder) ? Directory.GetDirectories(folder) : [])
+            {
+                AtomicFile.DeleteLeftovers(view, _ => true);
+            }
         }
     }
 
@@ -108,7 +115,8 @@ public sealed class SessionWriter : IFrameSink
             _files,
             start.Options.Sync,
             new PictureEncoder(start.Options.Format, start.Options.JpegQuality),
-            KeepsManifest);
+            KeepsManifest,
+            start.Options.ViewsPerMoment);
         _queue = new BlockingCollection<CapturedFrame>(start.Options.QueueCapacity);
         _thread = new Thread(WriteAll) { IsBackground = true, Name = "harvest writer" };
         _thread.Start();
@@ -183,15 +191,9 @@ public sealed class SessionWriter : IFrameSink
             throw new IOException("it was recorded with other options; resume it with the same ones, or name another directory.");
         }
 
-        _files.MakeFolder(FramePaths.Frames);
-        if (_start!.Options.Masks)
+        foreach (string folder in FoldersOf(_start!.Options))
         {
-            _files.MakeFolder(FramePaths.Masks);
-        }
-
-        if (_start.Options.Semantics is not null)
-        {
-            _files.MakeFolder(FramePaths.ClassMaps);
+            _files.MakeFolder(folder);
         }
 
         if (_before.HasManifest)
@@ -215,6 +217,22 @@ public sealed class SessionWriter : IFrameSink
 
         WriteHeader(null);
         _begun = true;
+    }
+
+    private static IEnumerable<string> FoldersOf(HarvestOptions options)
+    {
+        string[] views = [.. options.Rig?.Cameras.Select(camera => camera.Name) ?? []];
+        string[] lidars = [.. options.Rig?.Lidars.Select(lidar => lidar.Name) ?? []];
+        return
+        [
+            .. With(FramePaths.Frames, views),
+            .. options.Masks ? With(FramePaths.Masks, views) : [],
+            .. options.Semantics is null ? [] : With(FramePaths.ClassMaps, views),
+            .. lidars.Length == 0 ? [] : With(FramePaths.Lidar, lidars),
+        ];
+
+        static IEnumerable<string> With(string folder, string[] inner) =>
+            new[] { folder }.Concat(inner.Select(name => FramePaths.In(folder, name)));
     }
 
     private void Finish(SessionEnd end)

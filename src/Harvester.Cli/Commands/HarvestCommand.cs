@@ -42,6 +42,7 @@ internal sealed class HarvestCommand
         + "  harvester harvest --out classes --semantics rays\n"
         + "  harvester harvest --out distorted --k1 -0.05 --focal-scale 1.01\n"
         + "  harvester harvest --out streets --roads nodes.zip --places 20\n"
+        + "  harvester harvest --out around --rig data/rigs/nuscenes.json --hz 2 --frames 40\n"
         + "  harvester harvest --out part-2 --frames 5000 --shard 2/8";
 
     private Option<string> Out { get; } =
@@ -118,11 +119,8 @@ internal sealed class HarvestCommand
     private Option<double> NarrowLaneWidth { get; } = LaneOptions.NarrowLaneWidth();
 
     private Option<string?> Classes { get; } = ClassList.Option("Label");
-
     private Option<string?> Quirks { get; } = QuirkList.Option();
-
     private Option<string> DetailOf { get; } = DetailOption.Create();
-
     private Option<string> FreezeBy { get; } = FreezeOption.Create();
 
     private Option<int> MaxPictureLag { get; } = WithDefault(
@@ -139,9 +137,8 @@ internal sealed class HarvestCommand
         1);
 
     private LensOptions LensOf { get; } = new();
-
+    private RigOption RigOf { get; } = new();
     private Option<Shard> ShardOf { get; } = ShardOption.Create();
-
     private Option<SyncMode> Sync { get; } = SyncOption.Create();
     private Option<bool> NoReport { get; } = ReportOption.Create();
 
@@ -159,9 +156,11 @@ internal sealed class HarvestCommand
         Moment.AddTo(command);
         Variety.AddTo(command);
         LensOf.AddTo(command);
+        RigOf.AddTo(command);
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
-            Task.FromResult(Run(terminal, PlanOf(parsed), CommandText.Of(parsed), !parsed.GetValue(NoReport), cancellation)));
+            Task.FromResult(Run(
+                terminal, RigOf.AppliedTo(parsed, PlanOf(parsed)), CommandText.Of(parsed), !parsed.GetValue(NoReport), cancellation)));
         return command;
     }
 
@@ -173,10 +172,7 @@ internal sealed class HarvestCommand
         }
 
         using var output = new SessionOutput(terminal, plan.Folder, command, plan.Overwrite, keepsFrames: true, plan.Resume);
-        ImageSize image = plan.Options.Image;
-        string shard = plan.Options.Shard.Count > 1 ? $"shard {plan.Options.Shard} of " : "";
-        terminal.Out.WriteLine(
-            $"Harvesting {shard}{Counted.Of(plan.Frames, "frame")} of {image.Width} x {image.Height}, seed {plan.Seed}, to {plan.Folder}");
+        terminal.Out.WriteLine($"Harvesting {plan.Description}, seed {plan.Seed}, to {plan.Folder}");
         terminal.Out.Flush();
         SimulatedHarvest harvest = SimulatedHarvest.Build(plan, terminal.WriteError);
         string written = output.Begin();

@@ -14,6 +14,7 @@ internal static class HarvestAdvice
     {
         FaultCode.PictureLate => "To allow more, raise --max-picture-lag.",
         FaultCode.MarkersHidden => $"The field of view is set by --fov. {SkipCheck}",
+        FaultCode.ViewNotShown => "See --freeze.",
         FaultCode.CameraModelOff or FaultCode.CameraUnchecked or FaultCode.CalibrationFailed => SkipCheck,
         _ => null,
     };

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Harvester.Capture.Harvesting;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Text;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;
 
@@ -73,4 +74,17 @@ internal sealed record HarvestPlan
 
     /// <summary>The value of --quirks; null if it is not given.</summary>
     public required string? QuirksText { get; init; }
+
+    /// <summary>What is harvested, in words.</summary>
+    public string Description
+    {
+        get
+        {
+            string shard = Options.Shard.Count > 1 ? $"shard {Options.Shard} of " : "";
+            return Options.Rig is { } rig
+                ? $"{shard}{Counted.Of(Frames / rig.Cameras.Count, "moment")} of the rig {rig.Name}, "
+                    + $"{Counted.Of(rig.Cameras.Count, "view")} and {Counted.Of(rig.Lidars.Count, "LiDAR")} each"
+                : $"{shard}{Counted.Of(Frames, "frame")} of {Options.Image.Width} x {Options.Image.Height}";
+        }
+    }
 }

@@ -63,7 +63,7 @@ internal sealed class SimulatedHarvest
             : SpreadPlaces.Of(roads ?? TownBuilder.Build(plan.Seed), count, plan.Seed, plan.Near);
         try
         {
-            return new SimulatedHarvest(plan, new SimulatedGame(plan.Variety with
+            var game = new SimulatedGame(plan.Variety with
             {
                 Seed = plan.Seed,
                 Roads = roads,
@@ -79,7 +79,13 @@ internal sealed class SimulatedHarvest
                 DefersPictures = true,
                 IsWarm = true,
                 Quirks = plan.Quirks,
-            }), faces, places);
+            });
+            if (plan.Options.Rig is { } rig)
+            {
+                RigMounting.Mount(rig, game);
+            }
+
+            return new SimulatedHarvest(plan, game, faces, places);
         }
         catch (ArgumentException e)
         {
@@ -95,7 +101,7 @@ internal sealed class SimulatedHarvest
     public HarvestOutcome Run(string folder, Action<int> report, CancellationToken cancellation)
     {
         var clock = Stopwatch.StartNew();
-        using var writer = new SessionWriter(folder, Origin(), _plan.Resume) { Replays = _plan.Resume };
+        using var writer = new SessionWriter(folder, Origin(), _plan.Resume, _plan.Options.ViewsPerMoment) { Replays = _plan.Resume };
         int resumed = writer.FramesWritten;
         RoadNetwork roads = _plan.Roads is null ? KeepRoads(_game.Roads, writer) : _game.Roads;
         using var session = new HarvestSession(

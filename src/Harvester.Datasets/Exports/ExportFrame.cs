@@ -9,6 +9,8 @@ using Harvester.Geometry;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Lidar;
+using Harvester.Sessions.Rigs;
 
 namespace Harvester.Datasets.Exports;
 
@@ -38,16 +40,27 @@ public sealed class ExportFrame
     /// <summary>Number of the frame in the dataset, from 0, counted over all sessions.</summary>
     public required int Index { get; init; }
 
-    /// <summary>Number of its session, from 0.</summary>
+    /// <summary>
+    /// Number of its sequence, from 0: a session, or one view of a session that was harvested with a rig.
+    /// </summary>
     public required int SessionIndex { get; init; }
 
-    /// <summary>Number of the frame in its session, from 0.</summary>
+    /// <summary>Number of the frame in its sequence, from 0.</summary>
     public required int FrameInSession { get; init; }
+
+    /// <summary>Number of its session, from 0, whatever its view.</summary>
+    public required int RecordingIndex { get; init; }
+
+    /// <summary>The rig of its session; null for a single camera.</summary>
+    public Rig? Rig { get; init; }
+
+    /// <summary>Moments of its session per second; 0 if they are not known.</summary>
+    public double RateHz { get; init; }
 
     /// <summary>The split of the frame.</summary>
     public required string Split { get; init; }
 
-    /// <summary>The camera of the session's first frame.</summary>
+    /// <summary>The camera of the sequence's first frame.</summary>
     public required CameraLabel SessionCamera { get; init; }
 
     /// <summary>The label, with all objects.</summary>
@@ -129,6 +142,27 @@ public sealed class ExportFrame
         return label.Parent is null
             ? (_pixels ??= InstancePixels.AllOf(Mask)).GetValueOrDefault(label.Id)
             : (_dividedPixels ??= InstancePixels.AllOf(DividedMask!)).GetValueOrDefault(label.Id);
+    }
+
+    /// <summary>Reads the points of a LiDAR.</summary>
+    /// <exception cref="DatasetFormatException">The file is missing or damaged.</exception>
+    internal LidarPoint[] ReadPoints(SweepLabel sweep) => ReadPoints(sweep.File);
+
+    /// <summary>Whether the session has a file.</summary>
+    internal bool HasFile(string name) => File.Exists(PathOf(name));
+
+    /// <summary>Reads the points of a file.</summary>
+    /// <exception cref="DatasetFormatException">The file is missing or damaged.</exception>
+    internal LidarPoint[] ReadPoints(string file)
+    {
+        try
+        {
+            return LidarFile.Read(InputFile.ReadAllBytes(PathOf(file), LidarFile.MaxPoints * LidarFile.BytesPerPoint));
+        }
+        catch (Exception e) when (e is FormatException or FileNotFoundException or DirectoryNotFoundException)
+        {
+            throw Problem($"the points '{file}' cannot be read: {e.Message}");
+        }
     }
 
     /// <summary>An error message that names this frame.</summary>

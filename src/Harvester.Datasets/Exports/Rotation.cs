@@ -11,6 +11,9 @@ internal readonly record struct Rotation(double X, double Y, double Z, double W)
     /// <summary>From a frame with x forward, y left and z up.</summary>
     public static Rotation OfBody(Axes axes) => OfColumns(axes.Forward, -axes.Right, axes.Up);
 
+    /// <summary>From a frame with x right, y forward and z up.</summary>
+    public static Rotation OfSensor(Axes axes) => OfColumns(axes.Right, axes.Forward, axes.Up);
+
     /// <summary>From a frame with x right, y down and z forward.</summary>
     public static Rotation OfCamera(Axes axes) => OfColumns(axes.Right, -axes.Up, axes.Forward);
 

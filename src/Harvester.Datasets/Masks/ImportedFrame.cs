@@ -25,6 +25,7 @@ internal sealed class ImportedFrame
     private static readonly JsonSerializerOptions AsItIs = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
     private readonly int _frame;
+    private readonly string? _view;
     private readonly Dictionary<ushort, ObjectLabel> _labels;
     private readonly Dictionary<ushort, CuboidPixels> _cuboids;
     private readonly Dictionary<ushort, Box2D> _bounds = [];
@@ -34,6 +35,7 @@ internal sealed class ImportedFrame
     public ImportedFrame(FrameLabel label, InstanceMap map, MaskNumbers numbers)
     {
         _frame = label.Frame;
+        _view = label.View;
         Camera camera = LabelCamera.Of(label.Camera);
         _labels = label.Objects.ToDictionary(item => (ushort)item.Id);
         _cuboids = label.Objects.ToDictionary(item => (ushort)item.Id, item => new CuboidPixels(camera, item));
@@ -61,7 +63,7 @@ internal sealed class ImportedFrame
     public string Rewrite(string line)
     {
         JsonObject label = JsonNode.Parse(line)!.AsObject();
-        label["mask"] = FramePaths.Mask(_frame);
+        label["mask"] = FramePaths.Mask(_frame, _view);
         label["pixelMap"] = null;
         foreach (JsonObject item in label["objects"]!.AsArray().Select(item => item!.AsObject()))
         {

@@ -59,8 +59,10 @@ public static class MaskImporter
                 var size = new ImageSize(label.Camera.Width, label.Camera.Height);
                 var frame = new ImportedFrame(label, maps.Read(label.Frame, size), numbers);
                 FileDigest digest = default;
+                string mask = Path.Combine(made, FramePaths.Mask(label.Frame, label.View));
+                Directory.CreateDirectory(Path.GetDirectoryName(mask)!);
                 AtomicFile.Write(
-                    Path.Combine(made, FramePaths.Mask(label.Frame)),
+                    mask,
                     stream => digest = DigestStream.Write(stream, content => encoder.Write(frame.Map, content)),
                     isDurable);
                 string rewritten = frame.Rewrite(line);
@@ -107,10 +109,15 @@ public static class MaskImporter
         SessionReader session, FrameLabel label, FileDigest mask, CarriedDigests digests)
     {
         yield return new(label.Image, digests.Of(label.Frame, label.Image));
-        yield return new(FramePaths.Mask(label.Frame), mask);
+        yield return new(FramePaths.Mask(label.Frame, label.View), mask);
         if (label.ClassMap is { } classes)
         {
             yield return new(classes.File, digests.Of(label.Frame, classes.File));
+        }
+
+        foreach (SweepLabel sweep in label.Lidar)
+        {
+            yield return new(sweep.File, digests.Of(label.Frame, sweep.File));
         }
 
         if (label.Frame >= 0 && FramePaths.Scene(label.Frame) is var scene && File.Exists(session.PathOf(scene)))

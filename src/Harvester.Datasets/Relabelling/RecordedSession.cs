@@ -75,6 +75,7 @@ internal sealed class RecordedSession
             options.Checked(() => new HarvestOptions
             {
                 Image = session.ReadInfo().Image,
+                Rig = session.ReadInfo().Rig,
                 Format = header.Fields("image").Name<ImageFormat>("format"),
                 RangeMetres = options.Number("rangeMetres"),
                 IgnoreRangeMetres = options.OptionalNumber("ignoreRangeMetres") ?? 0,

@@ -37,6 +37,12 @@ public sealed class SessionRelabeller
         _recorded = RecordedSession.Open(session);
         _changes = changes ?? throw new ArgumentNullException(nameof(changes));
         HarvestOptions recorded = _recorded.Options;
+        if (recorded.Rig is not null && changes.Lens is not null)
+        {
+            throw new DatasetFormatException(
+                $"'{session.Folder}' was harvested with a rig, which gives each camera its lens. Leave out the options of the lens.");
+        }
+
         if (changes.RangeMetres > recorded.RangeMetres)
         {
             throw new DatasetFormatException(FormattableString.Invariant(
@@ -93,9 +99,9 @@ public sealed class SessionRelabeller
                     labeller = new FrameRelabeller(_options with { Lens = lens }, _recorded.Options, ids, roads);
                 }
 
-                if (!_changes.Shard.Takes(position++))
+                if (!_changes.Shard.Takes(position++ / _options.ViewsPerMoment))
                 {
-                    Checked(() => labeller.Pass(scene));
+                    Checked(() => labeller.Pass(scene, label));
                     continue;
                 }
 
@@ -165,6 +171,11 @@ public sealed class SessionRelabeller
         if (made.ClassMap is { } classes)
         {
             Place(classes.File);
+        }
+
+        foreach (SweepLabel sweep in made.Lidar)
+        {
+            Place(sweep.File);
         }
 
         if (made.Mask is not { } mask)

@@ -152,7 +152,7 @@ public sealed class SessionRepairer
     {
         FrameLabel label = line.Label!;
         var size = new ImageSize(label.Camera.Width, label.Camera.Height);
-        if (_image is { } known && known != size)
+        if (label.View is null && _image is { } known && known != size)
         {
             Lose(
                 SessionReader.LabelsFile,
@@ -169,10 +169,7 @@ public sealed class SessionRepairer
         }
 
         string scene = FramePaths.Scene(label.Frame);
-        foreach (string name in new[]
-            {
-                label.Image, label.Mask, label.ClassMap?.File, File.Exists(_session.PathOf(scene)) ? scene : null,
-            }.OfType<string>())
+        foreach (string name in label.Files.Concat(File.Exists(_session.PathOf(scene)) ? [scene] : []))
         {
             made.Place(name, _session, transfer, () => digests.Of(label.Frame, name));
         }

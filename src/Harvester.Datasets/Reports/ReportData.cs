@@ -80,6 +80,12 @@ internal static class ReportData
         Camera camera = LabelCamera.Of(frame.Camera);
         json.WriteStartObject();
         json.WriteNumber("frame", frame.Frame);
+        if (frame.View is not null)
+        {
+            json.WriteString("view", frame.View);
+            json.Numbers("size", [frame.Camera.Width, frame.Camera.Height], 0);
+        }
+
         json.Number("time", frame.TimeSeconds, Decimals);
         json.WriteString("weather", frame.Environment.Weather);
         json.WriteString("timeOfDay", frame.Environment.TimeOfDay.ToString(@"hh\:mm", CultureInfo.InvariantCulture));

@@ -20,6 +20,8 @@ namespace Harvester.Datasets.Sessions;
 /// </summary>
 public static class FrameLabelParser
 {
+    private const string SweepFile = ".bin";
+
     private static readonly string[] PictureEndings = [".png", ".bmp", ".jpg", ".jpeg"];
 
     /// <exception cref="DatasetFormatException">The line is not a valid label; the message names the field.</exception>
@@ -57,6 +59,9 @@ public static class FrameLabelParser
             ReadEnvironment(frame.Fields("environment")),
             [.. frame.List("objects").Select(ReadObject)])
         {
+            Moment = frame.Has("moment") ? frame.Integer("moment") : null,
+            View = frame.OptionalText("view"),
+            Lidar = frame.Has("lidar") ? [.. frame.List("lidar").Select(ReadSweep)] : [],
             Place = frame.Has("place") ? frame.Integer("place") : null,
             PlaceFrame = frame.Has("placeFrame") ? frame.Integer("placeFrame") : null,
             PixelMap = frame.Has("pixelMap") ? ReadPixelMap(frame.Fields("pixelMap")) : null,
@@ -111,6 +116,13 @@ public static class FrameLabelParser
 
     private static ClassMapLabel ReadClassMap(JsonFields map) => new(
         PictureName(map, "file"), map.Name<SemanticsMethod>("method"), map.Integer("raysCast"), map.Integer("interpolatedPixels"));
+
+    private static SweepLabel ReadSweep(JsonFields sweep) => new(
+        sweep.Text("sensor"),
+        sweep.Text("file") is var name && name.EndsWith(SweepFile, StringComparison.OrdinalIgnoreCase) ? name
+            : throw new DatasetFormatException($"file of lidar must name points ({SweepFile}), not \"{name}\"."),
+        sweep.Integer("points"),
+        sweep.Integer("raysCast"));
 
     private static CameraLabel ReadCamera(JsonFields camera)
     {

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Text;
@@ -5,19 +6,26 @@ using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Rigs;
 
 namespace Harvester.Datasets.Sessions;
 
 /// <summary>The content of session.json that readers need.</summary>
 /// <param name="Game">The game of the harvest.</param>
 /// <param name="Seed">The random seed; null for a game without one.</param>
-/// <param name="Image">Size of all images, pixels.</param>
+/// <param name="Image">Size of all images, pixels; with a rig, that of the images of its first camera.</param>
 /// <param name="CapturedFrames">Number of frames; null if the recording was cut off before it was written.</param>
 /// <param name="Fault">The fault that ended the recording; null if there was none.</param>
 public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? CapturedFrames, string? Fault)
 {
     /// <summary>Name of the file.</summary>
     public const string FileName = "session.json";
+
+    /// <summary>The rig of the harvest; null for a single camera.</summary>
+    public Rig? Rig { get; init; }
+
+    /// <summary>Frames, or moments of a rig, per second of the game's time; null if it is not recorded.</summary>
+    public double? RateHz { get; init; }
 
     /// <summary>Whether the session has scenes; null if it is not recorded.</summary>
     public bool? KeepsScenes { get; init; }
@@ -97,6 +105,18 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
             : new ImageSize(width, height);
     }
 
+    private static Rig RigOf(JsonFields session)
+    {
+        try
+        {
+            return RigParser.Parse(session.RawText("rig"));
+        }
+        catch (FormatException e)
+        {
+            throw new DatasetFormatException($"rig: {e.Message}", e);
+        }
+    }
+
     private static SessionInfo Read(JsonFields session)
     {
         int version = session.Integer("formatVersion");
@@ -114,6 +134,8 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
             session.Has("counters") ? session.Fields("counters").Integer("captured") : null,
             session.OptionalText("fault"))
         {
+            Rig = session.Has("rig") ? RigOf(session) : null,
+            RateHz = session.Has("options") ? session.Fields("options").OptionalNumber("rateHz") : null,
             KeepsScenes = session.Has("options") && session.Fields("options").Has("scenes") ? session.Fields("options").Boolean("scenes")
                 : null,
             HasManifest = session.Has("manifest") && session.Boolean("manifest"),

@@ -80,11 +80,9 @@ public sealed class SessionReader
     {
         string name = Path.GetRelativePath(InnerPath.Resolve(Folder), InnerPath.Resolve(path)).Replace('\\', '/');
         return name is SessionInfo.FileName or LabelsFile or Manifest.FileName
-            || ((string[])[FramePaths.Frames, FramePaths.Masks, FramePaths.ClassMaps, FramePaths.Scenes])
-                .Contains(name.Split('/')[0], StringComparer.OrdinalIgnoreCase)
+            || FramePaths.Folders.Contains(name.Split('/')[0], StringComparer.OrdinalIgnoreCase)
             || (InnerPath.IsWithin(Folder, name)
-                && ReadLines().Any(line => line.Label is { } label
-                    && (label.Image == name || label.Mask == name || label.ClassMap?.File == name)));
+                && ReadLines().Any(line => line.Label?.Files.Contains(name) == true));
     }
 
     /// <summary>Reads session.json.</summary>

@@ -63,7 +63,8 @@ public static class SessionMerger
         ImageTransfer transfer)
     {
         int frames = 0;
-        foreach ((string line, SessionReader source) in InOrder(sources))
+        int views = sources[0].Session.ReadInfo().Rig?.Cameras.Count ?? 1;
+        foreach ((string line, SessionReader source) in InOrder(sources, views))
         {
             foreach (string name in FilesOf(line, frames, source).Concat(IfThere(FramePaths.Scene(frames), source)))
             {
@@ -106,17 +107,18 @@ public static class SessionMerger
         return found.Complete();
     }
 
-    // Frame f is the next of shard f modulo the number of shards, until all shards have ended.
-    private static IEnumerable<(string Line, SessionReader Source)> InOrder(IReadOnlyList<SessionShard> shards)
+    // Frame f, or moment m of a rig, is the next of shard f modulo the number of shards, until all shards have ended.
+    private static IEnumerable<(string Line, SessionReader Source)> InOrder(IReadOnlyList<SessionShard> shards, int views)
     {
         List<IEnumerator<string>> lines = [.. shards.Select(shard => shard.ReadLines().GetEnumerator())];
         try
         {
             int frame = 0;
-            for (; lines[frame % lines.Count].MoveNext(); frame++)
+            for (; lines[frame / views % lines.Count].MoveNext(); frame++)
             {
-                SessionReader source = shards[frame % lines.Count].Session;
-                string line = lines[frame % lines.Count].Current;
+                int shard = frame / views % lines.Count;
+                SessionReader source = shards[shard].Session;
+                string line = lines[shard].Current;
                 yield return line.StartsWith(string.Create(CultureInfo.InvariantCulture, $"{{\"frame\":{frame},"), StringComparison.Ordinal)
                     ? (line, source)
                     : throw new DatasetFormatException($"'{source.Folder}' has no frame {frame}; it is truncated or was changed.");
@@ -144,6 +146,7 @@ public static class SessionMerger
             [
                 fields.Text("image"), fields.OptionalText("mask"),
                 fields.Has("classMap") ? fields.Fields("classMap").Text("file") : null,
+                .. fields.Has("lidar") ? fields.List("lidar").Select(sweep => sweep.Text("file")) : [],
             ];
         }
         catch (Exception e) when (e is JsonException or DatasetFormatException)

@@ -6,6 +6,7 @@ using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Lidar;
 
 namespace Harvester.Datasets.Validation;
 
@@ -24,8 +25,7 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
 
     /// <summary>Takes the names of a label for it, and returns those that an earlier one has. Labels come in their order.</summary>
     public IReadOnlyList<string> Claim(FrameLabel label) =>
-        [.. new[] { label.Image, label.Mask, label.ClassMap?.File }.OfType<string>()
-            .Where(name => session.IsWithin(name) && !_named.Add(name))];
+        [.. label.Files.Where(name => session.IsWithin(name) && !_named.Add(name))];
 
     /// <summary>What is wrong with the files of a label; several labels may be asked for at once.</summary>
     /// <param name="label">The label.</param>
@@ -40,6 +40,7 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
             mask = mask.Concat(ClassProblems(label, classes.File, taken, manifest));
         }
 
+        mask = mask.Concat(label.Lidar.Select(sweep => SweepProblem(sweep, taken, manifest)).OfType<string>());
         return Problem("image", label.Image, label.Camera, null, taken, manifest) is { } image ? mask.Prepend(image) : mask;
     }
 
@@ -77,25 +78,42 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
         }
     }
 
+    private string? SweepProblem(SweepLabel sweep, IReadOnlyList<string> taken, ManifestFrame? manifest)
+    {
+        string what = $"lidar '{sweep.File}'";
+        if (PlaceProblem("lidar", sweep.File, taken) is { } problem)
+        {
+            return problem;
+        }
+
+        try
+        {
+            byte[] content = InputFile.ReadAllBytes(session.PathOf(sweep.File), LidarFile.MaxPoints * LidarFile.BytesPerPoint);
+            int points = LidarFile.Read(content).Length;
+            return points != sweep.Points ? $"{what} has {points} points, but its label says {sweep.Points}."
+                : DigestCheck.Problem(session.PathOf(sweep.File), sweep.File, manifest) is { } damage ? $"{what} {damage}" : null;
+        }
+        catch (Exception e) when (e is FormatException or DatasetFormatException)
+        {
+            return $"{what} cannot be used: {e.Message}";
+        }
+    }
+
+    private string? PlaceProblem(string field, string name, IReadOnlyList<string> taken) =>
+        !session.IsWithin(name) ? $"{field} '{name}' points outside the session."
+        : taken.Contains(name) ? $"{field} '{name}' is already used by an earlier line."
+        : !File.Exists(session.PathOf(name)) ? $"{field} '{name}' is missing."
+        : null;
+
     private string? Problem(
         string field, string name, CameraLabel camera, int? bitsPerPixel, IReadOnlyList<string> taken, ManifestFrame? manifest)
     {
-        if (!session.IsWithin(name))
+        if (PlaceProblem(field, name, taken) is { } missing)
         {
-            return $"{field} '{name}' points outside the session.";
-        }
-
-        if (taken.Contains(name))
-        {
-            return $"{field} '{name}' is already used by an earlier line.";
+            return missing;
         }
 
         string path = session.PathOf(name);
-        if (!File.Exists(path))
-        {
-            return $"{field} '{name}' is missing.";
-        }
-
         try
         {
             if (Problem($"{field} '{name}'", ImageHeader.Read(path), camera, bitsPerPixel) is { } problem)

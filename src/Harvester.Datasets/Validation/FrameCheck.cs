@@ -34,7 +34,7 @@ internal sealed class FrameCheck(SessionReader session, SessionInfo? info, bool 
         FrameLabel label = line.Source.Label!;
         return
         [
-            .. SizeProblems(label),
+            .. info?.Rig is { } rig ? RigCheck.Problems(rig, label) : SizeProblems(label),
             .. CameraCheck.Problems(label.Camera),
             .. line.Sequence,
             .. _files.Problems(label, line.Taken, line.Manifest),

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Globalization;
 using Harvester.Sessions.Imaging;
 
@@ -18,20 +19,42 @@ public static class FramePaths
     /// <summary>Folder of the scenes from which labels can be recomputed.</summary>
     public const string Scenes = "scenes";
 
+    /// <summary>The folders of a session that hold files of frames.</summary>
+    public static IReadOnlyList<string> Folders { get; } = [Frames, Masks, ClassMaps, Lidar, Scenes];
+
     /// <summary>Path of the table of faces used for the labels.</summary>
     public const string Faces = Scenes + "/spaces.csv";
 
     /// <summary>Path of the roads used for the labels, if the session has them.</summary>
     public const string Roads = Scenes + "/roads.csv";
 
+    /// <summary>Folder of the points of LiDARs.</summary>
+    public const string Lidar = "lidar";
+
     /// <summary>Path of a screenshot.</summary>
-    public static string Image(int frame, ImageFormat format) => $"{Frames}/{Number(frame)}{format.Extension()}";
+    /// <param name="frame">Number of the frame.</param>
+    /// <param name="format">The format of the session's images.</param>
+    /// <param name="view">The view of a rig; null without a rig.</param>
+    public static string Image(int frame, ImageFormat format, string? view = null) =>
+        $"{In(Frames, view)}/{Number(frame)}{format.Extension()}";
 
     /// <summary>Path of an instance mask.</summary>
-    public static string Mask(int frame) => $"{Masks}/{Number(frame)}.png";
+    /// <param name="frame">Number of the frame.</param>
+    /// <param name="view">The view of a rig; null without a rig.</param>
+    public static string Mask(int frame, string? view = null) => $"{In(Masks, view)}/{Number(frame)}.png";
 
     /// <summary>Path of a class map.</summary>
-    public static string Classes(int frame) => $"{ClassMaps}/{Number(frame)}.png";
+    /// <param name="frame">Number of the frame.</param>
+    /// <param name="view">The view of a rig; null without a rig.</param>
+    public static string Classes(int frame, string? view = null) => $"{In(ClassMaps, view)}/{Number(frame)}.png";
+
+    /// <summary>Path of the points of a LiDAR.</summary>
+    /// <param name="frame">Number of the frame of the moment's first view.</param>
+    /// <param name="sensor">Name of the LiDAR.</param>
+    public static string Sweep(int frame, string sensor) => $"{Lidar}/{sensor}/{Number(frame)}.bin";
+
+    /// <summary>The folder of a view, or of a LiDAR, in a folder of the session.</summary>
+    public static string In(string folder, string? view) => view is null ? folder : $"{folder}/{view}";
 
     /// <summary>Path of a scene.</summary>
     public static string Scene(int frame) => $"{Scenes}/{Number(frame)}.json";

@@ -30,6 +30,35 @@ public sealed record FrameLabel(
     EnvironmentState Environment,
     IReadOnlyList<ObjectLabel> Objects)
 {
+    /// <summary>Paths within the session of the files that the label names: image, mask, class map, points of LiDARs.</summary>
+    public IEnumerable<string> Files
+    {
+        get
+        {
+            yield return Image;
+            if (Mask is not null)
+            {
+                yield return Mask;
+            }
+
+            if (ClassMap is not null)
+            {
+                yield return ClassMap.File;
+            }
+
+            foreach (SweepLabel sweep in Lidar)
+            {
+                yield return sweep.File;
+            }
+        }
+    }
+
+    /// <summary>Number of the moment, from 0; null unless the session was harvested with a rig, whose views are frames.</summary>
+    public int? Moment { get; init; }
+
+    /// <summary>Name of the camera of the rig; null without a rig.</summary>
+    public string? View { get; init; }
+
     /// <summary>Number of the place that the session visits, from 0; null if it visits no places.</summary>
     public int? Place { get; init; }
 
@@ -41,6 +70,9 @@ public sealed record FrameLabel(
 
     /// <summary>The class map; null without one.</summary>
     public ClassMapLabel? ClassMap { get; init; }
+
+    /// <summary>What the LiDARs of the rig saw at the moment; empty except in the frame of its first view.</summary>
+    public IReadOnlyList<SweepLabel> Lidar { get; init; } = [];
 
     /// <summary>Regions that show, or may show, objects without a label, the nearest first.</summary>
     public IReadOnlyList<IgnoreRegion> IgnoreRegions { get; init; } = [];

@@ -22,6 +22,11 @@ public static class JsonLabelWriter
         var json = new JsonText();
         json.BeginObject()
             .Key("frame").Integer(frame.Frame);
+        if (frame.Moment is not null)
+        {
+            json.Key("moment").Integer(frame.Moment).Key("view").String(frame.View);
+        }
+
         if (frame.Place is not null)
         {
             json.Key("place").Integer(frame.Place).Key("placeFrame").Integer(frame.PlaceFrame);
@@ -45,6 +50,7 @@ public static class JsonLabelWriter
         }
 
         Append(json.Key("rays"), frame.Rays);
+        SweepsJson.Append(json, frame.Lidar);
         Append(json.Key("camera"), frame.Camera);
         Append(json.Key("ego"), frame.Ego);
         Append(json.Key("environment"), frame.Environment);

@@ -13,10 +13,9 @@ namespace Harvester.Simulation.Game;
 /// on the static world only. All calls come from one thread.
 /// </summary>
 /// <param name="world">The scene whose static part is drawn.</param>
-/// <param name="lens">The lens of the camera.</param>
 /// <param name="detail">How much of the light is shown.</param>
 /// <param name="noise">What changes from picture to picture.</param>
-internal sealed class PicturePainter(RenderScene world, RenderLens lens, Detail detail, PictureNoise noise)
+internal sealed class PicturePainter(RenderScene world, Detail detail, PictureNoise noise)
 {
     private readonly Renderer _renderer = new(detail);
     private RenderTarget? _picture;
@@ -55,12 +54,12 @@ internal sealed class PicturePainter(RenderScene world, RenderLens lens, Detail 
         Buffer.BlockCopy(picture.Colour, 0, target.Bytes, 0, target.Bytes.Length);
     }
 
-    private RenderCamera CameraOf(Moment moment, ImageSize size)
+    private static RenderCamera CameraOf(Moment moment, ImageSize size)
     {
         CameraState camera = moment.Truth.Camera;
         return new RenderCamera(camera.Pose, camera.VerticalFovDegrees, camera.WindowAspect, camera.NearClip, size.Width, size.Height)
         {
-            Lens = lens,
+            Lens = moment.Lens,
         };
     }
 

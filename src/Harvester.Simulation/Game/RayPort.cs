@@ -1,3 +1,4 @@
+using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
 using Harvester.Simulation.Rendering;
@@ -5,18 +6,26 @@ using Harvester.Simulation.Rendering;
 namespace Harvester.Simulation.Game;
 
 /// <summary>Casts rays against the current shapes.</summary>
-internal sealed class RayPort(SimulatedGame game) : IRayCaster
+internal sealed class RayPort(SimulatedGame game) : ISurfaceRays
 {
     private (RenderScene Shapes, SceneRayCaster Caster)? _current;
 
-    public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity)
-    {
-        RenderScene shapes = game.ShapesForRays;
-        if (_current is not { } current || current.Shapes != shapes)
-        {
-            _current = current = (shapes, new SceneRayCaster(shapes));
-        }
+    public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity) => Current.Cast(ray, maxDistance, ignoredEntity);
 
-        return current.Caster.Cast(ray, maxDistance, ignoredEntity);
+    public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity, out Vector3D normal) =>
+        Current.Cast(ray, maxDistance, ignoredEntity, out normal);
+
+    private SceneRayCaster Current
+    {
+        get
+        {
+            RenderScene shapes = game.ShapesForRays;
+            if (_current is not { } current || current.Shapes != shapes)
+            {
+                _current = current = (shapes, new SceneRayCaster(shapes));
+            }
+
+            return current.Caster;
+        }
     }
 }

@@ -38,7 +38,7 @@ public sealed class SimulatedGame
     private RayShapes? _rayShapes;
     private readonly Queue<Moment> _toBeShown = [];
     private Moment? _present;
-    private Pose _mount = new(new Vector3D(0, 2, 0.4), Axes.Identity);
+    private MountedView _view;
     private CameraState _cameraBefore;
     private double _weatherAheadSeconds;
     private long _state;
@@ -52,12 +52,14 @@ public sealed class SimulatedGame
         ArgumentNullException.ThrowIfNull(options);
         _options = options;
 
+        _view = new MountedView(
+            new Pose(new Vector3D(0, 2, 0.4), Axes.Identity), options.VerticalFovDegrees, options.WindowAspect, options.Lens);
+        View = _view;
         _weather = new WeatherClock(options);
         Enter(0);
         Freezing = new Freezing(options.Seed, options.Quirks);
         Hidden = new HiddenEntities(options.Seed, options.Quirks);
         _vanishing = new Vanishing(options.Seed, options.Quirks.VanishingFraction);
-        CameraMount = _mount;
         Ports = new GamePorts(
             new WorldPort(this),
             new RayPort(this),
@@ -68,6 +70,8 @@ public sealed class SimulatedGame
         {
             Car = new CarPort(this),
             MountedCamera = new MountedCameraPort(this),
+            RigCamera = new RigCameraPort(this),
+            SurfaceRays = new RayPort(this),
             Paint = new PaintPort(this),
             Lights = new LightsPort(this),
             Visibility = new VisibilityPort(this),
@@ -98,7 +102,11 @@ public sealed class SimulatedGame
     /// <summary>
     /// The camera's pose on the car: by default 2 m ahead of its origin and 0.4 m above it. A change takes effect in the next tick.
     /// </summary>
-    public Pose CameraMount { get; set; }
+    public Pose CameraMount
+    {
+        get => View.Mount;
+        set => View = View with { Mount = value };
+    }
 
     /// <summary>The ground truth of the current picture, whatever the ports report: camera, ego, all entities and the tick.</summary>
     public SceneSnapshot Shown => MomentShown.Truth;
@@ -111,7 +119,10 @@ public sealed class SimulatedGame
     /// <summary>The entities that the harvest hides from the pictures.</summary>
     internal HiddenEntities Hidden { get; }
 
-    internal RenderLens Lens => _options.Lens;
+    internal RenderLens Lens => _view.Lens;
+
+    /// <summary>The camera as it will be in the next tick.</summary>
+    internal MountedView View { get; set; }
 
     internal SimulatedWorld World => _world;
 
@@ -160,7 +171,7 @@ public sealed class SimulatedGame
     private double WeatherSeconds => _world.TimeSeconds + _weatherAheadSeconds;
 
     private CameraState Camera =>
-        new(_world.Ego.Pose.Compose(_mount), _options.VerticalFovDegrees, _options.NearClip, _options.WindowAspect);
+        new(_world.Ego.Pose.Compose(_view.Mount), _view.VerticalFovDegrees, _options.NearClip, _view.Aspect);
 
     /// <summary>The present moment, which rays meet and which a frozen game shows.</summary>
     internal Moment Present
@@ -180,6 +191,7 @@ public sealed class SimulatedGame
                     _world.LightsNear(eye))
                 {
                     Hidden = Hidden.Current,
+                    Lens = _view.Lens,
                     ShadowsRemain = _options.Quirks.ShadowsRemain,
                 };
             }
@@ -199,6 +211,10 @@ public sealed class SimulatedGame
     /// Begins to build the models of all games on another thread. The first game waits for them, or builds them if this was not called.
     /// </summary>
     public static void BeginModels() => _ = Task.Run(static () => ModelCatalogue.Shared);
+
+    /// <summary>Whether a point is inside the body of the car.</summary>
+    /// <param name="point">The point in the frame of the car's model, metres.</param>
+    public bool IsInsideCar(Vector3D point) => EgoBody.Encloses(_world.Ego, point);
 
     /// <summary>Goes to another place, whose entities have handles of their own, while the time of day stands still.</summary>
     /// <param name="near">Where the ego starts, metres, world x and y.</param>
@@ -232,9 +248,9 @@ public sealed class SimulatedGame
             _state++;
         }
 
-        if (CameraMount != _mount && !Freezing.HoldsCamera)
+        if (View != _view && !Freezing.HoldsCamera)
         {
-            _mount = CameraMount;
+            _view = View;
             _state++;
         }
 
@@ -276,8 +292,8 @@ public sealed class SimulatedGame
     internal RenderTarget RenderWithout(IReadOnlyCollection<int> hidden, ImageSize size)
     {
         Moment now = Present;
-        var moment = new Moment(now.State, now.Truth, now.Moving, now.Lighting, now.Lights) { Hidden = hidden };
-        return new PicturePainter(_world.Scene, _options.Lens, Detail.Plain, new PictureNoise(0, new GameQuirks())).Paint(moment, size);
+        var moment = new Moment(now.State, now.Truth, now.Moving, now.Lighting, now.Lights) { Hidden = hidden, Lens = now.Lens };
+        return new PicturePainter(_world.Scene, Detail.Plain, new PictureNoise(0, new GameQuirks())).Paint(moment, size);
     }
 
     /// <summary>Draws the current picture with the noise of the screen.</summary>
@@ -320,7 +336,7 @@ public sealed class SimulatedGame
         _world = new SimulatedWorld(_options, _handles, place, before);
         Place = place;
         _weatherAheadSeconds -= _world.TimeSeconds - before;
-        _painter = new PicturePainter(_world.Scene, _options.Lens, _options.Detail, new PictureNoise(_options.Seed, _options.Quirks));
+        _painter = new PicturePainter(_world.Scene, _options.Detail, new PictureNoise(_options.Seed, _options.Quirks));
         _rayShapes = RayShapes.AreNeededFor(_options.Quirks) ? new RayShapes(_options.Quirks, _options.Seed, _world.Scene) : null;
         _toBeShown.Clear();
         _cameraBefore = Camera;

@@ -21,6 +21,9 @@ internal sealed record Moment(
     /// <summary>Handles of the entities that are hidden from pictures.</summary>
     public IReadOnlyCollection<int> Hidden { get; init; } = [];
 
+    /// <summary>The lens of the camera.</summary>
+    public required RenderLens Lens { get; init; }
+
     /// <summary>Whether hidden entities still cast shadows.</summary>
     public bool ShadowsRemain { get; init; }
 

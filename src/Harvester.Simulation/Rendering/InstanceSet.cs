@@ -33,8 +33,8 @@ internal sealed class InstanceSet
     /// Shortens a ray to the nearest triangle of the set, if one is nearer than the limit. Of several instances at the same distance, the
     /// first in the tree's order counts, whatever the order in which they are visited.
     /// </summary>
-    /// <returns>Whether the ray was shortened; handle and kind are then those of the instance hit.</returns>
-    public bool Intersect(Ray ray, int ignoredHandle, ref double limit, ref int handle, ref SurfaceKind kind)
+    /// <returns>Whether the ray was shortened; the hit is then set.</returns>
+    public bool Intersect(Ray ray, int ignoredHandle, ref double limit, ref SurfaceHit hit)
     {
         RayTree rays = Rays;
         var visitor = new InstanceVisitor(_instances, rays, ray, ignoredHandle);
@@ -44,8 +44,7 @@ internal sealed class InstanceSet
             return false;
         }
 
-        handle = _instances[visitor.Nearest].Handle;
-        kind = _instances[visitor.Nearest].Mesh.Kind;
+        hit = new SurfaceHit(_instances[visitor.Nearest], visitor.NearestLeaf);
         return true;
     }
 
@@ -53,6 +52,9 @@ internal sealed class InstanceSet
     {
         /// <summary>The index of the instance hit; -1 if there is none.</summary>
         public int Nearest { get; private set; } = -1;
+
+        /// <summary>The leaf of the tree of its mesh with the triangle hit.</summary>
+        public int NearestLeaf { get; private set; }
 
         public void Visit(int leaf, ref double limit)
         {
@@ -72,6 +74,7 @@ internal sealed class InstanceSet
                 {
                     limit = nearest;
                     Nearest = i;
+                    NearestLeaf = visitor.HitLeaf;
                 }
             }
         }
@@ -97,8 +100,18 @@ internal sealed class InstanceSet
 
         public bool Hit { get; private set; }
 
+        /// <summary>The leaf with the nearest triangle hit so far.</summary>
+        public int HitLeaf { get; private set; }
+
         public void Visit(ref double limit) => _tree.Rays.Visit(_origin, _direction, ref limit, ref this);
 
-        public void Visit(int leaf, ref double limit) => Hit |= _tree.Blocks[leaf].Shorten(_origins, _directions, ref limit);
+        public void Visit(int leaf, ref double limit)
+        {
+            if (_tree.Blocks[leaf].Shorten(_origins, _directions, ref limit))
+            {
+                Hit = true;
+                HitLeaf = leaf;
+            }
+        }
     }
 }

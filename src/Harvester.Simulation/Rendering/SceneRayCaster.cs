@@ -20,10 +20,30 @@ public sealed class SceneRayCaster : IRayCaster
     public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity)
     {
         double limit = maxDistance;
-        int handle = RayHit.World;
-        SurfaceKind kind = default;
-        bool hit = _scene.Static.Intersect(ray, ignoredEntity, ref limit, ref handle, ref kind);
-        hit |= _scene.Dynamic.Intersect(ray, ignoredEntity, ref limit, ref handle, ref kind);
-        return hit ? new RayHit(limit, handle) { Material = SurfaceMaterial.Of(kind) } : null;
+        SurfaceHit hit = default;
+        return Intersect(ray, ignoredEntity, ref limit, ref hit) ? HitOf(limit, hit) : null;
     }
+
+    /// <summary>Casts a ray and finds the normal of the surface that it hits.</summary>
+    /// <param name="ray">The ray.</param>
+    /// <param name="maxDistance">Maximum distance, metres.</param>
+    /// <param name="ignoredEntity">Handle of an entity that the ray passes through.</param>
+    /// <param name="normal">Unit normal to either side, world; zero without a hit.</param>
+    public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity, out Vector3D normal)
+    {
+        double limit = maxDistance;
+        SurfaceHit hit = default;
+        bool isHit = Intersect(ray, ignoredEntity, ref limit, ref hit);
+        normal = isHit ? hit.NormalOf(ray, limit) : Vector3D.Zero;
+        return isHit ? HitOf(limit, hit) : null;
+    }
+
+    private bool Intersect(Ray ray, int ignoredEntity, ref double limit, ref SurfaceHit hit)
+    {
+        bool isHit = _scene.Static.Intersect(ray, ignoredEntity, ref limit, ref hit);
+        return _scene.Dynamic.Intersect(ray, ignoredEntity, ref limit, ref hit) || isHit;
+    }
+
+    private static RayHit HitOf(double distance, in SurfaceHit hit) =>
+        new(distance, hit.Instance.Handle) { Material = SurfaceMaterial.Of(hit.Instance.Mesh.Kind) };
 }

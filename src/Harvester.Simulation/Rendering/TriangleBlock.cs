@@ -1,6 +1,7 @@
 using System;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
+using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
 
@@ -63,4 +64,38 @@ internal readonly struct TriangleBlock
         limit = nearer[0] < nearer[1] ? nearer[0] : nearer[1];
         return true;
     }
+
+    /// <summary>
+    /// The unit normal, to either side, of the triangle that a ray meets at a distance: of those whose plane it meets there, the one that
+    /// contains the place best.
+    /// </summary>
+    public Vector3D NormalAt(Vector3D origin, Vector3D direction, double distance)
+    {
+        Vector3D place = origin + (direction * distance);
+        Vector3D best = Vector3D.Zero;
+        double least = double.PositiveInfinity;
+        for (int i = 0; i < Width; i++)
+        {
+            Vector3D ab = At(_ab, i);
+            Vector3D ac = At(_ac, i);
+            Vector3D normal = ab.Cross(ac);
+            double area = normal.Length;
+            if (area == 0)
+            {
+                continue;
+            }
+
+            // The three areas that the place makes with the sides add up to that of the triangle if it lies inside.
+            Vector3D a = At(_a, i) - place;
+            double areas = (a.Cross(a + ab).Length + a.Cross(a + ac).Length + (a + ab).Cross(a + ac).Length) / area;
+            if (areas < least)
+            {
+                (least, best) = (areas, normal / area);
+            }
+        }
+
+        return best;
+    }
+
+    private static Vector3D At(in QuadVector vectors, int place) => new(vectors.X[place], vectors.Y[place], vectors.Z[place]);
 }

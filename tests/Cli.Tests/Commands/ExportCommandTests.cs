@@ -151,12 +151,12 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
         "--classes",
         "car",
         "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, bdd100k, motchallenge, "
-            + "openlabel, webdataset, imagefolder, mcap, csv")]
+            + "openlabel, nuscenes, webdataset, imagefolder, mcap, csv")]
     [InlineData(
         "--min-visible",
         "0.2",
         "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, bdd100k, motchallenge, "
-            + "openlabel, webdataset, imagefolder, mcap, csv")]
+            + "openlabel, nuscenes, webdataset, imagefolder, mcap, csv")]
     [InlineData(
         "--parts",
         "none",
@@ -168,7 +168,7 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
         "--images",
         "copy",
         "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, semantic, bdd100k, "
-            + "motchallenge, openlabel, tusimple, culane, openlane, imagefolder, csv")]
+            + "motchallenge, openlabel, nuscenes, tusimple, culane, openlane, imagefolder, csv")]
     [InlineData(
         "--split-block",
         "10",

@@ -10,7 +10,7 @@ namespace Harvester.Cli.Tests.Commands;
 public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture<HarvestedFormats>, IDisposable
 {
     /// <summary>What the paths of pictures that are no camera images contain.</summary>
-    private static readonly string[] Maps = ["gtFine", "panoptic_", "/classes/", "/drivable/"];
+    private static readonly string[] Maps = ["gtFine", "panoptic_", "/classes/", "/drivable/", "maps/"];
 
     private readonly TemporaryFolder _folder = new();
 

@@ -27,8 +27,8 @@ public sealed class DamagedInputTests(SmallSession session) : IClassFixture<Smal
         ["validate SESSION", "relabel SESSION --no-report --out OUT", "masks import SESSION SESSION/masks", .. Exports];
 
     private static IEnumerable<string> Exports =>
-        ("csv coco coco-panoptic yolo kitti voc cityscapes webdataset openlane tusimple deepdriving bdd100k motchallenge openlabel culane "
-            + "imagefolder").Split(' ')
+        ("csv coco coco-panoptic yolo kitti voc cityscapes webdataset openlane tusimple deepdriving bdd100k motchallenge openlabel "
+            + "nuscenes culane imagefolder").Split(' ')
             .Select(format => $"export SESSION --format {format} --out OUT");
 
     public void Dispose() => _hostile.Dispose();

@@ -105,6 +105,8 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Dataset("motchallenge", "motchallenge", "MOT17-train/session-0000/gt/gt.txt"),
         Dataset("motchallenge-sequence", "motchallenge", "MOT17-train/session-0000/seqinfo.ini"),
         Dataset("openlabel", "openlabel", "labels/train/0000.json"),
+        Dataset("nuscenes", "nuscenes", "v1.0-gta/sample_data.json"),
+        Dataset("nuscenes-splits", "nuscenes", "v1.0-gta/splits.json"),
         Dataset("culane", "culane", "list/train.txt"),
         Dataset("culane-truth", "culane", "list/train_gt.txt"),
         Dataset("imagefolder", "imagefolder", "data/train/metadata.jsonl"),

@@ -56,6 +56,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("export-coco-keypoints", "export {inputs}/people --format coco-keypoints --out {root}/out"),
         new("export-jta", "export {inputs}/people --format jta --out {root}/out"),
         new("export-webdataset", "export {inputs}/session --format webdataset --out {root}/out"),
+        new("export-nuscenes", "export {inputs}/session --format nuscenes --out {root}/out"),
         new("export-motchallenge", "export {inputs}/session --format motchallenge --out {root}/out"),
         new("export-imagefolder", "export {inputs}/session --format imagefolder --out {root}/out"),
         new("export-shard", "export {inputs}/session --format yolo --out {root}/out --shard 1/2"),

@@ -1,11 +1,16 @@
+using System;
 using System.Collections.Generic;
+using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports.Assembly;
 
-/// <summary>The frames of all sessions of an export, session by session, with place and split.</summary>
+/// <summary>
+/// The frames of all sessions of an export, session by session, with place and split. Each view of a rig is a sequence of its own; all
+/// views of a moment are in the same split.
+/// </summary>
 internal static class PlannedFrames
 {
     /// <summary>Reads the frames.</summary>
@@ -14,23 +19,39 @@ internal static class PlannedFrames
     {
         var selector = new ObjectSelector(plan.Format, plan.Options);
         int index = 0;
+        int sequences = 0;
         for (int session = 0; session < plan.Sessions.Count; session++)
         {
-            int frameInSession = 0;
-            CameraLabel? camera = null;
+            SessionInfo info = plan.Sessions[session].ReadInfo();
+            string?[] views = info.Rig is { } rig ? [.. rig.Cameras.Select(camera => camera.Name)] : [null];
+            var counts = new int[views.Length];
+            var cameras = new CameraLabel?[views.Length];
             foreach (LabelLine line in plan.Sessions[session].ReadGoodLines())
             {
-                camera ??= line.Label!.Camera;
+                int view = views.Length == 1 ? 0 : ViewOf(line, views, plan.Sessions[session]);
                 yield return new ExportFrame(plan.Sessions[session], line, selector, plan.Options.ImageFormat)
                 {
                     Index = index++,
-                    SessionIndex = session,
-                    FrameInSession = frameInSession,
-                    Split = plan.Options.Splits.Of(session, frameInSession),
-                    SessionCamera = camera,
+                    SessionIndex = sequences + view,
+                    FrameInSession = counts[view],
+                    RecordingIndex = session,
+                    Rig = info.Rig,
+                    RateHz = info.RateHz ?? 0,
+                    Split = plan.Options.Splits.Of(session, counts[view]),
+                    SessionCamera = cameras[view] ??= line.Label!.Camera,
                 };
-                frameInSession++;
+                counts[view]++;
             }
+
+            sequences += views.Length;
         }
+    }
+
+    private static int ViewOf(LabelLine line, string?[] views, SessionReader session)
+    {
+        string? view = line.Label!.View;
+        int index = Array.IndexOf(views, view);
+        return index >= 0 ? index : throw new DatasetFormatException(
+            $"{session.PathOf(SessionReader.LabelsFile)}, line {line.Number}: view is '{view}', which is no camera of the rig.");
     }
 }

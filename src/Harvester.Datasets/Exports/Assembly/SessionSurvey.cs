@@ -112,14 +112,14 @@ internal sealed class SessionSurvey
     private void Add(ExportFrame frame)
     {
         FrameRequirements.Check(Format, frame);
-        _frames[frame.SessionIndex]++;
-        _classMaps[frame.SessionIndex] += frame.Label.ClassMap is null ? 0 : 1;
-        _masks[frame.SessionIndex] += frame.Label.Mask is null ? 0 : 1;
+        _frames[frame.RecordingIndex]++;
+        _classMaps[frame.RecordingIndex] += frame.Label.ClassMap is null ? 0 : 1;
+        _masks[frame.RecordingIndex] += frame.Label.Mask is null ? 0 : 1;
         _hasWholeBoxes |= frame.Label.Objects.Any(label => label.Box2DWhole is not null);
         _mutcdCodes.UnionWith(frame.Label.Objects.Select(label => label.Face?.MutcdCode).OfType<string>());
         if (!Format.LeavesOutUnknownLanes || frame.Label.Lanes is { Status: LaneStatus.Known })
         {
-            _written.Add(new FramePlace(frame.SessionIndex, frame.FrameInSession));
+            _written.Add(new FramePlace(frame.RecordingIndex, frame.FrameInSession));
         }
 
         if (_written.Count > MaxFrames || _mutcdCodes.Count > MaxMutcdCodes)

@@ -12,6 +12,7 @@ using Harvester.Datasets.Exports.Formats.Kitti;
 using Harvester.Datasets.Exports.Formats.Lanes;
 using Harvester.Datasets.Exports.Formats.Mcap;
 using Harvester.Datasets.Exports.Formats.MotChallenge;
+using Harvester.Datasets.Exports.Formats.NuScenes;
 using Harvester.Datasets.Exports.Formats.OpenLabel;
 using Harvester.Datasets.Exports.Formats.Semantic;
 using Harvester.Datasets.Exports.Formats.Voc;
@@ -89,6 +90,10 @@ public static class DatasetFormats
         {
             UsesMasks = true, HasBoxes = true, HasBoxesBeyondImage = true, HasNames = true, HasParts = true, KeepsSessions = true,
             Check = OpenLabelCheck.Problems,
+        },
+        new("nuscenes", "nuScenes: the tables, samples and sweeps of a rig", _ => new NuScenesWriter())
+        {
+            NeedsRectilinear = true, KeepsSessions = true, Check = NuScenesCheck.Problems,
         },
         new("deepdriving", "Images of 280 x 210 and DeepDriving's thirteen indicators", options => new DeepDrivingWriter(options))
         {

@@ -28,6 +28,8 @@ function shape(name, attributes, text = "") {
 const fixed = (value, digits = 1) => value === null ? "not determined" : value.toFixed(digits);
 const percent = value => value === null ? "not determined" : `${Math.round(value * 100)} %`;
 const words = name => name.replace(/[A-Z]/g, capital => ` ${capital.toLowerCase()}`);
+// The cameras of a rig have images of their own sizes.
+const sizeOf = frame => frame.size ?? [data.width, data.height];
 const colour = object => data.classes[object.class].colour;
 
 function describe(list, entries, grouped) {
@@ -40,7 +42,7 @@ function describe(list, entries, grouped) {
 function picture(index) {
   if (!pictures.has(index)) {
     const stored = byId(`image-${index}`);
-    const image = element("img", { alt: `Frame ${data.frames[index].frame}`, width: data.width, height: data.height });
+    const image = element("img", { alt: `Frame ${data.frames[index].frame}`, width: sizeOf(data.frames[index])[0], height: sizeOf(data.frames[index])[1] });
     image.src = stored.dataset.href ?? `data:${stored.dataset.type};base64,${stored.textContent.trim()}`;
     pictures.set(index, image);
   }
@@ -56,7 +58,7 @@ async function show(index) {
   if (old) old.replaceWith(image); else byId("stage").prepend(image);
   byId("slider").value = index;
   const frame = data.frames[index];
-  byId("position").textContent = `frame ${frame.frame}, ${fixed(frame.time, 2)} s`;
+  byId("position").textContent = `frame ${frame.frame}${frame.view ? ` (${frame.view})` : ""}, ${fixed(frame.time, 2)} s`;
   describe(byId("caption"), [
     ["Weather", frame.weather], ["Time of day", frame.timeOfDay], ["Ego speed", `${fixed(frame.speed * 3.6, 0)} km/h`],
     ["Camera position", frame.camera.position.map(value => fixed(value)).join(", ") + " m"], ["Heading", `${fixed(frame.camera.heading, 0)}°`],
@@ -68,7 +70,7 @@ async function show(index) {
 
 function draw() {
   const overlay = byId("overlay");
-  overlay.setAttribute("viewBox", `0 0 ${data.width} ${data.height}`);
+  overlay.setAttribute("viewBox", `0 0 ${sizeOf(data.frames[state.index]).join(" ")}`);
   // The farthest first, so that the nearest lies on top and is the one pointed at.
   const objects = data.frames[state.index].objects.filter(object => !state.hidden.has(object.class)).sort((a, b) => b.distance - a.distance);
   overlay.replaceChildren(...objects.flatMap(drawObject));

@@ -16,7 +16,9 @@ internal static class KittiCheck
     private const string Images = "training/image_2";
     private const string Labels = "training/label_2";
     private const string Calibrations = "training/calib";
+    private const string Points = "training/velodyne";
     private const int Columns = 15;
+    private const int BytesPerPoint = 16;
 
     public static IEnumerable<SessionProblem> Problems(DatasetContent dataset)
     {
@@ -36,10 +38,15 @@ internal static class KittiCheck
             dataset, $"{Calibrations}/{frame}.txt", "R0_rect:", "Tr_velo_to_cam:", "Tr_imu_to_velo:");
         ImageHeader? header = dataset.Header(image);
         var columns = new KittiColumns(dataset.Options.Boxes ?? BoxKind.Cuboid);
-        return calibration.Problems.Concat(LabelFiles.Problems(dataset, $"{Labels}/{frame}.txt", (number, words) =>
+        IEnumerable<SessionProblem> points = PointProblems(dataset, $"{Points}/{frame}.bin");
+        return calibration.Problems.Concat(points).Concat(LabelFiles.Problems(dataset, $"{Labels}/{frame}.txt", (number, words) =>
             ProblemOf(words, header?.Size, calibration.P2, columns,
                 misses.GetValueOrDefault($"{frame}.txt,{number}", KittiLeaning.MaxMissPixels))));
     }
+
+    private static IEnumerable<SessionProblem> PointProblems(DatasetContent dataset, string name) =>
+        dataset.Has(name) && new FileInfo(dataset.PathOf(name)).Length % BytesPerPoint != 0
+            ? [new SessionProblem(name, null, $"its length is no multiple of the {BytesPerPoint} bytes of a point.")] : [];
 
     private static string? ProblemOf(string[] words, ImageSize? image, double[]? projection, KittiColumns columns, double missPixels) =>
         words.Length != Columns ? $"it has {words.Length} columns instead of {Columns}."

@@ -6,8 +6,8 @@ using Harvester.Geometry;
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
 /// <summary>
-/// Writes KITTI object detection: training/image_2, label_2 and calib with a file per frame, and lists of the splits. See
-/// docs/exports/kitti.md.
+/// Writes KITTI object detection: training/image_2, label_2, calib and, with a LiDAR, velodyne with a file per frame, and lists of the
+/// splits. See docs/exports/kitti.md.
 /// </summary>
 internal sealed class KittiWriter(ExportOptions options) : IDatasetWriter
 {
@@ -36,8 +36,14 @@ internal sealed class KittiWriter(ExportOptions options) : IDatasetWriter
         }
 
         output.Text($"training/label_2/{name}.txt", lines.ToString());
+        KittiVelodyne? points = KittiVelodyne.Of(frame);
+        if (points is not null)
+        {
+            output.File($"training/velodyne/{name}.bin", points.Write);
+        }
+
         output.Text($"training/calib/{name}.txt",
-            KittiCalibration.Text(frame.Label.Camera, "R0_rect:", "Tr_velo_to_cam:", "Tr_imu_to_velo:"));
+            KittiCalibration.Text(frame.Label.Camera, points?.ToCamera, "R0_rect:", "Tr_velo_to_cam:", "Tr_imu_to_velo:"));
         output.Part(ListPrefix + frame.Split, name);
         return new WrittenObjects(objects, ignored.Length);
     }

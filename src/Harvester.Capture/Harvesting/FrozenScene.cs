@@ -1,0 +1,68 @@
+using System.Collections.Generic;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Capture.Harvesting;
+
+/// <summary>The scene of a frozen game: waits until it stands still, and reads it again to see that it still does.</summary>
+internal sealed class FrozenScene(
+    HarvestOptions options, SceneReader reader, TickBudget budget, HarvestCounters counters, PhaseCalls calls)
+{
+    private readonly SceneComparison _comparison = new(options.StillToleranceMetres);
+
+    /// <summary>The latest reading.</summary>
+    public SceneSnapshot? Latest { get; private set; }
+
+    /// <summary>The scene that stood still; null if it kept moving, which discards the frame.</summary>
+    public SceneSnapshot? Settled { get; private set; }
+
+    /// <summary>The comparison of readings.</summary>
+    public SceneComparison Comparison => _comparison;
+
+    /// <summary>Reads until nothing has moved for as long as a picture may lag.</summary>
+    public IEnumerable<HarvestPhase> Settle()
+    {
+        Settled = null;
+        var gate = new StillnessGate(_comparison);
+        for (int readings = 0; readings == 0 || gate.StillTicks < options.MaxPictureLagTicks; readings++)
+        {
+            if (readings > options.MaxSettleTicks + options.MaxPictureLagTicks)
+            {
+                counters.Discard("neverStill");
+                yield break;
+            }
+
+            if (readings > 0)
+            {
+                yield return HarvestPhase.Settling;
+            }
+
+            foreach (HarvestPhase phase in Read(HarvestPhase.Settling))
+            {
+                yield return phase;
+            }
+
+            gate.Observe(Latest!);
+        }
+
+        Settled = Latest;
+        counters.Settled((int)gate.MovingTicks);
+    }
+
+    /// <summary>Reads the scene into <see cref="Latest"/>, and gives the tick back wherever its budget is spent.</summary>
+    public IEnumerable<HarvestPhase> Read(HarvestPhase phase)
+    {
+        foreach (SceneSnapshot? snapshot in reader.ReadInSteps())
+        {
+            if (snapshot is not null)
+            {
+                Latest = snapshot;
+            }
+            else if (budget.IsSpent)
+            {
+                yield return phase;
+            }
+        }
+
+        calls.Charge(phase);
+    }
+}

@@ -1,0 +1,86 @@
+using System;
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using System.IO;
+using System.Linq;
+using Harvester.Capture.Labelling;
+using Harvester.Cli.Harvesting;
+using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
+using Harvester.Sessions.Rigs;
+
+namespace Harvester.Cli.Arguments;
+
+/// <summary>--rig: several cameras and LiDARs instead of the single camera.</summary>
+internal sealed class RigOption
+{
+    private static readonly string[] OfSingleCamera =
+        ["--size", "--fov", "--focal-scale", "--centre-offset", "--k1", "--k2", "--calibration"];
+
+    private readonly Option<FileInfo?> _file = new("--rig")
+    {
+        Description = "Cameras and LiDARs from this file (docs/rigs.md); --frames and --hz then count moments",
+        HelpName = "FILE",
+    };
+
+    /// <summary>Adds the option to a command.</summary>
+    public void AddTo(Command command) => command.Options.Add(_file);
+
+    /// <summary>The plan with the rig of the command line, if it has one: each moment then has a frame for each camera.</summary>
+    /// <exception cref="UsageException">An option contradicts the rig, or the rig takes too long.</exception>
+    /// <exception cref="DatasetFormatException">The file is not a rig.</exception>
+    public HarvestPlan AppliedTo(ParseResult parsed, HarvestPlan plan)
+    {
+        if (parsed.GetValue(_file) is not { } file)
+        {
+            return plan;
+        }
+
+        if (OfSingleCamera.FirstOrDefault(name => parsed.GetResult(name) is OptionResult { Implicit: false }) is { } contradicted)
+        {
+            throw new UsageException(
+                $"{contradicted} cannot be used with --rig, which gives each camera its size, field of view and lens.");
+        }
+
+        if (plan.Options.MaskMethod != MaskMethod.Rays)
+        {
+            throw new UsageException("With --rig, masks come from rays. Use --masks without a value.");
+        }
+
+        Rig rig = Read(file.FullName);
+        int views = rig.Cameras.Count;
+        int frames = checked(plan.Frames * views);
+        return plan with
+        {
+            Frames = frames,
+            FovDegrees = rig.Cameras[0].VerticalFovDegrees,
+            Options = plan.Options with
+            {
+                Rig = rig,
+                Image = rig.Cameras[0].Image,
+                Lens = rig.Cameras[0].Lens,
+                MaxFrames = frames,
+                Places = plan.Options.Places! with { ViewsPerMoment = views },
+                QueueCapacity = Math.Max(plan.Options.QueueCapacity, 2 * views),
+            },
+        };
+    }
+
+    private static Rig Read(string path)
+    {
+        Rig rig;
+        try
+        {
+            rig = RigParser.Parse(InputFile.ReadAllText(path));
+        }
+        catch (FormatException e)
+        {
+            throw new DatasetFormatException($"'{path}' is not a rig: {e.Message.TrimEnd('.')}.", e);
+        }
+
+        double seconds = RigBudget.SecondsPerMoment(rig);
+        return seconds <= RigBudget.MaxSeconds ? rig : throw new UsageException(FormattableString.Invariant(
+            $"A moment of the rig '{rig.Name}' takes about {seconds:0} s; at most {RigBudget.MaxSeconds} s are allowed. ")
+            + "Give it fewer rays or smaller images.");
+    }
+}

@@ -1,0 +1,75 @@
+using System.IO;
+using System.Linq;
+using System.Text;
+using Harvester.Geometry;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Lidar;
+using Harvester.Sessions.Rigs;
+
+namespace Harvester.Datasets.Exports.Formats.Kitti;
+
+/// <summary>
+/// The points of a rig's first LiDAR, in KITTI's frame of the laser scanner (x forward, y left, z up), and its place beside a camera.
+/// </summary>
+internal sealed class KittiVelodyne
+{
+    private readonly ExportFrame _frame;
+    private readonly Rig _rig;
+    private readonly string _file;
+
+    private KittiVelodyne(ExportFrame frame, Rig rig)
+    {
+        (_frame, _rig) = (frame, rig);
+
+        // The points of a moment are named in the line of its first view.
+        int first = frame.Label.Frame - (frame.Label.Frame % rig.Cameras.Count);
+        _file = FramePaths.Sweep(first, rig.Lidars[0].Name);
+    }
+
+    /// <summary>Tr_velo_to_cam, row by row: from the frame of the laser scanner to the camera's, x right, y down, z forward.</summary>
+    public double[] ToCamera
+    {
+        get
+        {
+            Pose camera = (_rig.Cameras.FirstOrDefault(each => each.Name == _frame.Label.View) ?? _rig.Cameras[0]).Mount;
+            Pose lidar = _rig.Lidars[0].Mount;
+            Vector3D place = camera.ToLocal(lidar.Position);
+            Vector3D[] columns =
+            [
+                camera.Axes.ToLocal(lidar.Axes.Forward),
+                camera.Axes.ToLocal(lidar.Axes.Right * -1),
+                camera.Axes.ToLocal(lidar.Axes.Up),
+                place,
+            ];
+            return
+            [
+                .. columns.Select(column => column.X), .. columns.Select(column => -column.Z), .. columns.Select(column => column.Y),
+            ];
+        }
+    }
+
+    /// <summary>The points at a frame; null if its session has none of that moment.</summary>
+    public static KittiVelodyne? Of(ExportFrame frame)
+    {
+        if (frame.Rig is not { Lidars.Count: > 0 } rig)
+        {
+            return null;
+        }
+
+        var points = new KittiVelodyne(frame, rig);
+        return frame.HasFile(points._file) ? points : null;
+    }
+
+    /// <summary>Writes the points: four float32 each, x, y, z and reflectance from 0 to 1.</summary>
+    public void Write(Stream stream)
+    {
+        using var writer = new BinaryWriter(stream, Encoding.UTF8, leaveOpen: true);
+        foreach (LidarPoint point in _frame.ReadPoints(_file))
+        {
+            writer.Write(point.Y);
+            writer.Write(-point.X);
+            writer.Write(point.Z);
+            writer.Write(point.Intensity);
+        }
+    }
+}

@@ -1,0 +1,27 @@
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Harvester.Datasets.Exports.Formats.NuScenes;
+
+/// <summary>An object at a sample, as all its views show it together.</summary>
+/// <param name="Object">What all views agree on.</param>
+/// <param name="VisibleFraction">The part of its boxes in all images that nothing hides, 0 to 1.</param>
+/// <param name="Points">Number of LiDAR points on it.</param>
+internal sealed record NuScenesSighting(NuScenesObject Object, double VisibleFraction, int Points)
+{
+    /// <summary>
+    /// Speed from which an object counts as moving, m/s: slower than walking, faster than the sway of a person who stands.
+    /// </summary>
+    private const double MovingSpeed = 0.2;
+
+    /// <summary>Whether it moves.</summary>
+    public bool IsMoving => Object.Speed > MovingSpeed;
+
+    /// <summary>Puts together what the views show.</summary>
+    public static NuScenesSighting Of(IEnumerable<NuScenesObject> views, int points)
+    {
+        NuScenesObject[] all = [.. views];
+        double area = all.Sum(view => view.Area);
+        return new NuScenesSighting(all[0], area > 0 ? all.Sum(view => view.VisibleArea) / area : 0, points);
+    }
+}

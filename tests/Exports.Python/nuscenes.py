@@ -1,0 +1,157 @@
+"""Reads nuScenes from its schema, without numpy and the devkit: links of all tables, chains, geometry, points in boxes."""
+
+import json
+import math
+import os
+import struct
+
+VERSION = "v1.0-gta"
+TABLES = {
+    "attribute": ["name", "description"],
+    "calibrated_sensor": ["sensor_token", "translation", "rotation", "camera_intrinsic"],
+    "category": ["name", "description"],
+    "ego_pose": ["timestamp", "translation", "rotation"],
+    "instance": ["category_token", "nbr_annotations", "first_annotation_token", "last_annotation_token"],
+    "log": ["logfile", "vehicle", "date_captured", "location"],
+    "map": ["category", "filename", "log_tokens"],
+    "sample": ["timestamp", "scene_token", "prev", "next"],
+    "sample_annotation": ["sample_token", "instance_token", "visibility_token", "attribute_tokens", "translation", "size", "rotation",
+                          "prev", "next", "num_lidar_pts", "num_radar_pts"],
+    "sample_data": ["sample_token", "ego_pose_token", "calibrated_sensor_token", "timestamp", "fileformat", "is_key_frame", "height",
+                    "width", "filename", "prev", "next"],
+    "scene": ["log_token", "nbr_samples", "first_sample_token", "last_sample_token", "name", "description"],
+    "sensor": ["channel", "modality"],
+    "visibility": ["level", "description"],
+}
+# A point on a surface may lie outside the box of its model by what the box is rounded to, and shapes such as riders exceed theirs.
+MARGIN_METRES = 0.02
+LEAST_SHARE_IN_BOXES = 0.95
+
+
+def matrix(quaternion):
+    w, x, y, z = quaternion
+    assert abs(w * w + x * x + y * y + z * z - 1) < 1e-6
+    return [[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]]
+
+
+def out_of(frame, point):
+    """A point of a frame in the frame around it."""
+    rows = matrix(frame["rotation"])
+    return [sum(r * p for r, p in zip(row, point)) + t for row, t in zip(rows, frame["translation"])]
+
+
+def into(frame, point):
+    """A point of the frame around a frame in the frame."""
+    rows = matrix(frame["rotation"])
+    moved = [p - t for p, t in zip(point, frame["translation"])]
+    return [sum(rows[i][j] * moved[i] for i in range(3)) for j in range(3)]
+
+
+def load(root):
+    tables = {}
+    for name, fields in TABLES.items():
+        with open(os.path.join(root, VERSION, name + ".json"), encoding="utf-8") as file:
+            records = json.load(file)
+        tables[name] = {record["token"]: record for record in records}
+        assert len(tables[name]) == len(records), f"{name}: a token occurs twice"
+        for record in records:
+            assert sorted(record) == sorted(["token", *fields]), f"{name}: {sorted(record)}"
+    return tables
+
+
+def check_links(tables):
+    for name, table in tables.items():
+        for record in table.values():
+            for field, value in record.items():
+                target = field.removesuffix("_token").removesuffix("_tokens")
+                target = {"first_annotation": "sample_annotation", "last_annotation": "sample_annotation",
+                          "first_sample": "sample", "last_sample": "sample"}.get(target, target)
+                if field.endswith("_token") or field.endswith("_tokens"):
+                    for token in value if isinstance(value, list) else [value]:
+                        assert token in tables[target], f"{name}.{field}"
+                elif field in ("prev", "next") and value:
+                    other = {"prev": "next", "next": "prev"}[field]
+                    assert table[value][other] == record["token"], f"{name}.{field}"
+    logs = {token for record in tables["map"].values() for token in record["log_tokens"]}
+    assert logs == set(tables["log"])
+
+
+def check_chains(tables):
+    for scene in tables["scene"].values():
+        token, count = scene["first_sample_token"], 1
+        while tables["sample"][token]["next"]:
+            before, token = token, tables["sample"][token]["next"]
+            assert tables["sample"][before]["timestamp"] < tables["sample"][token]["timestamp"]
+            count += 1
+        assert (token, count) == (scene["last_sample_token"], scene["nbr_samples"])
+    for instance in tables["instance"].values():
+        token, count = instance["first_annotation_token"], 1
+        while tables["sample_annotation"][token]["next"]:
+            token = tables["sample_annotation"][token]["next"]
+            count += 1
+        assert (token, count) == (instance["last_annotation_token"], instance["nbr_annotations"])
+
+
+def check_geometry(root, tables):
+    """Annotated boxes are before the cameras that may see them, and exactly their points are in them."""
+    boxes = {}
+    for annotation in tables["sample_annotation"].values():
+        boxes.setdefault(annotation["sample_token"], []).append(annotation)
+        assert isinstance(annotation["num_lidar_pts"], int) and len(annotation["attribute_tokens"]) <= 1
+    seen, counted, within, sweeps = set(), 0, 0, 0
+    for data in tables["sample_data"].values():
+        assert os.path.isfile(os.path.join(root, data["filename"])), data["filename"]
+        assert data["filename"].startswith("samples/" if data["is_key_frame"] else "sweeps/")
+        pose, sensor = tables["ego_pose"][data["ego_pose_token"]], tables["calibrated_sensor"][data["calibrated_sensor_token"]]
+        assert pose["timestamp"] == data["timestamp"]
+        if not data["is_key_frame"]:
+            continue
+        modality = tables["sensor"][sensor["sensor_token"]]["modality"]
+        if modality == "camera":
+            (fx, _, cx), (_, fy, cy), _ = sensor["camera_intrinsic"]
+            for box in boxes.get(data["sample_token"], []):
+                x, y, z = into(sensor, into(pose, box["translation"]))
+                if z > 0.5 and 0 <= fx * x / z + cx <= data["width"] and 0 <= fy * y / z + cy <= data["height"]:
+                    seen.add(box["token"])
+        else:
+            with open(os.path.join(root, data["filename"]), "rb") as file:
+                content = file.read()
+            assert len(content) % 20 == 0
+            sweeps += 1
+            points = [out_of(pose, out_of(sensor, point[:3])) for point in struct.iter_unpack("<5f", content)]
+            for box in boxes.get(data["sample_token"], []):
+                width, length, height = box["size"]
+                rows, radius = matrix(box["rotation"]), math.dist((0, 0, 0), box["size"]) / 2 + MARGIN_METRES
+                inside = 0
+                for point in points:
+                    moved = [p - t for p, t in zip(point, box["translation"])]
+                    if abs(moved[0]) > radius or abs(moved[1]) > radius:
+                        continue
+                    x, y, z = (sum(rows[i][j] * moved[i] for i in range(3)) for j in range(3))
+                    inside += (abs(x) <= length / 2 + MARGIN_METRES and abs(y) <= width / 2 + MARGIN_METRES
+                               and abs(z) <= height / 2 + MARGIN_METRES)
+                counted += box["num_lidar_pts"]
+                within += min(inside, box["num_lidar_pts"])
+    assert len(seen) > 0.5 * len(tables["sample_annotation"]), "few boxes are before the cameras"
+    if sweeps:
+        assert within >= LEAST_SHARE_IN_BOXES * counted > 0, f"{within} of {counted} points are in their boxes"
+    return counted, within
+
+
+def read(root):
+    tables = load(root)
+    check_links(tables)
+    check_chains(tables)
+    counted, within = check_geometry(root, tables)
+    with open(os.path.join(root, VERSION, "splits.json"), encoding="utf-8") as file:
+        named = [name for scenes in json.load(file).values() for name in scenes]
+    assert sorted(named) == sorted(scene["name"] for scene in tables["scene"].values())
+    return (f"nuscenes: {len(tables['scene'])} scenes, {len(tables['sample'])} samples, {len(tables['sample_annotation'])} annotations, "
+            f"{within} of {counted} points in their boxes")
+
+
+if __name__ == "__main__":
+    import sys
+    print(read(sys.argv[1]))
