@@ -83,8 +83,9 @@ public sealed class UnusableSessionTests : ExportTests
     {
         var options = new ExportOptions { Splits = new SplitPlan([new(first, 0.5), new(second, 0.5)], 1, 1) };
 
-        Assert.StartsWith(
-            message, Assert.Throws<ArgumentException>(() => Folder.Export(format, Session.Open(), options)).Message, StringComparison.Ordinal);
+        var refusal = Assert.Throws<ArgumentException>(() => Folder.Export(format, Session.Open(), options));
+
+        Assert.StartsWith(message, refusal.Message, StringComparison.Ordinal);
         Assert.False(Directory.Exists(Folder.PathOf("out")));
     }
 
