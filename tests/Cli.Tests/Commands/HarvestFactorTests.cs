@@ -18,6 +18,8 @@ public sealed class HarvestFactorTests(ITestOutputHelper output)
     /// <summary>A car that does not wander is so near to the middle of its lane; it cuts bends by centimetres.</summary>
     private const double SteadyMetres = 0.05;
 
+    private static readonly string[] WanderFactors = ["0", "1", "3"];
+
     private static readonly string[] Factors = ["--lane-changes", "--traffic", "--pedestrians", "--parked"];
 
     // At ten places of this seed, the offset at 3 is no greater than at 1 (1.00 and 1.17 m).
@@ -26,7 +28,7 @@ public sealed class HarvestFactorTests(ITestOutputHelper output)
     {
         // Without wandering the car still changes lanes, which is an offset too.
         string[] alone = ["--places", "4", "--lane-changes", "0", "--traffic", "0"];
-        double[] offsets = [.. new[] { "0", "1", "3" }
+        double[] offsets = [.. WanderFactors
             .Select(factor => Deviation([.. Labels(["--wander", factor, .. alone])
                 .Select(label => label.Lanes!.OffsetFromLaneCentreMetres).OfType<double>()]))];
 
