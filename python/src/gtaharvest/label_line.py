@@ -8,6 +8,9 @@ from typing import Any, Dict, Iterator, Mapping
 
 _LANES = b',"lanes":{'
 
+# Optional fields that stand before the lanes: where they are missing there, the rest need not be parsed to look for them.
+_BEFORE_LANES = frozenset(("moment", "view"))
+
 
 class LabelLine(Mapping[str, Any]):
     """The fields of a label line. The lanes, which are more than half of its text, are parsed when they are asked for.
@@ -25,7 +28,7 @@ class LabelLine(Mapping[str, Any]):
         self._first: Dict[str, Any] = head
 
     def __getitem__(self, name: str) -> Any:
-        return self._first[name] if name in self._first else self._rest[name]
+        return self._first[name] if name in self._first or name in _BEFORE_LANES else self._rest[name]
 
     def __iter__(self) -> Iterator[str]:
         return iter({**self._first, **self._rest})
