@@ -17,9 +17,9 @@ namespace Harvester.Cli.Commands;
 internal static class ReportCommand
 {
     private const string Notes =
-        "The page shows frames with their boxes, a slider, switches for the classes, counts and charts. It works offline and needs no\n"
-        + "other file: the images are embedded as JPEG, scaled down if they would exceed 5.5 MB. With --link, the page shows the image\n"
-        + "files of the session.\n\n"
+        "The page shows frames with their boxes, lane lines and joints, a bird's-eye view, plots over time, filters and statistics.\n"
+        + "It works offline and needs no other file: the images are embedded as JPEG, scaled down if they would exceed 5.5 MB. With\n"
+        + "--link, the page shows the image files of the session. Press ? in the page for its keys.\n\n"
         + "Examples:\n"
         + "  harvester report out\n"
         + "  harvester report out --frames 300 --out report.html\n"

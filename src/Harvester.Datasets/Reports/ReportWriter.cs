@@ -20,6 +20,10 @@ public sealed class ReportWriter
     /// <summary>Default name of a session's report.</summary>
     public const string FileName = SessionFolder.Report;
 
+    /// <summary>The parts of the page's script, in the order in which they use each other.</summary>
+    private static readonly string[] Scripts =
+        ["page.js", "state.js", "picture.js", "ground.js", "timeline.js", "objects.js", "statistics.js", "report.js"];
+
     private readonly SessionReader _session;
     private readonly ReportLimits _limits;
 
@@ -68,7 +72,7 @@ public sealed class ReportWriter
                 WritePictures(page, embedder.Embed(PathsOf(frames)));
             }
 
-            page.Code("script", Asset("report.js"));
+            page.Code("script", string.Join('\n', Scripts.Select(Asset)));
         });
         return frames.Count;
     }
