@@ -28,7 +28,7 @@ internal sealed class DepthLabeller(FrameRays rays)
         Camera camera = draft.Camera;
         Dictionary<int, ushort> regions = RegionsOf(draft);
         int budget = Math.Min(rays.Left, (int)(MaxRayFraction * camera.Image.PixelCount));
-        var mapper = new DepthMapper(camera.Image, draft.Mask?.Ids, SampleAt, DirectionOf, budget);
+        var mapper = new DepthMapper(new DepthGrid(camera.Image, LineOf) { Regions = draft.Mask?.Ids }, SampleAt, budget);
         var sparse = new InstanceMap(camera.Image);
         foreach (RecordedHit hit in rays.Record!.Hits.ToArray())
         {
@@ -66,10 +66,10 @@ internal sealed class DepthLabeller(FrameRays rays)
             : new DepthMaps(sparse, Units(completed, completed.Metres, DepthUnits.OfDepth),
                 Units(completed, completed.ErrorMetres, DepthUnits.OfError), mapper.RaysCast);
 
-        Vector3D DirectionOf(int column, int row)
+        SightLine LineOf(int column, int row)
         {
             Vector3D local = camera.Pose.Axes.ToLocal(camera.RayThrough(column + 0.5, row + 0.5).Direction);
-            return local / local.Y;
+            return new SightLine(local / local.Y);
         }
 
         DepthSample SampleAt(int column, int row)

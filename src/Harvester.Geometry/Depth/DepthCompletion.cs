@@ -1,34 +1,28 @@
 using System;
 using System.Collections.Generic;
-using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.Depth;
 
 /// <summary>
-/// Completes a depth map between samples. A pixel takes its depth from the planes of the samples at the corners of its cell that belong to
+/// Completes a depth map between samples. A place takes its depth from the planes of the samples at the corners of its cell that belong to
 /// the same region of the mask, so that depth is discontinuous between regions only. Its error is estimated from how far these planes
-/// disagree at the pixel, and how far they disagree with the neighbouring hits. A pixel without such a corner takes the sample of its
+/// disagree at the place, and how far they disagree with the neighbouring hits. A place without such a corner takes the sample of its
 /// region that is nearest within the region.
 /// </summary>
-internal sealed class DepthCompletion(
-    ImageSize image, ushort[]? regions, IReadOnlyDictionary<int, DepthSample> samples, Func<int, int, Vector3D> directionOf)
+internal sealed class DepthCompletion(DepthGrid grid, IReadOnlyDictionary<int, DepthSample> samples)
 {
     /// <summary>The error of a depth that only a sample elsewhere in the region supports, as a fraction of it.</summary>
     private const double ErrorOfDistantSample = 0.05;
 
-    /// <summary>A plane that is extended to more than this multiple of its sample's depth, or less than its inverse, is not.</summary>
-    private const double MaxExtension = 3;
-
-    private readonly DepthMap _map = new(image);
+    private readonly DepthMap _map = new(grid.Size);
     private readonly Dictionary<int, double> _residuals = [];
-    private readonly DepthSample[] _near = new DepthSample[4];
-    private readonly double[] _weights = new double[4];
+    private readonly CellSurfaces _surfaces = new();
 
     public DepthMap Complete(IReadOnlyList<DepthCell> cells)
     {
         for (int i = 0; i < _map.Metres.Length; i++)
         {
-            _map.Metres[i] = double.NaN;
+            (_map.Metres[i], _map.Sources[i]) = (double.NaN, -1);
         }
 
         foreach (DepthCell cell in cells)
@@ -43,9 +37,9 @@ internal sealed class DepthCompletion(
 
         foreach (KeyValuePair<int, DepthSample> sample in samples)
         {
-            if (RegionAt(sample.Key) == sample.Value.Region)
+            if (grid.RegionAt(sample.Key) == sample.Value.Region)
             {
-                (_map.Metres[sample.Key], _map.ErrorMetres[sample.Key]) = (sample.Value.Depth, 0);
+                Set(sample.Key, sample.Value.Depth, 0, sample.Key);
             }
         }
 
@@ -58,19 +52,20 @@ internal sealed class DepthCompletion(
         (int Column, int Row)[] corners = cell.Corners;
         foreach ((int column, int row) in corners)
         {
-            int at = At(column, row);
+            int at = grid.At(column, row);
             if (!samples.TryGetValue(at, out DepthSample sample) || !sample.IsHit)
             {
                 continue;
             }
 
-            Vector3D direction = directionOf(column, row);
+            SightLine line = grid.LineOf(column, row);
             _residuals.TryGetValue(at, out double residual);
             foreach ((int otherColumn, int otherRow) in corners)
             {
-                if (samples.TryGetValue(At(otherColumn, otherRow), out DepthSample other) && other.IsHit && other.Entity == sample.Entity)
+                if (samples.TryGetValue(grid.At(otherColumn, otherRow), out DepthSample other)
+                    && other.IsHit && other.Entity == sample.Entity)
                 {
-                    residual = Math.Max(residual, Deviation.Of(other, sample, direction));
+                    residual = Math.Max(residual, Deviation.Of(other, sample, line));
                 }
             }
 
@@ -80,114 +75,67 @@ internal sealed class DepthCompletion(
 
     private void Fill(DepthCell cell)
     {
-        double width = Math.Max(1, cell.Right - cell.Left);
-        double height = Math.Max(1, cell.Bottom - cell.Top);
         (int Column, int Row)[] corners = cell.Corners;
+        ushort? region = null;
         for (int row = cell.Top; row <= cell.Bottom; row++)
         {
             for (int column = cell.Left; column <= cell.Right; column++)
             {
-                int at = At(column, row);
-                double right = (column - cell.Left) / width;
-                double down = (row - cell.Top) / height;
-                int count = 0;
-                double residual = 0;
-                for (int corner = 0; corner < corners.Length; corner++)
+                int at = grid.At(column, row);
+                if (region != grid.RegionAt(at))
                 {
-                    int where = At(corners[corner].Column, corners[corner].Row);
-                    if (samples.TryGetValue(where, out DepthSample sample) && sample.Region == RegionAt(at))
+                    region = grid.RegionAt(at);
+                    _surfaces.Begin(cell);
+                    for (int corner = 0; corner < corners.Length; corner++)
                     {
-                        _near[count] = sample;
-                        _weights[count] = ((corner & 1) == 0 ? 1 - right : right) * (corner < 2 ? 1 - down : down);
-                        _residuals.TryGetValue(where, out double known);
-                        residual = Math.Max(residual, known);
-                        count++;
+                        int where = grid.At(corners[corner].Column, corners[corner].Row);
+                        if (samples.TryGetValue(where, out DepthSample sample) && sample.Region == region)
+                        {
+                            _residuals.TryGetValue(where, out double residual);
+                            _surfaces.Add(corner, where, sample, residual, grid.LineAt(where));
+                        }
                     }
+
+                    _surfaces.Understand();
                 }
 
-                if (count > 0)
+                if (_surfaces.DepthAt(column, row, grid.LineOf(column, row)) is { } found)
                 {
-                    Estimate(at, directionOf(column, row), count, residual);
+                    Set(at, found.Depth, found.Error, found.Source);
                 }
             }
         }
     }
 
-    private void Estimate(int at, Vector3D direction, int count, double residual)
-    {
-        int nearest = 0;
-        for (int i = 1; i < count; i++)
-        {
-            nearest = _weights[i] > _weights[nearest] ? i : nearest;
-        }
-
-        if (!_near[nearest].IsHit)
-        {
-            _map.Metres[at] = double.PositiveInfinity;
-            return;
-        }
-
-        // Surfaces that are one: their planes are averaged, so that curved ones are smooth. Otherwise the nearest sample decides.
-        double sum = 0;
-        double weights = 0;
-        for (int i = 0; i < count; i++)
-        {
-            if (_near[i].IsHit && _near[i].Entity == _near[nearest].Entity)
-            {
-                sum += _weights[i] * InverseOf(_near[i], direction);
-                weights += _weights[i];
-            }
-        }
-
-        bool isOne = residual <= SmoothResidual && weights > 0;
-        double depth = 1 / (isOne ? sum / weights : InverseOf(_near[nearest], direction));
-        double error = residual * depth;
-        for (int i = 0; i < count; i++)
-        {
-            error = Math.Max(error, _near[i].IsHit ? Math.Abs((1 / InverseOf(_near[i], direction)) - depth) : depth);
-        }
-
-        (_map.Metres[at], _map.ErrorMetres[at]) = (depth, error);
-    }
-
-    /// <summary>Samples whose planes foretell each other to this fraction of the depth are taken to be of one surface.</summary>
-    private const double SmoothResidual = 0.05;
-
-    private static double InverseOf(DepthSample sample, Vector3D direction)
-    {
-        double inverse = sample.Surface.InverseAt(direction);
-        double own = 1 / sample.Depth;
-        return inverse >= own / MaxExtension && inverse <= own * MaxExtension ? inverse : own;
-    }
-
-    /// <summary>Gives pixels without a depth that of the nearest sample of their region, along paths within the region.</summary>
+    /// <summary>Gives places without a depth that of the nearest sample of their region, along paths within the region.</summary>
     private void Spread()
     {
-        var origin = new int[_map.Metres.Length];
         var queue = new Queue<int>();
+        var origin = new int[_map.Metres.Length];
         foreach (KeyValuePair<int, DepthSample> sample in samples)
         {
-            if (RegionAt(sample.Key) == sample.Value.Region)
+            if (grid.RegionAt(sample.Key) == sample.Value.Region)
             {
                 origin[sample.Key] = sample.Key + 1;
                 queue.Enqueue(sample.Key);
             }
         }
 
+        int width = grid.Size.Width;
         while (queue.Count > 0)
         {
             int at = queue.Dequeue();
-            int column = at % image.Width;
+            int column = at % width;
             Visit(at, column > 0, -1);
-            Visit(at, column + 1 < image.Width, 1);
-            Visit(at, at >= image.Width, -image.Width);
-            Visit(at, at + image.Width < origin.Length, image.Width);
+            Visit(at, column + 1 < width, 1);
+            Visit(at, at >= width, -width);
+            Visit(at, at + width < origin.Length, width);
         }
 
         void Visit(int from, bool isInside, int step)
         {
             int at = from + step;
-            if (!isInside || origin[at] != 0 || RegionAt(at) != RegionAt(from))
+            if (!isInside || origin[at] != 0 || grid.RegionAt(at) != grid.RegionAt(from))
             {
                 return;
             }
@@ -197,14 +145,13 @@ internal sealed class DepthCompletion(
             if (double.IsNaN(_map.Metres[at]))
             {
                 DepthSample sample = samples[origin[from] - 1];
-                double depth = sample.IsHit ? 1 / InverseOf(sample, directionOf(at % image.Width, at / image.Width)) : sample.Depth;
-                (_map.Metres[at], _map.ErrorMetres[at]) =
-                    (depth, sample.IsHit ? Math.Max(Math.Abs(depth - sample.Depth), ErrorOfDistantSample * depth) : 0);
+                double depth = sample.IsHit ? 1 / CellSurfaces.InverseOf(sample, grid.LineAt(at)) : sample.Depth;
+                double error = sample.IsHit ? Math.Max(Math.Abs(depth - sample.Depth), ErrorOfDistantSample * depth) : 0;
+                Set(at, depth, error, origin[from] - 1);
             }
         }
     }
 
-    private int At(int column, int row) => (row * image.Width) + column;
-
-    private ushort RegionAt(int at) => regions?[at] ?? 0;
+    private void Set(int at, double depth, double error, int source) =>
+        (_map.Metres[at], _map.ErrorMetres[at], _map.Sources[at]) = (depth, error, source);
 }

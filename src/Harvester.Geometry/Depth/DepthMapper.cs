@@ -10,22 +10,14 @@ namespace Harvester.Geometry.Depth;
 /// </summary>
 public sealed class DepthMapper
 {
-    /// <summary>Side of the first cells, pixels.</summary>
-    private const int FirstSide = 16;
-
-    /// <summary>Cells of this side are not divided, pixels.</summary>
-    private const int LastSide = 2;
-
     /// <summary>Depths that differ by less than this fraction agree.</summary>
     private const double Tolerance = 0.002;
 
     /// <summary>The most rays that a division takes: the middle and the middles of the sides.</summary>
     private const int RaysOfDivision = 5;
 
-    private readonly ImageSize _image;
-    private readonly ushort[]? _regions;
+    private readonly DepthGrid _grid;
     private readonly Func<int, int, DepthSample> _sample;
-    private readonly Func<int, int, Vector3D> _directionOf;
     private readonly int _rayBudget;
     private readonly Dictionary<int, DepthSample> _samples = [];
     private readonly Queue<DepthCell> _first = new();
@@ -34,32 +26,28 @@ public sealed class DepthMapper
     private readonly List<DepthCell> _settled = [];
 
     /// <summary>Starts a map; no ray is cast before the first <see cref="Step"/>.</summary>
-    /// <param name="image">The image's size, pixels; at least 2 x 2.</param>
-    /// <param name="regions">The mask's number at each pixel, row by row; null without a mask.</param>
-    /// <param name="sample">Casts a ray through the centre of a pixel: column, row.</param>
-    /// <param name="directionOf">The direction to the centre of a pixel in the camera's frame, 1 along its axis: column, row.</param>
+    /// <param name="grid">Where depths are wanted.</param>
+    /// <param name="sample">Casts the ray of a place: column, row.</param>
     /// <param name="rayBudget">Maximum number of rays; at least 0.</param>
-    /// <exception cref="ArgumentException">The number of regions is not that of the pixels.</exception>
+    /// <exception cref="ArgumentException">The number of regions is not that of the places.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The budget is negative.</exception>
-    public DepthMapper(
-        ImageSize image, ushort[]? regions, Func<int, int, DepthSample> sample, Func<int, int, Vector3D> directionOf, int rayBudget)
+    public DepthMapper(DepthGrid grid, Func<int, int, DepthSample> sample, int rayBudget)
     {
-        if (regions is not null && regions.Length != image.PixelCount)
+        _grid = Guard.NotNull(grid, nameof(grid));
+        if (grid.Regions is { } regions && regions.Length != grid.Size.PixelCount)
         {
-            throw new ArgumentException($"There are {regions.Length} regions for {image.PixelCount} pixels.", nameof(regions));
+            throw new ArgumentException($"There are {regions.Length} regions for {grid.Size.PixelCount} places.", nameof(grid));
         }
 
-        _image = image;
-        _regions = regions;
         _sample = Guard.NotNull(sample, nameof(sample));
-        _directionOf = Guard.NotNull(directionOf, nameof(directionOf));
         _rayBudget = Guard.AtLeast(rayBudget, 0, nameof(rayBudget));
-        for (int top = 0; top < image.Height - 1; top += FirstSide)
+        for (int top = 0; top < grid.Size.Height - 1; top += grid.FirstHeight)
         {
-            for (int left = 0; left < image.Width - 1; left += FirstSide)
+            for (int left = 0; left < grid.Size.Width - 1; left += grid.FirstWidth)
             {
                 _first.Enqueue(new DepthCell(
-                    left, top, Math.Min(left + FirstSide, image.Width - 1), Math.Min(top + FirstSide, image.Height - 1)));
+                    left, top, Math.Min(left + grid.FirstWidth, grid.Size.Width - 1),
+                    Math.Min(top + grid.FirstHeight, grid.Size.Height - 1)));
             }
         }
     }
@@ -68,7 +56,7 @@ public sealed class DepthMapper
     public int RaysCast { get; private set; }
 
     /// <summary>Uses what another ray has met at the centre of a pixel, instead of a ray of its own.</summary>
-    public void Know(int column, int row, DepthSample sample) => _samples[At(column, row)] = sample;
+    public void Know(int column, int row, DepthSample sample) => _samples[_grid.At(column, row)] = sample;
 
     /// <summary>Continues with one cell, which takes a handful of rays.</summary>
     /// <returns>False if nothing is left to do or no ray is left.</returns>
@@ -82,7 +70,11 @@ public sealed class DepthMapper
         if (_first.Count > 0)
         {
             DepthCell cell = _first.Dequeue();
-            SampleAt(cell.Middle);
+            if (_grid.SamplesMiddles)
+            {
+                SampleAt(cell.Middle);
+            }
+
             Judge(cell);
             return true;
         }
@@ -114,7 +106,7 @@ public sealed class DepthMapper
             cells.Add(_divisible[number]);
         }
 
-        return new DepthCompletion(_image, _regions, _samples, _directionOf).Complete(cells);
+        return new DepthCompletion(_grid, _samples).Complete(cells);
     }
 
     private void Judge(DepthCell cell)
@@ -124,7 +116,7 @@ public sealed class DepthMapper
             SampleAt(corner);
         }
 
-        double disagreement = cell.Side > LastSide ? Disagreement(cell) : 0;
+        double disagreement = cell.Side > _grid.LastSide ? Disagreement(cell) : 0;
         if (disagreement <= Tolerance)
         {
             _settled.Add(cell);
@@ -145,10 +137,10 @@ public sealed class DepthMapper
         foreach ((int Column, int Row) place in places)
         {
             DepthSample sample = _samples[At(place.Column, place.Row)];
-            Vector3D direction = _directionOf(place.Column, place.Row);
+            SightLine line = _grid.LineOf(place.Column, place.Row);
             foreach ((int Column, int Row) other in places)
             {
-                greatest = Math.Max(greatest, Deviation.Of(_samples[At(other.Column, other.Row)], sample, direction));
+                greatest = Math.Max(greatest, Deviation.Of(_samples[At(other.Column, other.Row)], sample, line));
             }
         }
 
@@ -157,7 +149,7 @@ public sealed class DepthMapper
 
     private bool IsCovered(DepthCell cell, (int Column, int Row)[] places)
     {
-        if (_regions is null)
+        if (_grid.Regions is null)
         {
             return true;
         }
@@ -168,7 +160,7 @@ public sealed class DepthMapper
         {
             for (int column = cell.Left; column <= cell.Right; column++)
             {
-                ushort region = _regions[At(column, row)];
+                ushort region = _grid.Regions[At(column, row)];
                 if (isKnown && region == last)
                 {
                     continue;
@@ -196,5 +188,5 @@ public sealed class DepthMapper
         }
     }
 
-    private int At(int column, int row) => (row * _image.Width) + column;
+    private int At(int column, int row) => _grid.At(column, row);
 }

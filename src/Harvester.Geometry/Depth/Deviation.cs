@@ -9,10 +9,10 @@ internal static class Deviation
     /// </summary>
     /// <param name="from">The sample whose plane is extended.</param>
     /// <param name="sample">The sample that is foretold.</param>
-    /// <param name="direction">Its direction in the camera's frame, 1 along the axis.</param>
-    public static double Of(DepthSample from, DepthSample sample, Vector3D direction) =>
+    /// <param name="line">Its line of sight.</param>
+    public static double Of(DepthSample from, DepthSample sample, SightLine line) =>
         from.Region != sample.Region ? 0
         : from.IsHit != sample.IsHit || from.Entity != sample.Entity ? 1
         : !sample.IsHit ? 0
-        : Math.Min(1, Math.Abs((from.Surface.InverseAt(direction) * sample.Depth) - 1));
+        : Math.Min(1, Math.Abs((from.Surface.InverseAt(line) * sample.Depth) - 1));
 }
