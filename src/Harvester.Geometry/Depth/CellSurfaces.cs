@@ -82,6 +82,9 @@ internal sealed class CellSurfaces
         _edge = deviation <= EdgeTolerance ? Edge.None : isInner ? Edge.Inner : isOuter ? Edge.Outer : _edge;
     }
 
+    /// <summary>Whether the surfaces of the corners meet in an edge.</summary>
+    public bool MeetInEdge => _edge is Edge.Inner or Edge.Outer;
+
     /// <summary>The depth at a place of the cell; null if no corner is of its region.</summary>
     public (double Depth, double Error, int Source)? DepthAt(int column, int row, SightLine line)
     {

@@ -18,10 +18,9 @@ internal readonly record struct DepthCell(int Left, int Top, int Right, int Bott
     /// <summary>The pixel in the middle.</summary>
     public (int Column, int Row) Middle => ((Left + Right) / 2, (Top + Bottom) / 2);
 
-    /// <summary>The cell divided at its middle in each direction that is longer than a pixel.</summary>
-    public IEnumerable<DepthCell> Parts()
+    /// <summary>The cell divided at a column and a row; not divided at those of its border.</summary>
+    public IEnumerable<DepthCell> Parts(int column, int row)
     {
-        (int column, int row) = Middle;
         int[] columns = column > Left ? [Left, column, Right] : [Left, Right];
         int[] rows = row > Top ? [Top, row, Bottom] : [Top, Bottom];
         for (int y = 0; y + 1 < rows.Length; y++)

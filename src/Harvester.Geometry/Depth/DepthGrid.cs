@@ -3,7 +3,7 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.Depth;
 
-/// <summary>The places at which depths are wanted: the pixels of an image, or the firings and beams of a LiDAR.</summary>
+/// <summary>The places at which depths are wanted: the pixels of an image, or the columns and beams of a LiDAR.</summary>
 /// <param name="Size">Columns and rows; at least 2 x 2.</param>
 /// <param name="LineOf">The line of sight of a place: column, row.</param>
 public sealed record DepthGrid(ImageSize Size, Func<int, int, SightLine> LineOf)
@@ -19,6 +19,12 @@ public sealed record DepthGrid(ImageSize Size, Func<int, int, SightLine> LineOf)
 
     /// <summary>Cells no longer than this are not divided.</summary>
     public int LastSide { get; init; } = 2;
+
+    /// <summary>
+    /// Error of a depth that does not matter, metres, if all greater ones matter alike; null if errors matter by their fraction of the
+    /// depth.
+    /// </summary>
+    public double? ToleranceMetres { get; init; }
 
     /// <summary>The mask's number at each place, row by row; null without a mask.</summary>
     public ushort[]? Regions { get; init; }

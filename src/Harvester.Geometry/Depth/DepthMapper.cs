@@ -1,18 +1,15 @@
 using System;
 using System.Collections.Generic;
-using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.Depth;
 
 /// <summary>
-/// Samples the depths of an image with few rays: first a coarse grid, then, where the planes of neighbouring hits disagree or part of the
-/// mask has no hit, ever finer ones, the largest disagreements first. It can be stopped after any step. See docs/depth.md.
+/// Samples the depths of an image, or of a turn of a LiDAR, with few rays: first a coarse grid, then, where the planes of neighbouring hits
+/// disagree or part of the mask has no hit, ever finer ones, the largest disagreements first. It can be stopped after any step. See
+/// docs/depth.md.
 /// </summary>
 public sealed class DepthMapper
 {
-    /// <summary>Depths that differ by less than this fraction agree.</summary>
-    private const double Tolerance = 0.002;
-
     /// <summary>The most rays that a division takes: the middle and the middles of the sides.</summary>
     private const int RaysOfDivision = 5;
 
@@ -20,6 +17,7 @@ public sealed class DepthMapper
     private readonly Func<int, int, DepthSample> _sample;
     private readonly int _rayBudget;
     private readonly Dictionary<int, DepthSample> _samples = [];
+    private readonly CellJudge _judge;
     private readonly Queue<DepthCell> _first = new();
     private readonly List<DepthCell> _divisible = [];
     private readonly SortedSet<(double Priority, int Number)> _order = [];
@@ -41,6 +39,7 @@ public sealed class DepthMapper
 
         _sample = Guard.NotNull(sample, nameof(sample));
         _rayBudget = Guard.AtLeast(rayBudget, 0, nameof(rayBudget));
+        _judge = new CellJudge(grid, _samples);
         for (int top = 0; top < grid.Size.Height - 1; top += grid.FirstHeight)
         {
             for (int left = 0; left < grid.Size.Width - 1; left += grid.FirstWidth)
@@ -55,7 +54,10 @@ public sealed class DepthMapper
     /// <summary>The number of rays cast so far.</summary>
     public int RaysCast { get; private set; }
 
-    /// <summary>Uses what another ray has met at the centre of a pixel, instead of a ray of its own.</summary>
+    /// <summary>The samples by the number of their place, row by row.</summary>
+    public IReadOnlyDictionary<int, DepthSample> Samples => _samples;
+
+    /// <summary>Uses what another ray has met at a place, instead of a ray of its own.</summary>
     public void Know(int column, int row, DepthSample sample) => _samples[_grid.At(column, row)] = sample;
 
     /// <summary>Continues with one cell, which takes a handful of rays.</summary>
@@ -86,16 +88,15 @@ public sealed class DepthMapper
 
         (double Priority, int Number) next = _order.Min;
         _order.Remove(next);
-        foreach (DepthCell part in _divisible[next.Number].Parts())
+        DepthCell divided = _divisible[next.Number];
+        (int column, int row) = _judge.DivisionOf(divided);
+        foreach (DepthCell part in divided.Parts(column, row))
         {
             Judge(part);
         }
 
         return true;
     }
-
-    /// <summary>The samples by the number of their pixel, row by row.</summary>
-    public IReadOnlyDictionary<int, DepthSample> Samples => _samples;
 
     /// <summary>Completes the map between the samples.</summary>
     public DepthMap Complete()
@@ -116,77 +117,24 @@ public sealed class DepthMapper
             SampleAt(corner);
         }
 
-        double disagreement = cell.Side > _grid.LastSide ? Disagreement(cell) : 0;
-        if (disagreement <= Tolerance)
+        double weight = _judge.WeightOf(cell);
+        if (weight <= 0)
         {
             _settled.Add(cell);
             return;
         }
 
-        double area = (double)(cell.Right - cell.Left) * (cell.Bottom - cell.Top);
-        _order.Add((-area * Math.Min(1, disagreement), _divisible.Count));
+        _order.Add((-weight, _divisible.Count));
         _divisible.Add(cell);
-    }
-
-    /// <summary>By what fraction the samples in a cell disagree within a region of the mask; 1 if a region has none.</summary>
-    private double Disagreement(DepthCell cell)
-    {
-        (int Column, int Row)[] places = _samples.ContainsKey(At(cell.Middle.Column, cell.Middle.Row))
-            ? [.. cell.Corners, cell.Middle] : cell.Corners;
-        double greatest = IsCovered(cell, places) ? 0 : 1;
-        foreach ((int Column, int Row) place in places)
-        {
-            DepthSample sample = _samples[At(place.Column, place.Row)];
-            SightLine line = _grid.LineOf(place.Column, place.Row);
-            foreach ((int Column, int Row) other in places)
-            {
-                greatest = Math.Max(greatest, Deviation.Of(_samples[At(other.Column, other.Row)], sample, line));
-            }
-        }
-
-        return greatest;
-    }
-
-    private bool IsCovered(DepthCell cell, (int Column, int Row)[] places)
-    {
-        if (_grid.Regions is null)
-        {
-            return true;
-        }
-
-        ushort last = 0;
-        bool isKnown = false;
-        for (int row = cell.Top; row <= cell.Bottom; row++)
-        {
-            for (int column = cell.Left; column <= cell.Right; column++)
-            {
-                ushort region = _grid.Regions[At(column, row)];
-                if (isKnown && region == last)
-                {
-                    continue;
-                }
-
-                if (!Array.Exists(places, place => _samples[At(place.Column, place.Row)].Region == region))
-                {
-                    return false;
-                }
-
-                (last, isKnown) = (region, true);
-            }
-        }
-
-        return true;
     }
 
     private void SampleAt((int Column, int Row) place)
     {
-        int at = At(place.Column, place.Row);
-        if (!_samples.ContainsKey(at) && RaysCast < _rayBudget)
+        int at = _grid.At(place.Column, place.Row);
+        if (!_samples.ContainsKey(at))
         {
             RaysCast++;
             _samples[at] = _sample(place.Column, place.Row);
         }
     }
-
-    private int At(int column, int row) => _grid.At(column, row);
 }
