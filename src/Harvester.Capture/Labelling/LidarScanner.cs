@@ -71,6 +71,17 @@ internal sealed class LidarScanner(RigLidar lidar, Pose mount, LabellingOptions 
         yield return new LidarSweep(lidar.Name, points, rays.RaysCast);
     }
 
+    /// <summary>
+    /// The points of a sweep that lie exactly on surfaces at the moment, world, metres: none of a LiDAR with noise or motion distortion.
+    /// </summary>
+    public IEnumerable<Vector3D> ExactPointsOf(LidarSweep sweep, SceneSnapshot moment)
+    {
+        Pose sensor = moment.Ego.Pose.Compose(mount);
+        return lidar.RangeNoiseMetres > 0 || lidar.MotionDistortion ? []
+            : sweep.Points.Where(static point => !point.IsInterpolated)
+                .Select(point => sensor.ToWorld(new Vector3D(point.X, point.Y, point.Z)));
+    }
+
     /// <summary>The returns by column and beam, in steps: null until they are known.</summary>
     private IEnumerable<LidarReturn?[,]?> Returns(LidarRays rays)
     {

@@ -91,7 +91,8 @@ public sealed class DepthAgainstPictureTests(ITestOutputHelper output)
 
     private static (CapturedFrame Frame, RenderTarget Picture) Take(int seed, bool masks)
     {
-        Rig rig = new("test", Vector3D.Zero, [RigHarvest.Camera("front", new Vector3D(0, 1.7, 1.2), 0, Image)], []);
+        Rig rig = new("test", Vector3D.Zero, [RigHarvest.Camera("front", new Vector3D(0, 1.7, 1.2), 0, Image)],
+            [new RigLidar("top", new Pose(new Vector3D(0.3, 0, 1.6), Axes.Identity), [2, 0, -2, -5, -9, -14, -20], 720, 10, 0.5, 60)]);
         var moment = new RigHarvest(rig, seed, new HarvestOptions { Masks = masks, Depth = true });
         return (moment.Frames[0], moment.Game.Render(Image));
     }
