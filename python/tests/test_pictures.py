@@ -57,6 +57,26 @@ def test_class_maps_have_8_bits(handmade: HandmadeSession, decoder: str) -> None
         open_session(folder)[1].class_map()
 
 
+def test_depth_maps_are_in_metres(handmade: HandmadeSession, decoder: str) -> None:
+    units = (np.arange(HEIGHT * WIDTH).reshape(HEIGHT, WIDTH) * 256 // 2 % 65536).astype(np.uint16)
+    handmade.lines[1]["depth"] = {
+        "sparse": "depth/1.png", "completed": "depth-completed/1.png", "error": None, "raysCast": 3, "measuredPixels": 4}
+    folder = handmade.write()
+    for name in ("depth", "depth-completed"):
+        (folder / name).mkdir()
+        (folder / name / "1.png").write_bytes(png.encode(units))
+    frame = open_session(folder)[1]
+    depth = frame.depth()
+    assert depth.dtype == np.float32 and np.isnan(depth[0, 0]) and depth[0, 1] == 0.5 and depth[0, 3] == 1.5
+    np.testing.assert_array_equal(frame.view.depth("completed"), depth)
+    with pytest.raises(gtaharvest.MissingPictureError, match="line 2: the frame has no error depth"):
+        frame.depth("error")
+    with pytest.raises(gtaharvest.MissingPictureError, match="line 1: the frame has no sparse depth"):
+        open_session(folder)[0].depth()
+    with pytest.raises(ValueError, match="sparse, completed, error, not 'all'"):
+        frame.depth("all")
+
+
 def test_bmp_images(handmade: HandmadeSession, decoder: str) -> None:
     picture = conftest.image(0)
     handmade.lines[0]["image"] = "frames/0.bmp"

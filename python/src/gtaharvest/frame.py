@@ -10,7 +10,7 @@ from .arrays import ObjectArrays
 from .camera import Camera
 from .errors import LabelError, MissingPictureError, PictureError
 from .lanes import Lanes
-from .pictures import read_class_map, read_image, read_mask
+from .pictures import Depth, read_class_map, read_depth, read_image, read_mask
 from .png import Picture
 from .points import Points, read_points
 from .records import Ego, IgnoreRegion, ObjectLabel
@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     import pandas
 
 _T = TypeVar("_T")
+
+DEPTH_KINDS = ("sparse", "completed", "error")
+"""The kinds of depth maps."""
 
 ONLY_VIEW = "camera"
 """Name of the view of a session with a single camera."""
@@ -116,6 +119,28 @@ class View:
         if path is None:
             raise MissingPictureError(f"{self._source}: the frame has no class map. Harvest with --semantics.")
         return self._sized(path, read_class_map(path))
+
+    def depth_path(self, kind: str = "sparse") -> Optional[Path]:
+        """The file of a depth map: "sparse", what rays measured; "completed", every pixel; "error", its estimated error.
+
+        None if the frame has none.
+        """
+        if kind not in DEPTH_KINDS:
+            raise ValueError(f"kind is one of {', '.join(DEPTH_KINDS)}, not {kind!r}.")
+        if self.raw.get("depth") is None:
+            return None
+        name = _checked(self._source, lambda: str(self.raw["depth"][kind] or ""))
+        return self.inner(name) if name else None
+
+    def depth(self, kind: str = "sparse") -> Depth:
+        """A depth map as (height, width), float32: metres along the camera's axis, or NaN where there is none. kind as in depth_path.
+
+        Raises MissingPictureError if the frame has no such map or the file does not exist, and PictureError as image does.
+        """
+        path = self.depth_path(kind)
+        if path is None:
+            raise MissingPictureError(f"{self._source}: the frame has no {kind} depth. Harvest with --depth and --masks.")
+        return self._sized(path, read_depth(path))
 
     def _sized(self, path: Path, picture: Picture) -> Picture:
         size = (self.camera.height, self.camera.width)
@@ -225,6 +250,10 @@ class Frame:
     def class_map(self) -> Picture:
         """The class map of the only view; see View.class_map."""
         return self.view.class_map()
+
+    def depth(self, kind: str = "sparse") -> Depth:
+        """A depth map of the only view; see View.depth."""
+        return self.view.depth(kind)
 
     def to_pandas(self, selection: Optional[Selection] = None) -> pandas.DataFrame:
         """A table with one row per object; see Session.to_pandas."""

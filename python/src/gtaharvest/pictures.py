@@ -9,12 +9,16 @@ from pathlib import Path
 from typing import Any, Callable
 
 import numpy as np
+import numpy.typing as npt
 
 from . import png
 from .errors import MissingPictureError, PictureError
 from .png import Picture
 
 Decoder = Callable[[bytes], Picture]
+
+Depth = npt.NDArray[np.float32]
+"""Depths, or their errors, in metres, of shape (rows, columns)."""
 
 
 def read_image(path: Path) -> Picture:
@@ -48,6 +52,19 @@ def read_class_map(path: Path) -> Picture:
     if picture.ndim != 2 or picture.dtype != np.uint8:
         raise PictureError(f"{path}: a class map is a greyscale PNG of 8 bits.")
     return picture
+
+
+def read_depth(path: Path) -> Depth:
+    """A depth map, or a map of errors, as (rows, columns), float32: metres, or NaN where there is none.
+
+    Raises MissingPictureError and PictureError.
+    """
+    picture = _read(path)
+    if picture.ndim != 2 or picture.dtype not in (np.uint8, np.uint16):
+        raise PictureError(f"{path}: a depth map is a greyscale PNG of 16 bits.")
+    metres = picture.astype(np.float32) / np.float32(256)
+    metres[picture == 0] = np.nan
+    return metres
 
 
 def _read(path: Path) -> Picture:

@@ -18,7 +18,8 @@ internal sealed class CaptureFlows(
     public ICaptureFlow For(IFrameSink sink, PictureLag? lag)
     {
         var registry = new ObjectRegistry(sink.FirstObjectId);
-        var rays = new FrameRays(game.Rays, options.RayBudget);
+        FrameRays rays = options.Depth ? new FrameRays(game.SurfaceRays!, options.RayBudget) { Record = new RayRecord() }
+            : new FrameRays(game.Rays, options.RayBudget);
         LaneLabeller? lanes = game.Roads is { } roads ? new LaneLabeller(roads, game.Paint, rays, registry) : null;
         if (options.Rig is { } rig)
         {
@@ -63,6 +64,7 @@ internal sealed class CaptureFlows(
             Comparison = Comparison,
             Lanes = lanes,
             Semantics = of.Semantics is null ? null : new SemanticLabeller(of, rays, game.Paint, game.Surfaces),
+            Depth = of.Depth ? new DepthLabeller(rays) : null,
             Faces = of.Faces is { } faces ? new FaceLabeller(faces, of, rays, game.Lights, registry) : null,
             DrawnOcclusion = game.DrawnOcclusion,
         };

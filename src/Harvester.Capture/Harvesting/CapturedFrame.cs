@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Harvester.Capture.Labelling;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
@@ -40,6 +41,9 @@ public sealed class CapturedFrame : IDisposable
 
     /// <summary>Its class map; null without one.</summary>
     public InstanceMap? Classes { get; init; }
+
+    /// <summary>Its depth maps; null without any.</summary>
+    public DepthMaps? Depth { get; init; }
 
     /// <summary>The points of the LiDARs, in the order of the label; empty except for the first view of a moment.</summary>
     public IReadOnlyList<LidarSweep> Sweeps { get; init; } = [];

@@ -116,6 +116,7 @@ internal sealed class FrameHarvester(
             return new CapturedFrame(draft.Label(number, options.Format, options.Places), picture, draft.Mask, grabbed.Pool)
             {
                 Classes = draft.Classes,
+                Depth = draft.Depth,
                 Sweeps = draft.Sweeps,
                 Scene = options.Scenes
                     ? new RecordedScene(draft.Snapshot, draft.Camera.Intrinsics.Lens, draft.Ids, draft.Occlusions)

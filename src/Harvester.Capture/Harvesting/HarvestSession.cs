@@ -64,6 +64,11 @@ public sealed class HarvestSession : IDisposable
                 "A rig needs a game that is frozen for each moment and lets its camera move, and masks from rays.", nameof(options));
         }
 
+        if (options.Depth && (!options.Freeze || game.SurfaceRays is null))
+        {
+            throw new ArgumentException("Depth maps need a game that is frozen for each frame and reports normals.", nameof(options));
+        }
+
         _budget = new TickBudget(game.Clock, options.TickBudgetMilliseconds);
         Calls = new PhaseCalls(game.Calls);
         _run = Run().GetEnumerator();

@@ -92,7 +92,7 @@ internal sealed class RigFlow : ICaptureFlow
                 }
             }
 
-            foreach (HarvestPhase phase in isOurs ? Measure(moment, taken[0].Draft) : [])
+            foreach (HarvestPhase phase in isOurs ? Measure(moment, [.. taken.Select(static view => view.Draft)]) : [])
             {
                 yield return phase;
             }
@@ -214,7 +214,7 @@ internal sealed class RigFlow : ICaptureFlow
         return moment with { Camera = camera, Entities = [.. byRange[true]], Distant = [.. byRange[false]] };
     }
 
-    private IEnumerable<HarvestPhase> Measure(SceneSnapshot moment, FrameDraft first)
+    private IEnumerable<HarvestPhase> Measure(SceneSnapshot moment, IReadOnlyList<FrameDraft> views)
     {
         var sweeps = new List<LidarSweep>();
         _budget.BeginSteps();
@@ -225,6 +225,10 @@ internal sealed class RigFlow : ICaptureFlow
                 if (sweep is not null)
                 {
                     sweeps.Add(sweep);
+                    foreach (FrameDraft view in views)
+                    {
+                        SweptDepth.Add(view, lidar.ExactPointsOf(sweep, moment));
+                    }
                 }
                 else if (_budget.IsSpent)
                 {
@@ -233,6 +237,6 @@ internal sealed class RigFlow : ICaptureFlow
             }
         }
 
-        first.Sweeps = sweeps;
+        views[0].Sweeps = sweeps;
     }
 }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Depth;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Files;
@@ -44,6 +45,12 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
 
     /// <summary>Where the class map comes from.</summary>
     public (SemanticsMethod Method, int RaysCast, int InterpolatedPixels) ClassSource { get; private set; }
+
+    /// <summary>The depth maps; null until there are any.</summary>
+    public DepthMaps? Depth { get; set; }
+
+    /// <summary>The estimate behind the depth maps; null until there is one.</summary>
+    public DepthMap? DepthEstimate { get; set; }
 
     /// <summary>The accuracy of the mask; null without one.</summary>
     public PixelMapLabel? PixelMap { get; set; }
@@ -144,10 +151,19 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
                 ClassSource.Method,
                 ClassSource.RaysCast,
                 ClassSource.InterpolatedPixels),
+        Depth = DepthLabelOf(frame),
         Rays = Rays,
         IgnoreRegions = IgnoreRegions,
         Lanes = Lanes,
     };
+
+    private DepthLabel? DepthLabelOf(int frame) => Depth is not { } maps ? null
+        : new DepthLabel(
+            FramePaths.Depth(frame, View?.Camera.Name),
+            maps.Completed is null ? null : FramePaths.CompletedDepth(frame, View?.Camera.Name),
+            maps.Error is null ? null : FramePaths.DepthError(frame, View?.Camera.Name),
+            maps.RaysCast,
+            maps.Sparse.Ids.Count(static depth => depth != 0));
 
     private void List(ObjectLabel? label, IgnoreRegion? region)
     {

@@ -34,6 +34,9 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
     /// <summary>Makes the class map; null for none.</summary>
     public SemanticLabeller? Semantics { get; init; }
 
+    /// <summary>Makes the depth maps; null for none.</summary>
+    public DepthLabeller? Depth { get; init; }
+
     /// <summary>Tells how much of each object the drawing hides; null to leave it open.</summary>
     public IDrawnOcclusion? DrawnOcclusion { get; init; }
 
@@ -92,6 +95,12 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
         draft.Ids = registry.IdsOf(snapshot.Entities);
         rays.Begin(RayPhase.Joints);
         foreach (bool _ in _joints.Label(draft, mayCastRays))
+        {
+            yield return null;
+        }
+
+        rays.Begin(RayPhase.Depth);
+        foreach (bool _ in Depth?.Label(draft, mayCastRays) ?? [])
         {
             yield return null;
         }

@@ -1,4 +1,5 @@
 using System;
+using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Labels;
@@ -12,9 +13,12 @@ namespace Harvester.Capture.Labelling;
 /// <param name="budget">Maximum number of rays per frame.</param>
 internal sealed class FrameRays(IRayCaster rays, int budget) : IRayCaster
 {
-    private readonly int[] _counts = new int[1 + (int)RayPhase.Semantics];
+    private readonly int[] _counts = new int[1 + (int)RayPhase.Depth];
     private RayPhase _phase;
     private int _cast;
+
+    /// <summary>Remembers what the rays of the frame hit, if they report normals; null to remember nothing.</summary>
+    public RayRecord? Record { get; init; }
 
     /// <summary>Number of rays left for the frame.</summary>
     public int Left => budget - _cast;
@@ -29,6 +33,7 @@ internal sealed class FrameRays(IRayCaster rays, int budget) : IRayCaster
         _counts[(int)RayPhase.Joints])
     {
         Classes = _counts[(int)RayPhase.Semantics],
+        Depth = _counts[(int)RayPhase.Depth],
     };
 
     /// <summary>Begins a frame.</summary>
@@ -36,16 +41,32 @@ internal sealed class FrameRays(IRayCaster rays, int budget) : IRayCaster
     {
         Array.Clear(_counts, 0, _counts.Length);
         _cast = 0;
+        Record?.Clear();
     }
 
     /// <summary>Sets the purpose of the following rays.</summary>
     public void Begin(RayPhase phase) => _phase = phase;
 
     /// <inheritdoc/>
-    public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity)
+    public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity) => Cast(ray, maxDistance, ignoredEntity, out _);
+
+    /// <summary>Casts a ray that also reports the normal of the surface; zero if the game does not, or nothing is recorded.</summary>
+    public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity, out Vector3D normal)
     {
         _counts[(int)_phase]++;
         _cast++;
-        return rays.Cast(ray, maxDistance, ignoredEntity);
+        normal = Vector3D.Zero;
+        if (Record is null || rays is not ISurfaceRays surfaces)
+        {
+            return rays.Cast(ray, maxDistance, ignoredEntity);
+        }
+
+        RayHit? hit = surfaces.Cast(ray, maxDistance, ignoredEntity, out normal);
+        if (hit is { } met)
+        {
+            Record.Add(new RecordedHit(ray, met.Distance, normal, met.Entity));
+        }
+
+        return hit;
     }
 }

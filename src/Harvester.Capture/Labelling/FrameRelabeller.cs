@@ -125,6 +125,7 @@ public sealed class FrameRelabeller
             Mask = keepsMask ? recorded.Mask : null,
             PixelMap = keepsMask ? recorded.PixelMap : null,
             ClassMap = KeepsClassMap(scene, recorded, lens) ? recorded.ClassMap : null,
+            Depth = isLensSame ? recorded.Depth : null,
             Camera = CameraLabel.Of(camera),
             Ego = EgoLabel.Of(snapshot.Ego),
             Objects = draft.Objects,

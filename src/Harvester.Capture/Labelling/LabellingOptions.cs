@@ -45,12 +45,15 @@ public record LabellingOptions
     /// <summary>Where the classes of class maps come from; null for no class maps. They need masks.</summary>
     public SemanticsMethod? Semantics { get; init; }
 
+    /// <summary>Whether depth maps are made, of a game whose rays report normals.</summary>
+    public bool Depth { get; init; }
+
     /// <summary>The classes of the materials that rays report.</summary>
     public MaterialTable Materials { get; init; } = MaterialTable.BuiltIn;
 
     /// <summary>
     /// Maximum number of rays per frame, 0 to 10,000,000: for the mask first, then for objects, the class map, faces, ignore
-    /// regions, lanes and joints.
+    /// regions, lanes, joints and depth maps.
     /// When they are used up, the mask is finished from what is known, and the rest is undetermined.
     /// </summary>
     public int RayBudget { get; init => field = OptionCheck.InRange(value, 0, MaxRays, nameof(RayBudget)); } = 50_000;

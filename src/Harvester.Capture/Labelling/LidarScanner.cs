@@ -40,38 +40,74 @@ internal sealed class LidarScanner(RigLidar lidar, Pose mount, LabellingOptions 
         Dictionary<int, (ushort Id, SemanticClass Class)> entities = moment.Entities.ToDictionary(
             entity => entity.Handle,
             entity => (HasId(entity, sensor.Position) ? registry.IdOf(entity) : (ushort)0, SemanticClasses.Of(entity.Class)));
+        var rays = new LidarRays(lidar, mount, _directions, game, moment);
+        LidarReturn?[,]? returns = null;
+        foreach (LidarReturn?[,]? made in Returns(rays))
+        {
+            returns = made;
+            yield return null;
+        }
+
         var noise = new LidarNoise(lidar, moment.GameFrame);
         var points = new List<LidarPoint>();
         for (int column = 0; column < lidar.Columns; column++)
         {
             for (int beam = 0; beam < lidar.BeamsDegrees.Count; beam++)
             {
-                Vector3D direction = _directions[(column * lidar.BeamsDegrees.Count) + beam];
-                if (Measure(sensor, direction, moment.Ego.Handle, out Vector3D normal) is { } hit
-                    && noise.Measured(hit.Distance) is var distance && distance >= lidar.MinRangeMetres && distance <= lidar.RangeMetres
-                    && !noise.IsLost())
+                if (returns![column, beam] is { } met && noise.Measured(met.Hit.Distance) is var distance
+                    && distance >= lidar.MinRangeMetres && distance <= lidar.RangeMetres && !noise.IsLost())
                 {
-                    points.Add(PointOf(hit, direction, distance, sensor.Axes.ToLocal(normal), entities) with
+                    Vector3D normal = rays.SensorAt(column).Axes.ToLocal(met.Normal);
+                    points.Add(PointOf(met.Hit, rays.DirectionOf(column, beam), distance, normal, entities) with
                     {
                         Column = (ushort)column,
                         Beam = (ushort)beam,
+                        IsInterpolated = met.IsInterpolated,
                     });
                 }
             }
-
-            yield return null;
         }
 
-        yield return new LidarSweep(lidar.Name, points, lidar.Rays);
+        yield return new LidarSweep(lidar.Name, points, rays.RaysCast);
     }
 
-    private RayHit? Measure(Pose sensor, Vector3D direction, int egoHandle, out Vector3D normal)
+    /// <summary>
+    /// The points of a sweep that lie exactly on surfaces at the moment, world, metres: none of a LiDAR with noise or motion distortion.
+    /// </summary>
+    public IEnumerable<Vector3D> ExactPointsOf(LidarSweep sweep, SceneSnapshot moment)
     {
-        var ray = new Ray(sensor.Position, sensor.Axes.ToWorld(direction));
-        double reach = lidar.RangeMetres + LidarNoise.ReachOf(lidar);
-        normal = Vector3D.Zero;
-        return game.SurfaceRays is { } surfaces ? surfaces.Cast(ray, reach, egoHandle, out normal)
-            : game.Rays.Cast(ray, reach, egoHandle);
+        Pose sensor = moment.Ego.Pose.Compose(mount);
+        return lidar.RangeNoiseMetres > 0 || lidar.MotionDistortion ? []
+            : sweep.Points.Where(static point => !point.IsInterpolated)
+                .Select(point => sensor.ToWorld(new Vector3D(point.X, point.Y, point.Z)));
+    }
+
+    /// <summary>The returns by column and beam, in steps: null until they are known.</summary>
+    private IEnumerable<LidarReturn?[,]?> Returns(LidarRays rays)
+    {
+        // Interpolation needs the planes of the surfaces.
+        if (lidar.RayFraction < 1 && game.SurfaceRays is not null && lidar is { Columns: > 1, BeamsDegrees.Count: > 1 })
+        {
+            var turn = new LidarTurn(lidar, rays);
+            while (turn.Step())
+            {
+                yield return null;
+            }
+
+            yield return turn.Complete();
+            yield break;
+        }
+
+        var returns = new LidarReturn?[lidar.Columns, lidar.BeamsDegrees.Count];
+        for (int column = 0; column < lidar.Columns; column++)
+        {
+            for (int beam = 0; beam < lidar.BeamsDegrees.Count; beam++)
+            {
+                returns[column, beam] = rays.Cast(column, beam);
+            }
+
+            yield return column + 1 < lidar.Columns ? null : returns;
+        }
     }
 
     private LidarPoint PointOf(

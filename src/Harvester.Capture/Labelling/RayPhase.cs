@@ -23,4 +23,7 @@ internal enum RayPhase
 
     /// <summary>The class map.</summary>
     Semantics,
+
+    /// <summary>The depth map.</summary>
+    Depth,
 }

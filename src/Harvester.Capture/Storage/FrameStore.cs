@@ -4,6 +4,7 @@ using System.Diagnostics;
 using System.Text;
 using System.Threading;
 using Harvester.Capture.Harvesting;
+using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
@@ -87,6 +88,20 @@ internal sealed class FrameStore(
         if (frame is { Label.ClassMap.File: { } classPath, Classes: { } classes })
         {
             written.Add(new(classPath, files.WriteWhole(classPath, stream => _png.WriteGrey8(classes, stream))));
+        }
+
+        if (frame is { Label.Depth: { } paths, Depth: { } depth })
+        {
+            foreach ((string? name, InstanceMap? map) in new[]
+            {
+                (paths.Sparse, depth.Sparse), (paths.Completed, depth.Completed), (paths.Error, depth.Error),
+            })
+            {
+                if (name is not null && map is not null)
+                {
+                    written.Add(new(name, files.WriteWhole(name, stream => _png.Write(map, stream))));
+                }
+            }
         }
 
         foreach (LidarSweep sweep in frame.Sweeps)

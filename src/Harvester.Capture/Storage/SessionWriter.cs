@@ -228,6 +228,9 @@ public sealed class SessionWriter : IFrameSink
             .. With(FramePaths.Frames, views),
             .. options.Masks ? With(FramePaths.Masks, views) : [],
             .. options.Semantics is null ? [] : With(FramePaths.ClassMaps, views),
+            .. options.Depth ? With(FramePaths.DepthMaps, views) : [],
+            .. options is { Depth: true, Masks: true } ? With(FramePaths.CompletedDepths, views) : [],
+            .. options is { Depth: true, Masks: true } ? With(FramePaths.DepthErrors, views) : [],
             .. lidars.Length == 0 ? [] : With(FramePaths.Lidar, lidars),
         ];
 

@@ -87,6 +87,9 @@ internal sealed class HarvestCommand
     private Option<string?> Masks { get; } = MaskOption.Create();
     private SemanticsOptions Semantics { get; } = new();
 
+    private Option<bool> Depth { get; } =
+        new("--depth") { Description = "Also write depth maps; with --masks also completed ones and their estimated errors" };
+
     private Option<bool> TrueOcclusion { get; } = new("--true-occlusion")
     {
         Description = "Also label how much of each object the renderer hides, exactly; slower",
@@ -148,7 +151,7 @@ internal sealed class HarvestCommand
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Resume, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, Masks, TrueOcclusion, Rays,
+            Out, Overwrite, Resume, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, Masks, Depth, TrueOcclusion, Rays,
                 RayReach, NoScenes, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, DetailOf, Quirks, FreezeBy,
                     MaxPictureLag, MaxCameraError, ShardOf, Sync, NoReport,
         };
@@ -274,6 +277,7 @@ internal sealed class HarvestCommand
             Masks = masks is not null || Semantics.Method(parsed) is not null,
             MaskMethod = masks ?? MaskMethod.Rays,
             Semantics = Semantics.Method(parsed),
+            Depth = parsed.GetValue(Depth),
             Materials = Semantics.Materials(parsed),
             RayBudget = parsed.GetValue(Rays),
             RayReachMetres = parsed.GetValue(RayReach),

@@ -115,6 +115,11 @@ public static class MaskImporter
             yield return new(classes.File, digests.Of(label.Frame, classes.File));
         }
 
+        foreach (string map in label.Depth?.Files ?? [])
+        {
+            yield return new(map, digests.Of(label.Frame, map));
+        }
+
         foreach (SweepLabel sweep in label.Lidar)
         {
             yield return new(sweep.File, digests.Of(label.Frame, sweep.File));

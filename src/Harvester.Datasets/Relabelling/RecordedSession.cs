@@ -80,6 +80,7 @@ internal sealed class RecordedSession
                 RangeMetres = options.Number("rangeMetres"),
                 IgnoreRangeMetres = options.OptionalNumber("ignoreRangeMetres") ?? 0,
                 Masks = options.Boolean("masks"),
+                Depth = options.Has("depth") && options.Boolean("depth"),
                 Semantics = options.Has("semantics") ? options.Name<SemanticsMethod>("semantics") : null,
                 MinBoxAreaPixels = options.Number("minBoxAreaPixels"),
                 MinBoxSidePixels = options.Number("minBoxSidePixels"),

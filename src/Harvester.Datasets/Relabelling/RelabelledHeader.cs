@@ -36,6 +36,11 @@ internal sealed class RelabelledHeader(RecordedSession recorded, RelabelOptions 
         Set(asked, "maxOccludedFraction", changes.MaxOccludedFraction, 4);
         asked["masks"] = options.Masks;
         asked["semantics"] = options.Semantics is { } semantics ? JsonName.Of(semantics) : null;
+        if (!options.Depth)
+        {
+            asked.Remove("depth");
+        }
+
         asked["scenes"] = false;
         json["classes"] = new JsonArray([.. Enum.GetValues<ObjectClass>()
             .Where(kind => options.Classes!.Contains(kind)).Select(kind => (JsonNode)JsonName.Of(kind)!)]);

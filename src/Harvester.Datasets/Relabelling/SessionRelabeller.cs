@@ -84,6 +84,7 @@ public sealed class SessionRelabeller
         int position = 0;
         int frames = 0;
         bool masks = _recorded.Options.Masks;
+        bool depth = _recorded.Options.Depth;
         SemanticsMethod? semantics = _recorded.Options.Semantics;
         using var digests = new CarriedDigests(_recorded.Session);
         NewSession.Write(folder, _changes.Sync, session =>
@@ -95,6 +96,7 @@ public sealed class SessionRelabeller
                 {
                     lens = _changes.Lens ?? scene.Lens;
                     masks = masks && FrameRelabeller.KeepsMask(scene, label, lens);
+                    depth = depth && scene.Lens == lens;
                     semantics = FrameRelabeller.KeepsClassMap(scene, label, lens) ? semantics : null;
                     labeller = new FrameRelabeller(_options with { Lens = lens }, _recorded.Options, ids, roads);
                 }
@@ -112,7 +114,7 @@ public sealed class SessionRelabeller
                 report(++frames);
             }
         }, () => new RelabelledHeader(
-            _recorded, _changes, _options with { Lens = lens, Masks = masks, Semantics = semantics }).Text(frames));
+            _recorded, _changes, _options with { Lens = lens, Masks = masks, Depth = depth, Semantics = semantics }).Text(frames));
         return frames;
     }
 
@@ -171,6 +173,11 @@ public sealed class SessionRelabeller
         if (made.ClassMap is { } classes)
         {
             Place(classes.File);
+        }
+
+        foreach (string depth in made.Depth?.Files ?? [])
+        {
+            Place(depth);
         }
 
         foreach (SweepLabel sweep in made.Lidar)

@@ -66,6 +66,7 @@ public static class FrameLabelParser
             PlaceFrame = frame.Has("placeFrame") ? frame.Integer("placeFrame") : null,
             PixelMap = frame.Has("pixelMap") ? ReadPixelMap(frame.Fields("pixelMap")) : null,
             ClassMap = frame.Has("classMap") ? ReadClassMap(frame.Fields("classMap")) : null,
+            Depth = frame.Has("depth") ? ReadDepth(frame.Fields("depth")) : null,
             Rays = frame.Has("rays") ? ReadRays(frame.Fields("rays")) : null,
             IgnoreRegions = frame.Has("ignoreRegions") ? [.. frame.List("ignoreRegions").Select(ReadIgnoreRegion)] : [],
             Lanes = frame.Has("lanes") ? LanesParser.Parse(frame.Fields("lanes")) : null,
@@ -112,10 +113,18 @@ public static class FrameLabelParser
         rays.Has("joints") ? rays.Integer("joints") : 0)
     {
         Classes = rays.Has("classes") ? rays.Integer("classes") : 0,
+        Depth = rays.Has("depth") ? rays.Integer("depth") : 0,
     };
 
     private static ClassMapLabel ReadClassMap(JsonFields map) => new(
         PictureName(map, "file"), map.Name<SemanticsMethod>("method"), map.Integer("raysCast"), map.Integer("interpolatedPixels"));
+
+    private static DepthLabel ReadDepth(JsonFields depth) => new(
+        PictureName(depth, "sparse"),
+        depth.Has("completed") ? PictureName(depth, "completed") : null,
+        depth.Has("error") ? PictureName(depth, "error") : null,
+        depth.Integer("raysCast"),
+        depth.Integer("measuredPixels"));
 
     private static SweepLabel ReadSweep(JsonFields sweep) => new(
         sweep.Text("sensor"),

@@ -14,6 +14,8 @@ namespace Harvester.Datasets.Sharding;
 /// <summary>Merges the shards of a session; the result is byte-identical to that of a single run.</summary>
 public static class SessionMerger
 {
+    private static readonly string[] DepthKinds = ["sparse", "completed", "error"];
+
     /// <summary>Whether a folder is a session or a shard of one.</summary>
     public static bool IsSession(string folder) => File.Exists(Path.Combine(folder, SessionInfo.FileName));
 
@@ -146,6 +148,8 @@ public static class SessionMerger
             [
                 fields.Text("image"), fields.OptionalText("mask"),
                 fields.Has("classMap") ? fields.Fields("classMap").Text("file") : null,
+                .. fields.Has("depth")
+                    ? DepthKinds.Select(fields.Fields("depth").OptionalText) : [],
                 .. fields.Has("lidar") ? fields.List("lidar").Select(sweep => sweep.Text("file")) : [],
             ];
         }

@@ -40,6 +40,11 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
             mask = mask.Concat(ClassProblems(label, classes.File, taken, manifest));
         }
 
+        if (label.Depth is { } depth)
+        {
+            mask = mask.Concat(DepthProblems(label, depth, taken, manifest));
+        }
+
         mask = mask.Concat(label.Lidar.Select(sweep => SweepProblem(sweep, taken, manifest)).OfType<string>());
         return Problem("image", label.Image, label.Camera, null, taken, manifest) is { } image ? mask.Prepend(image) : mask;
     }
@@ -75,6 +80,25 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
         catch (DatasetFormatException e)
         {
             return [$"class map '{name}' cannot be used: {e.Message}"];
+        }
+    }
+
+    private IEnumerable<string> DepthProblems(FrameLabel label, DepthLabel depth, IReadOnlyList<string> taken, ManifestFrame? manifest)
+    {
+        string[] problems = [.. depth.Files.Select(name => Problem("depth map", name, label.Camera, MaskBitsPerPixel, taken, manifest))
+            .OfType<string>()];
+        if (problems.Length > 0 || isQuick)
+        {
+            return problems;
+        }
+
+        try
+        {
+            return DepthCheck.Problems(depth, name => PngDecoder.ReadInstanceMap(session.PathOf(name)));
+        }
+        catch (DatasetFormatException e)
+        {
+            return [$"a depth map of '{depth.Sparse}' cannot be used: {e.Message}"];
         }
     }
 

@@ -20,13 +20,23 @@ public static class FramePaths
     public const string Scenes = "scenes";
 
     /// <summary>The folders of a session that hold files of frames.</summary>
-    public static IReadOnlyList<string> Folders { get; } = [Frames, Masks, ClassMaps, Lidar, Scenes];
+    public static IReadOnlyList<string> Folders { get; } = 
+        [Frames, Masks, ClassMaps, DepthMaps, CompletedDepths, DepthErrors, Lidar, Scenes];
 
     /// <summary>Path of the table of faces used for the labels.</summary>
     public const string Faces = Scenes + "/spaces.csv";
 
     /// <summary>Path of the roads used for the labels, if the session has them.</summary>
     public const string Roads = Scenes + "/roads.csv";
+
+    /// <summary>Folder of the measured depths.</summary>
+    public const string DepthMaps = "depth";
+
+    /// <summary>Folder of the completed depth maps.</summary>
+    public const string CompletedDepths = "depth-completed";
+
+    /// <summary>Folder of the estimated errors of completed depth maps.</summary>
+    public const string DepthErrors = "depth-error";
 
     /// <summary>Folder of the points of LiDARs.</summary>
     public const string Lidar = "lidar";
@@ -47,6 +57,21 @@ public static class FramePaths
     /// <param name="frame">Number of the frame.</param>
     /// <param name="view">The view of a rig; null without a rig.</param>
     public static string Classes(int frame, string? view = null) => $"{In(ClassMaps, view)}/{Number(frame)}.png";
+
+    /// <summary>Path of a map of measured depths.</summary>
+    /// <param name="frame">Number of the frame.</param>
+    /// <param name="view">The view of a rig; null without a rig.</param>
+    public static string Depth(int frame, string? view = null) => $"{In(DepthMaps, view)}/{Number(frame)}.png";
+
+    /// <summary>Path of a completed depth map.</summary>
+    /// <param name="frame">Number of the frame.</param>
+    /// <param name="view">The view of a rig; null without a rig.</param>
+    public static string CompletedDepth(int frame, string? view = null) => $"{In(CompletedDepths, view)}/{Number(frame)}.png";
+
+    /// <summary>Path of the estimated errors of a completed depth map.</summary>
+    /// <param name="frame">Number of the frame.</param>
+    /// <param name="view">The view of a rig; null without a rig.</param>
+    public static string DepthError(int frame, string? view = null) => $"{In(DepthErrors, view)}/{Number(frame)}.png";
 
     /// <summary>Path of the points of a LiDAR.</summary>
     /// <param name="frame">Number of the frame of the moment's first view.</param>

@@ -30,7 +30,7 @@ public sealed record FrameLabel(
     EnvironmentState Environment,
     IReadOnlyList<ObjectLabel> Objects)
 {
-    /// <summary>Paths within the session of the files that the label names: image, mask, class map, points of LiDARs.</summary>
+    /// <summary>Paths within the session of the files that the label names: image, mask, class map, depth maps, points of LiDARs.</summary>
     public IEnumerable<string> Files
     {
         get
@@ -44,6 +44,11 @@ public sealed record FrameLabel(
             if (ClassMap is not null)
             {
                 yield return ClassMap.File;
+            }
+
+            foreach (string map in Depth?.Files ?? [])
+            {
+                yield return map;
             }
 
             foreach (SweepLabel sweep in Lidar)
@@ -70,6 +75,9 @@ public sealed record FrameLabel(
 
     /// <summary>The class map; null without one.</summary>
     public ClassMapLabel? ClassMap { get; init; }
+
+    /// <summary>The depth maps; null without any.</summary>
+    public DepthLabel? Depth { get; init; }
 
     /// <summary>What the LiDARs of the rig saw at the moment; empty except in the frame of its first view.</summary>
     public IReadOnlyList<SweepLabel> Lidar { get; init; } = [];

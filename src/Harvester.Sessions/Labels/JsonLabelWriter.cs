@@ -49,6 +49,17 @@ public static class JsonLabelWriter
                 .EndObject();
         }
 
+        if (frame.Depth is { } depth)
+        {
+            json.Key("depth").BeginObject()
+                .Key("sparse").String(depth.Sparse)
+                .Key("completed").String(depth.Completed)
+                .Key("error").String(depth.Error)
+                .Key("raysCast").Integer(depth.RaysCast)
+                .Key("measuredPixels").Integer(depth.MeasuredPixels)
+                .EndObject();
+        }
+
         Append(json.Key("rays"), frame.Rays);
         SweepsJson.Append(json, frame.Lidar);
         Append(json.Key("camera"), frame.Camera);
@@ -163,6 +174,11 @@ public static class JsonLabelWriter
         if (rays.Classes > 0)
         {
             json.Key("classes").Integer(rays.Classes);
+        }
+
+        if (rays.Depth > 0)
+        {
+            json.Key("depth").Integer(rays.Depth);
         }
 
         json.EndObject();

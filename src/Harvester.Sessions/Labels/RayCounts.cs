@@ -12,6 +12,9 @@ public sealed record RayCounts(int Map, int Occlusion, int Faces, int IgnoreRegi
     /// <summary>For the class map; 0 without one.</summary>
     public int Classes { get; init; }
 
+    /// <summary>For the depth map; 0 without one.</summary>
+    public int Depth { get; init; }
+
     /// <summary>Rays of all phases together.</summary>
-    public int Total => Classes + Map + Occlusion + Faces + IgnoreRegions + Lanes + Joints;
+    public int Total => Classes + Depth + Map + Occlusion + Faces + IgnoreRegions + Lanes + Joints;
 }

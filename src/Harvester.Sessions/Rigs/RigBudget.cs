@@ -23,6 +23,6 @@ public static class RigBudget
     {
         _ = rig ?? throw new ArgumentNullException(nameof(rig));
         return rig.Cameras.Sum(camera => LabelSeconds + ((double)camera.Image.Width * camera.Image.Height / PixelsPerSecond))
-            + rig.Lidars.Sum(lidar => (double)lidar.Columns * lidar.BeamsDegrees.Count / RaysPerSecond);
+            + rig.Lidars.Sum(lidar => lidar.RayFraction * lidar.Rays / RaysPerSecond);
     }
 }

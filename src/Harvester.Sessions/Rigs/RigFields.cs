@@ -43,6 +43,9 @@ internal sealed class RigFields
         return Math.Floor(number).Equals(number) ? (int)number : throw Wrong(name, "a whole number");
     }
 
+    public bool Flag(string name, bool otherwise) => !Has(name) ? Skipped(name, otherwise)
+        : Required(name) is bool flag ? flag : throw Wrong(name, "true or false");
+
     public double[] Numbers(string name, double minimum, double maximum) => Required(name) is List<object?> list
         ? [.. list.Select((item, index) => Checked($"{name}[{Text(index)}]", item, minimum, maximum))]
         : throw Wrong(name, "a list of numbers");

@@ -63,8 +63,18 @@ internal static class RigJson
             .Key("minRangeMetres").Exact(lidar.MinRangeMetres)
             .Key("rangeMetres").Exact(lidar.RangeMetres)
             .Key("rangeNoiseMetres").Exact(lidar.RangeNoiseMetres)
-            .Key("dropOutFraction").Exact(lidar.DropOutFraction)
-            .EndObject();
+            .Key("dropOutFraction").Exact(lidar.DropOutFraction);
+        if (lidar.RayFraction < 1)
+        {
+            json.Key("rayFraction").Exact(lidar.RayFraction);
+        }
+
+        if (lidar.MotionDistortion)
+        {
+            json.Key("motionDistortion").Boolean(true);
+        }
+
+        json.EndObject();
     }
 
     private static JsonText Append(JsonText json, Pose mount)

@@ -23,6 +23,14 @@ public sealed record RigLidar(
     /// <summary>Fraction of the points that get lost, 0 to 1.</summary>
     public double DropOutFraction { get; init; }
 
+    /// <summary>Fraction of the rays of a turn that are cast, 0.01 to 1; the other points are interpolated.</summary>
+    public double RayFraction { get; init; } = 1;
+
+    /// <summary>
+    /// Whether each firing is made from where the moving sensor was at its time; otherwise all are made at the end of the turn.
+    /// </summary>
+    public bool MotionDistortion { get; init; }
+
     /// <summary>Rays of one turn.</summary>
     public int Rays => Columns * BeamsDegrees.Count;
 }

@@ -29,6 +29,7 @@ public static class RigParser
     private const double MinRateHz = 0.1;
     private const double MaxRateHz = 100;
     private const double MaxRangeMetres = 1000;
+    private const double MinRayFraction = 0.01;
     private const double UsualMinRangeMetres = 0.5;
     private const double UsualRateHz = 10;
     private const double UsualRangeMetres = 100;
@@ -121,6 +122,8 @@ public static class RigParser
             Model = modelName,
             RangeNoiseMetres = lidar.Number("rangeNoiseMetres", 0, 1, 0),
             DropOutFraction = lidar.Number("dropOutFraction", 0, 1, 0),
+            RayFraction = lidar.Number("rayFraction", MinRayFraction, 1, 1),
+            MotionDistortion = lidar.Flag("motionDistortion", false),
         };
         lidar.End();
         return made;

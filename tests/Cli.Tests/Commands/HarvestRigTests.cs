@@ -141,6 +141,55 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
         Assert.Contains("lidar 'lidar/top/00000002.bin' has", run.Out, StringComparison.Ordinal);
     }
 
+    [Fact]
+    public void Each_view_has_depth_maps_of_its_size()
+    {
+        foreach (FrameLabel label in new SessionReader(harvested.Session).ReadLabels())
+        {
+            DepthLabel depth = label.Depth!;
+            Assert.Equal($"depth/{label.View}/{label.Frame:D8}.png", depth.Sparse);
+            Assert.Equal($"depth-completed/{label.View}/{label.Frame:D8}.png", depth.Completed);
+            Assert.Equal($"depth-error/{label.View}/{label.Frame:D8}.png", depth.Error);
+            Assert.Equal(depth.RaysCast, label.Rays!.Depth);
+            Assert.InRange(depth.MeasuredPixels, 1, label.Camera.Width * label.Camera.Height);
+            Assert.All(depth.Files, file =>
+            {
+                // The header of a PNG has the width, the height and the bits of a value.
+                byte[] png = File.ReadAllBytes(Path.Combine(harvested.Session, file));
+                Assert.Equal((label.Camera.Width, label.Camera.Height, 16), ((png[18] << 8) | png[19], (png[22] << 8) | png[23], png[24]));
+            });
+        }
+    }
+
+    [Fact]
+    public void Depth_that_contradicts_its_label_is_found()
+    {
+        CopyTo(_folder.PathOf("damaged"));
+        File.Copy(
+            _folder.PathOf("damaged/depth-completed/left/00000002.png"), _folder.PathOf("damaged/depth/left/00000002.png"), overwrite: true);
+        File.Copy(
+            _folder.PathOf("damaged/depth/left/00000000.png"), _folder.PathOf("damaged/depth-error/left/00000004.png"), overwrite: true);
+        File.Delete(_folder.PathOf("damaged/manifest.jsonl"));
+
+        CliRun run = CliRun.Of("validate", _folder.PathOf("damaged"));
+
+        Assert.Equal(ExitCode.BadData, run.ExitCode);
+        Assert.Contains("depth map 'depth/left/00000002.png' has", run.Out, StringComparison.Ordinal);
+        Assert.Contains("'depth-error/left/00000004.png' must have an error for each pixel", run.Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Single_camera_has_measured_depth_without_masks()
+    {
+        CliRun.Of("harvest", "--out", _folder.PathOf("single"), "--frames", "2", "--size", "80x60", "--depth", "--seed", "3", "--no-report")
+            .AssertDone();
+        CliRun.Of("validate", "--schema", _folder.PathOf("single")).AssertDone();
+
+        FrameLabel label = new SessionReader(_folder.PathOf("single")).ReadLabels().First();
+        Assert.Equal(("depth/00000000.png", null, null), (label.Depth!.Sparse, label.Depth.Completed, label.Depth.Error));
+        Assert.False(Directory.Exists(_folder.PathOf("single/depth-completed")));
+    }
+
     [Theory]
     [InlineData("--size", "80x60", "--size cannot be used with --rig, which gives each camera its size")]
     [InlineData("--k1", "0.1", "--k1 cannot be used with --rig")]

@@ -31,5 +31,5 @@ public sealed class HarvestedRig : IDisposable
 
     private void Harvest(string name, params string[] more) => CliRun.Of(
         ["harvest", "--out", PathOf(name), "--rig", RigFile, "--frames", "4", "--hz", "2", "--seed", "3", "--places", "2", "--masks",
-            "--no-report", .. more]).AssertDone();
+            "--depth", "--no-report", .. more]).AssertDone();
 }

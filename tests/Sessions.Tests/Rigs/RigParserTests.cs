@@ -59,7 +59,8 @@ public sealed class RigParserTests
     [Fact]
     public void Written_rig_is_read_back()
     {
-        Rig rig = RigParser.Parse(With(Camera.Replace("[1,2,3]", "[1,2,3],\"pitchDegrees\":-2.5", StringComparison.Ordinal), Lidar));
+        Rig rig = RigParser.Parse(With(Camera.Replace("[1,2,3]", "[1,2,3],\"pitchDegrees\":-2.5", StringComparison.Ordinal),
+            Lidar.Replace("}", ",\"rayFraction\":0.25,\"motionDistortion\":true}", StringComparison.Ordinal)));
         var json = new JsonText();
         RigJson.Append(json, rig);
         Rig read = RigParser.Parse(json.ToString());
@@ -68,6 +69,7 @@ public sealed class RigParserTests
 
         Assert.Equal(json.ToString(), again.ToString());
         Assert.Equal(rig.Lidars[0].BeamsDegrees, read.Lidars[0].BeamsDegrees);
+        Assert.Equal((0.25, true), (read.Lidars[0].RayFraction, read.Lidars[0].MotionDistortion));
         Assert.Equal(rig.Cameras[0].Image, read.Cameras[0].Image);
     }
 
@@ -99,6 +101,8 @@ public sealed class RigParserTests
     [InlineData("\"beamsDegrees\":[1]", "lidars[0].columns is missing.")]
     [InlineData("\"model\":\"HDL-64E\",\"rateHz\":0.5", "lidars[0].rateHz must be higher")]
     [InlineData("\"model\":\"HDL-64E\",\"columns\":20000,\"beamsDegrees\":BEAMS", "lidars[0].columns must be fewer: with 101 beams")]
+    [InlineData("\"model\":\"VLP-16\",\"rayFraction\":0", "lidars[0].rayFraction must be a number from 0.01 to 1.")]
+    [InlineData("\"model\":\"VLP-16\",\"motionDistortion\":1", "lidars[0].motionDistortion must be true or false.")]
     [InlineData("\"model\":\"X\"", "lidars[0].model must be one of HDL-32E, HDL-64E, VLP-16")]
     [InlineData("\"model\":\"VLP-16\",\"rateHz\":0.1", "lidars[0].rateHz must be higher")]
     [InlineData("\"model\":\"VLP-16\",\"minRangeMetres\":120", "lidars[0].rangeMetres must be greater than minRangeMetres")]

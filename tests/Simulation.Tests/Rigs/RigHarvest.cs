@@ -13,11 +13,11 @@ internal sealed class RigHarvest
 {
     private const double TicksPerSecond = 60;
 
-    public RigHarvest(Rig rig, int seed)
+    public RigHarvest(Rig rig, int seed, HarvestOptions? labelling = null)
     {
         Game = new SimulatedGame(new SimulationOptions { Seed = seed, IsWarm = true });
         var sink = new MemorySink();
-        var options = new HarvestOptions
+        HarvestOptions options = (labelling ?? new HarvestOptions()) with
         {
             Rig = rig,
             Image = rig.Cameras[0].Image,

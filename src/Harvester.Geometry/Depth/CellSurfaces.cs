@@ -1,0 +1,198 @@
+using System;
+
+namespace Harvester.Geometry.Depth;
+
+/// <summary>
+/// The surfaces that the samples at the corners of a cell show in one region of the mask, and the depth that they give at its places.
+/// </summary>
+internal sealed class CellSurfaces
+{
+    /// <summary>Samples whose planes foretell each other to this fraction of the depth are taken to be of one surface.</summary>
+    private const double SmoothResidual = 0.05;
+
+    /// <summary>Planes that meet in an edge foretell the depths of the corners to this fraction.</summary>
+    private const double EdgeTolerance = 0.002;
+
+    /// <summary>A plane that would give more than this multiple of its sample's depth, or less than its inverse, is not extended.</summary>
+    private const double MaxExtension = 3;
+
+    private readonly Corner[] _corners = new Corner[4];
+    private DepthCell _cell;
+    private int _count;
+    private double _residual;
+    private Edge _edge;
+
+    /// <summary>How the surfaces meet.</summary>
+    private enum Edge
+    {
+        /// <summary>Unknown: each place shows what the nearest corner shows.</summary>
+        Unknown,
+
+        /// <summary>They are one.</summary>
+        None,
+
+        /// <summary>Each place shows the nearest plane, as where a wall stands on the ground.</summary>
+        Inner,
+
+        /// <summary>Each place shows the farthest plane, as at the corner of a house.</summary>
+        Outer,
+    }
+
+    /// <summary>Begins a cell.</summary>
+    public void Begin(DepthCell cell) => (_cell, _count, _residual) = (cell, 0, 0);
+
+    /// <summary>Adds a corner of the region.</summary>
+    /// <param name="number">Its place in <see cref="DepthCell.Corners"/>.</param>
+    /// <param name="place">The number of its place in the grid.</param>
+    /// <param name="sample">Its sample.</param>
+    /// <param name="residual">How far neighbouring planes fail to foretell it, as a fraction.</param>
+    /// <param name="line">Its line of sight.</param>
+    public void Add(int number, int place, DepthSample sample, double residual, SightLine line)
+    {
+        _corners[_count++] = new Corner(number, place, sample, line);
+        _residual = Math.Max(_residual, residual);
+    }
+
+    /// <summary>Finds out how the surfaces of the corners meet.</summary>
+    public void Understand()
+    {
+        _edge = _residual <= SmoothResidual ? Edge.None : Edge.Unknown;
+        bool isInner = true;
+        bool isOuter = true;
+        double deviation = 0;
+        for (int i = 0; i < _count; i++)
+        {
+            (double nearest, double farthest) = (0, double.PositiveInfinity);
+            for (int j = 0; j < _count; j++)
+            {
+                if (!_corners[i].Sample.IsHit || !_corners[j].Sample.IsHit)
+                {
+                    return;
+                }
+
+                double relative = _corners[j].Sample.Surface.InverseAt(_corners[i].Line) * _corners[i].Sample.Depth;
+                (nearest, farthest) = (Math.Max(nearest, relative), Math.Min(farthest, relative));
+            }
+
+            isInner &= nearest < 1 + EdgeTolerance;
+            isOuter &= farthest > 1 - EdgeTolerance;
+            deviation = Math.Max(deviation, Math.Max(nearest - 1, 1 - farthest));
+        }
+
+        _edge = deviation <= EdgeTolerance ? Edge.None : isInner ? Edge.Inner : isOuter ? Edge.Outer : _edge;
+    }
+
+    /// <summary>Whether the surfaces of the corners meet in an edge.</summary>
+    public bool MeetInEdge => _edge is Edge.Inner or Edge.Outer;
+
+    /// <summary>The depth at a place of the cell; null if no corner is of its region.</summary>
+    public (double Depth, double Error, int Source)? DepthAt(int column, int row, SightLine line)
+    {
+        if (_count == 0)
+        {
+            return null;
+        }
+
+        int nearest = 0;
+        double sum = 0;
+        double weights = 0;
+        (double least, double greatest) = (double.PositiveInfinity, 0);
+        for (int i = 0; i < _count; i++)
+        {
+            double weight = WeightOf(_corners[i].Number, column, row);
+            nearest = weight > WeightOf(_corners[nearest].Number, column, row) ? i : nearest;
+            if (_corners[i].Sample.IsHit)
+            {
+                double inverse = InverseOf(_corners[i].Sample, line);
+                (sum, weights) = (sum + (weight * inverse), weights + weight);
+                (least, greatest) = (Math.Min(least, inverse), Math.Max(greatest, inverse));
+            }
+        }
+
+        Corner near = _corners[nearest];
+        if (!near.Sample.IsHit)
+        {
+            return (double.PositiveInfinity, 0, near.Place);
+        }
+
+        double own = InverseOf(near.Sample, line);
+        double chosen = _edge switch
+        {
+            Edge.None when weights > 0 && IsOneEntity => sum / weights,
+            Edge.Inner => greatest,
+            Edge.Outer => least,
+            _ => own,
+        };
+        double depth = 1 / chosen;
+        double error = Math.Max(Math.Max(Math.Abs((1 / least) - depth), Math.Abs((1 / greatest) - depth)), _residual * depth);
+        return (depth, HasMiss ? Math.Max(error, depth) : error, SourceOf(chosen, line, nearest));
+    }
+
+    /// <summary>The inverse depth at which a sample's surface is seen.</summary>
+    public static double InverseOf(DepthSample sample, SightLine line)
+    {
+        double inverse = sample.Surface.InverseAt(line);
+        double own = 1 / sample.Depth;
+        return inverse >= own / MaxExtension && inverse <= own * MaxExtension ? inverse : own;
+    }
+
+    private bool IsOneEntity
+    {
+        get
+        {
+            for (int i = 1; i < _count; i++)
+            {
+                if (_corners[i].Sample.Entity != _corners[0].Sample.Entity)
+                {
+                    return false;
+                }
+            }
+
+            return true;
+        }
+    }
+
+    private bool HasMiss
+    {
+        get
+        {
+            for (int i = 0; i < _count; i++)
+            {
+                if (!_corners[i].Sample.IsHit)
+                {
+                    return true;
+                }
+            }
+
+            return false;
+        }
+    }
+
+    private int SourceOf(double chosen, SightLine line, int nearest)
+    {
+        if (_edge is not (Edge.Inner or Edge.Outer))
+        {
+            return _corners[nearest].Place;
+        }
+
+        for (int i = 0; i < _count; i++)
+        {
+            if (InverseOf(_corners[i].Sample, line).Equals(chosen))
+            {
+                return _corners[i].Place;
+            }
+        }
+
+        return _corners[nearest].Place;
+    }
+
+    private double WeightOf(int corner, int column, int row)
+    {
+        double right = _cell.Right > _cell.Left ? (column - _cell.Left) / (double)(_cell.Right - _cell.Left) : 0;
+        double down = _cell.Bottom > _cell.Top ? (row - _cell.Top) / (double)(_cell.Bottom - _cell.Top) : 0;
+        return ((corner & 1) == 0 ? 1 - right : right) * (corner < 2 ? 1 - down : down);
+    }
+
+    /// <summary>A sampled corner of the cell.</summary>
+    private readonly record struct Corner(int Number, int Place, DepthSample Sample, SightLine Line);
+}
