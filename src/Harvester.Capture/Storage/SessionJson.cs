@@ -91,6 +91,11 @@ internal static class SessionJson
             json.Key("maskMethod").String(JsonName.Of(options.MaskMethod));
         }
 
+        if (options.Motion)
+        {
+            json.Key("motion").Boolean(true);
+        }
+
         json.Key("semantics").String(options.Semantics is { } semantics ? JsonName.Of(semantics) : null)
             .Key("scenes").Boolean(options.Scenes)
             .Key("rayBudget").Integer(options.RayBudget)
