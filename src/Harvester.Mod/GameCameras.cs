@@ -27,8 +27,17 @@ internal sealed class GameCameras(GameBuild build) : ICameras
     }
 
     /// <inheritdoc/>
-    public void Attach(int camera, int vehicle, Vector3D offset) => Natives.Call(
-        Hash.HARD_ATTACH_CAM_TO_ENTITY, camera, vehicle, 0f, 0f, 0f, (float)offset.X, (float)offset.Y, (float)offset.Z, true);
+    public void Attach(int camera, int vehicle, Pose mount)
+    {
+        EulerAngles angles = mount.Axes.ToEuler();
+        Vector3D offset = mount.Position;
+        Natives.Call(
+            Hash.HARD_ATTACH_CAM_TO_ENTITY, camera, vehicle, (float)angles.PitchDegrees, (float)angles.RollDegrees,
+            (float)angles.YawDegrees, (float)offset.X, (float)offset.Y, (float)offset.Z, true);
+    }
+
+    /// <inheritdoc/>
+    public void Zoom(int camera, double verticalFovDegrees) => Natives.Call(Hash.SET_CAM_FOV, camera, (float)verticalFovDegrees);
 
     /// <inheritdoc/>
     public void Show(int camera)

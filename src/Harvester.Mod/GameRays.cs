@@ -1,13 +1,14 @@
 using System;
 using System.Collections.Generic;
 using GTA.Native;
+using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
 
 namespace Harvester.Mod;
 
 /// <summary>Casts rays in the game. They hit collision bounds, which are coarser than the picture.</summary>
-internal sealed class GameRays : IRayCaster
+internal sealed class GameRays : ISurfaceRays
 {
     // Map 1, vehicles 2, bodies of peds 8 (not their capsules, 4), objects 16, foliage 256.
     private const int WhatHides = 1 | 2 | 8 | 16 | 256;
@@ -27,8 +28,12 @@ internal sealed class GameRays : IRayCaster
     /// <summary>
     /// Casts a ray. The synchronous probe answers in the same frame; its arguments are passed as ints, because enums are slow.
     /// </summary>
-    public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity)
+    public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity) => Cast(ray, maxDistance, ignoredEntity, out _);
+
+    /// <inheritdoc/>
+    public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity, out Vector3D normal)
     {
+        normal = Vector3D.Zero;
         Casts++;
         Vector3D start = ray.Origin;
         Vector3D end = ray.At(maxDistance);
@@ -38,11 +43,11 @@ internal sealed class GameRays : IRayCaster
                 PassThrough);
         using var hit = new NativeOutput();
         using var point = new NativeOutput();
-        using var normal = new NativeOutput();
+        using var across = new NativeOutput();
         using var material = new NativeOutput();
         using var entity = new NativeOutput();
         const int ready = 2;
-        if (Natives.Call<int>(Hash.GET_SHAPE_TEST_RESULT_INCLUDING_MATERIAL, test, hit, point, normal, material, entity) != ready)
+        if (Natives.Call<int>(Hash.GET_SHAPE_TEST_RESULT_INCLUDING_MATERIAL, test, hit, point, across, material, entity) != ready)
         {
             throw new InvalidOperationException("The game did not answer a ray.");
         }
@@ -52,11 +57,12 @@ internal sealed class GameRays : IRayCaster
             return null;
         }
 
+        normal = across.Vector;
         int met = entity.Integer;
         return new RayHit((point.Vector - start).Length, IsEntity(met) ? met : RayHit.World)
         {
             Material = unchecked((uint)material.Integer),
-            NormalZ = normal.Vector.Z,
+            NormalZ = normal.Z,
         };
     }
 

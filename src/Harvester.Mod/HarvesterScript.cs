@@ -1,6 +1,7 @@
 using System;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using System.Threading;
 using System.Windows.Forms;
 using GTA;
@@ -51,7 +52,17 @@ public sealed class HarvesterScript : Script
         _folder = new ModFolder(BaseDirectory);
         _messages = new PlayerMessages(BaseDirectory, message => Notification.Show(message), clock);
         PlayerSettings player = PlayerSettings.Read(_folder.Settings, BaseDirectory);
-        player = player with { Options = player.Options with { Materials = _folder.Materials } };
+        player = player with
+        {
+            Options = GameRig.AppliedTo(player.Options with { Materials = _folder.Materials }, _folder.Rig),
+        };
+        if (_folder.Rig is { } rig)
+        {
+            foreach (string warning in GameRig.LensWarnings(rig))
+            {
+                _folder.Complain(warning);
+            }
+        }
         var measured = new MeasuredFaces(player.FacesFolder, _folder.ShippedFaces, _folder.FacesWith(player.FacesFolder));
         var display = new GameDisplay();
         var time = new GameTime(
@@ -81,6 +92,8 @@ public sealed class HarvesterScript : Script
             Roads = roads,
             Lights = lights,
             MountedCamera = mount,
+            RigCamera = mount,
+            SurfaceRays = rays,
             Visibility = hidden,
             Sheets = sheets,
             Calls = calls,
@@ -90,7 +103,7 @@ public sealed class HarvesterScript : Script
         _drive = new BridgeDriving(player.Bridge, game, driven, mount, display, _messages) { Obstacle = DriveObstacle };
         _harvest = new Harvest(player.Options, player.Folder, _messages, mount, game, display, () =>
             Origin(player))
-        { Problem = Problem, FacesInUse = () => measured.InUse };
+        { Problem = HarvestProblem, FacesInUse = () => measured.InUse };
         _calibration = new LensCalibration(_harvest, game, mount, display, _messages, _folder.SettingsPath);
         var overlay = new Overlay(
             _harvest, game, _messages, new Sight(new GameSight(mount, world)), display)
@@ -202,7 +215,7 @@ public sealed class HarvesterScript : Script
 
         _greeted = true;
         _features.Try("The mod", LogHeaderLines);
-        foreach (string complaint in _folder.Complaints)
+        foreach (string complaint in _folder.RigProblem is { } problem ? _folder.Complaints.Append(problem) : _folder.Complaints)
         {
             _messages.Tell(complaint);
         }
@@ -222,6 +235,8 @@ public sealed class HarvesterScript : Script
     private string? Problem() => _calibration.IsOn ? "The calibration is running: wait for its end."
         : _signs.IsOn ? "The survey of signs is running: wait for its end, or end it by its key."
         : null;
+
+    private string? HarvestProblem() => Problem() ?? _folder.RigProblem;
 
     private string? DriveObstacle() => _harvest.IsOn ? "End the harvest first, then let a client drive." : Problem();
 

@@ -140,7 +140,82 @@ def check_geometry(root, tables):
     return counted, within
 
 
-def read(root):
+def labels_of(session):
+    with open(os.path.join(session, "labels.jsonl"), encoding="utf-8") as file:
+        return [json.loads(line) for line in file]
+
+
+def check_session(root, tables, session):
+    """Cuboids project into each camera as in the session, each has exactly the points of its id, and samples and sweeps are moments."""
+    frames, corners = {}, [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
+    for label in labels_of(session):
+        frames[round(label["timeSeconds"] * 1e6), label["view"]] = label
+    start = 1_577_836_800_000_000
+    boxes, projected, counted = {}, 0, 0
+    for annotation in tables["sample_annotation"].values():
+        boxes.setdefault(annotation["sample_token"], {})[tuple(annotation["translation"])] = annotation
+    for data in tables["sample_data"].values():
+        sensor = tables["calibrated_sensor"][data["calibrated_sensor_token"]]
+        pose, channel = tables["ego_pose"][data["ego_pose_token"]], tables["sensor"][sensor["sensor_token"]]["channel"]
+        if not data["is_key_frame"]:
+            continue
+        if tables["sensor"][sensor["sensor_token"]]["modality"] == "lidar":
+            label = next(label for (time, _), label in frames.items() if time == data["timestamp"] - start and "lidar" in label)
+            with open(os.path.join(session, next(each["file"] for each in label["lidar"] if each["sensor"] == channel)), "rb") as file:
+                ids = [point[6] for point in struct.iter_unpack("<4f3H2B", file.read())]
+            views = [frame for (time, _), frame in frames.items() if time == data["timestamp"] - start]
+            objects = {tuple(item["box3d"]["centre"]): item["id"] for frame in views for item in frame["objects"]}
+            for place, box in boxes.get(data["sample_token"], {}).items():
+                assert box["num_lidar_pts"] == ids.count(objects[place]), box
+                counted += box["num_lidar_pts"]
+            continue
+        label = frames[data["timestamp"] - start, channel]
+        (fx, _, cx), (_, fy, cy), _ = sensor["camera_intrinsic"]
+        for item in label["objects"]:
+            box = boxes.get(data["sample_token"], {}).get(tuple(item["box3d"]["centre"]))
+            if box is None:
+                continue
+            width, length, height = box["size"]
+            seen = [into(sensor, into(pose, out_of(box, (x * length / 2, y * width / 2, z * height / 2)))) for x, y, z in corners]
+            if min(z for _, _, z in seen) < 0.5:
+                continue
+            sides = [fx * x / z + cx for x, _, z in seen], [fy * y / z + cy for _, y, z in seen]
+            expected = item["box2dAmodal"]
+            assert all(abs(a - b) < 1 for a, b in zip((min(sides[0]), min(sides[1]), max(sides[0]), max(sides[1])), expected)), item["id"]
+            projected += 1
+    assert projected > 0 and counted > 0
+    return projected
+
+
+def check_can_bus(root, tables):
+    """Messages are in order; poses follow each other as their velocities say, and those of samples are their ego poses."""
+    poses = {(data["timestamp"], tuple(tables["ego_pose"][data["ego_pose_token"]]["translation"])) for data in tables["sample_data"].values()}
+    times, messages = {time for time, _ in poses}, 0
+    for scene in tables["scene"].values():
+        kinds = {}
+        for kind in ("ms_imu", "pose", "steeranglefeedback", "vehicle_monitor", "zoe_veh_info", "zoesensors", "meta", "route"):
+            with open(os.path.join(root, "can_bus", f"{scene['name']}_{kind}.json"), encoding="utf-8") as file:
+                kinds[kind] = json.load(file)
+        meta = kinds.pop("meta")
+        for place, after in zip(kinds["route"], kinds.pop("route")[1:]):
+            assert math.dist(place, after) < 5
+        for kind, rows in kinds.items():
+            assert [row["utime"] for row in rows] == sorted({row["utime"] for row in rows}) and meta[kind]["message_count"] == len(rows)
+            messages += len(rows)
+        for before, after in zip(kinds["pose"], kinds["pose"][1:]):
+            seconds = (after["utime"] - before["utime"]) / 1e6
+            if seconds > 0.05:
+                continue
+            frame = {"translation": before["pos"], "rotation": before["orientation"]}
+            moved = into(frame, after["pos"])
+            assert math.dist(moved, [seconds * speed for speed in before["vel"]]) < 0.02, (moved, before["vel"])
+        for row in kinds["pose"]:
+            if row["utime"] in times:
+                assert any(time == row["utime"] and math.dist(place, row["pos"]) < 1e-3 for time, place in poses)
+    return messages
+
+
+def read(root, session=None):
     tables = load(root)
     check_links(tables)
     check_chains(tables)
@@ -149,9 +224,10 @@ def read(root):
         named = [name for scenes in json.load(file).values() for name in scenes]
     assert sorted(named) == sorted(scene["name"] for scene in tables["scene"].values())
     return (f"nuscenes: {len(tables['scene'])} scenes, {len(tables['sample'])} samples, {len(tables['sample_annotation'])} annotations, "
-            f"{within} of {counted} points in their boxes")
+            f"{within} of {counted} points in their boxes, {check_can_bus(root, tables)} CAN bus messages"
+            + (f", {check_session(root, tables, session)} projections as in the session" if session else ""))
 
 
 if __name__ == "__main__":
     import sys
-    print(read(sys.argv[1]))
+    print(read(*sys.argv[1:]))

@@ -18,8 +18,10 @@ import imagefolder
 import mcap
 import motchallenge
 import nuscenes
+import nuscenes_detection
 import openlabel
 import panoptic
+import rigs
 
 VANS = ("minivan", "speedo", "boxville")
 
@@ -340,5 +342,7 @@ if __name__ == "__main__":
         module.read(os.path.join(root, module.__name__), session)
         print(f"{module.__name__}: {len(session)} frames as in the session")
     panoptic.read(os.path.join(root, "classes"), os.path.join(root, "panoptic-stuff"))
-    print(nuscenes.read(os.path.join(root, "nuscenes")))
+    print(nuscenes.read(os.path.join(root, "nuscenes"), os.path.join(root, "around")))
+    print(nuscenes_detection.read(os.path.join(root, "nuscenes")))
+    print(rigs.read(os.path.join(root, "grey-and-colour"), *(os.path.join(root, f"rig-{name}") for name in rigs.FORMATS)))
     imagefolder.read_webdataset_card(os.path.join(root, "webdataset"))

@@ -7,9 +7,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable, Dict, Mapping, Optional, Tuple, TypeVar
 
 from .arrays import ObjectArrays
-from .camera import Camera
+from .camera import Array, Camera
 from .errors import LabelError, MissingPictureError, PictureError
 from .lanes import Lanes
+from .motion import motion_rows
 from .pictures import Depth, read_class_map, read_depth, read_image, read_mask
 from .png import Picture
 from .points import Points, read_points
@@ -222,6 +223,15 @@ class Frame:
         Raises KeyError if the frame has no such LiDAR, and PictureError if the file cannot be read.
         """
         return read_points(self.lidars[sensor])
+
+    @functools.cached_property
+    def motion(self) -> Optional[Array]:
+        """The ego at the ticks since the frame before, (ticks, 18); None if motion is not recorded.
+
+        A row has time, position (3), right (3), forward (3), velocity (3), yaw rate, acceleration, steering, throttle and brake; NaN for
+        what is unknown.
+        """
+        return _checked(self._source, lambda: motion_rows(self.raw["motion"]) if "motion" in self.raw else None)
 
     @property
     def view(self) -> View:

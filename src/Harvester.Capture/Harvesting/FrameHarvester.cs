@@ -13,7 +13,7 @@ namespace Harvester.Capture.Harvesting;
 /// has room for.
 /// </summary>
 internal sealed class FrameHarvester(
-    HarvestOptions options, IFrameSink sink, ICaptureFlow flow, HarvestCounters counters)
+    HarvestOptions options, IFrameSink sink, ICaptureFlow flow, HarvestCounters counters, MotionRecorder? motion)
     : IDisposable
 {
     private readonly PictureQueue _drawing = new(Math.Max(PictureQueue.UsualCapacity, options.ViewsPerMoment));
@@ -25,6 +25,11 @@ internal sealed class FrameHarvester(
         foreach (HarvestPhase phase in flow.TakeFrame())
         {
             yield return phase;
+        }
+
+        if (flow.TakenSeconds is { } seconds && motion?.TakeBefore(seconds) is { } samples && flow.Taken.Count > 0)
+        {
+            flow.Taken[0].Draft.Motion = samples;
         }
 
         foreach (TakenFrame frame in flow.Taken)

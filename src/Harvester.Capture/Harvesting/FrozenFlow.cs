@@ -33,6 +33,8 @@ internal sealed class FrozenFlow(
 
     public bool IsPassed { get; private set; }
 
+    public double? TakenSeconds { get; private set; }
+
     /// <summary>
     /// Whether the next frame is to be taken. One of another shard, or one that the session already holds, is read and settled too, but not
     /// grabbed or labelled.
@@ -43,6 +45,7 @@ internal sealed class FrozenFlow(
     {
         Taken = [];
         IsPassed = false;
+        TakenSeconds = null;
         bool isOurs = TakesNext();
         GrabbedPicture? picture = null;
         game.Pause.Freeze();
@@ -109,6 +112,7 @@ internal sealed class FrozenFlow(
             }
 
             IsPassed = !isOurs;
+            TakenSeconds = snapshot.TimeSeconds;
             if (isOurs)
             {
                 Taken = [new TakenFrame(draft!, picture!)];

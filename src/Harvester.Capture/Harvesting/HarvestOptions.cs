@@ -130,6 +130,9 @@ public sealed record HarvestOptions : LabellingOptions
     /// </summary>
     public double StillToleranceMetres { get; init => field = OptionCheck.AtLeast(value, 0, nameof(StillToleranceMetres)); } = 0.001;
 
+    /// <summary>Whether the motion of the ego is recorded at every tick between frames; by default only with a rig.</summary>
+    public bool Motion { get => field || Rig is not null; init; }
+
     /// <summary>When the session's writer waits for the disk; the bytes of the session do not depend on it.</summary>
     public SyncMode Sync { get; init; } = SyncMode.Batch;
 

@@ -25,6 +25,7 @@ public sealed class HarvestSession : IDisposable
     private readonly IFrameSink _sink;
     private readonly IEnumerator<HarvestPhase> _run;
     private readonly TickBudget _budget;
+    private readonly MotionRecorder? _motion;
     private double _startMilliseconds;
     private double _endMilliseconds;
     private long _gameFrame;
@@ -71,6 +72,7 @@ public sealed class HarvestSession : IDisposable
 
         _budget = new TickBudget(game.Clock, options.TickBudgetMilliseconds);
         Calls = new PhaseCalls(game.Calls);
+        _motion = options.Motion ? new MotionRecorder(game.World) : null;
         _run = Run().GetEnumerator();
     }
 
@@ -124,6 +126,12 @@ public sealed class HarvestSession : IDisposable
 
             _budget.BeginTick();
             Calls.Skip();
+            if (_opened && _motion is not null)
+            {
+                _motion.Record();
+                Calls.Charge(HarvestPhase.Waiting);
+            }
+
             if (_run.MoveNext())
             {
                 _phase = _run.Current;
@@ -197,7 +205,7 @@ public sealed class HarvestSession : IDisposable
         _unchecked = [.. new[] { freeze.Warning, check.Warning, isLagOpen ? LagUnchecked : null }.OfType<CaptureFault>()];
         CaptureFlows flows = _flows = new CaptureFlows(_options, _game, reader, pool, _budget, Counters, Calls);
         ICaptureFlow flow = flows.For(_sink, Lag);
-        using var frames = new FrameHarvester(_options, _sink, flow, Counters);
+        using var frames = new FrameHarvester(_options, _sink, flow, Counters, _motion);
         var schedule = new FrameSchedule(_options.RateHz);
         while (true)
         {

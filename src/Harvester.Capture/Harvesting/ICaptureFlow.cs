@@ -13,6 +13,9 @@ internal interface ICaptureFlow
     /// <summary>Whether the last flow skipped a frame of another shard, or one that the session already holds.</summary>
     bool IsPassed { get; }
 
+    /// <summary>Game time of the last flow's frame or moment, taken or skipped; null if it was discarded.</summary>
+    double? TakenSeconds { get; }
+
     /// <summary>
     /// Takes one frame or moment. Each element is a tick that ends in the given phase; disposing the sequence resumes the game.
     /// </summary>

@@ -25,6 +25,8 @@ internal sealed class LiveFlow(
 
     public bool IsPassed => false;
 
+    public double? TakenSeconds { get; private set; }
+
     private int GrabTick => _entityTick + lag.EntityTicks;
 
     private int ReadTick => Math.Max(_entityTick, _cameraTick);
@@ -32,6 +34,7 @@ internal sealed class LiveFlow(
     public IEnumerable<HarvestPhase> TakeFrame()
     {
         Taken = [];
+        TakenSeconds = null;
         GrabbedPicture? picture = null;
         try
         {
@@ -76,6 +79,7 @@ internal sealed class LiveFlow(
             draft!.LagFrames = lag.EntityTicks;
             draft.LagSeconds = grabSeconds - draft.Snapshot.TimeSeconds;
             Taken = [new TakenFrame(draft, picture!)];
+            TakenSeconds = draft.Snapshot.TimeSeconds;
             picture = null;
         }
         finally

@@ -51,6 +51,8 @@ internal sealed class RigFlow : ICaptureFlow
 
     public bool IsPassed { get; private set; }
 
+    public double? TakenSeconds { get; private set; }
+
     /// <summary>Whether the next moment is to be taken, as in <see cref="FrozenFlow"/>.</summary>
     public required Func<bool> TakesNext { get; init; }
 
@@ -58,6 +60,7 @@ internal sealed class RigFlow : ICaptureFlow
     {
         Taken = [];
         IsPassed = false;
+        TakenSeconds = null;
         bool isOurs = TakesNext();
         var taken = new List<TakenFrame>();
         _game.Pause.Freeze();
@@ -109,6 +112,7 @@ internal sealed class RigFlow : ICaptureFlow
             }
 
             IsPassed = !isOurs;
+            TakenSeconds = moment.TimeSeconds;
             Taken = [.. taken];
             taken.Clear();
         }

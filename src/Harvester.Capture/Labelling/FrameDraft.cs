@@ -67,6 +67,9 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
     /// <summary>The points of the LiDARs at its moment, if it is the first view.</summary>
     public IReadOnlyList<LidarSweep> Sweeps { get; set; } = [];
 
+    /// <summary>The motion of the ego since the frame before; null if it is not recorded, or the frame is not a moment's first view.</summary>
+    public IReadOnlyList<MotionSample>? Motion { get; set; }
+
     /// <summary>The ids of the entities that have one, by handle.</summary>
     public IReadOnlyDictionary<int, int> Ids { get; set; } = new Dictionary<int, int>();
 
@@ -142,6 +145,7 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
         View = View?.Camera.Name,
         Lidar = [.. Sweeps.Select(sweep => new SweepLabel(
             sweep.Sensor, FramePaths.Sweep(frame, sweep.Sensor), sweep.Points.Count, sweep.RaysCast))],
+        Motion = Motion,
         Place = places?.PlaceOf(frame),
         PlaceFrame = frame - places?.FirstFrameOf(places.PlaceOf(frame)),
         PixelMap = PixelMap,

@@ -96,6 +96,11 @@ internal static class SessionJson
             json.Key("depth").Boolean(true);
         }
 
+        if (options.Motion)
+        {
+            json.Key("motion").Boolean(true);
+        }
+
         json.Key("semantics").String(options.Semantics is { } semantics ? JsonName.Of(semantics) : null)
             .Key("scenes").Boolean(options.Scenes)
             .Key("rayBudget").Integer(options.RayBudget)

@@ -106,6 +106,11 @@ internal sealed class HarvestCommand
             IsDistance, DistanceForm),
         new HarvestOptions().RayReachMetres);
 
+    private Option<bool> Motion { get; } = new("--motion")
+    {
+        Description = "Record the motion of the vehicle at every tick between frames; always recorded with --rig",
+    };
+
     private Option<bool> NoScenes { get; } =
         new("--no-scenes") { Description = "Do not write scenes; the session cannot be relabelled then" };
     private Option<double> Range { get; } = WithDefault(
@@ -152,7 +157,7 @@ internal sealed class HarvestCommand
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
             Out, Overwrite, Resume, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, Masks, Depth, TrueOcclusion, Rays,
-                RayReach, NoScenes, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, DetailOf, Quirks, FreezeBy,
+                RayReach, NoScenes, Motion, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, DetailOf, Quirks, FreezeBy,
                     MaxPictureLag, MaxCameraError, ShardOf, Sync, NoReport,
         };
         Semantics.AddTo(command);
@@ -286,6 +291,7 @@ internal sealed class HarvestCommand
             MaxPictureLagTicks = parsed.GetValue(MaxPictureLag),
             FreezeBy = FreezeOption.Parse(parsed.GetRequiredValue(FreezeBy)),
             Scenes = !parsed.GetValue(NoScenes),
+            Motion = parsed.GetValue(Motion),
             Sync = parsed.GetValue(Sync),
         };
     }

@@ -12,7 +12,8 @@ internal static class ExportSummary
         string splits = string.Join(", ", result.FramesOfSplits.Select(split => $"{split.Key} {split.Value}"));
         string objects = result.Format.HasObjects ? $", {result.Objects} of {Counted.Of(result.Labels, "label")} written" : "";
         string ignored = result.Ignored > 0 ? $", {Counted.Of(result.Ignored, "region")} marked as ignored" : "";
-        string leftOut = result.FramesLeftOut > 0 ? $"; {Counted.Of(result.FramesLeftOut, "frame")} without known lanes left out" : "";
+        string lacks = result.Format.LeavesOutUnknownLanes ? "known lanes" : "points";
+        string leftOut = result.FramesLeftOut > 0 ? $"; {Counted.Of(result.FramesLeftOut, "frame")} without {lacks} left out" : "";
         return $"{folder}: {result.Format.Name}, {Counted.Of(result.Frames, "frame")} ({splits}){objects}{ignored}{leftOut}";
     }
 }

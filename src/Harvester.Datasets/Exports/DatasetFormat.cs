@@ -57,7 +57,10 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
     public bool NeedsRectilinear { get; init; }
 
     /// <summary>Whether it lists objects; lane formats and class maps do not.</summary>
-    public bool HasObjects => !NeedsLanes && !NeedsClassMaps;
+    public bool HasObjects => ListsObjects && !NeedsLanes && !NeedsClassMaps;
+
+    /// <summary>Whether it lists objects of its images; formats of points and poses do not.</summary>
+    internal bool ListsObjects { get; init; } = true;
 
     /// <summary>Whether it lists faces of signs and heads of lights, which are parts of other objects.</summary>
     public bool HasParts { get; init; }

@@ -62,6 +62,7 @@ public static class FrameLabelParser
             Moment = frame.Has("moment") ? frame.Integer("moment") : null,
             View = frame.OptionalText("view"),
             Lidar = frame.Has("lidar") ? [.. frame.List("lidar").Select(ReadSweep)] : [],
+            Motion = MotionParser.Parse(frame),
             Place = frame.Has("place") ? frame.Integer("place") : null,
             PlaceFrame = frame.Has("placeFrame") ? frame.Integer("placeFrame") : null,
             PixelMap = frame.Has("pixelMap") ? ReadPixelMap(frame.Fields("pixelMap")) : null,

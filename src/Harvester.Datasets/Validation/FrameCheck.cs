@@ -41,6 +41,7 @@ internal sealed class FrameCheck(SessionReader session, SessionInfo? info, bool 
             .. new[] { _scenes.Problem(label, line.Manifest) }.OfType<string>(),
             .. line.Source.Findings,
             .. label.Lanes is { } lanes ? LanesCheck.Problems(lanes) : [],
+            .. MotionCheck.Problems(label),
             .. IgnoreRegionCheck.Problems(label),
             .. label.Objects.SelectMany(item => ObjectCheck.Problems(item, label)),
         ];

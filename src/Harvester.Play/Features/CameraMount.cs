@@ -1,6 +1,7 @@
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Play.Settings;
+using Harvester.Sessions.Rigs;
 
 namespace Harvester.Play.Features;
 
@@ -8,13 +9,15 @@ namespace Harvester.Play.Features;
 /// The camera on the hood. The game itself attaches it with the vehicle's whole matrix, so there is no delay between the two; setting
 /// position and rotation on every tick, as the thesis did, lags a frame behind.
 /// </summary>
-public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera
+public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera, IRigCamera
 {
     private readonly PlayerSettings _settings;
     private readonly PlayerMessages _messages;
     private readonly ICameras _cameras;
     private readonly IVehicles _vehicles;
     private int _camera;
+    private Pose _place;
+    private double _verticalFovDegrees;
 
     /// <summary>Creates the feature; the camera is not mounted.</summary>
     /// <param name="settings">Position of the camera on its vehicle.</param>
@@ -27,6 +30,8 @@ public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera
         _messages = messages;
         _cameras = cameras;
         _vehicles = vehicles;
+        _place = UsualPlace;
+        _verticalFovDegrees = settings.VerticalFovDegrees;
     }
 
     /// <inheritdoc/>
@@ -43,6 +48,8 @@ public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera
 
     /// <summary>The vehicle that carries the camera; 0 if it is not mounted.</summary>
     public int Vehicle { get; private set; }
+
+    private Pose UsualPlace => new(_settings.CameraOffset, Axes.Identity);
 
     /// <summary>Mounts the rendering camera on the vehicle of the player.</summary>
     public void Mount()
@@ -71,7 +78,8 @@ public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera
         _camera = camera;
         try
         {
-            _cameras.Attach(camera, vehicle, _settings.CameraOffset);
+            (_place, _verticalFovDegrees) = (UsualPlace, _settings.VerticalFovDegrees);
+            _cameras.Attach(camera, vehicle, _place);
             _cameras.Show(camera);
             Vehicle = vehicle;
         }
@@ -92,9 +100,21 @@ public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera
     {
         if (IsMounted)
         {
-            _cameras.Attach(_camera, Vehicle, _settings.CameraOffset + offset);
+            _cameras.Attach(_camera, Vehicle, _place with { Position = _place.Position + offset });
         }
     }
+
+    /// <inheritdoc/>
+    public void Show(RigCamera camera, Pose mount)
+    {
+        if (camera is not null)
+        {
+            MoveTo(mount, camera.VerticalFovDegrees);
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Return() => MoveTo(UsualPlace, _settings.VerticalFovDegrees);
 
     /// <inheritdoc/>
     public void Tick()
@@ -131,4 +151,24 @@ public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera
 
     /// <inheritdoc/>
     public void Finish() => Stop();
+
+    private void MoveTo(Pose place, double verticalFovDegrees)
+    {
+        if (!IsMounted)
+        {
+            return;
+        }
+
+        if (_place != place)
+        {
+            _cameras.Attach(_camera, Vehicle, place);
+            _place = place;
+        }
+
+        if (!_verticalFovDegrees.Equals(verticalFovDegrees))
+        {
+            _cameras.Zoom(_camera, verticalFovDegrees);
+            _verticalFovDegrees = verticalFovDegrees;
+        }
+    }
 }

@@ -91,7 +91,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         {
             SessionOrigin origin = _origin();
             _isSingle = false;
-            Start(Options with { Faces = FacesInUse() }, () => Locked(NewFolder("session"), origin));
+            Start(Options with { Faces = FacesInUse() }, () => Locked(NewFolder("session"), origin, Options.ViewsPerMoment));
         }
         else
         {
@@ -112,7 +112,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
 
         HarvestOptions options = Options with
         {
-            MaxFrames = 1,
+            MaxFrames = Options.ViewsPerMoment,
             ProbeLag = false,
             Faces = FacesInUse(),
             KnownFreezing = _freezing is { IsConclusive: true } ? _freezing : null
@@ -124,11 +124,11 @@ public sealed class Harvest : ILastingFeature, IDisposable
             Start(
                 singles.CalibrationErrorPixels is { } known
                     ? options with { MaxCalibrationErrorPixels = null, KnownCalibrationErrorPixels = known } : options,
-                () => Locked(singles.Folder, origin, resume: true));
+                () => Locked(singles.Folder, origin, Options.ViewsPerMoment, resume: true));
         }
         else
         {
-            Start(options, () => Locked(NewFolder("singles"), origin));
+            Start(options, () => Locked(NewFolder("singles"), origin, Options.ViewsPerMoment));
         }
     }
 
@@ -191,7 +191,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
             return;
         }
 
-        if (Problem() is { } problem)
+        if ((Problem() ?? GameRig.ProblemOf(options)) is { } problem)
         {
             _messages.Tell(problem);
             return;
@@ -211,12 +211,12 @@ public sealed class Harvest : ILastingFeature, IDisposable
     }
 
     /// <summary>Opens a session in a folder that no other process may write until the session is closed.</summary>
-    private static SessionWriter Locked(string folder, SessionOrigin origin, bool resume = false)
+    private static SessionWriter Locked(string folder, SessionOrigin origin, int viewsPerMoment, bool resume = false)
     {
         WriterLock held = WriterLock.Take(folder);
         try
         {
-            return new SessionWriter(folder, origin, resume) { Lock = held };
+            return new SessionWriter(folder, origin, resume, viewsPerMoment) { Lock = held };
         }
         catch
         {
@@ -232,7 +232,22 @@ public sealed class Harvest : ILastingFeature, IDisposable
             throw failure;
         }
 
-        return _writer.Opened is { } writer ? new HarvestSession(_startedWith!, _game, writer) : null;
+        if (_writer.Opened is not { } writer)
+        {
+            return null;
+        }
+
+        if (_startedWith!.Rig is { } rig)
+        {
+            if (GameRig.AspectWarning(rig, _game.World.ReadCamera().WindowAspect) is { } warning)
+            {
+                _messages.Tell(warning);
+            }
+
+            _game.RigCamera!.Show(rig.Cameras[0], rig.OnVehicle(rig.Cameras[0].Mount));
+        }
+
+        return new HarvestSession(_startedWith, _game, writer);
     }
 
     /// <summary>Keeps the findings about freeze methods for the following single frames.</summary>
@@ -251,6 +266,11 @@ public sealed class Harvest : ILastingFeature, IDisposable
         HarvestStatus status = session.Status;
         _session = null;
         _writer.Close();
+        if (_startedWith!.Rig is not null)
+        {
+            _mount.Return();
+        }
+
         _lastWriter = status.Fault is null ? writer : null;
         if (_isSingle && status.Captured > 0)
         {

@@ -17,8 +17,13 @@ public interface ICameras
     /// <summary>Attaches a camera to a vehicle with the vehicle's whole matrix.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="vehicle">The vehicle.</param>
-    /// <param name="offset">From the vehicle's origin, in its frame, metres.</param>
-    void Attach(int camera, int vehicle, Vector3D offset);
+    /// <param name="mount">Position (from the vehicle's origin, metres) and orientation in the vehicle's frame.</param>
+    void Attach(int camera, int vehicle, Pose mount);
+
+    /// <summary>Changes the field of view of a camera.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <param name="verticalFovDegrees">Vertical field of view, degrees.</param>
+    void Zoom(int camera, double verticalFovDegrees);
 
     /// <summary>Shows a camera's picture on the screen.</summary>
     void Show(int camera);

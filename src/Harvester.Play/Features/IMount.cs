@@ -8,4 +8,7 @@ public interface IMount
 
     /// <summary>Mounts it; reports to the player if that is impossible.</summary>
     void Mount();
+
+    /// <summary>Moves it back to its usual place and field of view, after it took those of a rig.</summary>
+    void Return();
 }

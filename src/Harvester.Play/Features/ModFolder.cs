@@ -5,6 +5,7 @@ using System.Linq;
 using System.Threading;
 using Harvester.Play.Settings;
 using Harvester.Sessions.Faces;
+using Harvester.Sessions.Rigs;
 using Harvester.Sessions.Semantics;
 using Harvester.Surveys.Faces;
 
@@ -17,6 +18,7 @@ public sealed class ModFolder
 {
     private const string SettingsFile = "GtaDataHarvester.ini";
     private const string FacesFile = "spaces_of_interest.csv";
+    private const int MaxRigBytes = 1024 * 1024;
     private readonly string _folder;
     private readonly List<string> _complaints = [];
 
@@ -30,6 +32,7 @@ public sealed class ModFolder
         string materials = Path.Combine(folder, MaterialTable.FileName);
         Materials = File.Exists(materials)
             ? Read(() => ReadMaterials(materials), () => MaterialTable.BuiltIn, MaterialTable.FileName) : MaterialTable.BuiltIn;
+        (Rig, RigProblem) = ReadRig(Settings.Text("Harvest", "Rig", string.Empty));
     }
 
     /// <summary>Path of the settings file.</summary>
@@ -47,6 +50,12 @@ public sealed class ModFolder
     /// <summary>The classes of materials: those of the table beside the mod, if there is one.</summary>
     public MaterialTable Materials { get; }
 
+    /// <summary>The rig that the settings name; null without one.</summary>
+    public Rig? Rig { get; }
+
+    /// <summary>Why the rig that the settings name cannot be used, as a sentence; null if it can, or none is named.</summary>
+    public string? RigProblem { get; }
+
     /// <summary>The problems of the files, one sentence each; complete after all settings have been read.</summary>
     public IEnumerable<string> Complaints => _complaints.Concat(Settings.Complaints.Select(Told));
 
@@ -60,6 +69,27 @@ public sealed class ModFolder
 
     /// <summary>Adds a complaint about a setting.</summary>
     public void Complain(string sentence) => _complaints.Add(Told(sentence));
+
+    private (Rig? Rig, string? Problem) ReadRig(string name)
+    {
+        if (name.Length == 0)
+        {
+            return (null, null);
+        }
+
+        try
+        {
+            string path = Path.Combine(_folder, Environment.ExpandEnvironmentVariables(name));
+            return new FileInfo(path) is { Exists: true, Length: <= MaxRigBytes } ? (RigParser.Parse(File.ReadAllText(path)), null)
+                : (null, Told($"Rig: there is no file {name} of at most {MaxRigBytes / 1024} KiB beside the mod."));
+        }
+#pragma warning disable CA1031 // As in Read; a harvest with another rig than the player wants is refused.
+        catch (Exception exception) when (exception is not ThreadAbortException)
+#pragma warning restore CA1031
+        {
+            return (null, Told($"Rig: {name} cannot be used: {exception.Message}"));
+        }
+    }
 
     private static string Told(string sentence) => $"{SettingsFile}: {sentence}";
 

@@ -57,6 +57,7 @@ public static class HarvestSettings
                 _ => MaskMethod.Rays,
             },
             Semantics = semantics ? SemanticsMethod.Rays : null,
+            Motion = ini.Choice(Harvest, "Motion", Switch.Off, "On or Off") == Switch.On,
             RayBudget = ini.Whole(Harvest, "Rays", fallback.RayBudget, 0, LabellingOptions.MaxRays),
             RayReachMetres = ini.Number(Harvest, "RayReach", fallback.RayReachMetres, 1, 100_000),
             OcclusionSamples = ini.Whole(Harvest, "OcclusionRays", fallback.OcclusionSamples, 1, 10_000),

@@ -6,8 +6,8 @@ namespace Harvester.Sessions.Labels;
 /// <summary>Writes the motion of the ego: into a label rounded, into a scene exactly.</summary>
 internal static class EgoMotionJson
 {
-    private const int RateDecimals = 6;
-    private const int ControlDecimals = 4;
+    public const int RateDecimals = 6;
+    public const int ControlDecimals = 4;
 
     /// <summary>The fields of a label's ego.</summary>
     public static void Append(JsonText json, EgoMotion motion)

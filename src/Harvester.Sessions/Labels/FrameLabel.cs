@@ -82,6 +82,12 @@ public sealed record FrameLabel(
     /// <summary>What the LiDARs of the rig saw at the moment; empty except in the frame of its first view.</summary>
     public IReadOnlyList<SweepLabel> Lidar { get; init; } = [];
 
+    /// <summary>
+    /// The ego at the ticks since the frame, or moment, before; empty if it is the first. Null unless motion is recorded, and in all but
+    /// the first view of a moment.
+    /// </summary>
+    public IReadOnlyList<MotionSample>? Motion { get; init; }
+
     /// <summary>Regions that show, or may show, objects without a label, the nearest first.</summary>
     public IReadOnlyList<IgnoreRegion> IgnoreRegions { get; init; } = [];
 

@@ -64,6 +64,7 @@ public static class JsonLabelWriter
         SweepsJson.Append(json, frame.Lidar);
         Append(json.Key("camera"), frame.Camera);
         Append(json.Key("ego"), frame.Ego);
+        MotionJson.Append(json, frame.Motion);
         Append(json.Key("environment"), frame.Environment);
         json.Key("objects").BeginArray();
         foreach (ObjectLabel label in frame.Objects)

@@ -167,8 +167,8 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData(
         "--images",
         "copy",
-        "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, semantic, bdd100k, "
-            + "motchallenge, openlabel, nuscenes, tusimple, culane, openlane, imagefolder, csv")]
+        "kitti, kitti-tracking, kitti-odometry, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, semantic, "
+            + "bdd100k, motchallenge, openlabel, nuscenes, tusimple, culane, openlane, imagefolder, csv")]
     [InlineData(
         "--split-block",
         "10",

@@ -1,6 +1,7 @@
 using System.Text.Json.Nodes;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 
@@ -43,6 +44,41 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
         }
 
         Assert.NotEqual(0, common);
+    }
+
+    [Fact]
+    public void First_views_have_the_motion_between_moments()
+    {
+        FrameLabel[] labels = [.. new SessionReader(harvested.Session).ReadLabels()];
+
+        // At 60 ticks per second and 2 moments per second, 29 ticks lie between two moments of a place.
+        Assert.Equal(29, labels[2].Motion!.Count);
+        Assert.All(labels, label => Assert.Equal(label.View == "left", label.Motion is not null));
+        MotionSample last = labels[2].Motion![^1];
+        Assert.Equal(labels[2].TimeSeconds - (1 / 60.0), last.TimeSeconds, 5);
+        double moved = (labels[2].Ego.Position - last.Pose.Position).Length;
+        Assert.Equal(last.Velocity.Length / 60, moved, 2);
+        Assert.InRange(last.Motion!.Throttle!.Value, 0, 1);
+    }
+
+    [Fact]
+    public void Resumed_rig_has_the_bytes_of_an_uninterrupted_one()
+    {
+        string session = _folder.PathOf("session");
+        CopyTo(session);
+        string labels = Path.Combine(session, "labels.jsonl");
+        string[] lines = File.ReadAllLines(labels);
+        File.WriteAllText(labels, string.Concat(lines.Take(5).Select(line => line + "\n")));
+        string header = Path.Combine(session, "session.json");
+        string text = File.ReadAllText(header);
+        File.WriteAllText(header, text[..text.IndexOf("\n  \"state\"", StringComparison.Ordinal)] + "\n  \"state\": \"recording\"\n}\n");
+        UnfinishedMark.Write(
+            session, $"harvester harvest --rig {harvested.RigFile} --frames 4 --hz 2 --seed 3 --places 2 --masks --no-report");
+
+        CliRun.Of("harvest", "--out", session, "--rig", harvested.RigFile, "--frames", "4", "--hz", "2", "--seed", "3", "--places", "2",
+            "--masks", "--no-report", "--resume").AssertDone();
+
+        Assert.Equal(File.ReadAllBytes(Path.Combine(harvested.Session, "labels.jsonl")), File.ReadAllBytes(labels));
     }
 
     [Fact]

@@ -35,7 +35,7 @@ internal sealed partial class TestGame
             }
 
             return SceneCamera?.Invoke()
-                ?? Seen(Entities[camera.AttachedTo].Pose.Compose(new Pose(camera.Offset, Axes.Identity)), camera.VerticalFovDegrees);
+                ?? Seen(Entities[camera.AttachedTo].Pose.Compose(new Pose(camera.Offset, camera.Turn)), camera.VerticalFovDegrees);
         }
     }
 
@@ -57,8 +57,13 @@ internal sealed partial class TestGame
         {
             GameCamera camera = Cameras[(int)a[0]];
             camera.AttachedTo = (int)a[1];
-            camera.Offset = IsCameraHeld ? camera.Offset : ToWorld(a[5], a[6], a[7]);
+            if (!IsCameraHeld)
+            {
+                camera.Offset = ToWorld(a[5], a[6], a[7]);
+                camera.Turn = Axes.FromEuler(new EulerAngles((float)a[2], (float)a[3], (float)a[4]));
+            }
         });
+        Do(Hash.SET_CAM_FOV, a => Cameras[(int)a[0]].VerticalFovDegrees = (float)a[1]);
         Do(Hash.SET_CAM_ACTIVE, a => Cameras[(int)a[0]].IsActive = (bool)a[1]);
         Do(Hash.DESTROY_CAM, a => Cameras.Remove((int)a[0]));
         _natives[Hash.GET_RENDERING_CAM] = _ => RenderingCamera;

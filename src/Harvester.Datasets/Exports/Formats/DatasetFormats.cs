@@ -14,6 +14,7 @@ using Harvester.Datasets.Exports.Formats.Mcap;
 using Harvester.Datasets.Exports.Formats.MotChallenge;
 using Harvester.Datasets.Exports.Formats.NuScenes;
 using Harvester.Datasets.Exports.Formats.OpenLabel;
+using Harvester.Datasets.Exports.Formats.PointClouds;
 using Harvester.Datasets.Exports.Formats.Semantic;
 using Harvester.Datasets.Exports.Formats.Voc;
 using Harvester.Datasets.Exports.Formats.WebDataset;
@@ -27,7 +28,7 @@ public static class DatasetFormats
     /// <summary>All formats, in the order of the help.</summary>
     public static IReadOnlyList<DatasetFormat> All { get; } =
     [
-        new("kitti", "KITTI object detection: image_2, label_2, calib", options => new KittiWriter(options))
+        new("kitti", "KITTI object detection: images, label_2, calib, velodyne, oxts", options => new KittiWriter(options))
         {
             NeedsRectilinear = true, UsesMasks = true, HasBoxes = true, HasNames = true, Names = KittiClasses.Types,
                 Check = KittiCheck.Problems,
@@ -36,6 +37,10 @@ public static class DatasetFormats
         {
             NeedsRectilinear = true, UsesMasks = true, HasBoxes = true, HasNames = true, Names = KittiClasses.Types, KeepsSessions = true,
             Check = KittiTrackingCheck.Problems,
+        },
+        new("kitti-odometry", "KITTI odometry: images, points, poses and SemanticKITTI's labels", _ => new KittiOdometryWriter())
+        {
+            NeedsRectilinear = true, KeepsSessions = true, ListsObjects = false, Check = KittiOdometryCheck.Problems,
         },
         new("coco", "COCO instances", options => new CocoWriter(options))
         {
@@ -94,6 +99,16 @@ public static class DatasetFormats
         new("nuscenes", "nuScenes: the tables, samples and sweeps of a rig", _ => new NuScenesWriter())
         {
             NeedsRectilinear = true, KeepsSessions = true, Check = NuScenesCheck.Problems,
+        },
+        new("pcd", "Point clouds of LiDARs, as PCL's PCD files", _ => new PointCloudWriter(PointCloudKind.Pcd))
+        {
+            ListsObjects = false, KeepsImages = false, KeepsSessions = true,
+            Check = dataset => PointCloudCheck.Problems(dataset, PointCloudKind.Pcd),
+        },
+        new("ply", "Point clouds of LiDARs, as PLY files", _ => new PointCloudWriter(PointCloudKind.Ply))
+        {
+            ListsObjects = false, KeepsImages = false, KeepsSessions = true,
+            Check = dataset => PointCloudCheck.Problems(dataset, PointCloudKind.Ply),
         },
         new("deepdriving", "Images of 280 x 210 and DeepDriving's thirteen indicators", options => new DeepDrivingWriter(options))
         {

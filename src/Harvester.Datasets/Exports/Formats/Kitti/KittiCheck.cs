@@ -16,7 +16,9 @@ internal static class KittiCheck
     private const string Images = "training/image_2";
     private const string Labels = "training/label_2";
     private const string Calibrations = "training/calib";
+    private const string Inertial = "training/oxts";
     private const string Points = "training/velodyne";
+    private static readonly string[] OtherImages = ["training/image_0", "training/image_1", "training/image_3"];
     private const int Columns = 15;
     private const int BytesPerPoint = 16;
 
@@ -25,9 +27,18 @@ internal static class KittiCheck
         IReadOnlyList<string> images = dataset.Files(Images);
         IReadOnlyDictionary<string, double> misses = KittiLeaning.MissesOf(dataset);
         Dictionary<string, int> frames = images.ToDictionary(image => Path.GetFileNameWithoutExtension(image), _ => 1);
+        string[] others = [.. OtherImages.SelectMany(dataset.Files)];
+        foreach (string frame in others.Select(image => Path.GetFileNameWithoutExtension(image)).Where(frames.ContainsKey))
+        {
+            frames[frame]++;
+        }
+
         return images.SelectMany(image => ProblemsOf(dataset, image, misses))
             .Concat(LabelFiles.Strays(dataset, Labels, frames.Keys))
             .Concat(LabelFiles.Strays(dataset, Calibrations, frames.Keys))
+            .Concat(LabelFiles.Strays(dataset, Inertial, frames.Keys))
+            .Concat(OtherImages.SelectMany(folder => LabelFiles.Strays(dataset, folder, frames.Keys)))
+            .Concat(frames.Keys.SelectMany(frame => KittiOxtsCheck.Problems(dataset, $"{Inertial}/{frame}.txt")))
             .Concat(SplitLists.Problems(dataset, split => $"ImageSets/{split}.txt", frames));
     }
 

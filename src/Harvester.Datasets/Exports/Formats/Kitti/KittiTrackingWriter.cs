@@ -27,7 +27,7 @@ internal sealed class KittiTrackingWriter(ExportOptions options) : IDatasetWrite
         if (frame.FrameInSession == 0)
         {
             output.Text($"training/calib/{sequence}.txt",
-                KittiCalibration.Text(frame.Label.Camera, null, "R_rect", "Tr_velo_cam", "Tr_imu_velo"));
+                KittiCalibration.Text(KittiRig.Of(null).Projections(frame), null, "R_rect", "Tr_velo_cam", "Tr_imu_velo"));
             output.Part(ListPrefix + frame.Split, sequence);
         }
 

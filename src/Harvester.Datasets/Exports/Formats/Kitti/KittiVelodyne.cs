@@ -48,6 +48,23 @@ internal sealed class KittiVelodyne
         }
     }
 
+    /// <summary>Tr_imu_to_velo, row by row: from the inertial unit at the origin of the vehicle's model to the laser scanner.</summary>
+    public double[] FromInertial
+    {
+        get
+        {
+            Pose lidar = _rig.OnVehicle(_rig.Lidars[0].Mount);
+            Vector3D[] columns = [Forward(lidar.Axes, new(0, 1, 0)), Forward(lidar.Axes, new(-1, 0, 0)), Forward(lidar.Axes, new(0, 0, 1)),
+                Forward(lidar.Axes, lidar.Position * -1)];
+            return
+            [
+                .. columns.Select(column => column.X), .. columns.Select(column => column.Y), .. columns.Select(column => column.Z),
+            ];
+
+            static Vector3D Forward(Axes axes, Vector3D vector) => EgoTrack.InBody(axes, vector);
+        }
+    }
+
     /// <summary>The points at a frame; null if its session has none of that moment.</summary>
     public static KittiVelodyne? Of(ExportFrame frame)
     {
@@ -59,6 +76,9 @@ internal sealed class KittiVelodyne
         var points = new KittiVelodyne(frame, rig);
         return frame.HasFile(points._file) ? points : null;
     }
+
+    /// <summary>Writes SemanticKITTI's label of each point.</summary>
+    public void WriteLabels(Stream stream) => SemanticKittiLabels.Write(stream, _frame.ReadPoints(_file));
 
     /// <summary>Writes the points: four float32 each, x, y, z and reflectance from 0 to 1.</summary>
     public void Write(Stream stream)

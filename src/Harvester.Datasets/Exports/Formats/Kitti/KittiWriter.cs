@@ -6,8 +6,8 @@ using Harvester.Geometry;
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
 /// <summary>
-/// Writes KITTI object detection: training/image_2, label_2, calib and, with a LiDAR, velodyne with a file per frame, and lists of the
-/// splits. See docs/exports/kitti.md.
+/// Writes KITTI object detection: training/image_2, label_2, calib, oxts and, with a LiDAR, velodyne with a file per frame, the images of
+/// the other cameras of a rectified rig, and lists of the splits. See docs/exports/kitti.md.
 /// </summary>
 internal sealed class KittiWriter(ExportOptions options) : IDatasetWriter
 {
@@ -15,8 +15,19 @@ internal sealed class KittiWriter(ExportOptions options) : IDatasetWriter
 
     public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
-        string name = $"{frame.Index:D6}";
-        output.Image($"training/image_2/{name}{frame.ImageExtension}", frame);
+        KittiPlace place = KittiPlace.Of(frame);
+        string name = $"{frame.Index + place.ToReference:D6}";
+        output.Image($"training/image_{place.Slot}/{name}{frame.ImageExtension}", frame);
+        if (place.IsFirst)
+        {
+            output.Text($"training/oxts/{name}.txt", KittiOxts.Line(frame) + "\n");
+        }
+
+        if (!place.IsReference)
+        {
+            return new WrittenObjects(0);
+        }
+
         var lines = new StringBuilder();
         int objects = 0;
         foreach (KittiBox box in KittiBox.Of(frame, options.Names))
@@ -43,7 +54,8 @@ internal sealed class KittiWriter(ExportOptions options) : IDatasetWriter
         }
 
         output.Text($"training/calib/{name}.txt",
-            KittiCalibration.Text(frame.Label.Camera, points?.ToCamera, "R0_rect:", "Tr_velo_to_cam:", "Tr_imu_to_velo:"));
+            KittiCalibration.Text(
+                place.Rig.Projections(frame), points?.ToCamera, "R0_rect:", "Tr_velo_to_cam:", "Tr_imu_to_velo:", points?.FromInertial));
         output.Part(ListPrefix + frame.Split, name);
         return new WrittenObjects(objects, ignored.Length);
     }

@@ -67,6 +67,7 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
         Collect(problems, ["sample_data", "map"], (_, record) =>
             dataset.Has(record.Text("filename")) ? null : $"its file '{record.Text("filename")}' is missing.");
         Collect(problems, ["sample_annotation"], (_, record) => AnnotationProblem(record));
+        problems.AddRange(_tables["scene"].Values.SelectMany(scene => NuScenesCanBusCheck.Problems(dataset, scene.Text("name"))));
         if (SplitProblem() is { } split)
         {
             problems.Add(new SessionProblem(FileOf("splits"), null, split));

@@ -20,7 +20,10 @@ internal sealed record NuScenesScene(int Number, IReadOnlyList<NuScenesPart> Fra
     public int Recording => Frames[0].Recording;
 
     /// <summary>Its name: four digits, as the CAN bus reader of the devkit expects them.</summary>
-    public string Name => $"scene-{Numbers.Text(FirstNumber + Number)}";
+    public string Name => NameOf(Number);
+
+    /// <summary>The name of a scene.</summary>
+    public static string NameOf(int number) => $"scene-{Numbers.Text(FirstNumber + number)}";
 
     /// <summary>Its token.</summary>
     public string Token => NuScenesToken.Of("scene", Number);

@@ -38,18 +38,22 @@ internal static class NuScenesTables
     public static string AttributeToken(string name) => NuScenesToken.Of("attribute", name);
 
     /// <summary>Writes a table: a record per line.</summary>
-    public static void Write(TextWriter writer, IEnumerable<Action<Utf8JsonWriter>> records)
+    public static void Write(TextWriter writer, IEnumerable<Action<Utf8JsonWriter>> records) =>
+        WriteList(writer, records.Select(record => (Action<Utf8JsonWriter>)(json =>
+        {
+            json.WriteStartObject();
+            record(json);
+            json.WriteEndObject();
+        })));
+
+    /// <summary>Writes a list: a value per line.</summary>
+    public static void WriteList(TextWriter writer, IEnumerable<Action<Utf8JsonWriter>> values)
     {
         string before = "[\n";
-        foreach (Action<Utf8JsonWriter> record in records)
+        foreach (Action<Utf8JsonWriter> value in values)
         {
             writer.Write(before);
-            writer.Write(JsonLine.Of(json =>
-            {
-                json.WriteStartObject();
-                record(json);
-                json.WriteEndObject();
-            }));
+            writer.Write(JsonLine.Of(value));
             before = ",\n";
         }
 

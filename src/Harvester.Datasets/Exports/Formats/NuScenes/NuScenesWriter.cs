@@ -27,6 +27,7 @@ internal sealed class NuScenesWriter : IDatasetWriter
     private const double KeyRateHz = 2;
 
     private const string FramePart = "frame";
+    private const string KeyPrefix = "key ";
 
     /// <summary>The channel of the single camera of a session without a rig.</summary>
     private const string FrontCamera = "CAM_FRONT";
@@ -53,7 +54,7 @@ internal sealed class NuScenesWriter : IDatasetWriter
         int moment = label.Moment ?? label.Frame;
         int inScene = (label.PlaceFrame ?? label.Frame) / rig.Cameras.Count;
         bool isKey = inScene % Math.Max(1, (int)Math.Round(frame.RateHz / KeyRateHz)) == 0;
-        long timestamp = Start + (SessionStep * frame.RecordingIndex) + (long)Math.Round(label.TimeSeconds * Microseconds);
+        long timestamp = TimestampOf(frame, label.TimeSeconds);
         string image = PathOf(frame, isKey, camera.Name, timestamp, frame.ImageExtension);
         output.Image(image, frame);
         var sensors = new List<NuScenesSensor> { NuScenesSensor.Of(camera, label.Camera, image) };
@@ -76,6 +77,16 @@ internal sealed class NuScenesWriter : IDatasetWriter
         output.Part(FramePart, new NuScenesPart(
             frame.RecordingIndex, label.Place ?? 0, moment, isKey, timestamp, frame.Split,
             $"{label.Environment.Weather}, {label.Environment.TimeOfDay:hh\\:mm}", EgoOf(label, rig), sensors, objects, counts).ToString());
+        if (label.Frame % rig.Cameras.Count == 0)
+        {
+            NuScenesCanBus.Add(output, frame, seconds => TimestampOf(frame, seconds), rig.Origin);
+        }
+
+        if (isKey)
+        {
+            output.Part(FormattableString.Invariant($"{KeyPrefix}{frame.RecordingIndex:D8} {label.Place ?? 0:D8}"), "");
+        }
+
         return new WrittenObjects(isKey ? objects.Length : 0);
     }
 
@@ -85,11 +96,15 @@ internal sealed class NuScenesWriter : IDatasetWriter
             $"{Version}/{table.Key}.json",
             [AggregateSection.Summary(FramePart, (writer, lines) => NuScenesTables.Write(writer, table.Value(NuScenesScene.All(lines))))])),
         new AggregateFile($"{Version}/splits.json", [AggregateSection.Summary(FramePart, NuScenesTables.WriteSplits)]),
+        .. NuScenesCanBus.Files(parts.Keys, place => parts.ContainsKey(KeyPrefix + place)),
         new AggregateFile(Map, [AggregateSection.Container(FramePart, (stream, _) => WriteMap(stream))]),
     ];
 
     /// <summary>The name of a session as a log.</summary>
     public static string LogOf(int recording) => FormattableString.Invariant($"gta-{recording:D4}");
+
+    private static long TimestampOf(ExportFrame frame, double timeSeconds) =>
+        Start + (SessionStep * frame.RecordingIndex) + (long)Math.Round(timeSeconds * Microseconds);
 
     private static string PathOf(ExportFrame frame, bool isKey, string channel, long timestamp, string extension) =>
         FormattableString.Invariant(

@@ -1,0 +1,62 @@
+using System.Collections.Generic;
+using Harvester.Capture.Ports;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Capture.Harvesting;
+
+/// <summary>Records how the ego moves between frames, once in each tick in which the game goes on.</summary>
+internal sealed class MotionRecorder(IWorld world)
+{
+    /// <summary>Samples that are kept when no frame takes them: a minute at 60 ticks per second. The oldest give way.</summary>
+    public const int MaxSamples = 3_600;
+
+    /// <summary>Times closer than this, seconds, are equal: labels have six decimals.</summary>
+    private const double TimeTolerance = 1e-6;
+
+    private readonly Queue<MotionSample> _samples = new();
+    private double _last = double.NegativeInfinity;
+
+    /// <summary>Records the present tick, unless it has been recorded.</summary>
+    public void Record()
+    {
+        double time = world.TimeSeconds;
+        if (time <= _last + TimeTolerance)
+        {
+            // A game that was loaded again begins at an earlier time.
+            if (time >= _last - TimeTolerance)
+            {
+                return;
+            }
+
+            _samples.Clear();
+        }
+
+        EgoState ego = world.ReadEgo();
+        _last = time;
+        if (_samples.Count == MaxSamples)
+        {
+            _samples.Dequeue();
+        }
+
+        _samples.Enqueue(MotionSample.Of(time, ego));
+    }
+
+    /// <summary>Takes the samples before a frame, whose own state is in its label.</summary>
+    /// <param name="frameSeconds">Time of the frame.</param>
+    public IReadOnlyList<MotionSample> TakeBefore(double frameSeconds)
+    {
+        var taken = new List<MotionSample>();
+        while (_samples.Count > 0 && _samples.Peek().TimeSeconds <= frameSeconds + TimeTolerance)
+        {
+            MotionSample sample = _samples.Dequeue();
+            if (sample.TimeSeconds < frameSeconds - TimeTolerance)
+            {
+                taken.Add(sample);
+            }
+        }
+
+        _last = System.Math.Max(_last, frameSeconds);
+        return taken;
+    }
+}

@@ -1,0 +1,67 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Labelling;
+using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Rigs;
+
+namespace Harvester.Play.Features;
+
+/// <summary>
+/// A rig as the game can show it. Its pictures are those of the game's window, scaled to the size of each camera; the vertical field of
+/// view is the camera's, the horizontal one follows from the shape of the window; the lens is the game's own.
+/// </summary>
+public static class GameRig
+{
+    /// <summary>Relative difference of shapes that shows nowhere: half a pixel of 1,000.</summary>
+    private const double AspectTolerance = 5e-4;
+
+    /// <summary>The options of a harvest with a rig.</summary>
+    /// <exception cref="ArgumentNullException"><paramref name="options"/> is null.</exception>
+    public static HarvestOptions AppliedTo(HarvestOptions options, Rig? rig)
+    {
+        _ = options ?? throw new ArgumentNullException(nameof(options));
+        if (rig is null)
+        {
+            return options;
+        }
+
+        Lens lens = options.Lens;
+        return options with
+        {
+            Rig = rig with { Cameras = [.. rig.Cameras.Select(camera => camera with { Lens = lens })] },
+            Image = rig.Cameras[0].Image,
+            QueueCapacity = Math.Max(options.QueueCapacity, 2 * rig.Cameras.Count),
+        };
+    }
+
+    /// <summary>Why options cannot be used with their rig, as a message for the player; null if they can, or have none.</summary>
+    /// <exception cref="ArgumentNullException"><paramref name="options"/> is null.</exception>
+    public static string? ProblemOf(HarvestOptions options) => (options ?? throw new ArgumentNullException(nameof(options))).Rig is null
+        ? null
+        : !options.Freeze ? "Rig needs Mode = Freeze, because its camera goes from place to place while the world stands still."
+        : options.MaskMethod != MaskMethod.Rays ? "Rig needs Masks = Rays or Off."
+        : null;
+
+    /// <summary>What of a rig the game cannot show, one sentence each.</summary>
+    /// <param name="rig">The rig as it was read.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="rig"/> is null.</exception>
+    public static IEnumerable<string> LensWarnings(Rig rig) =>
+        (rig ?? throw new ArgumentNullException(nameof(rig))).Cameras.Where(camera => camera.Lens != Lens.Ideal).Take(1).Select(camera =>
+            $"The camera '{camera.Name}' of the rig '{rig.Name}' has a lens, which the game cannot imitate. That of [Lens] applies.");
+
+    /// <summary>A sentence about the first camera whose shape is not that of the window; null if all have it.</summary>
+    /// <param name="rig">The rig.</param>
+    /// <param name="windowAspect">Width / height of the window.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="rig"/> is null.</exception>
+    public static string? AspectWarning(Rig rig, double windowAspect)
+    {
+        RigCamera? other = (rig ?? throw new ArgumentNullException(nameof(rig))).Cameras
+            .FirstOrDefault(camera => Math.Abs((camera.Image.Aspect / windowAspect) - 1) > AspectTolerance);
+        return other is null ? null : FormattableString.Invariant(
+            $"The game's window is {windowAspect:0.###} times as wide as high, but the images of '{other.Name}' are {other.Image.Width} x ")
+            + FormattableString.Invariant(
+                $"{other.Image.Height}: they are stretched, and their horizontal field of view is the window's. Labels account for that.");
+    }
+}

@@ -1,0 +1,145 @@
+using System.Text.Json;
+using System.Windows.Forms;
+using GTA.Hosting;
+using Harvester.Geometry;
+using Harvester.Mod.Tests.Games;
+
+namespace Harvester.Mod.Tests;
+
+/// <summary>Harvests with a rig beside the settings.</summary>
+public sealed class RigTests
+{
+    private const string Ini = "[Harvest]\nRig = rig.json\nMotion = On\n";
+
+    // Freezing, two views that each stand still for the four ticks that a picture may lag, and rays: fewer than 40 ticks.
+    private const int TicksOfAMoment = 40;
+
+    private const string Rig =
+        """
+        {"name":"pair","cameras":[
+        {"name":"ahead","position":[0,2,0.5],"verticalFovDegrees":50,"width":64,"height":48},
+        {"name":"left","position":[-1,0,1],"yawDegrees":90,"pitchDegrees":-5,"verticalFovDegrees":70,"width":64,"height":48}],
+        "lidars":[{"name":"top","position":[0,0,1.8],"beamsDegrees":[0,-10],"columns":36,"rangeMetres":40}]}
+        """;
+
+    [Fact]
+    public void Moment_has_the_views_and_points_of_the_rig()
+    {
+        using ScriptDriver driver = Start(Rig);
+        int car = driver.Game.PlayersVehicle;
+        driver.Press(Keys.J);
+        driver.Tick(5 * TicksOfAMoment);
+        driver.Press(Keys.J);
+        driver.WaitForDisk();
+
+        JsonElement[] labels = [.. driver.Labels().Select(line => JsonDocument.Parse(line).RootElement)];
+        Assert.True(labels.Length >= 4, string.Join('\n', driver.Game.Notifications));
+        Assert.Equal(0, labels.Length % 2);
+        Assert.Equal(["ahead", "left", "ahead", "left"], labels.Take(4).Select(label => label.GetProperty("view").GetString()));
+
+        // The car looks north. The left camera is a metre to its west and one above, and looks west, 5 degrees down.
+        Vector3D place = driver.Game.Entities[car].Pose.Position;
+        JsonElement left = labels[1].GetProperty("camera");
+        Assert.Equal([place.X - 1, place.Y, place.Z + 1], Numbers(left, "position"), Near);
+        Assert.Equal([-0.9962, 0, -0.0872], Numbers(left, "forward"), Near);
+        Assert.Equal(70, left.GetProperty("verticalFovDegrees").GetDouble(), 3);
+
+        JsonElement sweep = Assert.Single(labels[0].GetProperty("lidar").EnumerateArray());
+        Assert.Equal(72, sweep.GetProperty("raysCast").GetInt32());
+        string points = Path.Combine(Session(driver), sweep.GetProperty("file").GetString()!);
+        Assert.Equal(24 * sweep.GetProperty("points").GetInt32(), new FileInfo(points).Length);
+        Assert.NotEqual(0, sweep.GetProperty("points").GetInt32());
+        Assert.NotEmpty(labels[2].GetProperty("motion").EnumerateArray());
+        Assert.All(labels[2].GetProperty("motion").EnumerateArray(), row => Assert.Equal(13, row.GetArrayLength()));
+    }
+
+    [Fact]
+    public void Camera_returns_to_its_usual_place_after_the_harvest()
+    {
+        using ScriptDriver driver = Start(Rig);
+        driver.Press(Keys.J);
+        driver.Tick(TicksOfAMoment);
+        GameCamera camera = Assert.Single(driver.Game.Cameras).Value;
+        driver.Press(Keys.J);
+        driver.WaitForDisk();
+
+        Assert.Equal((new Vector3D(0, 2, 0.4f), Axes.Identity, 50), (camera.Offset, camera.Turn, camera.VerticalFovDegrees));
+        Assert.False(driver.Game.IsPaused);
+    }
+
+    [Fact]
+    public void One_frame_is_one_moment_of_the_rig()
+    {
+        using ScriptDriver driver = Start(Rig);
+        driver.Press(Keys.K);
+        driver.UntilMessage("The harvest ended: 2 frames");
+        driver.WaitForDisk();
+        driver.Press(Keys.K);
+        driver.Until(() => driver.Game.Notifications.Count(message => message.Contains("ended: 2 frames", StringComparison.Ordinal)) == 2);
+        driver.WaitForDisk();
+
+        Assert.Equal(4, driver.Labels().Length);
+    }
+
+    [Fact]
+    public void Window_of_another_shape_is_told_once()
+    {
+        using ScriptDriver driver = Start(Rig.Replace("\"height\":48}],", "\"height\":36}],", StringComparison.Ordinal));
+        driver.Press(Keys.J);
+        driver.Tick(TicksOfAMoment);
+
+        Assert.Equal(1, driver.Game.Notifications.Count(message => message.Contains("of 'left' are 64 x 36", StringComparison.Ordinal)));
+    }
+
+    [Theory]
+    [InlineData("", "", "there is no file other.json")]
+    [InlineData("\"width\":64", "\"width\":4", "cameras[0].width must be a number from 32 to 8192.")]
+    public void Rig_that_cannot_be_used_is_told_and_refuses_a_harvest(string good, string bad, string message)
+    {
+        string ini = good.Length == 0 ? Ini.Replace("rig.json", "other.json", StringComparison.Ordinal) : Ini;
+        using ScriptDriver driver = Start(good.Length == 0 ? Rig : Rig.Replace(good, bad, StringComparison.Ordinal), ini);
+        driver.Tick();
+        driver.Press(Keys.J);
+
+        Assert.Equal(2, driver.Game.Notifications.Count(told => told.Contains(message, StringComparison.Ordinal)));
+        Assert.False(Directory.Exists(driver.Output));
+    }
+
+    [Theory]
+    [InlineData("Mode = Live\n", "Rig needs Mode = Freeze")]
+    [InlineData("Masks = Coded\n", "Rig needs Masks = Rays or Off.")]
+    public void Rig_refuses_settings_that_contradict_it(string setting, string message)
+    {
+        using ScriptDriver driver = Start(Rig, Ini + setting);
+        driver.Press(Keys.J);
+
+        Assert.Contains(driver.Game.Notifications, told => told.Contains(message, StringComparison.Ordinal));
+        Assert.False(Directory.Exists(driver.Output));
+    }
+
+    private static ScriptDriver Start(string rig, string ini = Ini)
+    {
+        var driver = new ScriptDriver(ini, game => File.WriteAllText(
+            Path.Combine(Path.GetDirectoryName(game.ScriptFile)!, "rig.json"), rig));
+        driver.Game.PlayersVehicle = driver.Game.Add(new GameEntity
+        {
+            Pool = PoolKind.Vehicles,
+            Name = "adder",
+            Pose = new Pose(new Vector3D(100, 200, 0.6), Axes.Identity),
+        });
+        driver.Game.Add(new GameEntity
+        {
+            Pool = PoolKind.Vehicles,
+            Name = "asea",
+            Pose = new Pose(new Vector3D(100, 214, 0.6), Axes.Identity),
+        });
+        return driver;
+    }
+
+    private static string Session(ScriptDriver driver) => Assert.Single(Directory.GetDirectories(driver.Output));
+
+    private static double[] Numbers(JsonElement of, string name) =>
+        [.. of.GetProperty(name).EnumerateArray().Select(number => number.GetDouble())];
+
+    private static bool Near(double expected, double actual) => Math.Abs(expected - actual) < 1e-3;
+}
