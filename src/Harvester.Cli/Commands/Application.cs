@@ -133,7 +133,10 @@ internal static class Application
         }
         catch (OperationCanceledException)
         {
-            return Fail(terminal, ExitCode.Cancelled, "Stopped.");
+            string next = parsed.CommandResult.Command.Options.Any(option => option.Name == ResumeOption.Name)
+                ? " To continue, give the same command with --resume."
+                : "";
+            return Fail(terminal, ExitCode.Cancelled, "Stopped." + next);
         }
         catch (Exception e)
         {

@@ -166,10 +166,7 @@ internal sealed class HarvestCommand
 
     private static int Run(Terminal terminal, HarvestPlan plan, string command, bool withReport, CancellationToken cancellation)
     {
-        if (plan is { Overwrite: true, Resume: true })
-        {
-            throw new UsageException("--resume continues a session, and --overwrite replaces it. Give only one of them.");
-        }
+        ResumeOption.Check(plan.Resume, plan.Overwrite);
 
         using var output = new SessionOutput(terminal, plan.Folder, command, plan.Overwrite, keepsFrames: true, plan.Resume);
         terminal.Out.WriteLine($"Harvesting {plan.Description}, seed {plan.Seed}, to {plan.Folder}");
