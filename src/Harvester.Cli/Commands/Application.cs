@@ -55,6 +55,7 @@ internal static class Application
         ("relabel", RelabelCommand.Create),
         ("export", ExportCommand.Create),
         ("merge", MergeCommand.Create),
+        ("supervise", SuperviseCommand.Create),
         ("project", ProjectCommand.Create),
         ("boxes", BoxesCommand.Create),
         ("masks", MasksCommand.Create),
