@@ -6,10 +6,12 @@ using System.IO;
 using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
+using Harvester.Capture.Storage;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Commands.Faces;
 using Harvester.Cli.Commands.Masks;
 using Harvester.Cli.Commands.Roads;
+using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
@@ -127,6 +129,11 @@ internal static class Application
         catch (GameFaultException e)
         {
             return Fail(terminal, ExitCode.HarvestFault, e.Message);
+        }
+        catch (LowSpaceException e)
+        {
+            return Fail(
+                terminal, ExitCode.InputOutput, $"{e.Message} What was written is whole. Free some space. {HarvestAdvice.OnLowSpace}");
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {

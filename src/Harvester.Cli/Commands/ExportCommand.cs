@@ -121,6 +121,7 @@ internal sealed class ExportCommand
 
     private Option<Shard> ShardOf { get; } = ShardOption.Create();
     private Option<SyncMode> Sync { get; } = SyncOption.Create();
+    private Option<long?> MinFree { get; } = MinFreeOption.Create();
 
     public static Command Create(Terminal terminal) => new ExportCommand().Build(terminal);
 
@@ -130,7 +131,7 @@ internal sealed class ExportCommand
         var command = new Command("export", "Export sessions to a dataset format.")
         {
             Sessions, Format, Out, Resume, Splits, Seed, Block, Classes, Map, SubclassesOf, MinVisible, Parts, Boxes, Segmentation, Images,
-                ImageFormat, Quality, ShardOf, Sync,
+                ImageFormat, Quality, ShardOf, Sync, MinFree,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
@@ -150,7 +151,10 @@ internal sealed class ExportCommand
         string part = shard.Count > 1 ? FormattableString.Invariant($".{shard.Number}-of-{shard.Count}") : "";
         using FolderLock held = FolderLock.Take(folder, part);
         int frames = plan.Sessions.Sum(session => session.CountLines()) / shard.Count;
-        var exporter = new DatasetExporter(plan, folder, shard, parsed.GetValue(Sync));
+        var exporter = new DatasetExporter(plan, folder, shard, parsed.GetValue(Sync))
+        {
+            MinFreeBytes = MinFreeOption.BytesIn(parsed, MinFree),
+        };
         ExportResult result = new JobProgress(terminal, frames).Run(report => exporter.Run(report, cancellation));
         terminal.Out.WriteLine(result.IsFinished
             ? ExportSummary.Of(folder, result)

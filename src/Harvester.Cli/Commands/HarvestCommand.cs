@@ -140,6 +140,7 @@ internal sealed class HarvestCommand
     private RigOption RigOf { get; } = new();
     private Option<Shard> ShardOf { get; } = ShardOption.Create();
     private Option<SyncMode> Sync { get; } = SyncOption.Create();
+    private Option<long?> MinFree { get; } = MinFreeOption.Create();
     private Option<bool> NoReport { get; } = ReportOption.Create();
 
     public static Command Create(Terminal terminal) => new HarvestCommand().Build(terminal);
@@ -150,7 +151,7 @@ internal sealed class HarvestCommand
         {
             Out, Overwrite, Resume, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, Masks, TrueOcclusion, Rays,
                 RayReach, NoScenes, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, DetailOf, Quirks, FreezeBy,
-                    MaxPictureLag, MaxCameraError, ShardOf, Sync, NoReport,
+                    MaxPictureLag, MaxCameraError, ShardOf, Sync, MinFree, NoReport,
         };
         Semantics.AddTo(command);
         Moment.AddTo(command);
@@ -280,6 +281,7 @@ internal sealed class HarvestCommand
             FreezeBy = FreezeOption.Parse(parsed.GetRequiredValue(FreezeBy)),
             Scenes = !parsed.GetValue(NoScenes),
             Sync = parsed.GetValue(Sync),
+            MinFreeBytes = MinFreeOption.BytesIn(parsed, MinFree),
         };
     }
 

@@ -36,10 +36,11 @@ internal static class MergeCommand
         var output = new Option<string>("--out") { Description = "Folder to write the result to", HelpName = "DIR", Required = true };
         Option<ImageTransfer> images = TransferOption.Create("files");
         Option<SyncMode> sync = SyncOption.Create();
+        Option<long?> minFree = MinFreeOption.Create();
         Option<bool> resume = ResumeOption.Create();
         Option<bool> noReport = ReportOption.Create();
         var command = new Command("merge", "Merge the shards of parallel runs into one session or dataset.") { shards, output, resume,
-            images, sync, noReport };
+            images, sync, minFree, noReport };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(
             terminal,
@@ -47,7 +48,7 @@ internal static class MergeCommand
             parsed.GetRequiredValue(output),
             CommandText.Of(parsed),
             !parsed.GetValue(noReport),
-            new MergeOptions(parsed.GetValue(images), parsed.GetValue(sync), parsed.GetValue(resume), cancellation))));
+            new MergeOptions(parsed.GetValue(images), parsed.GetValue(sync), parsed.GetValue(resume), MinFreeOption.BytesIn(parsed, minFree), cancellation))));
         return command;
     }
 

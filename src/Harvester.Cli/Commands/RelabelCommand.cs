@@ -57,6 +57,7 @@ internal sealed class RelabelCommand
     private Option<ImageTransfer> Images { get; } = TransferOption.Create("images");
     private Option<Shard> ShardOf { get; } = ShardOption.Create();
     private Option<SyncMode> Sync { get; } = SyncOption.Create();
+    private Option<long?> MinFree { get; } = MinFreeOption.Create();
     private Option<bool> NoReport { get; } = ReportOption.Create();
 
     public static Command Create(Terminal terminal) => new RelabelCommand().Build(terminal);
@@ -66,7 +67,7 @@ internal sealed class RelabelCommand
         var command = new Command("relabel", "Recompute the labels of a session with other options, without the game.")
         {
             Session, Out, Overwrite, Resume, Range, Classes, MinArea, MinSide, MaxOccluded, Calibration, Faces, Roads, LaneLookAhead, LaneWidth,
-                NarrowLaneWidth, Images, ShardOf, Sync, NoReport,
+                NarrowLaneWidth, Images, ShardOf, Sync, MinFree, NoReport,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
@@ -123,6 +124,7 @@ internal sealed class RelabelCommand
         Resume = parsed.GetValue(Resume),
         Shard = parsed.GetValue(ShardOf),
         Sync = parsed.GetValue(Sync),
+        MinFreeBytes = MinFreeOption.BytesIn(parsed, MinFree),
     };
 
     private static Option<double?> Number(string name, string form, string description, Func<double, bool> isAllowed, string allowed) =>

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
+using Harvester.Capture.Storage;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
 
@@ -21,6 +22,7 @@ internal sealed class NewSession
     private readonly SyncBatch _batch = new();
     private readonly List<KeyValuePair<string, FileDigest>> _files = [];
     private readonly Stopwatch _age = Stopwatch.StartNew();
+    private SpaceWatch? _space;
     private int _frames;
 
     private NewSession(string folder, SyncMode sync, Action<string, string> write, SessionJournal? journal)
@@ -63,10 +65,17 @@ internal sealed class NewSession
     /// <param name="sync">When to wait for the disk.</param>
     /// <param name="key">The key of the work; see <see cref="WorkKey"/>.</param>
     /// <param name="resume">Whether to keep the frames that an earlier run finished.</param>
+    /// <param name="minFreeBytes">Space that stays free on the disk, bytes; 0 watches nothing.</param>
     /// <param name="content">Writes the frames after those in <see cref="Resumed"/>, then the files that belong to no single frame.</param>
     /// <param name="header">Gives the text of session.json once all frames are written.</param>
     public static void Write(
-        string folder, SyncMode sync, string key, bool resume, Action<NewSession> content, Func<string> header)
+        string folder,
+        SyncMode sync,
+        string key,
+        bool resume,
+        long minFreeBytes,
+        Action<NewSession> content,
+        Func<string> header)
     {
         if (!UnfinishedMark.IsIn(folder))
         {
@@ -75,12 +84,12 @@ internal sealed class NewSession
         }
 
         using var journal = SessionJournal.Open(folder, key, resume, sync != SyncMode.Never);
-        var session = new NewSession(folder, sync, journal.Add, journal);
+        var session = new NewSession(folder, sync, journal.Add, journal) { _space = new SpaceWatch(folder, minFreeBytes) };
         try
         {
             content(session);
         }
-        catch (Exception e) when (e is OperationCanceledException or DatasetFormatException)
+        catch (Exception e) when (e is OperationCanceledException or DatasetFormatException or LowSpaceException)
         {
             // The disk is well: the frames whose lines are held back need not be written again.
             session.Commit();
@@ -134,6 +143,7 @@ internal sealed class NewSession
         _write(Manifest.FrameLine(frame, FileDigest.Of(line), _files), line);
         _files.Clear();
         _frames++;
+        _space?.Check();
         if (_sync == SyncMode.Always || _frames % SyncBatch.MaxFrames == 0 || (_journal is not null && _age.Elapsed >= SyncBatch.MaxAge))
         {
             Commit();

@@ -47,6 +47,7 @@ public static class SessionMerger
                 options.Sync,
                 WorkKey.Of(sources.Select(shard => shard.Session), ["merge"]),
                 options.Resume,
+                options.MinFreeBytes,
                 session => frames = PlaceAll(session, sources, digests, options),
                 () => sources[0].WholeHeader(frames));
             return frames;

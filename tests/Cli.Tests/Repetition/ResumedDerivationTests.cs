@@ -192,11 +192,13 @@ public sealed class ResumedDerivationTests : IClassFixture<ResumedDerivationTest
 
         public Inputs()
         {
-            File.WriteAllText(_folder.PathOf("roads.csv"), WritingCommand.Roads);
+            File.WriteAllText(Roads, WritingCommand.Roads);
             Harvest(Session);
             Harvest(Shards[0], "--shard", "1/2");
             Harvest(Shards[1], "--shard", "2/2");
         }
+
+        public string Roads => _folder.PathOf("roads.csv");
 
         public string Session => _folder.PathOf("session");
 
@@ -207,7 +209,7 @@ public sealed class ResumedDerivationTests : IClassFixture<ResumedDerivationTest
         private void Harvest(string folder, params string[] more) => Run(
         [
             "harvest", "--out", folder, "--frames", $"{Frames}", "--seed", "5", "--size", "64x48", "--masks", "--no-report", "--roads",
-            _folder.PathOf("roads.csv"), .. more,
+            Roads, .. more,
         ]);
     }
 }

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Harvester.Capture.Storage;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Sharding;
@@ -50,10 +51,12 @@ public static class DatasetMerger
     private static void Place(DatasetFolder source, DatasetFolder target, MergeOptions options)
     {
         bool isInPlace = IsSame(source, target);
+        var space = new SpaceWatch(target.Path, options.MinFreeBytes);
         IEnumerable<JournalEntry> entries = Journal.ShardsIn(source).SelectMany(shard => Journal.Read(Journal.PathOf(source, shard)));
         foreach (JournalEntry[] batch in entries.Chunk(target.Sync == SyncMode.Always ? 1 : SyncBatch.MaxFrames))
         {
             options.Cancellation.ThrowIfCancellationRequested();
+            space.Check();
             foreach ((string file, FileDigest digest) in batch.SelectMany(entry => entry.Files))
             {
                 if (isInPlace || (options.Resume && FinishedFrame.IsWhole(target.PathOf(file), digest)))
