@@ -42,7 +42,7 @@ public sealed class SpaceWatchTests : IDisposable
             StringComparison.Ordinal);
         Assert.False(game.WantsFrozen);
         Assert.Equal(writer.FramesWritten, _folder.CheckValid());
-        Assert.Contains("GB free", _folder.Text(SessionDirectory.Header), StringComparison.Ordinal);
+        Assert.Contains("\"The disk of 'session' has 0.8 GB free", _folder.Text(SessionDirectory.Header), StringComparison.Ordinal);
     }
 
     [Theory]

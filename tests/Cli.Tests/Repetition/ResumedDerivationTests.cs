@@ -174,7 +174,7 @@ public sealed class ResumedDerivationTests : IClassFixture<ResumedDerivationTest
     private void Mark(string[] words)
     {
         Directory.CreateDirectory(Out);
-        UnfinishedMark.Write(Out, string.Join(' ', words.Prepend("harvester")));
+        UnfinishedMark.Write(Out, CommandText.Of(words));
     }
 
     private static void StopAt(int made, CancellationTokenSource stop)
