@@ -1,6 +1,7 @@
 using System.Globalization;
 using Harvester.Cli.Tests.Durability;
 using Harvester.Cli.Tests.Repetition;
+using Harvester.Cli.Tests.Supervising;
 
 namespace Harvester.Cli.Tests;
 
@@ -12,6 +13,7 @@ internal static class Program
         ["faults", var library, var inputs, var folder] => FaultDriver.Run(library, inputs, folder),
         ["loop", var inputs, var trials, var work, var threads, .. var names] =>
             CommandLoop.Run(inputs, trials, work, int.Parse(threads, CultureInfo.InvariantCulture), names),
+        ["stand-in", var folder, var behaviour, .. var more] => StandIn.Run(folder, behaviour, more),
         ["operations", var library, var folder, .. var words] => OperationsDriver.Run(library, folder, words),
         _ => throw new ArgumentException("Run the tests with dotnet test."),
     };

@@ -16,6 +16,9 @@ namespace Harvester.Capture.Harvesting;
 /// <exception cref="ArgumentOutOfRangeException">A value is out of its range.</exception>
 public sealed record HarvestOptions : LabellingOptions
 {
+    /// <summary>Space that stays free on a disk unless the user says otherwise, bytes.</summary>
+    public const long DefaultMinFreeBytes = 1_000_000_000;
+
     /// <summary>
     /// The sensors that see each moment; null for the single camera of the game. With a rig, numbers of frames count views, and <see
     /// cref="LabellingOptions.Image"/> and <see cref="LabellingOptions.Lens"/> are those of its first camera.
@@ -135,6 +138,11 @@ public sealed record HarvestOptions : LabellingOptions
 
     /// <summary>When the session's writer waits for the disk; the bytes of the session do not depend on it.</summary>
     public SyncMode Sync { get; init; } = SyncMode.Batch;
+
+    /// <summary>
+    /// Space that stays free on the disk, bytes, 0 or more: the harvest ends before less is left. 0 watches nothing.
+    /// </summary>
+    public long MinFreeBytes { get; init => field = (long)OptionCheck.AtLeast(value, 0, nameof(MinFreeBytes)); } = DefaultMinFreeBytes;
 
     /// <summary>Maximum number of frames waiting to be written, 1 to 1,000.</summary>
     public int QueueCapacity { get; init => field = OptionCheck.InRange(value, 1, 1_000, nameof(QueueCapacity)); } = 16;

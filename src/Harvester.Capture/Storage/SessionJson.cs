@@ -166,7 +166,7 @@ internal static class SessionJson
         }
 
         json.Key("state").String(end.Fault is null ? "complete" : "faulted")
-            .Key("fault").String(end.Fault);
+            .Key("fault").String(PathlessText.Of(end.Fault));
         if (record.HasManifest)
         {
             json.Key("manifest").Boolean(true);

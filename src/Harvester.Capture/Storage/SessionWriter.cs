@@ -21,15 +21,18 @@ public sealed class SessionWriter : IFrameSink
 {
     private readonly SessionOrigin _origin;
     private readonly ISessionFiles _files;
+    private readonly IFreeSpace? _disk;
     private readonly SessionContent _before;
     private readonly List<KeyValuePair<string, string>> _kept = [];
     private FrameStore? _store;
+    private SpaceWatch? _space;
     private BlockingCollection<CapturedFrame>? _queue;
     private Thread? _thread;
     private SessionStart? _start;
     private volatile SessionEnd? _end;
     private volatile string? _fault;
     private bool _begun;
+    private volatile bool _isSpaceLow;
 
     /// <summary>Creates a writer for a new session.</summary>
     /// <param name="directory">The session's directory. It is created if it does not exist, and must otherwise be empty except for an
@@ -44,8 +47,10 @@ public sealed class SessionWriter : IFrameSink
     {
     }
 
-    internal SessionWriter(string directory, SessionOrigin origin, bool resume, ISessionFiles files, int viewsPerMoment = 1)
+    internal SessionWriter(
+        string directory, SessionOrigin origin, bool resume, ISessionFiles files, int viewsPerMoment = 1, IFreeSpace? disk = null)
     {
+        _disk = disk;
         Folder = directory;
         _origin = origin ?? throw new ArgumentNullException(nameof(origin));
         _files = files;
@@ -87,6 +92,9 @@ public sealed class SessionWriter : IFrameSink
     /// <inheritdoc />
     public string? Fault => _fault;
 
+    /// <summary>Whether the fault is that little space is left on the disk, which still takes what is written.</summary>
+    public bool IsSpaceLow => _isSpaceLow;
+
     /// <inheritdoc />
     public int FirstFrame => Replays ? 0 : _before.Frames;
 
@@ -117,6 +125,7 @@ public sealed class SessionWriter : IFrameSink
             new PictureEncoder(start.Options.Format, start.Options.JpegQuality),
             KeepsManifest,
             start.Options.ViewsPerMoment);
+        _space = new SpaceWatch(Folder, start.Options.MinFreeBytes, _disk);
         _queue = new BlockingCollection<CapturedFrame>(start.Options.QueueCapacity);
         _thread = new Thread(WriteAll) { IsBackground = true, Name = "harvest writer" };
         _thread.Start();
@@ -159,6 +168,7 @@ public sealed class SessionWriter : IFrameSink
 
     private void WriteAll()
     {
+        Attempt(_space!.Check);
         Attempt(Begin);
         while (!_queue!.IsCompleted)
         {
@@ -166,7 +176,11 @@ public sealed class SessionWriter : IFrameSink
             {
                 using (frame)
                 {
-                    Attempt(() => _store.Write(frame));
+                    Attempt(() =>
+                    {
+                        _space!.Check();
+                        _store.Write(frame);
+                    });
                 }
             }
             else
@@ -266,8 +280,11 @@ public sealed class SessionWriter : IFrameSink
         {
             // The frames before the one that failed may still find room.
             _ = FailureOf(_store!.Commit);
-            _fault ??= $"The session in '{Folder}' cannot be written: {failure.Message.TrimEnd('.')}. "
-                + $"The session so far is valid, with {Counted.Of(FramesWritten, "frame")}. Check the disk and harvest again.";
+            _isSpaceLow |= failure is LowSpaceException;
+            _fault ??= failure is LowSpaceException
+                ? $"{failure.Message} The session so far is valid, with {Counted.Of(FramesWritten, "frame")}. Free some space and continue."
+                : $"The session in '{Folder}' cannot be written: {failure.Message.TrimEnd('.')}. "
+                    + $"The session so far is valid, with {Counted.Of(FramesWritten, "frame")}. Check the disk and harvest again.";
         }
     }
 

@@ -6,10 +6,12 @@ using System.IO;
 using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
+using Harvester.Capture.Storage;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Commands.Faces;
 using Harvester.Cli.Commands.Masks;
 using Harvester.Cli.Commands.Roads;
+using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
@@ -55,6 +57,7 @@ internal static class Application
         ("relabel", RelabelCommand.Create),
         ("export", ExportCommand.Create),
         ("merge", MergeCommand.Create),
+        ("supervise", SuperviseCommand.Create),
         ("project", ProjectCommand.Create),
         ("boxes", BoxesCommand.Create),
         ("masks", MasksCommand.Create),
@@ -127,13 +130,21 @@ internal static class Application
         {
             return Fail(terminal, ExitCode.HarvestFault, e.Message);
         }
+        catch (LowSpaceException e)
+        {
+            return Fail(
+                terminal, ExitCode.InputOutput, $"{e.Message} What was written is whole. Free some space. {HarvestAdvice.OnLowSpace}");
+        }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
             return Fail(terminal, ExitCode.InputOutput, FileFault.TextOf(e, OutputOf(parsed)));
         }
         catch (OperationCanceledException)
         {
-            return Fail(terminal, ExitCode.Cancelled, "Stopped.");
+            string next = parsed.CommandResult.Command.Options.Any(option => option.Name == ResumeOption.Name)
+                ? " To continue, give the same command with --resume."
+                : "";
+            return Fail(terminal, ExitCode.Cancelled, "Stopped." + next);
         }
         catch (Exception e)
         {

@@ -36,9 +36,9 @@ internal sealed class ExportCommand
         + "  whole     around all pixels of the object in the image, hidden ones included; needs amodal masks\n"
         + "  cuboid    around the part of the cuboid in the image\n"
         + "  amodal    around the whole cuboid, including what lies outside the image\n\n"
-        + "An option that has no effect in the format is an error. To continue an interrupted export, run the same command again. The\n"
-        + "shards of an export may go to one folder or to several; harvester merge combines them. The same sessions and options give the\n"
-        + "same bytes.\n\n"
+        + "An option that has no effect in the format is an error. To continue an interrupted export, run the same command again, with or\n"
+        + "without --resume: frames whose files are whole are kept. The shards of an export may go to one folder or to several; harvester\n"
+        + "merge combines them. The same sessions and options give the same bytes.\n\n"
         + "Examples:\n"
         + "  harvester export out --format kitti --out kitti\n"
         + "  harvester export day night --format coco --out coco --split train:0.8,val:0.2 --seed 3 --min-visible 0.2\n"
@@ -61,6 +61,11 @@ internal sealed class ExportCommand
 
     private Option<string> Out { get; } =
         new("--out") { Description = "Folder to write the dataset to", HelpName = "DIR", Required = true };
+    private Option<bool> Resume { get; } = new(ResumeOption.Name)
+    {
+        Description = "Continue what the same command left unfinished in the folder, or start; an export does so without the option too",
+    };
+
     private Option<string> Splits { get; } = new("--split")
     {
         Description = "Splits and their fractions, e.g. train:0.8,val:0.2",
@@ -116,6 +121,7 @@ internal sealed class ExportCommand
 
     private Option<Shard> ShardOf { get; } = ShardOption.Create();
     private Option<SyncMode> Sync { get; } = SyncOption.Create();
+    private Option<long?> MinFree { get; } = MinFreeOption.Create();
 
     public static Command Create(Terminal terminal) => new ExportCommand().Build(terminal);
 
@@ -124,8 +130,8 @@ internal sealed class ExportCommand
         Block.DefaultValueFactory = _ => 1;
         var command = new Command("export", "Export sessions to a dataset format.")
         {
-            Sessions, Format, Out, Splits, Seed, Block, Classes, Map, SubclassesOf, MinVisible, Parts, Boxes, Segmentation, Images,
-                ImageFormat, Quality, ShardOf, Sync,
+            Sessions, Format, Out, Resume, Splits, Seed, Block, Classes, Map, SubclassesOf, MinVisible, Parts, Boxes, Segmentation, Images,
+                ImageFormat, Quality, ShardOf, Sync, MinFree,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
@@ -145,7 +151,10 @@ internal sealed class ExportCommand
         string part = shard.Count > 1 ? FormattableString.Invariant($".{shard.Number}-of-{shard.Count}") : "";
         using FolderLock held = FolderLock.Take(folder, part);
         int frames = plan.Sessions.Sum(session => session.CountLines()) / shard.Count;
-        var exporter = new DatasetExporter(plan, folder, shard, parsed.GetValue(Sync));
+        var exporter = new DatasetExporter(plan, folder, shard, parsed.GetValue(Sync))
+        {
+            MinFreeBytes = MinFreeOption.BytesIn(parsed, MinFree),
+        };
         ExportResult result = new JobProgress(terminal, frames).Run(report => exporter.Run(report, cancellation));
         terminal.Out.WriteLine(result.IsFinished
             ? ExportSummary.Of(folder, result)

@@ -148,6 +148,7 @@ internal sealed class HarvestCommand
     private RigOption RigOf { get; } = new();
     private Option<Shard> ShardOf { get; } = ShardOption.Create();
     private Option<SyncMode> Sync { get; } = SyncOption.Create();
+    private Option<long?> MinFree { get; } = MinFreeOption.Create();
     private Option<bool> NoReport { get; } = ReportOption.Create();
 
     public static Command Create(Terminal terminal) => new HarvestCommand().Build(terminal);
@@ -158,7 +159,7 @@ internal sealed class HarvestCommand
         {
             Out, Overwrite, Resume, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, Masks, Depth, TrueOcclusion, Rays,
                 RayReach, NoScenes, Motion, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, DetailOf, Quirks, FreezeBy,
-                    MaxPictureLag, MaxCameraError, ShardOf, Sync, NoReport,
+                    MaxPictureLag, MaxCameraError, ShardOf, Sync, MinFree, NoReport,
         };
         Semantics.AddTo(command);
         Moment.AddTo(command);
@@ -174,10 +175,7 @@ internal sealed class HarvestCommand
 
     private static int Run(Terminal terminal, HarvestPlan plan, string command, bool withReport, CancellationToken cancellation)
     {
-        if (plan is { Overwrite: true, Resume: true })
-        {
-            throw new UsageException("--resume continues a session, and --overwrite replaces it. Give only one of them.");
-        }
+        ResumeOption.Check(plan.Resume, plan.Overwrite);
 
         using var output = new SessionOutput(terminal, plan.Folder, command, plan.Overwrite, keepsFrames: true, plan.Resume);
         terminal.Out.WriteLine($"Harvesting {plan.Description}, seed {plan.Seed}, to {plan.Folder}");
@@ -293,6 +291,7 @@ internal sealed class HarvestCommand
             Scenes = !parsed.GetValue(NoScenes),
             Motion = parsed.GetValue(Motion),
             Sync = parsed.GetValue(Sync),
+            MinFreeBytes = MinFreeOption.BytesIn(parsed, MinFree),
         };
     }
 

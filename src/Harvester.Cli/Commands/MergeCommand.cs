@@ -1,7 +1,7 @@
-using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
 using System.Linq;
+using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Exports.Assembly;
@@ -19,7 +19,8 @@ internal static class MergeCommand
 {
     private const string Notes =
         "The result is byte-identical to that of a single run. The shards are not changed, unless --out is the folder of a shard of an\n"
-        + "export. docs/slurm.md shows how to run shards in parallel.\n\n"
+        + "export. If the command was stopped, the same command with --resume continues with the first frame that is not whole.\n"
+        + "docs/slurm.md shows how to run shards in parallel.\n\n"
         + "Examples:\n"
         + "  harvester merge out-1 out-2 out-3 --out out\n"
         + "  harvester merge coco-1 coco-2 coco-3 --out coco\n"
@@ -35,43 +36,47 @@ internal static class MergeCommand
         var output = new Option<string>("--out") { Description = "Folder to write the result to", HelpName = "DIR", Required = true };
         Option<ImageTransfer> images = TransferOption.Create("files");
         Option<SyncMode> sync = SyncOption.Create();
+        Option<long?> minFree = MinFreeOption.Create();
+        Option<bool> resume = ResumeOption.Create();
         Option<bool> noReport = ReportOption.Create();
-        var command = new Command("merge", "Merge the shards of parallel runs into one session or dataset.") { shards, output, images,
-            sync, noReport };
+        var command = new Command("merge", "Merge the shards of parallel runs into one session or dataset.") { shards, output, resume,
+            images, sync, minFree, noReport };
         HelpWithNotes.AddTo(command, Notes);
-        command.SetAction(parsed =>
-        {
-            string[] folders = parsed.GetRequiredValue(shards);
-            string folder = parsed.GetRequiredValue(output);
-            if (folders.FirstOrDefault(shard => !Directory.Exists(shard)) is { } absent)
-            {
-                throw new DirectoryNotFoundException($"Folder not found: '{absent}'.");
-            }
-
-            bool isSession = folders.Any(SessionMerger.IsSession);
-            using SessionOutput? session = isSession ? new SessionOutput(terminal, folder, CommandText.Of(parsed), overwrite: null) : null;
-            using FolderLock? dataset = isSession ? null : FolderLock.Take(folder);
-            terminal.Out.WriteLine(session is not null
-                ? MergeSession(folders, folder, session, parsed.GetValue(images), parsed.GetValue(sync), !parsed.GetValue(noReport))
-                : MergeDataset(folders, folder, parsed.GetValue(images), parsed.GetValue(sync)));
-            return ExitCode.Done;
-        });
+        command.SetAction((parsed, cancellation) => Task.FromResult(Run(
+            terminal,
+            parsed.GetRequiredValue(shards),
+            parsed.GetRequiredValue(output),
+            CommandText.Of(parsed),
+            !parsed.GetValue(noReport),
+            new MergeOptions(parsed.GetValue(images), parsed.GetValue(sync), parsed.GetValue(resume), MinFreeOption.BytesIn(parsed, minFree), cancellation))));
         return command;
     }
 
-    private static string MergeSession(
-        IReadOnlyList<string> shards, string folder, SessionOutput output, ImageTransfer images, SyncMode sync, bool withReport)
+    private static int Run(
+        Terminal terminal, string[] shards, string folder, string command, bool withReport, MergeOptions options)
     {
-        int frames = SessionMerger.Merge(shards, output.Begin(), images, sync);
+        if (shards.FirstOrDefault(shard => !Directory.Exists(shard)) is { } absent)
+        {
+            throw new DirectoryNotFoundException($"Folder not found: '{absent}'.");
+        }
+
+        if (!shards.Any(SessionMerger.IsSession))
+        {
+            using FolderLock dataset = FolderLock.Take(folder);
+            terminal.Out.WriteLine(ExportSummary.Of(folder, DatasetMerger.Merge(shards, folder, options)));
+            return ExitCode.Done;
+        }
+
+        using var session = new SessionOutput(terminal, folder, command, overwrite: null, keepsFrames: false, options.Resume);
+        string written = session.Begin();
+        int frames = session.Writing(() => SessionMerger.Merge(shards, written, options));
         if (withReport)
         {
             new ReportWriter(new SessionReader(folder)).Write(Path.Combine(folder, ReportWriter.FileName));
         }
 
-        output.Complete();
-        return $"{folder}: {Counted.Of(frames, "frame")}";
+        session.Complete();
+        terminal.Out.WriteLine($"{folder}: {Counted.Of(frames, "frame")}");
+        return ExitCode.Done;
     }
-
-    private static string MergeDataset(IReadOnlyList<string> shards, string folder, ImageTransfer images, SyncMode sync) =>
-        ExportSummary.Of(folder, DatasetMerger.Merge(shards, folder, images, sync));
 }

@@ -23,7 +23,8 @@ internal sealed class RelabelCommand
 {
     private const string Notes =
         "The recorded session is not changed. Options that are not given keep their recorded values. docs/relabel.md lists which fields\n"
-        + "are recomputed, which are kept, and which are null because only the game knows them.\n\n"
+        + "are recomputed, which are kept, and which are null because only the game knows them. If the command was stopped, the same\n"
+        + "command with --resume continues after the last frame that is whole and ends with the same bytes.\n\n"
         + "Examples:\n"
         + "  harvester relabel out --out wide --lane-width 3.7 --look-ahead 1s\n"
         + "  harvester relabel out --out near --range 60 --classes car,truck,bus\n"
@@ -33,6 +34,7 @@ internal sealed class RelabelCommand
     private Option<string> Out { get; } =
         new("--out") { Description = "Folder to write the new session to", HelpName = "DIR", Required = true };
     private Option<bool> Overwrite { get; } = new("--overwrite") { Description = "Replace an existing session in the folder" };
+    private Option<bool> Resume { get; } = ResumeOption.Create();
     private Option<double?> Range { get; } =
         Number("--range", "M", "Label objects up to this distance, metres", value => value > 0, "a number greater than 0");
     private Option<string?> Classes { get; } = ClassList.Option("Label");
@@ -55,6 +57,7 @@ internal sealed class RelabelCommand
     private Option<ImageTransfer> Images { get; } = TransferOption.Create("images");
     private Option<Shard> ShardOf { get; } = ShardOption.Create();
     private Option<SyncMode> Sync { get; } = SyncOption.Create();
+    private Option<long?> MinFree { get; } = MinFreeOption.Create();
     private Option<bool> NoReport { get; } = ReportOption.Create();
 
     public static Command Create(Terminal terminal) => new RelabelCommand().Build(terminal);
@@ -63,8 +66,8 @@ internal sealed class RelabelCommand
     {
         var command = new Command("relabel", "Recompute the labels of a session with other options, without the game.")
         {
-            Session, Out, Overwrite, Range, Classes, MinArea, MinSide, MaxOccluded, Calibration, Faces, Roads, LaneLookAhead, LaneWidth,
-                NarrowLaneWidth, Images, ShardOf, Sync, NoReport,
+            Session, Out, Overwrite, Resume, Range, Classes, MinArea, MinSide, MaxOccluded, Calibration, Faces, Roads, LaneLookAhead, LaneWidth,
+                NarrowLaneWidth, Images, ShardOf, Sync, MinFree, NoReport,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
@@ -80,12 +83,15 @@ internal sealed class RelabelCommand
             throw new UsageException("--out is the recorded session itself. Name another folder.");
         }
 
-        using var output = new SessionOutput(terminal, folder, CommandText.Of(parsed), parsed.GetValue(Overwrite));
+        bool resumes = parsed.GetValue(Resume);
+        ResumeOption.Check(resumes, parsed.GetValue(Overwrite));
+        using var output = new SessionOutput(
+            terminal, folder, CommandText.Of(parsed), parsed.GetValue(Overwrite), keepsFrames: false, resumes);
         RelabelOptions changes = ChangesOf(terminal, parsed);
         var relabeller = new SessionRelabeller(session, changes);
         string written = output.Begin();
         int frames = new JobProgress(terminal, session.CountLines() / changes.Shard.Count)
-            .Run(report => relabeller.Run(written, report, cancellation));
+            .Run(report => output.Writing(() => relabeller.Run(written, report, cancellation)));
         bool isShard = changes.Shard.Count > 1;
         if (!isShard && !parsed.GetValue(NoReport))
         {
@@ -115,8 +121,10 @@ internal sealed class RelabelCommand
         LaneWidthMetres = parsed.GetValue(LaneWidth),
         NarrowLaneWidthMetres = parsed.GetValue(NarrowLaneWidth),
         Images = parsed.GetValue(Images),
+        Resume = parsed.GetValue(Resume),
         Shard = parsed.GetValue(ShardOf),
         Sync = parsed.GetValue(Sync),
+        MinFreeBytes = MinFreeOption.BytesIn(parsed, MinFree),
     };
 
     private static Option<double?> Number(string name, string form, string description, Func<double, bool> isAllowed, string allowed) =>

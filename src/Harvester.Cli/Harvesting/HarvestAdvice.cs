@@ -7,6 +7,9 @@ internal static class HarvestAdvice
 {
     private const string SkipCheck = "To skip this check, add --max-camera-error 0.";
 
+    /// <summary>What helps when little space is left on the disk.</summary>
+    public const string OnLowSpace = "The same command with --resume continues; --min-free sets the limit.";
+
     /// <summary>The message of a fault, one line.</summary>
     public static string TextOf(CaptureFault fault) => OptionFor(fault.Code) is { } option ? $"{fault.Message} {option}" : fault.Message;
 

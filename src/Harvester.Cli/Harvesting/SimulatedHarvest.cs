@@ -127,7 +127,8 @@ internal sealed class SimulatedHarvest
             writer.FramesWritten,
             session.Status.Discarded,
             clock.Elapsed,
-            session.Failure is { } failure ? HarvestAdvice.TextOf(failure) : writer.Fault,
+            writer.IsSpaceLow ? $"{writer.Fault} {HarvestAdvice.OnLowSpace}"
+                : session.Failure is { } failure ? HarvestAdvice.TextOf(failure) : writer.Fault,
             writer.Fault is not null,
             cancellation.IsCancellationRequested && session.Status.Captured < _plan.Frames)
         {

@@ -22,6 +22,7 @@ internal sealed class SessionOutput : IDisposable
     private FolderReplacement? _replacement;
     private bool _isBegun;
     private bool _isComplete;
+    private bool _isStopped;
 
     /// <summary>Locks the folder and checks it.</summary>
     /// <param name="terminal">Where warnings go.</param>
@@ -82,6 +83,24 @@ internal sealed class SessionOutput : IDisposable
         return _folder;
     }
 
+    /// <summary>
+    /// Writes the session. If that is stopped by a signal or by the disk, what was written stays for the same command with --resume.
+    /// </summary>
+    /// <typeparam name="T">The type of the result.</typeparam>
+    /// <param name="write">Writes to the folder that <see cref="Begin"/> gave.</param>
+    public T Writing<T>(Func<T> write)
+    {
+        try
+        {
+            return write();
+        }
+        catch (Exception e) when (e is OperationCanceledException or IOException or UnauthorizedAccessException)
+        {
+            _isStopped = true;
+            throw;
+        }
+    }
+
     /// <summary>Makes the session that was written the one in the folder.</summary>
     /// <exception cref="IOException">That is impossible; a session to be replaced is as it was.</exception>
     /// <exception cref="UnauthorizedAccessException">That is impossible; a session to be replaced is as it was.</exception>
@@ -89,6 +108,7 @@ internal sealed class SessionOutput : IDisposable
     {
         if (_replacement is null)
         {
+            SessionFolder.DeleteJournal(_folder);
             UnfinishedMark.Delete(_folder);
         }
         else if (_replacement.Complete() is { } former)
@@ -104,13 +124,16 @@ internal sealed class SessionOutput : IDisposable
     public void Dispose()
     {
         _replacement?.Dispose();
-        if (_isBegun && !_isComplete && !(_keepsFrames && File.Exists(Path.Combine(_folder, SessionInfo.FileName))))
+        if (_isBegun && !_isComplete && !IsKept())
         {
             Discard();
         }
 
         _held.Dispose();
     }
+
+    private bool IsKept() => (_keepsFrames && File.Exists(Path.Combine(_folder, SessionInfo.FileName)))
+        || (_isStopped && SessionFolder.HasJournal(_folder));
 
     private void Discard()
     {

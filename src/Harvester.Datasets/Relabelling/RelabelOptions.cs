@@ -57,6 +57,12 @@ public sealed record RelabelOptions
     /// <summary>When to wait for the disk.</summary>
     public SyncMode Sync { get; init; }
 
+    /// <summary>Whether to keep the frames that a stopped run of the same command finished in the folder.</summary>
+    public bool Resume { get; init; }
+
+    /// <summary>Space that stays free on the disk, bytes, unless a session is replaced. 0 watches nothing.</summary>
+    public long MinFreeBytes { get; init; }
+
     /// <summary>The shard to process.</summary>
     public Shard Shard { get; init; } = Shard.Whole;
 }

@@ -62,9 +62,9 @@ public sealed class SessionRelabeller
     }
 
     /// <summary>Writes the new session.</summary>
-    /// <param name="folder">Folder to write to, new or empty.</param>
+    /// <param name="folder">Folder to write to: new, empty, or with what a stopped run left that is resumed.</param>
     /// <param name="report">Receives the number of frames after each frame.</param>
-    /// <param name="cancellation">Stops between two frames; no session is left then.</param>
+    /// <param name="cancellation">Stops between two frames; no session is left then, but perhaps frames to resume from.</param>
     /// <returns>The number of frames.</returns>
     /// <exception cref="DatasetFormatException">A label or scene is invalid, or all object ids are used up.</exception>
     /// <exception cref="OccupiedFolderException">The folder is not empty.</exception>
@@ -72,7 +72,7 @@ public sealed class SessionRelabeller
     public int Run(string folder, Action<int> report, CancellationToken cancellation = default)
     {
         ArgumentNullException.ThrowIfNull(report);
-        if (Directory.Exists(folder) && !UnfinishedMark.IsAllOf(folder))
+        if (Directory.Exists(folder) && !UnfinishedMark.IsAllOf(folder) && !(_changes.Resume && UnfinishedMark.IsIn(folder)))
         {
             throw new OccupiedFolderException($"'{folder}' is not empty. Name another folder.");
         }
@@ -87,7 +87,7 @@ public sealed class SessionRelabeller
         bool depth = _recorded.Options.Depth;
         SemanticsMethod? semantics = _recorded.Options.Semantics;
         using var digests = new CarriedDigests(_recorded.Session);
-        NewSession.Write(folder, _changes.Sync, session =>
+        NewSession.Write(folder, _changes.Sync, RelabelKey.Of(_recorded.Session, _changes), _changes.Resume, _changes.MinFreeBytes, session =>
         {
             foreach ((FrameLabel label, RecordedScene scene) in _recorded.Frames())
             {
@@ -101,9 +101,11 @@ public sealed class SessionRelabeller
                     labeller = new FrameRelabeller(_options with { Lens = lens }, _recorded.Options, ids, roads);
                 }
 
-                if (!_changes.Shard.Takes(position++ / _options.ViewsPerMoment))
+                bool isOurs = _changes.Shard.Takes(position++ / _options.ViewsPerMoment);
+                if (!isOurs || frames < session.Resumed)
                 {
                     Checked(() => labeller.Pass(scene, label));
+                    frames += isOurs ? 1 : 0;
                     continue;
                 }
 

@@ -1,7 +1,9 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using System.IO;
 using System.Linq;
+using Harvester.Capture.Storage;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
 
@@ -15,21 +17,28 @@ internal sealed class NewSession
 {
     private readonly string _folder;
     private readonly SyncMode _sync;
-    private readonly TextWriter _labels;
-    private readonly TextWriter _manifest;
+    private readonly Action<string, string> _write;
+    private readonly SessionJournal? _journal;
     private readonly SyncBatch _batch = new();
     private readonly List<KeyValuePair<string, FileDigest>> _files = [];
+    private readonly Stopwatch _age = Stopwatch.StartNew();
+    private SpaceWatch? _space;
     private int _frames;
 
-    private NewSession(string folder, SyncMode sync, TextWriter labels, TextWriter manifest)
+    private NewSession(string folder, SyncMode sync, Action<string, string> write, SessionJournal? journal)
     {
         _folder = folder;
         _sync = sync;
-        _labels = labels;
-        _manifest = manifest;
+        _write = write;
+        _journal = journal;
     }
 
-    /// <summary>Writes a session.</summary>
+    /// <summary>Number of frames that an earlier run of a resumed command has ended; they are not to be written again.</summary>
+    public int Resumed => _journal?.Resumed ?? 0;
+
+    private bool IsDurable => _sync != SyncMode.Never;
+
+    /// <summary>Writes a session in one go.</summary>
     /// <param name="folder">Where it goes; the folder is made if it is not there.</param>
     /// <param name="sync">When to wait for the disk.</param>
     /// <param name="content">Writes the frames, then the files that belong to no single frame.</param>
@@ -38,16 +47,68 @@ internal sealed class NewSession
     {
         Directory.CreateDirectory(folder);
         string text = "";
-        bool isDurable = sync != SyncMode.Never;
-        AtomicLines.Write(Path.Combine(folder, SessionReader.LabelsFile), isDurable, labels =>
-            AtomicLines.Write(Path.Combine(folder, Manifest.FileName), isDurable, manifest =>
+        WriteLines(folder, sync, (labels, manifest) =>
+        {
+            var session = new NewSession(folder, sync, WriterOf(labels, manifest), null);
+            content(session);
+            text = header();
+            session.End(manifest, text);
+        });
+        AtomicFile.Write(Path.Combine(folder, SessionInfo.FileName), text, sync != SyncMode.Never);
+    }
+
+    /// <summary>
+    /// Writes a session that another run can continue, if the folder has the mark of its command: then finished frames are noted in a
+    /// journal, which stays until the caller deletes it.
+    /// </summary>
+    /// <param name="folder">Where it goes; the folder is made if it is not there.</param>
+    /// <param name="sync">When to wait for the disk.</param>
+    /// <param name="key">The key of the work; see <see cref="WorkKey"/>.</param>
+    /// <param name="resume">Whether to keep the frames that an earlier run finished.</param>
+    /// <param name="minFreeBytes">Space that stays free on the disk, bytes; 0 watches nothing.</param>
+    /// <param name="content">Writes the frames after those in <see cref="Resumed"/>, then the files that belong to no single frame.</param>
+    /// <param name="header">Gives the text of session.json once all frames are written.</param>
+    public static void Write(
+        string folder,
+        SyncMode sync,
+        string key,
+        bool resume,
+        long minFreeBytes,
+        Action<NewSession> content,
+        Func<string> header)
+    {
+        if (!UnfinishedMark.IsIn(folder))
+        {
+            Write(folder, sync, content, header);
+            return;
+        }
+
+        using var journal = SessionJournal.Open(folder, key, resume, sync != SyncMode.Never);
+        var session = new NewSession(folder, sync, journal.Add, journal) { _space = new SpaceWatch(folder, minFreeBytes) };
+        try
+        {
+            content(session);
+        }
+        catch (Exception e) when (e is OperationCanceledException or DatasetFormatException or LowSpaceException)
+        {
+            // The disk is well: the frames whose lines are held back need not be written again.
+            session.Commit();
+            throw;
+        }
+
+        session.Commit();
+        string text = header();
+        WriteLines(folder, sync, (labels, manifest) =>
+        {
+            Action<string, string> write = WriterOf(labels, manifest);
+            foreach ((string manifestLine, string label) in journal.Read())
             {
-                var session = new NewSession(folder, sync, labels, manifest);
-                content(session);
-                text = header();
-                session.End(text);
-            }));
-        AtomicFile.Write(Path.Combine(folder, SessionInfo.FileName), text, isDurable);
+                write(manifestLine, label);
+            }
+
+            session.End(manifest, text);
+        });
+        AtomicFile.Write(Path.Combine(folder, SessionInfo.FileName), text, sync != SyncMode.Never);
     }
 
     /// <summary>Writes a file of the frame that is ended next.</summary>
@@ -79,25 +140,42 @@ internal sealed class NewSession
     /// <param name="line">Its label line.</param>
     public void EndFrame(int frame, string line)
     {
-        _manifest.WriteLine(Manifest.FrameLine(frame, FileDigest.Of(line), _files));
-        _labels.WriteLine(line);
+        _write(Manifest.FrameLine(frame, FileDigest.Of(line), _files), line);
         _files.Clear();
         _frames++;
-        if (_sync == SyncMode.Always || (_sync == SyncMode.Batch && _frames % SyncBatch.MaxFrames == 0))
+        _space?.Check();
+        if (_sync == SyncMode.Always || _frames % SyncBatch.MaxFrames == 0 || (_journal is not null && _age.Elapsed >= SyncBatch.MaxAge))
         {
-            _batch.Flush();
+            Commit();
         }
     }
 
-    private void End(string header)
+    private static void WriteLines(string folder, SyncMode sync, Action<TextWriter, TextWriter> write) =>
+        AtomicLines.Write(Path.Combine(folder, SessionReader.LabelsFile), sync != SyncMode.Never, labels =>
+            AtomicLines.Write(Path.Combine(folder, Manifest.FileName), sync != SyncMode.Never, manifest => write(labels, manifest)));
+
+    private static Action<string, string> WriterOf(TextWriter labels, TextWriter manifest) => (manifestLine, label) =>
+    {
+        manifest.WriteLine(manifestLine);
+        labels.WriteLine(label);
+    };
+
+    private void Commit()
+    {
+        _batch.Flush();
+        _journal?.Commit();
+        _age.Restart();
+    }
+
+    private void End(TextWriter manifest, string header)
     {
         foreach (KeyValuePair<string, FileDigest> file in _files.Append(new(SessionInfo.FileName, FileDigest.Of(header)))
             .OrderBy(file => file.Key, StringComparer.Ordinal))
         {
-            _manifest.WriteLine(Manifest.FileLine(file.Key, file.Value));
+            manifest.WriteLine(Manifest.FileLine(file.Key, file.Value));
         }
 
-        if (_sync != SyncMode.Never)
+        if (IsDurable)
         {
             _batch.AddFolder(Path.GetDirectoryName(Path.TrimEndingDirectorySeparator(Path.GetFullPath(_folder)))!);
             _batch.Flush();
@@ -107,7 +185,7 @@ internal sealed class NewSession
     private void Add(string name, string path, FileDigest digest)
     {
         _files.Add(new(name, digest));
-        if (_sync != SyncMode.Never)
+        if (IsDurable)
         {
             _batch.Add(path);
         }
@@ -120,7 +198,10 @@ internal sealed class NewSession
         if (!Directory.Exists(folder))
         {
             Directory.CreateDirectory(folder);
-            _batch.AddFolder(Path.GetDirectoryName(folder)!);
+            if (IsDurable)
+            {
+                _batch.AddFolder(Path.GetDirectoryName(folder)!);
+            }
         }
 
         return target;

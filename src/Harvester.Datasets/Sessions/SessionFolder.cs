@@ -14,7 +14,8 @@ public static class SessionFolder
     /// <summary>Name of a session's report when none is given.</summary>
     public const string Report = "report.html";
 
-    private static readonly string[] Files = [SessionInfo.FileName, SessionReader.LabelsFile, Manifest.FileName, Report];
+    private static readonly string[] Files =
+        [SessionInfo.FileName, SessionReader.LabelsFile, Manifest.FileName, Report, SessionJournal.FileName];
     private static readonly IReadOnlyList<string> Folders = FramePaths.Folders;
     private static readonly string[] Common = [Path.GetFileName(FramePaths.Faces), Path.GetFileName(FramePaths.Roads)];
     private static readonly Regex FrameFile = new(@"\A[0-9]{8,}\.(png|bmp|jpg|json|bin)\z", RegexOptions.CultureInvariant);
@@ -71,6 +72,35 @@ public static class SessionFolder
         foreach (string path in Directory.GetFiles(folder).Where(path => IsLock(Path.GetFileName(path))))
         {
             File.Delete(path);
+        }
+    }
+
+    /// <summary>Whether a stopped command has left frames in a folder from which it can be resumed.</summary>
+    /// <param name="folder">The folder; it need not exist.</param>
+    public static bool HasJournal(string folder) => File.Exists(Path.Combine(folder, SessionJournal.FileName));
+
+    /// <summary>Deletes the notes from which a command could be resumed, because it is complete.</summary>
+    /// <param name="folder">The folder.</param>
+    /// <exception cref="IOException">They cannot be deleted.</exception>
+    /// <exception cref="UnauthorizedAccessException">They may not be deleted.</exception>
+    public static void DeleteJournal(string folder) => File.Delete(Path.Combine(folder, SessionJournal.FileName));
+
+    /// <summary>Deletes the session in a folder except for the files of its frames and its journal.</summary>
+    /// <param name="folder">The folder.</param>
+    /// <exception cref="IOException">Something cannot be deleted.</exception>
+    /// <exception cref="UnauthorizedAccessException">Something may not be deleted.</exception>
+    internal static void ClearAllButFrames(string folder)
+    {
+        foreach (string file in Files.Where(file => file != SessionJournal.FileName))
+        {
+            File.Delete(Path.Combine(folder, file));
+        }
+
+        AtomicFile.DeleteLeftovers(folder, IsOwn);
+        var options = new EnumerationOptions { RecurseSubdirectories = true, AttributesToSkip = FileAttributes.ReparsePoint };
+        foreach (string inner in Directory.EnumerateDirectories(folder, "*", options))
+        {
+            AtomicFile.DeleteLeftovers(inner, _ => true);
         }
     }
 

@@ -21,16 +21,15 @@ public static class SessionMerger
 
     /// <summary>Merges shards.</summary>
     /// <param name="shards">Folders of the shards, in any order.</param>
-    /// <param name="folder">Folder to write the session to, new or empty.</param>
-    /// <param name="transfer">Whether images are linked or copied.</param>
-    /// <param name="sync">When to wait for the disk.</param>
+    /// <param name="folder">Folder to write the session to: new, empty, or with what a stopped merge left that is resumed.</param>
+    /// <param name="options">How they are merged.</param>
     /// <returns>The number of frames.</returns>
     /// <exception cref="DatasetFormatException">A shard is missing, unfinished, given twice, or of another session.</exception>
     /// <exception cref="OccupiedFolderException">The folder is not empty.</exception>
     /// <exception cref="IOException">Something cannot be read or written.</exception>
-    public static int Merge(IReadOnlyList<string> shards, string folder, ImageTransfer transfer, SyncMode sync = SyncMode.Batch)
+    public static int Merge(IReadOnlyList<string> shards, string folder, MergeOptions options)
     {
-        if (Directory.Exists(folder) && !UnfinishedMark.IsAllOf(folder))
+        if (Directory.Exists(folder) && !UnfinishedMark.IsAllOf(folder) && !(options.Resume && UnfinishedMark.IsIn(folder)))
         {
             throw new OccupiedFolderException($"'{folder}' is not empty. Name another folder.");
         }
@@ -45,7 +44,13 @@ public static class SessionMerger
                 digests.Add(shard.Session, new CarriedDigests(shard.Session));
             }
 
-            NewSession.Write(folder, sync, session => frames = PlaceAll(session, sources, digests, transfer),
+            NewSession.Write(
+                folder,
+                options.Sync,
+                WorkKey.Of(sources.Select(shard => shard.Session), ["merge"]),
+                options.Resume,
+                options.MinFreeBytes,
+                session => frames = PlaceAll(session, sources, digests, options),
                 () => sources[0].WholeHeader(frames));
             return frames;
         }
@@ -62,16 +67,23 @@ public static class SessionMerger
         NewSession session,
         IReadOnlyList<SessionShard> sources,
         Dictionary<SessionReader, CarriedDigests> digests,
-        ImageTransfer transfer)
+        MergeOptions options)
     {
         int frames = 0;
         int views = sources[0].Session.ReadInfo().Rig?.Cameras.Count ?? 1;
         foreach ((string line, SessionReader source) in InOrder(sources, views))
         {
+            options.Cancellation.ThrowIfCancellationRequested();
+            if (frames < session.Resumed)
+            {
+                frames++;
+                continue;
+            }
+
             foreach (string name in FilesOf(line, frames, source).Concat(IfThere(FramePaths.Scene(frames), source)))
             {
                 int frame = frames;
-                session.Place(name, source, transfer, () => digests[source].Of(frame, name));
+                session.Place(name, source, options.Transfer, () => digests[source].Of(frame, name));
             }
 
             session.EndFrame(frames, line);
@@ -81,7 +93,7 @@ public static class SessionMerger
         SessionReader first = sources[0].Session;
         foreach (string name in ((string[])[FramePaths.Faces, FramePaths.Roads]).SelectMany(name => IfThere(name, first)))
         {
-            session.Place(name, first, transfer, () => digests[first].Of(name));
+            session.Place(name, first, options.Transfer, () => digests[first].Of(name));
         }
 
         return frames;

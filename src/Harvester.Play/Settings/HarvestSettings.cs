@@ -14,6 +14,7 @@ namespace Harvester.Play.Settings;
 public static class HarvestSettings
 {
     private const string Harvest = "Harvest";
+    private const double BytesPerGigabyte = 1e9;
     private const string FocalScale = "FocalScale";
     private const string CentreOffsetX = "CentreOffsetX";
     private const string CentreOffsetY = "CentreOffsetY";
@@ -65,6 +66,7 @@ public static class HarvestSettings
             MaxPictureLagTicks = ini.Whole(Harvest, "MaxPictureLagTicks", fallback.MaxPictureLagTicks, 1, 60),
             TickBudgetMilliseconds = ini.Number(Harvest, "TickBudget", fallback.TickBudgetMilliseconds, 0.1, 1000),
             Sync = ini.Choice(Harvest, "Sync", fallback.Sync, "Batch, Always or Never"),
+            MinFreeBytes = (long)(ini.Number(Harvest, "MinFree", fallback.MinFreeBytes / BytesPerGigabyte, 0, 1e6) * BytesPerGigabyte),
             QueueCapacity = ini.Whole(Harvest, "Queue", fallback.QueueCapacity, 1, 1000),
             Lens = LensOf(ini),
             MaxCalibrationErrorPixels = ini.Number(LensSection, "MaxError", fallback.MaxCalibrationErrorPixels ?? 0, 0, 100) is > 0

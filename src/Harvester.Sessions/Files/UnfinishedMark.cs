@@ -36,6 +36,9 @@ public static class UnfinishedMark
         return new string(command, 0, text.ReadBlock(command, 0, MaxCharacters));
     }
 
+    /// <summary>Whether a folder has the mark.</summary>
+    public static bool IsIn(string folder) => File.Exists(PathIn(folder));
+
     /// <summary>Marks a folder, which must exist. The mark survives a loss of power, since what follows may.</summary>
     /// <exception cref="IOException">The file cannot be written.</exception>
     /// <exception cref="System.UnauthorizedAccessException">The file may not be written.</exception>

@@ -30,7 +30,7 @@ public sealed class KilledExportTests : IClassFixture<LongSession>, IDisposable
         KillInTheMiddle(format);
         foreach (string name in (string[])["killed", "whole"])
         {
-            using Process export = Start(format, name);
+            using Process export = Start(format, name, "--resume");
             export.WaitForExit();
             Assert.Equal(0, export.ExitCode);
         }
@@ -83,14 +83,14 @@ public sealed class KilledExportTests : IClassFixture<LongSession>, IDisposable
         }
     }
 
-    private Process Start(string format, string to)
+    private Process Start(string format, string to, params string[] more)
     {
         var start = new ProcessStartInfo("dotnet") { RedirectStandardOutput = true, RedirectStandardError = true };
         string[] arguments =
         [
             Path.Combine(AppContext.BaseDirectory, "harvester.dll"), "export", _session.Folder, _session.ShortFolder, "--format", format,
             "--out", _folder.PathOf(to),
-            "--split", "train:0.7,val:0.3", "--seed", $"{SeedThatDealsOutBothSessions}",
+            "--split", "train:0.7,val:0.3", "--seed", $"{SeedThatDealsOutBothSessions}", .. more,
         ];
         Array.ForEach(arguments, start.ArgumentList.Add);
         return Process.Start(start)!;

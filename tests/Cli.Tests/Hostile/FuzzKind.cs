@@ -12,6 +12,7 @@ using Harvester.Datasets.Images;
 using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
 using Harvester.Datasets.Sessions;
+using Harvester.Datasets.Sharding;
 using Harvester.Datasets.Statistics;
 using Harvester.Datasets.Validation;
 using Harvester.Geometry;
@@ -198,7 +199,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             Directory.Delete(merged, recursive: true);
         }
 
-        DatasetMerger.Merge([In(folder, "shard"), In(folder, "shard2")], merged, ImageTransfer.Link);
+        DatasetMerger.Merge([In(folder, "shard"), In(folder, "shard2")], merged, new MergeOptions(ImageTransfer.Link));
     }
 
     private static void ReadPoints(string folder)

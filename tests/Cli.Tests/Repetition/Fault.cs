@@ -4,8 +4,9 @@ namespace Harvester.Cli.Tests.Repetition;
 /// <param name="Operation">Which one.</param>
 /// <param name="Error">The code that it fails with, of Linux.</param>
 /// <param name="Kills">Whether nothing is written or deleted from then on, as after SIGKILL.</param>
+/// <param name="Vanishes">Whether every operation fails from then on, as when the drive is gone.</param>
 /// <param name="CanExchange">Whether the file system can exchange two folders.</param>
-internal sealed record Fault(FileOperation Operation, int Error, bool Kills = false, bool CanExchange = true)
+internal sealed record Fault(FileOperation Operation, int Error, bool Kills = false, bool Vanishes = false, bool CanExchange = true)
 {
     public const int InputOutput = 5;
     public const int PermissionDenied = 13;
@@ -13,5 +14,5 @@ internal sealed record Fault(FileOperation Operation, int Error, bool Kills = fa
 
     public static Fault None { get; } = new(FileOperation.None, 0);
 
-    public override string ToString() => $"{(Kills ? "kill" : $"error {Error}")} at {Operation}{(CanExchange ? "" : " without exchange")}";
+    public override string ToString() => $"{(Kills ? "kill" : Vanishes ? "no drive" : $"error {Error}")} at {Operation}{(CanExchange ? "" : " without exchange")}";
 }

@@ -12,6 +12,9 @@ internal sealed partial class FaultDriver
 {
     private static readonly int[] Errors = [Fault.DiskFull, Fault.InputOutput, Fault.PermissionDenied];
 
+    /// <summary>How often the drive of a command vanishes, at equal distances over its operations.</summary>
+    private const int Vanishings = 5;
+
     private readonly CommandTrial _trial;
     private readonly string _root;
     private readonly IReadOnlyList<FileOperation> _operations;
@@ -76,6 +79,12 @@ internal sealed partial class FaultDriver
             {
                 Check(new Fault(operation, Fault.InputOutput, Kills: true));
             }
+        }
+
+        // What it leaves on the disk is what a kill leaves there; here the command goes on and must report it.
+        for (int i = 0; i < Vanishings; i++)
+        {
+            Check(new Fault(_operations[i * (_operations.Count - 1) / (Vanishings - 1)], Fault.InputOutput, Vanishes: true));
         }
 
         if (_operations.Any(operation => operation.Kind == "exchange"))

@@ -44,7 +44,7 @@ internal static partial class FaultInjector
         fault.Operation.Path,
         fault.Operation.Number,
         fault.Error,
-        fault.Kills ? 1 : 0,
+        fault.Kills ? 1 : fault.Vanishes ? 2 : 0,
         fault.CanExchange ? 1 : 0);
 
     /// <summary>Ends recording.</summary>
@@ -68,7 +68,7 @@ internal static partial class FaultInjector
     }
 
     [LibraryImport(Library, EntryPoint = "fault_begin", StringMarshalling = StringMarshalling.Utf8)]
-    private static partial void Begin(string folder, string kind, string path, int number, int error, int kills, int exchange);
+    private static partial void Begin(string folder, string kind, string path, int number, int error, int ending, int exchange);
 
     [LibraryImport(Library, EntryPoint = "fault_end")]
     private static partial int Stop();

@@ -118,7 +118,7 @@ public sealed class RepeatedCommandTests : IDisposable
         Recorded("recorded", "2");
         Relabel();
         FolderContent whole = FolderContent.Of(Out);
-        UnfinishedMark.Write(Out, "harvester relabel " + _folder.PathOf("recorded") + " --no-report");
+        UnfinishedMark.Write(Out, CommandText.Of(["relabel", _folder.PathOf("recorded"), "--no-report"]));
         File.Delete(Path.Combine(Out, "session.json"));
         File.WriteAllText(AtomicFile.TemporaryFor(Path.Combine(Out, "frames/00000001.png")), "half");
 

@@ -106,6 +106,7 @@ public sealed class ResumedHarvestTests : IDisposable
         }
 
         UnfinishedMark.Write(
-            Out, $"harvester harvest --frames 8 --shard {shard} --seed 5 --size 64x48 --places 2 --no-report --roads {Roads}");
+            Out,
+            CommandText.Of($"harvest --frames 8 --shard {shard} --seed 5 --size 64x48 --places 2 --no-report --roads {Roads}".Split(' ')));
     }
 }

@@ -19,7 +19,7 @@
 #define MAX_FILES 4096
 #define LOG_SIZE (1 << 20)
 
-enum { SURVIVES, DIES };
+enum { SURVIVES, DIES, VANISHES };
 
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static char root[PATH_MAX], wanted_kind[32], wanted_path[PATH_MAX], recorded[LOG_SIZE];
@@ -46,7 +46,7 @@ static void shorten(const char *path, char *shortened) {
 
 static int is_below(const char *path) { return path && !strncmp(path, root, strlen(root)); }
 
-// Whether an operation is to fail. What was stopped by a kill does nothing any more.
+// Whether an operation is to fail. What was stopped by a kill does nothing any more, and a drive that has vanished opens nothing either.
 static int fails(const char *kind, const char *path) {
   char name[PATH_MAX];
   int failing = 0;
@@ -55,13 +55,13 @@ static int fails(const char *kind, const char *path) {
   shorten(path[strlen(root)] ? path + strlen(root) : ".", name);
   if (is_dead) {
     errno = EIO;
-    failing = strcmp(kind, "open") != 0;
+    failing = ending == VANISHES || strcmp(kind, "open") != 0;
   } else {
     size_t length = strlen(kind) + strlen(name) + 2;
     if (recorded_length + length < LOG_SIZE) recorded_length += sprintf(recorded + recorded_length, "%s %s\n", kind, name);
     if (!has_fired && !strcmp(kind, wanted_kind) && !strcmp(name, wanted_path) && met++ == wanted_number) {
       has_fired = failing = 1;
-      is_dead = ending == DIES;
+      is_dead = ending != SURVIVES;
       errno = wanted_error;
     }
   }
@@ -77,13 +77,13 @@ static void remember(int descriptor, const char *path) {
   files[descriptor] = path ? strdup(path) : NULL;
 }
 
-void fault_begin(const char *folder, const char *kind, const char *path, int number, int error, int dies, int exchange) {
+void fault_begin(const char *folder, const char *kind, const char *path, int number, int error, int how, int exchange) {
   snprintf(root, sizeof root, "%s/", folder);
   snprintf(wanted_kind, sizeof wanted_kind, "%s", kind);
   snprintf(wanted_path, sizeof wanted_path, "%s", path);
   wanted_number = number;
   wanted_error = error;
-  ending = dies;
+  ending = how;
   has_exchange = exchange;
   met = has_fired = is_dead = 0;
   recorded_length = 0;

@@ -2,6 +2,7 @@ using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Exports.Formats;
 using Harvester.Datasets.Files;
+using Harvester.Datasets.Sharding;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Scenes;
 
@@ -45,7 +46,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
             Folder.Export(format, [simulated.OpenFor(format), simulated.OpenFor(format)], TwoSplits, folder, new Shard(number, 3));
         }
 
-        DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("merged"), ImageTransfer.Link);
+        DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("merged"), new MergeOptions(ImageTransfer.Link));
 
         Assert.Equal(Folder.Contents("single"), Folder.Contents("merged"));
     }
@@ -98,7 +99,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         Folder.Export("csv", simulated.Open(), to: "b", shard: new Shard(3, 3));
 
         DatasetFormatException refused = Assert.Throws<DatasetFormatException>(
-            () => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), ImageTransfer.Link));
+            () => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), new MergeOptions(ImageTransfer.Link)));
 
         Assert.Equal("Shard 2 is missing; run it, and name its folder too.", refused.Message);
     }
@@ -110,7 +111,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         Folder.Export("csv", simulated.Open(), TwoSplits, "b", new Shard(2, 2));
 
         Assert.Throws<DatasetFormatException>(
-            () => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), ImageTransfer.Link));
+            () => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), new MergeOptions(ImageTransfer.Link)));
     }
 
     [Fact]
@@ -122,7 +123,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
             ExportFolder.Plan("csv", [simulated.Open()]), Folder.PathOf("b"), new Shard(2, 2)).Run(_ => stop.Cancel(), stop.Token));
 
         DatasetFormatException refused = Assert.Throws<DatasetFormatException>(
-            () => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), ImageTransfer.Link));
+            () => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), new MergeOptions(ImageTransfer.Link)));
 
         Assert.Contains("Shard 2/2", refused.Message, StringComparison.Ordinal);
     }

@@ -2,6 +2,7 @@ using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
+using Harvester.Datasets.Sharding;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Tests.Exports;
@@ -26,6 +27,48 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
 
         Assert.Equal(4, done[0]);
         Assert.Equal(Folder.Contents("single"), Folder.Contents("killed"));
+    }
+
+    [Fact]
+    public void Frame_whose_file_has_changed_is_exported_again()
+    {
+        Folder.Export("voc", simulated.Open(), TwoSplits, "single");
+        KillAfter(3, "voc");
+        string[] written = [.. Directory.GetFiles(Folder.PathOf("killed/Annotations")).Order()];
+        File.WriteAllText(written[1], File.ReadAllText(written[1]).Replace("<", "{", StringComparison.Ordinal));
+
+        var done = new List<int>();
+        new DatasetExporter(ExportFolder.Plan("voc", [simulated.Open()], TwoSplits), Folder.PathOf("killed"), Shard.Whole)
+            .Run(done.Add);
+
+        Assert.Equal(2, done[0]);
+        Assert.Equal(Folder.Contents("single"), Folder.Contents("killed"));
+    }
+
+    [Fact]
+    public void Resumed_merge_copies_only_what_is_missing_or_damaged()
+    {
+        Folder.Export("voc", Session.Open(), to: "a", shard: new Shard(1, 2));
+        Folder.Export("voc", Session.Open(), to: "b", shard: new Shard(2, 2));
+        string[] shards = [Folder.PathOf("a"), Folder.PathOf("b")];
+        DatasetMerger.Merge(shards, Folder.PathOf("whole"), new MergeOptions(ImageTransfer.Copy));
+        string[] files = [.. Directory.GetFiles(Folder.PathOf("whole/Annotations")).Select(Path.GetFileName).OfType<string>().Order()];
+        Directory.CreateDirectory(Folder.PathOf("out/.export"));
+        Directory.CreateDirectory(Folder.PathOf("out/Annotations"));
+        File.Copy(Folder.PathOf("a/.export/plan.json"), Folder.PathOf("out/.export/plan.json"));
+        foreach (string file in files[..2])
+        {
+            File.Copy(Folder.PathOf("whole/Annotations/" + file), Folder.PathOf("out/Annotations/" + file));
+            File.SetLastWriteTimeUtc(Folder.PathOf("out/Annotations/" + file), DateTime.UnixEpoch);
+        }
+
+        File.AppendAllText(Folder.PathOf("out/Annotations/" + files[1]), "damage");
+
+        DatasetMerger.Merge(shards, Folder.PathOf("out"), new MergeOptions(ImageTransfer.Copy, Resume: true));
+
+        Assert.Equal(DateTime.UnixEpoch, File.GetLastWriteTimeUtc(Folder.PathOf("out/Annotations/" + files[0])));
+        Assert.NotEqual(DateTime.UnixEpoch, File.GetLastWriteTimeUtc(Folder.PathOf("out/Annotations/" + files[1])));
+        Assert.Equal(Folder.Contents("whole"), Folder.Contents("out"));
     }
 
     [Fact]
@@ -77,11 +120,11 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
         Folder.Export("csv", Session.Open(), to: "a", shard: new Shard(1, 2));
         Folder.Export("csv", Session.Open(), to: "b", shard: new Shard(2, 2));
         string[] shards = [Folder.PathOf("a"), Folder.PathOf("b")];
-        ExportResult whole = DatasetMerger.Merge(shards, shards[0], ImageTransfer.Link);
+        ExportResult whole = DatasetMerger.Merge(shards, shards[0], new MergeOptions(ImageTransfer.Link));
         SortedDictionary<string, string> contents = Folder.Contents("a");
         Directory.CreateDirectory(Folder.PathOf("a/.export"));
 
-        Assert.Equivalent(whole, DatasetMerger.Merge(shards, shards[0] + "/", ImageTransfer.Link), strict: true);
+        Assert.Equivalent(whole, DatasetMerger.Merge(shards, shards[0] + "/", new MergeOptions(ImageTransfer.Link)), strict: true);
         Assert.Equal(contents, Folder.Contents("a"));
         Assert.False(Directory.Exists(Folder.PathOf("a/.export")));
     }
@@ -96,7 +139,7 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
 
         Assert.Throws<OccupiedFolderException>(() => Folder.Export("voc", Session.Open()));
         Assert.Throws<OccupiedFolderException>(
-            () => DatasetMerger.Merge([Folder.PathOf("shards")], Folder.PathOf("out"), ImageTransfer.Link));
+            () => DatasetMerger.Merge([Folder.PathOf("shards")], Folder.PathOf("out"), new MergeOptions(ImageTransfer.Link)));
     }
 
     [Fact]

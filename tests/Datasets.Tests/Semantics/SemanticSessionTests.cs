@@ -103,7 +103,7 @@ public sealed class SemanticSessionTests : IDisposable
         using var one = new SemanticSession(SemanticsMethod.Rays, new Shard(1, 2));
         using var two = new SemanticSession(SemanticsMethod.Rays, new Shard(2, 2));
         string merged = Path.Combine(_root, "merged");
-        SessionMerger.Merge([one.Folder, two.Folder], merged, ImageTransfer.Copy);
+        SessionMerger.Merge([one.Folder, two.Folder], merged, new MergeOptions(ImageTransfer.Copy));
 
         foreach (string name in (string[])["labels.jsonl", First, "classes/00000001.png"])
         {

@@ -41,6 +41,7 @@ public sealed class HarvestSettingsTests
             MaxPictureLagTicks = 7
             TickBudget = 1.5
             Queue = 3
+            MinFree = 2.5
             Sync = Always
             [Lens]
             MaxError = 0.4
@@ -75,6 +76,7 @@ public sealed class HarvestSettingsTests
             TickBudgetMilliseconds = 1.5,
             Sync = SyncMode.Always,
             QueueCapacity = 3,
+            MinFreeBytes = 2_500_000_000,
             MaxCalibrationErrorPixels = 0.4,
             Lens = new Lens(1.008, 0.01, -0.02, -0.1, 0.03),
         };

@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using System.Threading;
+using Harvester.Capture.Storage;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
@@ -41,6 +42,9 @@ public sealed class DatasetExporter
         _folder = new DatasetFolder(folder, sync);
         _shard = shard;
     }
+
+    /// <summary>Space that stays free on the disk, bytes: the export stops before less is left. 0 watches nothing.</summary>
+    public long MinFreeBytes { get; init; }
 
     /// <summary>Runs the export.</summary>
     /// <param name="report">Receives the number of frames after each frame.</param>
@@ -94,12 +98,14 @@ public sealed class DatasetExporter
         PictureEncoder? encoder = plan.Options.ImageFormat is { } format ? new PictureEncoder(format, plan.Options.JpegQuality) : null;
         IDatasetWriter writer = plan.Format.CreateWriter(plan.Options);
         using var digests = new ImageDigests();
+        var space = new SpaceWatch(_folder.Path, MinFreeBytes);
         try
         {
             int last = journal.LastFrame;
             foreach (ExportFrame frame in PlannedFrames.Of(plan).Where(frame => _shard.Takes(frame.Index) && frame.Index > last))
             {
                 cancellation.ThrowIfCancellationRequested();
+                space.Check();
                 var output = new FrameOutput(_folder, plan.Options.Images, encoder, digests.Of);
                 WrittenObjects written = writer.Write(frame, output);
                 journal.Append(new JournalEntry(
@@ -107,7 +113,7 @@ public sealed class DatasetExporter
                 report(journal.Frames);
             }
         }
-        catch (Exception e) when (e is OperationCanceledException or DatasetFormatException)
+        catch (Exception e) when (e is OperationCanceledException or DatasetFormatException or LowSpaceException)
         {
             // The disk is well: the frames whose lines are held back need not be written again.
             journal.Commit();

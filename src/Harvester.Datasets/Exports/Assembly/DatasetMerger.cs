@@ -1,7 +1,9 @@
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Harvester.Capture.Storage;
 using Harvester.Datasets.Files;
+using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Sharding;
 using Harvester.Sessions.Files;
 
@@ -13,15 +15,13 @@ public static class DatasetMerger
     /// <summary>Merges shards.</summary>
     /// <param name="shards">Folders with shards; several shards may share a folder.</param>
     /// <param name="folder">Folder to write to: new, empty, or that of a shard; a stopped merge can be repeated.</param>
-    /// <param name="transfer">Whether files are linked or copied.</param>
-    /// <param name="sync">When to wait for the disk.</param>
+    /// <param name="options">How they are merged.</param>
     /// <exception cref="DatasetFormatException">A shard is missing, unfinished, given twice, or of another export.</exception>
     /// <exception cref="OccupiedFolderException">The folder has other files.</exception>
     /// <exception cref="IOException">A file cannot be read or written.</exception>
-    public static ExportResult Merge(
-        IReadOnlyList<string> shards, string folder, ImageTransfer transfer, SyncMode sync = SyncMode.Batch)
+    public static ExportResult Merge(IReadOnlyList<string> shards, string folder, MergeOptions options)
     {
-        var target = new DatasetFolder(folder, sync);
+        var target = new DatasetFolder(folder, options.Sync);
         DatasetFolder[] sources = [.. shards.Select(shard => new DatasetFolder(shard))];
         if (target.HasLeftovers && IsMergeOf(sources, target))
         {
@@ -41,28 +41,31 @@ public static class DatasetMerger
         target.Begin(plan);
         foreach (DatasetFolder source in sources)
         {
-            Place(source, target, transfer);
+            Place(source, target, options);
         }
 
         return DatasetAssembly.Finish(target, journals);
     }
 
     /// <summary>Gives the target the files of a shard; those in place may have been written without waiting for the disk.</summary>
-    private static void Place(DatasetFolder source, DatasetFolder target, ImageTransfer transfer)
+    private static void Place(DatasetFolder source, DatasetFolder target, MergeOptions options)
     {
         bool isInPlace = IsSame(source, target);
+        var space = new SpaceWatch(target.Path, options.MinFreeBytes);
         IEnumerable<JournalEntry> entries = Journal.ShardsIn(source).SelectMany(shard => Journal.Read(Journal.PathOf(source, shard)));
         foreach (JournalEntry[] batch in entries.Chunk(target.Sync == SyncMode.Always ? 1 : SyncBatch.MaxFrames))
         {
-            foreach ((string file, _) in batch.SelectMany(entry => entry.Files))
+            options.Cancellation.ThrowIfCancellationRequested();
+            space.Check();
+            foreach ((string file, FileDigest digest) in batch.SelectMany(entry => entry.Files))
             {
-                if (isInPlace)
+                if (isInPlace || (options.Resume && FinishedFrame.IsWhole(target.PathOf(file), digest)))
                 {
                     target.Keep(file);
                 }
                 else
                 {
-                    target.Transfer(file, source.PathOf(file), transfer);
+                    target.Transfer(file, source.PathOf(file), options.Transfer);
                 }
             }
 

@@ -13,8 +13,8 @@ namespace Harvester.Datasets.Exports.Assembly;
 
 /// <summary>
 /// The finished frames of a shard, one line each, by ascending number. A frame is part of the dataset when its line is complete. Lines are
-/// held back until the files of a batch of frames are on the disk. An incomplete line, left by a killed export, is removed when the export
-/// resumes. The last line of a finished shard says so.
+/// held back until the files of a batch of frames are on the disk. When a killed export resumes, an incomplete line is removed, and so is
+/// everything from the first frame on whose files are not as its line says. The last line of a finished shard says so.
 /// </summary>
 internal sealed class Journal : IDisposable
 {
@@ -39,16 +39,22 @@ internal sealed class Journal : IDisposable
         string text;
         while ((text = ReadTo(reader)).EndsWith('\n'))
         {
-            end += Encoding.UTF8.GetByteCount(text);
             if (text.StartsWith(EndMark, StringComparison.Ordinal))
             {
                 IsEnded = true;
             }
-            else
+            else if (JournalEntry.Parse(text, path) is var entry && FinishedFrame.AreWhole(folder.Path, entry.Files))
             {
-                LastFrame = JournalEntry.Parse(text, path).Frame;
+                LastFrame = entry.Frame;
                 Frames++;
             }
+            else
+            {
+                // The frame is exported again, and so is what follows, since lines are in order.
+                break;
+            }
+
+            end += Encoding.UTF8.GetByteCount(text);
         }
 
         _file.SetLength(end);

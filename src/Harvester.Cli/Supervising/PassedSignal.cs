@@ -1,0 +1,31 @@
+using System;
+using System.Runtime.InteropServices;
+
+namespace Harvester.Cli.Supervising;
+
+/// <summary>The signal that stopped this program, to be passed on to the supervised one.</summary>
+internal sealed class PassedSignal : IDisposable
+{
+    private readonly PosixSignalRegistration _interrupt;
+    private volatile bool _isInterrupt;
+
+    /// <summary>Hears signals from now on.</summary>
+    public PassedSignal() =>
+        _interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, signal =>
+        {
+            signal.Cancel = true;
+            _isInterrupt = true;
+        });
+
+    /// <summary>The signal to pass on.</summary>
+    public PosixSignal Signal => _isInterrupt ? PosixSignal.SIGINT : PosixSignal.SIGTERM;
+
+    /// <summary>
+    /// Whether the supervised program has the signal already: a terminal sends Ctrl+C to all its programs, and a second one would end a
+    /// program at once.
+    /// </summary>
+    public bool IsShared => _isInterrupt && !Console.IsInputRedirected;
+
+    /// <inheritdoc />
+    public void Dispose() => _interrupt.Dispose();
+}

@@ -1,0 +1,132 @@
+using System;
+using System.ComponentModel;
+using System.Diagnostics;
+using System.IO;
+using System.Runtime.InteropServices;
+
+namespace Harvester.Cli.Supervising;
+
+/// <summary>
+/// One start of the program, with the processes that it starts. A launcher that ends when the game runs leaves the process that the
+/// heartbeat names.
+/// </summary>
+internal sealed class SupervisedProcess : IDisposable
+{
+    // The system gives times of start in steps, and so does the clock.
+    private static readonly TimeSpan StartTolerance = TimeSpan.FromSeconds(2);
+
+    private readonly Process _command;
+    private readonly DateTime _begun = DateTime.Now;
+    private Process? _adopted;
+
+    private SupervisedProcess(Process command) => _command = command;
+
+    /// <summary>Number of the process that is watched.</summary>
+    public int Id => (_adopted ?? _command).Id;
+
+    /// <summary>Whether the process that is watched has ended.</summary>
+    public bool HasEnded => (_adopted ?? _command).HasExited;
+
+    /// <summary>How the process that is watched ended, as text.</summary>
+    public string Ending => _adopted is null ? FormattableString.Invariant($"exit code {_command.ExitCode}") : "exit code unknown";
+
+    /// <summary>Starts a program, which shares the terminal with this one.</summary>
+    /// <exception cref="IOException">It cannot be started.</exception>
+    public static SupervisedProcess Start(ProcessStartInfo start)
+    {
+        try
+        {
+            return new SupervisedProcess(Process.Start(start)!);
+        }
+        catch (Win32Exception e)
+        {
+            throw new IOException($"'{start.FileName}' cannot be started: {e.Message.TrimEnd('.')}. Check its name and permissions.", e);
+        }
+    }
+
+    /// <summary>Whether a process can be the program's: it runs, and was not there before the program was started.</summary>
+    public bool IsOurs(int id)
+    {
+        if (id == _command.Id || id == _adopted?.Id)
+        {
+            return true;
+        }
+
+        using Process? process = Find(id);
+        return process is not null;
+    }
+
+    /// <summary>Watches the process of a heartbeat in place of a launcher that has ended.</summary>
+    /// <returns>Whether there is such a process.</returns>
+    public bool TryAdopt(int id)
+    {
+        _adopted = _adopted is null && id != _command.Id ? Find(id) : null;
+        return _adopted is not null;
+    }
+
+    /// <summary>Passes a signal on; the program may end in good order.</summary>
+    public void Send(PosixSignal signal)
+    {
+        if (!OperatingSystem.IsWindows() && !HasEnded)
+        {
+            const int interrupt = 2;
+            const int terminate = 15;
+            _ = Kill(Id, signal == PosixSignal.SIGINT ? interrupt : terminate);
+        }
+    }
+
+    /// <summary>Waits until the process has ended.</summary>
+    /// <returns>Whether it has.</returns>
+    public bool WaitForEnd(TimeSpan patience) => (_adopted ?? _command).WaitForExit(patience);
+
+    /// <summary>Ends the program and all processes that it started, and waits for that.</summary>
+    public void End()
+    {
+        foreach (Process? process in (Process?[])[_adopted, _command])
+        {
+            try
+            {
+                process?.Kill(entireProcessTree: true);
+                process?.WaitForExit(StartTolerance);
+            }
+            catch (Exception e) when (e is InvalidOperationException or Win32Exception or AggregateException)
+            {
+                // It has ended meanwhile, or belongs to somebody else by now.
+                continue;
+            }
+        }
+    }
+
+    /// <inheritdoc />
+    public void Dispose()
+    {
+        _adopted?.Dispose();
+        _command.Dispose();
+    }
+
+    private Process? Find(int id)
+    {
+        Process? process = null;
+        try
+        {
+            process = Process.GetProcessById(id);
+            if (!process.HasExited && process.StartTime >= _begun - StartTolerance)
+            {
+                return process;
+            }
+        }
+        catch (Exception e) when (e is ArgumentException or InvalidOperationException or Win32Exception or NotSupportedException)
+        {
+            // There is no such process, or it is the system's.
+            process?.Dispose();
+            return null;
+        }
+
+        process.Dispose();
+        return null;
+    }
+
+    [DefaultDllImportSearchPaths(DllImportSearchPath.SafeDirectories)]
+    [DllImport("libc", EntryPoint = "kill")]
+    private static extern int Kill(int process, int signal);
+}

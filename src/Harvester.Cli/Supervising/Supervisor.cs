@@ -1,0 +1,142 @@
+using System;
+using System.Diagnostics;
+using System.Globalization;
+using System.Linq;
+using System.Threading;
+using Harvester.Cli.Terminals;
+
+namespace Harvester.Cli.Supervising;
+
+/// <summary>Starts a program, watches its heartbeat, and starts it again when it hangs, crashes or lies, until it has finished.</summary>
+internal sealed class Supervisor(SupervisorOptions options, Terminal terminal)
+{
+    // One second less than what is left to this program after a signal.
+    private static readonly TimeSpan StopPatience = TimeSpan.FromSeconds(4);
+    private static readonly TimeSpan SharedSignalPatience = TimeSpan.FromSeconds(2);
+
+    private readonly Progress _progress = new();
+
+    /// <summary>Supervises until the program has finished, too many restarts bring nothing, or a signal comes.</summary>
+    /// <returns>The exit code.</returns>
+    /// <exception cref="System.IO.IOException">The program cannot be started.</exception>
+    public int Run(CancellationToken cancellation)
+    {
+        using var signal = new PassedSignal();
+        int vain = 0;
+        for (bool isRestart = false; ; isRestart = true)
+        {
+            if (Watch(isRestart, signal, cancellation) is not { } fault)
+            {
+                return ExitCode.Done;
+            }
+
+            if (cancellation.IsCancellationRequested)
+            {
+                return ExitCode.Cancelled;
+            }
+
+            vain = _progress.Take() ? 1 : vain + 1;
+            if (vain > options.MaxRestarts)
+            {
+                Log($"{fault}; given up");
+                terminal.WriteError(
+                    $"Given up after {options.MaxRestarts} restarts without a new frame. The last time, {fault}. Look at the program's own "
+                    + "messages; what it wrote is valid.");
+                return ExitCode.HarvestFault;
+            }
+
+            TimeSpan delay = options.DelayOf(vain);
+            Log(FormattableString.Invariant(
+                $"{fault}; restart {vain} of {options.MaxRestarts} without progress follows in {delay.TotalSeconds:0.##} s"));
+            if (cancellation.WaitHandle.WaitOne(delay))
+            {
+                return ExitCode.Cancelled;
+            }
+        }
+    }
+
+    /// <summary>Watches one start of the program.</summary>
+    /// <returns>Why it has to be started again; null if it has finished.</returns>
+    private string? Watch(bool isRestart, PassedSignal signal, CancellationToken cancellation)
+    {
+        var judge = new HeartbeatJudge(options, HeartbeatFile.Read(options.HeartbeatPath), _progress);
+        ProcessStartInfo start = StartOf(isRestart);
+        using SupervisedProcess process = SupervisedProcess.Start(start);
+        Log($"started process {Text(process.Id)}: {string.Join(' ', start.ArgumentList.Prepend(start.FileName).Select(ShellWord.Of))}");
+        var time = Stopwatch.StartNew();
+        while (true)
+        {
+            // What has ended cannot write any more: the reading that follows is its last word.
+            bool hasEnded = process.HasEnded;
+            HeartbeatReading reading = HeartbeatFile.Read(options.HeartbeatPath);
+            string? fault = judge.Judge(reading, time.Elapsed, DateTime.UtcNow, process.IsOurs);
+            if (hasEnded && judge.Last is { State: HeartbeatState.Finished } last)
+            {
+                Log($"process {Text(process.Id)} has finished ({process.Ending}), frames: {Text(last.Frames)}");
+                return null;
+            }
+
+            if (hasEnded && !(judge.Last is { } heartbeat && process.TryAdopt(heartbeat.Process)))
+            {
+                return $"process {Text(process.Id)} crashed: it ended ({process.Ending}) before its heartbeat said finished";
+            }
+
+            if (fault is not null)
+            {
+                string what = $"process {Text(process.Id)} was ended: {fault}";
+                process.End();
+                return what;
+            }
+
+            if (cancellation.WaitHandle.WaitOne(options.Poll))
+            {
+                Stop(process, signal);
+                return "a signal came";
+            }
+        }
+    }
+
+    private void Stop(SupervisedProcess process, PassedSignal signal)
+    {
+        Log($"stopping process {Text(process.Id)}");
+        if (!signal.IsShared)
+        {
+            process.Send(signal.Signal);
+        }
+
+        if (signal.IsShared && !process.WaitForEnd(SharedSignalPatience))
+        {
+            process.Send(System.Runtime.InteropServices.PosixSignal.SIGTERM);
+        }
+
+        if (!process.WaitForEnd(StopPatience - (signal.IsShared ? SharedSignalPatience : TimeSpan.Zero)))
+        {
+            process.End();
+            Log($"process {Text(process.Id)} did not end by itself and was ended");
+        }
+    }
+
+    private ProcessStartInfo StartOf(bool isRestart)
+    {
+        var start = new ProcessStartInfo(options.Program) { UseShellExecute = false };
+        foreach (string argument in options.Arguments)
+        {
+            start.ArgumentList.Add(argument);
+        }
+
+        if (isRestart && options.RestartArgument is { } added && !options.Arguments.Contains(added))
+        {
+            start.ArgumentList.Add(added);
+        }
+
+        return start;
+    }
+
+    private void Log(string line)
+    {
+        terminal.WriteQuoting(string.Create(CultureInfo.InvariantCulture, $"{DateTime.UtcNow:yyyy-MM-dd'T'HH:mm:ss'Z'} {line}"));
+        terminal.Out.Flush();
+    }
+
+    private static string Text(long number) => number.ToString(CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,145 @@
+using System.Diagnostics;
+using Harvester.Cli.Terminals;
+
+namespace Harvester.Cli.Tests.Supervising;
+
+/// <summary>A stand-in for a game that hangs, crashes and lies is started again until it finishes.</summary>
+public sealed class SuperviseCommandTests : IDisposable
+{
+    private static readonly TimeSpan Patience = TimeSpan.FromMinutes(1);
+
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Theory]
+    [InlineData("crashes", "crashed: it ended (exit code 9) before its heartbeat said finished")]
+    [InlineData("quits", "crashed: it ended (exit code 0) before its heartbeat said finished")]
+    [InlineData("claims-other-process", "was ended: its heartbeat names process 1, which the command did not start")]
+    [InlineData("claims-future", "s in the future")]
+    [Trait("Category", "Heavy")]
+    public void Program_that_crashes_or_lies_is_restarted(string behaviour, string reason) => AssertRestarted(behaviour, reason);
+
+    [Theory]
+    [InlineData("stalls", "it has been at frame 1 for 0.5 s", "--stall", "0.5")]
+    [InlineData("lingers", "its heartbeat says finished, but the process goes on", "--timeout", "1")]
+    [InlineData("hangs", "no new heartbeat for 1 s", "--timeout", "1")]
+    [InlineData("writes-rubbish", "no heartbeat within 1 s, because the file cannot be used: it has more than", "--start-timeout", "1")]
+    [Trait("Category", "Heavy")]
+    public void Program_that_hangs_or_stalls_is_restarted(string behaviour, string reason, string option, string value)
+    {
+        AssertRestarted(behaviour, reason, option, value);
+
+        // The process that the one that hung had started is ended too.
+        if (behaviour == "hangs" && OperatingSystem.IsLinux())
+        {
+            Wait(() => IsEnded(File.ReadAllText(_folder.PathOf(StandIn.Helper))), "the end of its helper");
+        }
+    }
+
+    [Fact]
+    [Trait("Category", "Heavy")]
+    public void Program_that_always_crashes_is_given_up()
+    {
+        CliRun run = Supervise("crashes-always", "--max-restarts", "1");
+
+        // The first start comes one frame further than nothing, which is progress; the next two do not.
+        Assert.Equal(ExitCode.HarvestFault, run.ExitCode);
+        Assert.Equal(["", "--resume"], File.ReadAllLines(_folder.PathOf(StandIn.Starts))[..2]);
+        Assert.Contains("Given up after 1 restarts without a new frame.", run.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    [Trait("Category", "Heavy")]
+    public void Another_restart_argument_or_none_can_be_given()
+    {
+        Supervise("crashes-always", "--max-restarts", "1", "--restart-argument", "--again");
+        Supervise("crashes-always", "--max-restarts", "1", "--restart-argument", "none");
+
+        Assert.Equal(["", "--again", "", ""], File.ReadAllLines(_folder.PathOf(StandIn.Starts)));
+    }
+
+    [Fact]
+    public void Program_that_does_not_exist_is_reported() =>
+        CliRun.Of("supervise", "--heartbeat", _folder.Path, "--", _folder.PathOf("none")).AssertFailed(
+            ExitCode.InputOutput, "cannot be started");
+
+    [Fact]
+    public void Command_to_supervise_is_required() =>
+        CliRun.Of("supervise", "--heartbeat", _folder.Path).AssertFailed(ExitCode.Usage, "COMMAND is missing.");
+
+    [Theory]
+    [InlineData("TERM", 143)]
+    [InlineData("INT", 130)]
+    [Trait("Category", "Heavy")]
+    public void Signal_is_passed_on(string signal, int code)
+    {
+        if (OperatingSystem.IsWindows())
+        {
+            return;
+        }
+
+        string words = string.Join(' ', Words("obeys").Prepend(Path.Combine(AppContext.BaseDirectory, "harvester.dll")).Select(ShellWord.Of));
+        var start = new ProcessStartInfo("sh", ["-c", $"{HeededSignals.Script}exec $heeding dotnet {words}"])
+        {
+            RedirectStandardInput = true,
+            RedirectStandardOutput = true,
+        };
+        using Process supervisor = Process.Start(start)!;
+        Wait(() => File.Exists(_folder.PathOf("heartbeat.json")), "the heartbeat");
+        using (Process kill = Process.Start("kill", [$"-{signal}", $"{supervisor.Id}"]))
+        {
+            kill.WaitForExit();
+        }
+
+        Assert.True(supervisor.WaitForExit(Patience), HeededSignals.NotEnded);
+        Assert.Equal(code, supervisor.ExitCode);
+        Assert.Equal("SIG" + signal, File.ReadAllText(_folder.PathOf(StandIn.Stopped)));
+    }
+
+    /// <summary>Whether a process has ended, even if nobody has asked for its exit code yet.</summary>
+    private static bool IsEnded(string process)
+    {
+        try
+        {
+            return File.ReadAllText($"/proc/{process}/stat").Contains(") Z", StringComparison.Ordinal);
+        }
+        catch (IOException)
+        {
+            return true;
+        }
+    }
+
+    private static void Wait(Func<bool> condition, string what)
+    {
+        var time = Stopwatch.StartNew();
+        while (!condition())
+        {
+            Assert.True(time.Elapsed < Patience, $"Waited in vain for {what}.");
+            Thread.Sleep(10);
+        }
+    }
+
+    /// <summary>
+    /// Runs a stand-in that misbehaves once. On a busy machine the start that finishes may be ended for its slowness: then one more follows.
+    /// </summary>
+    private void AssertRestarted(string behaviour, string reason, params string[] options)
+    {
+        CliRun run = Supervise(behaviour, options);
+
+        run.AssertDone();
+        string[] lines = run.Out.Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        Assert.Contains(reason, lines[1], StringComparison.Ordinal);
+        Assert.Contains("has finished (exit code 0), frames: 2", lines[^1], StringComparison.Ordinal);
+        Assert.All(lines, line => Assert.Matches(@"^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ ", line));
+        Assert.Equal(["", "--resume"], File.ReadAllLines(_folder.PathOf(StandIn.Starts))[..2]);
+    }
+
+    private CliRun Supervise(string behaviour, params string[] options) => CliRun.Of(Words(behaviour, options));
+
+    private string[] Words(string behaviour, params string[] options) =>
+    [
+        "supervise", "--heartbeat", _folder.Path, "--delay", "0.01", .. options, "--", "dotnet", typeof(Program).Assembly.Location,
+        "stand-in", _folder.Path, behaviour,
+    ];
+}
