@@ -9,6 +9,7 @@ using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Commands.Faces;
 using Harvester.Cli.Commands.Masks;
+using Harvester.Cli.Commands.Plans;
 using Harvester.Cli.Commands.Roads;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
@@ -43,6 +44,7 @@ internal static class Application
     private static readonly (string Name, Func<Terminal, Command> Create)[] Commands =
     [
         ("harvest", HarvestCommand.Create),
+        ("plan", PlanCommand.Create),
         ("contact-sheet", ContactSheetCommand.Create),
         ("drive", DriveCommand.Create),
         ("serve", ServeCommand.Create),
