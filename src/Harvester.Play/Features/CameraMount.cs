@@ -44,6 +44,9 @@ public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera
     /// <summary>The vehicle that carries the camera; 0 if it is not mounted.</summary>
     public int Vehicle { get; private set; }
 
+    /// <summary>Vertical field of view from the next mounting on, degrees; null for that of the settings.</summary>
+    public double? VerticalFovDegrees { get; set; }
+
     /// <summary>Mounts the rendering camera on the vehicle of the player.</summary>
     public void Mount()
     {
@@ -61,7 +64,7 @@ public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera
         }
 
         Stop();
-        int camera = _cameras.Make(new Pose(Vector3D.Zero, Axes.Identity), _settings.VerticalFovDegrees);
+        int camera = _cameras.Make(new Pose(Vector3D.Zero, Axes.Identity), VerticalFovDegrees ?? _settings.VerticalFovDegrees);
         if (camera == 0)
         {
             _messages.Tell("The game did not create a camera. Other mods may use too many.");

@@ -36,18 +36,16 @@ public sealed class HeartbeatFile(string folder, string plan, Shard shard)
         }
     }
 
-    /// <summary>Gives the last sign of life, and waits until it is written.</summary>
-    public void End(HeartbeatState state, int frames)
-    {
-        _writing.Wait(MaxWait);
-        Write(state, null, frames);
-        _writing.Wait(MaxWait);
-    }
+    /// <summary>Gives the last sign of life, after those before it.</summary>
+    public void End(HeartbeatState state, int frames) => Write(state, null, frames);
+
+    /// <summary>Waits until the last sign of life is written, or for two seconds.</summary>
+    public void Wait() => _writing.Wait(MaxWait);
 
     private void Write(HeartbeatState state, string? trial, int frames)
     {
         string text = new Heartbeat(_process, DateTime.UtcNow, state, plan, trial, frames).ToJson();
-        _writing = Task.Run(() =>
+        _writing = _writing.ContinueWith(_ =>
         {
             try
             {
@@ -57,6 +55,6 @@ public sealed class HeartbeatFile(string folder, string plan, Shard shard)
             {
                 return;
             }
-        });
+        }, TaskScheduler.Default);
     }
 }

@@ -83,8 +83,7 @@ public sealed class PlanParser
     private PlanPlace[] PlacesOf()
     {
         JsonFields[] places = Items("places");
-        PlanPlace[] read = [.. places.Select(place => Try(() => PlaceOf(place), null)).OfType<PlanPlace>()];
-        _problems.AddRange(places.SelectMany(place => place.Unknown));
+        PlanPlace[] read = [.. places.Select(place => Whole(place, PlaceOf)).OfType<PlanPlace>()];
         CheckNames("places", read.Select(place => place.Name));
         return read;
     }
@@ -134,8 +133,7 @@ public sealed class PlanParser
         }
 
         JsonFields[] cameras = Items("cameras");
-        PlanCamera[] read = [.. cameras.Select(camera => Try(() => CameraOf(camera), null)).OfType<PlanCamera>()];
-        _problems.AddRange(cameras.SelectMany(camera => camera.Unknown));
+        PlanCamera[] read = [.. cameras.Select(camera => Whole(camera, CameraOf)).OfType<PlanCamera>()];
         CheckNames("cameras", read.Select(camera => camera.Name));
         return read;
     }
@@ -198,6 +196,19 @@ public sealed class PlanParser
         "coded" => PlanMasks.Coded,
         var other => throw _file.Wrong("masks", $"off, rays or coded, not '{other}'"),
     };
+
+    /// <summary>Reads an object; null if it has a problem. Its unknown fields are known only if nothing else is wrong.</summary>
+    private T? Whole<T>(JsonFields fields, Func<JsonFields, T> read)
+        where T : class
+    {
+        T? made = Try(() => read(fields), null!);
+        if (made is not null)
+        {
+            _problems.AddRange(fields.Unknown);
+        }
+
+        return made;
+    }
 
     private JsonFields[] Items(string name)
     {

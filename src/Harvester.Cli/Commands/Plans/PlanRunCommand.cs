@@ -68,12 +68,14 @@ internal sealed class PlanRunCommand
         catch (OperationCanceledException)
         {
             heartbeat.End(HeartbeatState.Failed, run.Frames);
+            heartbeat.Wait();
             terminal.WriteError("Stopped; all sessions are valid. To continue, give the same command with --resume.");
             return ExitCode.Cancelled;
         }
 
         code = code == ExitCode.Done ? Summarise(terminal, trials, output, folder) : code;
         heartbeat.End(code == ExitCode.Done ? HeartbeatState.Finished : HeartbeatState.Failed, run.Frames);
+        heartbeat.Wait();
         return code;
     }
 
