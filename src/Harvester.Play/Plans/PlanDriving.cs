@@ -138,8 +138,15 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
     /// <summary>Stops, and waits for the disk, or for as long as a script may take to end.</summary>
     public void Finish()
     {
-        Stop();
-        _world.Car.Remove();
+        try
+        {
+            Stop();
+        }
+        finally
+        {
+            _world.Car.Remove();
+        }
+
         _disk.ContinueWith(static _ => { }, TaskScheduler.Default).Wait(MaxWaitForDisk);
         _folder.Wait(MaxWaitForDisk);
     }
