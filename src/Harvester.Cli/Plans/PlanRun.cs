@@ -83,7 +83,7 @@ internal sealed class PlanRun(
         try
         {
             using var session = new SessionOutput(
-                terminal, folder, FormattableString.Invariant($"{command} (trial {trial.Id}, attempt {attempt})"), overwrite: false,
+                terminal, folder, FormattableString.Invariant($"{command} (trial {trial.Id}, attempt {attempt})"), overwrite: null,
                 keepsFrames: true, resumes: true);
             SimulatedHarvest harvest = SimulatedHarvest.Build(plan, terminal.WriteError);
             outcome = harvest.Run(session.Begin(), Report, cancellation);

@@ -160,6 +160,19 @@ public sealed class PlanCommandTests : IDisposable
             .AssertFailed(ExitCode.Usage, "No space 'NOWHERE' of the place 'a' is in this world, which has ");
     }
 
+    [Fact]
+    public void Resolved_plan_has_the_same_trials_at_points()
+    {
+        File.WriteAllText(PlanPath, PlanInitCommand.Example);
+        string resolved = _folder.PathOf("resolved.json");
+        CliRun.Of("plan", "resolve", PlanPath, "--out", resolved).AssertDone();
+
+        Assert.Equal(CliRun.Of("plan", "show", PlanPath).Out, CliRun.Of("plan", "show", resolved).Out);
+        JsonNode plan = JsonNode.Parse(File.ReadAllText(resolved))!;
+        Assert.True(PlanSchema().Evaluate(plan).IsValid);
+        Assert.All(plan["places"]!.AsArray(), place => Assert.NotNull(place!["x"]));
+    }
+
     private static JsonSchema PlanSchema()
     {
         using Stream stream = typeof(SessionReader).Assembly.GetManifestResourceStream("Harvester.Datasets.plan.schema.json")!;

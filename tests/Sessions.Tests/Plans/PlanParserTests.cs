@@ -82,6 +82,28 @@ public sealed class PlanParserTests
         Assert.EndsWith(", not 'sunny'.", problem, StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData("""{"name":"a","x":1.25,"y":-2,"headingDegrees":30,"seconds":5}""")]
+    [InlineData("""{"name":"a","path":[[0,1],[2,3.5]],"metres":7}""")]
+    [InlineData("""{"name":"a","space":"STOP","metresBefore":12}""")]
+    [InlineData("""{"name":"a","spread":4}""")]
+    public void Written_plan_is_read_back(string place)
+    {
+        Plan plan = PlanParser.Read($$"""
+            {"name":"p","seed":3,"places":[{{place}}],"weathers":["rain","xmas"],"hours":["06:05"],"repetitions":2,"frames":7,"hz":0.5,
+            "cameras":[{"name":"c","width":64,"height":48,"verticalFovDegrees":33.3},{"name":"r","rig":"rigs/r.json"}],"speed":9,
+            "traffic":0.5,"pedestrians":2,"parked":0,"masks":"rays"}
+            """).Plan!;
+
+        string text = PlanJson.Of(plan);
+
+        Assert.Equal(text, PlanJson.Of(PlanParser.Read(text).Plan!));
+        Assert.Equal(
+            plan with { Places = [], Weathers = [], Hours = [], Cameras = [] },
+            PlanParser.Read(text).Plan! with { Places = [], Weathers = [], Hours = [], Cameras = [] });
+        Assert.Equivalent(plan, PlanParser.Read(text).Plan, strict: true);
+    }
+
     [Fact]
     public void All_problems_of_a_plan_are_found_at_once() => Assert.Equal(4, PlanParser.Read(
         """{"name":"","places":[{"name":"a","x":"1","y":2}],"hz":0,"extra":1}""").Problems.Count);

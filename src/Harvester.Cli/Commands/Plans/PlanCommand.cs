@@ -22,6 +22,7 @@ internal static class PlanCommand
         command.Subcommands.Add(PlanInitCommand.Create(terminal));
         command.Subcommands.Add(PlanCheckCommand.Create(terminal));
         command.Subcommands.Add(PlanShowCommand.Create(terminal));
+        command.Subcommands.Add(PlanResolveCommand.Create(terminal));
         command.Subcommands.Add(PlanRunCommand.Create(terminal));
         HelpWithNotes.AddTo(command, Notes);
         return command;
