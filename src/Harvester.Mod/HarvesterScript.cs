@@ -10,9 +10,11 @@ using GTA.UI;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Play.Features;
+using Harvester.Play.Plans;
 using Harvester.Play.Screen;
 using Harvester.Play.Screen.Windows;
 using Harvester.Play.Settings;
+using Harvester.Sessions.Scenes;
 using Harvester.Surveys.Faces;
 using Harvester.Surveys.Roads;
 
@@ -34,6 +36,7 @@ public sealed class HarvesterScript : Script
     private readonly LensCalibration _calibration;
     private readonly BridgeDriving _drive;
     private readonly FaceSurveying _signs;
+    private readonly PlanDriving _plan;
     private readonly FeatureSet _features;
     private readonly KeyBindings<Keys> _keys;
     private bool _greeted;
@@ -122,14 +125,15 @@ public sealed class HarvesterScript : Script
         var marking = new FaceMarking(game, world, SignName.Choices(player.SignNames, _folder.ShippedFaces), _folder.ShippedFaces,
             measured, display, _messages)
         { IsPictureNear = IsPictureNear, IsHarvesting = () => _harvest.IsOn };
+        _plan = Plan(player, game, driven, mount, models, vehicles, clock);
         var unknown = new UnknownModelsList(world, world, () => measured.InUse, player.FacesFolder, _messages) { Problem = Problem };
         var line = new HarvestLine(_harvest, player.Folder, clock, display)
         {
             IsPictureNear = IsPictureNear,
-            SurveyLines = [() => survey.Line, () => _signs.Line, () => marking.Line]
+            SurveyLines = [() => _plan.Line, () => survey.Line, () => _signs.Line, () => marking.Line]
         };
         var frozen = new FrozenWorld(time, () => _harvest.IsOn || _calibration.IsOn || _drive.IsOn);
-        _features = new FeatureSet(_messages, calls, clock, frozen, hidden, sheets, car, mount, _harvest, lights,
+        _features = new FeatureSet(_messages, calls, clock, frozen, hidden, sheets, car, _plan, mount, _harvest, lights,
             _calibration, markers, survey, _signs, marking, unknown, _drive, line, overlay);
         if (player.RoadFile is { } file)
         {
@@ -159,6 +163,7 @@ public sealed class HarvesterScript : Script
         _keys.Add("Calibrate", Keys.NumPad1, _calibration, _calibration.Toggle);
         _keys.Add("RoadSurvey", Keys.U, survey, survey.Toggle);
         _keys.Add("Drive", Keys.N, _drive, _drive.Toggle);
+        _keys.Add("Plan", Keys.Decimal, _plan, _plan.Toggle);
         _keys.Add("SpaceSurvey", Keys.Multiply, _signs, _signs.Toggle);
         _keys.Add("MarkCorner", Keys.NumPad2, marking, marking.Mark);
         _keys.Add("NextName", Keys.NumPad3, marking, marking.NextName);
@@ -238,7 +243,31 @@ public sealed class HarvesterScript : Script
 
     private string? HarvestProblem() => Problem() ?? _folder.RigProblem;
 
-    private string? DriveObstacle() => _harvest.IsOn ? "End the harvest first, then let a client drive." : Problem();
+    private string? DriveObstacle() => _plan.IsOn ? "A plan is running: end it by its key first."
+        : _harvest.IsOn ? "End the harvest first, then let a client drive." : Problem();
+
+    private PlanDriving Plan(
+        PlayerSettings player, GamePorts game, PlayerCar driven, CameraMount mount, GameModels models, GameVehicles vehicles, IClock clock)
+    {
+        var trials = new GameTrials();
+        var controls = new GameCarControls();
+        return new PlanDriving(player.PlanFile, player.PlansFolder, new TrialSurroundings
+        {
+            Game = trials,
+            Grip = new TrialGrip(trials, controls),
+            Controls = controls,
+            Car = new TrialCar(vehicles, models, trials, ModelHash.Of(player.CarModel)),
+            Driven = driven,
+            World = game.World,
+            Roads = new GameRoadSource(),
+            Settling = new PictureSettling(game.Screen, clock),
+            Harvest = new TrialHarvest(_harvest, mount),
+            Clock = clock,
+            Options = player.Options,
+            Log = _messages.Log,
+        }, _messages)
+        { Obstacle = () => _drive.IsOn ? "A client drives: end that first." : DriveObstacle() };
+    }
 
     private SessionOrigin Origin(PlayerSettings player) => new()
     {

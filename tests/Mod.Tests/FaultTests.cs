@@ -168,6 +168,7 @@ public sealed class FaultTests
                     Keys.NumPad3,
                     Keys.Y,
                     Keys.Divide,
+                    Keys.Decimal,
                 })
             {
                 driver.Script.RaiseKeyDown(key);

@@ -11,7 +11,8 @@ namespace Harvester.Mod.Tests;
 internal static class Playthrough
 {
     /// <summary>The settings that it needs.</summary>
-    public const string Ini = "[Bridge]\nKind = Folder\nFolder = out/bridge\n[Harvest]\nDriveLights = On\nFreeze = Auto\n";
+    public const string Ini = "[Bridge]\nKind = Folder\nFolder = out/bridge\n[Harvest]\nDriveLights = On\nFreeze = Auto\n"
+        + PlanTests.Ini;
 
     /// <summary>More than a calibration takes that looks for markers in vain.</summary>
     private const int TicksOfCalibration = 400;
@@ -57,6 +58,8 @@ internal static class Playthrough
         driver.WaitForDisk();
         driver.Game.BrokenList = null;
         driver.Press(Keys.O);
+        (driver.Game.PlayersVehicle, driver.Game.IsInCutScene, driver.Game.WantedLevel) = (0, true, 1);
+        PlanTests.Run(driver);
     }
 
     private static void SurveySigns(ScriptDriver driver)

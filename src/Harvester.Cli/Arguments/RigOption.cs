@@ -47,7 +47,12 @@ internal sealed class RigOption
             throw new UsageException("With --rig, masks come from rays. Use --masks without a value.");
         }
 
-        Rig rig = Read(file.FullName);
+        return Mounted(plan, Read(file.FullName));
+    }
+
+    /// <summary>The plan with a rig: each moment then has a frame for each camera.</summary>
+    public static HarvestPlan Mounted(HarvestPlan plan, Rig rig)
+    {
         int views = rig.Cameras.Count;
         int frames = checked(plan.Frames * views);
         return plan with
@@ -66,7 +71,10 @@ internal sealed class RigOption
         };
     }
 
-    private static Rig Read(string path)
+    /// <summary>Reads the file of a rig.</summary>
+    /// <exception cref="UsageException">The rig takes too long.</exception>
+    /// <exception cref="DatasetFormatException">The file is not a rig.</exception>
+    public static Rig Read(string path)
     {
         Rig rig;
         try

@@ -10,10 +10,9 @@ internal static class ShardOption
     /// <summary>What to do when a shard is done.</summary>
     public const string NextStep = "When all shards are done, merge them: harvester merge SHARD... --out DIR";
 
-    public static Option<Shard> Create()
+    public static Option<Shard> Create(string description = "Process only every N-th frame, as run I of N parallel runs")
     {
-        Option<Shard> option = ValueParsers.Parsed("--shard", "I/N", "Process only every N-th frame, as run I of N parallel runs",
-            ShardText.Parse, "I/N with I from 1 to N, e.g. 1/8");
+        Option<Shard> option = ValueParsers.Parsed("--shard", "I/N", description, ShardText.Parse, "I/N with I from 1 to N, e.g. 1/8");
         option.DefaultValueFactory = _ => Shard.Whole;
         return option;
     }

@@ -10,6 +10,7 @@ using Harvester.Capture.Storage;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Commands.Faces;
 using Harvester.Cli.Commands.Masks;
+using Harvester.Cli.Commands.Plans;
 using Harvester.Cli.Commands.Roads;
 using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
@@ -45,6 +46,7 @@ internal static class Application
     private static readonly (string Name, Func<Terminal, Command> Create)[] Commands =
     [
         ("harvest", HarvestCommand.Create),
+        ("plan", PlanCommand.Create),
         ("contact-sheet", ContactSheetCommand.Create),
         ("drive", DriveCommand.Create),
         ("serve", ServeCommand.Create),

@@ -30,6 +30,9 @@ internal sealed record HarvestPlan
     /// <summary>Random seed of the world.</summary>
     public required int Seed { get; init; }
 
+    /// <summary>The trial of a plan that this harvest is; null for a harvest of its own.</summary>
+    public TrialSetting? Trial { get; init; }
+
     /// <summary>Vertical field of view, degrees.</summary>
     public required double FovDegrees { get; init; }
 

@@ -66,6 +66,7 @@ internal sealed class SimulatedHarvest
             var game = new SimulatedGame(plan.Variety with
             {
                 Seed = plan.Seed,
+                TrafficSeed = plan.Trial?.TrafficSeed,
                 Roads = roads,
                 Near = count == 1 ? plan.Near : places[0],
                 Props = plan.Props.Count > 0 ? props : null,
@@ -84,6 +85,8 @@ internal sealed class SimulatedHarvest
             {
                 RigMounting.Mount(rig, game);
             }
+
+            plan.Trial?.Drive.Begin(game);
 
             return new SimulatedHarvest(plan, game, faces, places);
         }
@@ -110,6 +113,7 @@ internal sealed class SimulatedHarvest
         {
             // The game waits for the disk; otherwise the frames would depend on the disk's speed.
             writer.WaitForRoom();
+            _plan.Trial?.Drive.Tick(_game);
             _game.Tick(1 / TicksPerSecond);
             int before = session.Status.Captured;
             if (session.Step().Captured != before)
@@ -119,7 +123,7 @@ internal sealed class SimulatedHarvest
 
             GoOn(session.Counters.Taken);
         }
-        while (!session.Status.IsOver && !cancellation.IsCancellationRequested);
+        while (!session.Status.IsOver && !(_plan.Trial?.Drive.IsOver ?? false) && !cancellation.IsCancellationRequested);
 
         session.Stop();
         writer.Dispose();
@@ -237,6 +241,13 @@ internal sealed class SimulatedHarvest
         })
         {
             yield return new(name, factor.ToString(CultureInfo.InvariantCulture));
+        }
+
+        if (_plan.Trial is { } trial)
+        {
+            yield return new("plan", trial.Plan);
+            yield return new("trial", trial.Id);
+            yield return new("trafficSeed", trial.TrafficSeed.ToString(CultureInfo.InvariantCulture));
         }
 
         if (_plan.Options.Shard.Count > 1)

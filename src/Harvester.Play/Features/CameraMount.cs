@@ -51,6 +51,9 @@ public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera, IRigC
 
     private Pose UsualPlace => new(_settings.CameraOffset, Axes.Identity);
 
+    /// <summary>Vertical field of view from the next mounting on, degrees; null for that of the settings.</summary>
+    public double? VerticalFovDegrees { get; set; }
+
     /// <summary>Mounts the rendering camera on the vehicle of the player.</summary>
     public void Mount()
     {
@@ -68,7 +71,7 @@ public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera, IRigC
         }
 
         Stop();
-        int camera = _cameras.Make(new Pose(Vector3D.Zero, Axes.Identity), _settings.VerticalFovDegrees);
+        int camera = _cameras.Make(new Pose(Vector3D.Zero, Axes.Identity), VerticalFovDegrees ?? _settings.VerticalFovDegrees);
         if (camera == 0)
         {
             _messages.Tell("The game did not create a camera. Other mods may use too many.");

@@ -30,6 +30,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
     private SingleFrames? _singles;
     private FreezeReport? _freezing;
     private bool _isSingle;
+    private int _lastCaptured;
 
     /// <summary>Creates the feature; no harvest is running.</summary>
     /// <param name="options">What to harvest and how.</param>
@@ -83,6 +84,25 @@ public sealed class Harvest : ILastingFeature, IDisposable
 
     /// <inheritdoc/>
     public bool IsBusy => _writer.IsBusy;
+
+    /// <summary>Number of frames of the running harvest, or of the last one.</summary>
+    public int Captured => _session is { } session ? session.Status.Captured : IsOn ? 0 : _lastCaptured;
+
+    /// <summary>Why the last harvest ended early; null if it ended normally, or none has ended.</summary>
+    public string? LastFault { get; private set; }
+
+    /// <summary>Starts a harvest in a given folder, unless one is running.</summary>
+    /// <param name="folder">The folder, which must not exist.</param>
+    /// <param name="options">What to harvest and how; the faces in use are added.</param>
+    public void StartIn(string folder, HarvestOptions options)
+    {
+        if (!IsOn)
+        {
+            SessionOrigin origin = _origin();
+            (_isSingle, _lastCaptured, LastFault) = (false, 0, null);
+            Start(options with { Faces = FacesInUse() }, () => Locked(folder, origin));
+        }
+    }
 
     /// <summary>Starts a harvest in a folder of its own, or ends the one that is running.</summary>
     public void Toggle()
@@ -264,6 +284,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
     {
         SessionWriter writer = _writer.Opened!;
         HarvestStatus status = session.Status;
+        (_lastCaptured, LastFault) = (status.Captured, session.Failure is { } failure ? failure.Message : null);
         _session = null;
         _writer.Close();
         if (_startedWith!.Rig is not null)

@@ -55,6 +55,12 @@ public sealed record PlayerSettings
     /// <summary>The bridge over which a client drives.</summary>
     public required BridgeSettings Bridge { get; init; }
 
+    /// <summary>The plan to run; null without one.</summary>
+    public required string? PlanFile { get; init; }
+
+    /// <summary>The folder of the plans' sessions.</summary>
+    public required string PlansFolder { get; init; }
+
     /// <summary>The folder with the player's measurements of signs and lights.</summary>
     public required string FacesFolder { get; init; }
 
@@ -90,6 +96,7 @@ public sealed record PlayerSettings
         string pictures = Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.MyPictures), "GtaDataHarvester");
         string folder = PathOf(ini.Text("Harvest", "Folder", pictures));
         string roads = ini.Text("Roads", "File", string.Empty);
+        string plan = ini.Text("Plan", "File", string.Empty);
         return new PlayerSettings
         {
             CarModel = ini.Text("TestCar", "Model", "adder"),
@@ -103,6 +110,8 @@ public sealed record PlayerSettings
             NarrowLaneWidthMetres = ini.Number("Roads", "NarrowLaneWidth", RoadGeometry.NarrowLaneWidth, 2, 10),
             SurveyFile = Path.Combine(folder, "roads.csv"),
             Bridge = BridgeSettings.Read(ini, Path.Combine(folder, "bridge"), PathOf),
+            PlanFile = plan.Length > 0 ? PathOf(plan) : null,
+            PlansFolder = Path.Combine(folder, "plans"),
             FacesFolder = Path.Combine(folder, "spaces"),
             TakesPhotographs = ini.Choice("Signs", "Photographs", Switch.On, "On or Off") == Switch.On,
             FurtherModels = ini.Text("Signs", "Models", string.Empty),

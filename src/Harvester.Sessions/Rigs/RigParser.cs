@@ -5,6 +5,7 @@ using System.Text.RegularExpressions;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Lidar;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Sessions.Rigs;
 
@@ -40,11 +41,11 @@ public static class RigParser
     /// <exception cref="FormatException">The text is not a rig; the message names the field.</exception>
     public static Rig Parse(string text)
     {
-        RigFields file = RigFields.Parse(text ?? throw new ArgumentNullException(nameof(text)));
+        JsonFields file = JsonFields.Parse(text ?? throw new ArgumentNullException(nameof(text)), "a rig");
         string name = NameOf(file);
         Vector3D origin = file.Has("origin") ? file.Vector("origin", MaxOffsetMetres) : Vector3D.Zero;
-        RigFields[] cameras = file.List("cameras");
-        RigFields[] lidars = file.List("lidars");
+        JsonFields[] cameras = file.List("cameras");
+        JsonFields[] lidars = file.List("lidars");
         file.End();
         if (cameras.Length is 0 or > MaxCameras)
         {
@@ -61,7 +62,7 @@ public static class RigParser
         return new Rig(name, origin, made, [.. lidars.Select(lidar => LidarOf(lidar, names))]);
     }
 
-    private static RigCamera CameraOf(RigFields camera, HashSet<string> names)
+    private static RigCamera CameraOf(JsonFields camera, HashSet<string> names)
     {
         var made = new RigCamera(
             UniqueNameOf(camera, names),
@@ -73,7 +74,7 @@ public static class RigParser
         return made;
     }
 
-    private static Lens LensOf(RigFields? lens)
+    private static Lens LensOf(JsonFields? lens)
     {
         if (lens is null)
         {
@@ -90,7 +91,7 @@ public static class RigParser
         return made;
     }
 
-    private static RigLidar LidarOf(RigFields lidar, HashSet<string> names)
+    private static RigLidar LidarOf(JsonFields lidar, HashSet<string> names)
     {
         string name = UniqueNameOf(lidar, names);
         string? modelName = lidar.Has("model") ? lidar.Text("model") : null;
@@ -129,7 +130,7 @@ public static class RigParser
         return made;
     }
 
-    private static double[] BeamsOf(RigFields lidar)
+    private static double[] BeamsOf(JsonFields lidar)
     {
         double[] beams = lidar.Numbers("beamsDegrees", -MaxElevationDegrees, MaxElevationDegrees);
         return beams.Length is 0 or > MaxBeams ? throw lidar.Wrong("beamsDegrees", FormattableString.Invariant($"1 to {MaxBeams} angles"))
@@ -137,21 +138,21 @@ public static class RigParser
             : beams;
     }
 
-    private static Pose MountOf(RigFields sensor) => new(
+    private static Pose MountOf(JsonFields sensor) => new(
         sensor.Vector("position", MaxOffsetMetres),
         Axes.FromEuler(new EulerAngles(
             sensor.Number("pitchDegrees", -90, 90, 0),
             sensor.Number("rollDegrees", -180, 180, 0),
             sensor.Number("yawDegrees", -360, 360, 0))));
 
-    private static string UniqueNameOf(RigFields sensor, HashSet<string> names)
+    private static string UniqueNameOf(JsonFields sensor, HashSet<string> names)
     {
         string name = NameOf(sensor);
         return names.Add(name) ? name
             : throw sensor.Wrong("name", $"unlike that of every other sensor, in capitals or not; '{name}' occurs twice");
     }
 
-    private static string NameOf(RigFields named)
+    private static string NameOf(JsonFields named)
     {
         string name = named.Text("name");
         return NameForm.IsMatch(name) ? name

@@ -13,6 +13,9 @@ public sealed record SimulationOptions
     /// <summary>Seed of everything random: town, traffic, routes.</summary>
     public int Seed { get; init; }
 
+    /// <summary>Seed of traffic, people and routes alone, so that worlds of one seed differ in them; null for <see cref="Seed"/>.</summary>
+    public int? TrafficSeed { get; init; }
+
     /// <summary>The roads of the world; null for a town made from the seed.</summary>
     public RoadNetwork? Roads { get; init; }
 

@@ -54,7 +54,7 @@ internal sealed class SimulatedWorld
     public SimulatedWorld(SimulationOptions options, HandleCounter handles, int place, double timeSeconds)
     {
         TimeSeconds = timeSeconds;
-        int seed = options.Seed ^ (place * SeedStep);
+        int seed = (options.TrafficSeed ?? options.Seed) ^ (place * SeedStep);
         Vector3D start = options.Near is { } near ? new Vector3D(near.X, near.Y, 0) : options.Roads is { } roads ? Middle(roads)
             : Vector3D.Zero;
         Site site = options.Roads is null ? Sites.Town(options.Seed)

@@ -39,6 +39,7 @@ internal sealed partial class TestGame : IGameHost
         AddInterfaceNatives();
         AddListNatives();
         AddFreezeNatives();
+        AddTrialNatives();
     }
 
     public string ScriptFile { get; }
@@ -99,6 +100,9 @@ internal sealed partial class TestGame : IGameHost
         .. IsPaused ? ["the pause"] : Array.Empty<string>(),
         .. TimeScale != 1 ? ["the time scale"] : Array.Empty<string>(),
         .. KeptWeather is not null ? ["the weather"] : Array.Empty<string>(),
+        .. IsSceneHeld ? ["a loaded scene"] : Array.Empty<string>(),
+        .. IsPlayerInvincible || IsIgnoredByPolice ? ["the player's protection"] : Array.Empty<string>(),
+        .. IsDrivenByTask ? ["the player's task"] : Array.Empty<string>(),
         .. _ticksUntilLoaded.Select(model => $"model {model.Key}"),
         .. LightOverrides.Select(light => $"traffic light {light.Key}"),
     ];

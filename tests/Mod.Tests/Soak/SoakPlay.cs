@@ -14,7 +14,7 @@ internal sealed class SoakPlay
     public const string Ini =
         "[Bridge]\nKind = Folder\nFolder = out/bridge\nWidth = 40\nHeight = 30\n"
         + "[Harvest]\nWidth = 160\nHeight = 120\nRate = 2\nOcclusionRays = 4\nRays = 200\nDriveLights = On\nFreeze = Auto\nImageFormat = "
-        + "Bmp\n";
+        + "Bmp\n" + PlanTests.Ini;
 
     private const double MillisecondsOfATick = 16;
 
@@ -31,6 +31,7 @@ internal sealed class SoakPlay
         [Keys.NumPad3], [Keys.Y], [Keys.Divide], [Keys.Multiply], [Keys.O, Keys.J], [Keys.O, Keys.N], [Keys.O, Keys.I, Keys.NumPad1],
         [Keys.O, Keys.Multiply],
         [Keys.NumPad2, Keys.NumPad2, Keys.Y],
+        [Keys.Decimal], [Keys.O, Keys.Decimal],
     ];
 
     private readonly ScriptDriver _driver;
@@ -50,6 +51,7 @@ internal sealed class SoakPlay
         _game.Props[Prop] = KnownProps.All["octagon"];
         _game.Roads = new FakeRoadSource(RoadTests.Road());
         MakeWorld();
+        File.WriteAllText(Path.Combine(driver.Folder, "plan.json"), PlanTests.Text);
     }
 
     public void Tick()

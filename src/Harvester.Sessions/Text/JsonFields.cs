@@ -3,29 +3,31 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using Harvester.Geometry;
-using Harvester.Sessions.Text;
 
-namespace Harvester.Sessions.Rigs;
+namespace Harvester.Sessions.Text;
 
 /// <summary>
-/// An object of a rig file, whose fields are read by name. Every error is a <see cref="FormatException"/> that names the field by its
+/// An object of a JSON file, whose fields are read by name. Every error is a <see cref="FormatException"/> that names the field by its
 /// path, such as cameras[1].width.
 /// </summary>
-internal sealed class RigFields
+internal sealed class JsonFields
 {
     private readonly Dictionary<string, object?> _values;
     private readonly string _path;
+    private readonly string _kind;
     private readonly HashSet<string> _read = new(StringComparer.Ordinal);
 
-    private RigFields(Dictionary<string, object?> values, string path) => (_values, _path) = (values, path);
+    private JsonFields(Dictionary<string, object?> values, string path, string kind) => (_values, _path, _kind) = (values, path, kind);
 
     /// <summary>Parses the outermost object of a text.</summary>
-    public static RigFields Parse(string text)
+    /// <param name="text">The text.</param>
+    /// <param name="kind">What the file describes, with an article, for messages.</param>
+    public static JsonFields Parse(string text, string kind)
     {
         var json = new JsonReader(text);
         object? value = ValueOf(json);
         json.End();
-        return Of(value, "");
+        return Of(value, "", kind);
     }
 
     public bool Has(string name) => _values.TryGetValue(name, out object? value) && value is not null;
@@ -36,6 +38,11 @@ internal sealed class RigFields
 
     public double Number(string name, double minimum, double maximum, double otherwise) =>
         Has(name) ? Number(name, minimum, maximum) : Skipped(name, otherwise);
+
+    public string Text(string name, string otherwise) => Has(name) ? Text(name) : Skipped(name, otherwise);
+
+    public int Whole(string name, int minimum, int maximum, int otherwise) =>
+        Has(name) ? Whole(name, minimum, maximum) : Skipped(name, otherwise);
 
     public int Whole(string name, int minimum, int maximum)
     {
@@ -50,6 +57,18 @@ internal sealed class RigFields
         ? [.. list.Select((item, index) => Checked($"{name}[{Text(index)}]", item, minimum, maximum))]
         : throw Wrong(name, "a list of numbers");
 
+    public string[] Texts(string name) => Required(name) is List<object?> list
+        ? [.. list.Select((item, index) => item as string ?? throw Wrong($"{name}[{Text(index)}]", "a text"))]
+        : throw Wrong(name, "a list of texts");
+
+    /// <summary>Points of the ground, each a list of x and y.</summary>
+    public Vector2D[] Points(string name, double limit) => Required(name) is List<object?> list
+        ? [.. list.Select((item, index) => item is List<object?> { Count: 2 } pair
+            ? new Vector2D(Checked($"{name}[{Text(index)}][0]", pair[0], -limit, limit),
+                Checked($"{name}[{Text(index)}][1]", pair[1], -limit, limit))
+            : throw Wrong($"{name}[{Text(index)}]", "two numbers: x and y, in metres"))]
+        : throw Wrong(name, "a list of points");
+
     public Vector3D Vector(string name, double limit)
     {
         double[] numbers = Numbers(name, -limit, limit);
@@ -57,33 +76,38 @@ internal sealed class RigFields
             : throw Wrong(name, "three numbers: right, forward and up, in metres");
     }
 
-    public RigFields? Fields(string name) => Has(name) ? Of(Required(name), PathOf(name)) : Skipped<RigFields?>(name, null);
+    public JsonFields? Fields(string name) => Has(name) ? Of(Required(name), PathOf(name), _kind) : Skipped<JsonFields?>(name, null);
 
-    public RigFields[] List(string name)
+    public JsonFields[] List(string name)
     {
         if (!Has(name))
         {
-            return Skipped<RigFields[]>(name, []);
+            return Skipped<JsonFields[]>(name, []);
         }
 
         return Required(name) is List<object?> list
-            ? [.. list.Select((item, index) => Of(item, $"{PathOf(name)}[{Text(index)}]"))]
+            ? [.. list.Select((item, index) => Of(item, $"{PathOf(name)}[{Text(index)}]", _kind))]
             : throw Wrong(name, "a list of objects");
     }
 
     /// <summary>Refuses fields that nothing has read.</summary>
     public void End()
     {
-        if (_values.Keys.FirstOrDefault(name => !_read.Contains(name)) is { } unknown)
+        if (Unknown.FirstOrDefault() is { } unknown)
         {
-            throw new FormatException($"{PathOf(unknown)} is not a field of a rig. Correct its name or delete it.");
+            throw new FormatException(unknown);
         }
     }
+
+    /// <summary>A message for each field that nothing has read.</summary>
+    public IEnumerable<string> Unknown => _values.Keys.Where(name => !_read.Contains(name))
+        .Select(name => $"{PathOf(name)} is not a field of {_kind}. Correct its name or delete it.");
 
     /// <summary>The error that a field is not what it must be.</summary>
     public FormatException Wrong(string name, string wanted) => new($"{PathOf(name)} must be {wanted}.");
 
-    private static RigFields Of(object? value, string path) => value is Dictionary<string, object?> values ? new RigFields(values, path)
+    private static JsonFields Of(object? value, string path, string kind) => value is Dictionary<string, object?> values
+        ? new JsonFields(values, path, kind)
         : throw new FormatException($"{(path.Length == 0 ? "the file" : path)} must be an object.");
 
     private double Checked(string name, object? value, double minimum, double maximum) =>

@@ -1,0 +1,100 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.IO;
+using System.Linq;
+using System.Threading;
+using System.Threading.Tasks;
+using Harvester.Cli.Arguments;
+using Harvester.Cli.Plans;
+using Harvester.Cli.Terminals;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Plans;
+using Harvester.Sessions.Text;
+
+namespace Harvester.Cli.Commands.Plans;
+
+/// <summary>harvester plan run: harvests every trial of a plan from the simulated game.</summary>
+internal sealed class PlanRunCommand
+{
+    private const string Notes =
+        "Every trial becomes a session in DIR/trials/ID. DIR also has a copy of the plan; plan-status.jsonl, a line for each attempt\n"
+        + "that has ended; and heartbeat.json, renewed every second. A trial that fails is repeated; after three failures it is skipped,\n"
+        + "and the exit code is 4. Whatever stopped the command, --resume continues it, and the result has the bytes of a run that was\n"
+        + "not stopped. With --shard I/N, every N-th trial is run; the shards may share DIR.\n\n"
+        + "Examples:\n"
+        + "  harvester plan run plan.json --out experiment\n"
+        + "  harvester plan run plan.json --out experiment --resume\n"
+        + "  harvester plan run plan.json --out experiment --shard 2/8";
+
+    private Option<string> Out { get; } = new("--out") { Description = "Folder to write to", HelpName = "DIR", Required = true };
+    private Option<bool> Resume { get; } = new("--resume") { Description = "Continue a run of the plan in the folder, or start one" };
+    private Option<Shard> ShardOf { get; } = ShardOption.Create("Run only every N-th trial, as run I of N parallel runs");
+    private Option<SyncMode> Sync { get; } = SyncOption.Create();
+    private PlanWorldOptions World { get; } = new();
+
+    public static Command Create(Terminal terminal) => new PlanRunCommand().Build(terminal);
+
+    private Command Build(Terminal terminal)
+    {
+        Argument<FileInfo> plan = PlanCommand.PlanArgument();
+        var command = new Command("run", "Harvest every trial of a plan from the simulated game.") { plan, Out, Resume, ShardOf, Sync };
+        World.AddTo(command);
+        HelpWithNotes.AddTo(command, Notes);
+        command.SetAction((parsed, cancellation) =>
+            Task.FromResult(Run(terminal, PlanFile.Read(parsed.GetRequiredValue(plan).FullName), parsed, cancellation)));
+        return command;
+    }
+
+    private int Run(Terminal terminal, PlanFile file, ParseResult parsed, CancellationToken cancellation)
+    {
+        string folder = parsed.GetRequiredValue(Out);
+        Shard shard = parsed.GetValue(ShardOf);
+        PlanWorld world = World.Parse(parsed);
+        Trial[] trials = [.. TrialList.Of(file.Plan, world.PlacesOf(file.Plan)).Where((_, index) => shard.Takes(index))];
+        using var output = PlanOutput.Open(folder, file.Text, shard, parsed.GetValue(Resume));
+        int images = checked(trials.Where(trial => output.Status.NextAttempt(trial.Id) is not null)
+            .Sum(trial => PlanRun.ImagesOf(file, trial)));
+        terminal.Out.WriteLine(
+            $"Running {Counted.Of(trials.Length, "trial")} of the plan {file.Plan.Name}, {PlanEstimate.Of(file, trials)}, to {folder}");
+        terminal.Out.Flush();
+        var heartbeat = new HeartbeatFile(folder, file.Plan.Name, shard);
+        var run = new PlanRun(terminal, file, world, output, heartbeat, CommandText.Of(parsed)) { Sync = parsed.GetValue(Sync) };
+        int code;
+        try
+        {
+            code = new JobProgress(terminal, images, "images").Run(report => run.Run(trials, report, cancellation));
+        }
+        catch (OperationCanceledException)
+        {
+            heartbeat.End(HeartbeatState.Failed, run.Frames);
+            heartbeat.Wait();
+            terminal.WriteError("Stopped; all sessions are valid. To continue, give the same command with --resume.");
+            return ExitCode.Cancelled;
+        }
+
+        code = code == ExitCode.Done ? Summarise(terminal, trials, output, folder) : code;
+        heartbeat.End(code == ExitCode.Done ? HeartbeatState.Finished : HeartbeatState.Failed, run.Frames);
+        heartbeat.Wait();
+        return code;
+    }
+
+    private static int Summarise(Terminal terminal, IReadOnlyList<Trial> trials, PlanOutput output, string folder)
+    {
+        TrialResult[] results = [.. trials.Select(trial => output.Status.Last[trial.Id])];
+        TrialResult[] skipped = [.. results.Where(result => result.State == TrialState.Skipped)];
+        terminal.Out.WriteLine(
+            $"{Counted.Of(results.Length - skipped.Length, "trial")} done, {skipped.Length} skipped, "
+            + Counted.Of(results.Where(result => result.State == TrialState.Done).Sum(result => result.Frames), "frame"));
+        terminal.Out.WriteLine($"sessions {Path.Combine(folder, "trials")}");
+        if (skipped.Length == 0)
+        {
+            return ExitCode.Done;
+        }
+
+        terminal.WriteError(FormattableString.Invariant(
+            $"{Counted.Of(skipped.Length, "trial")} skipped after {TrialResult.MaxAttempts} failures each: ")
+            + string.Join(", ", skipped.Select(result => result.Trial)));
+        return ExitCode.HarvestFault;
+    }
+}

@@ -1,0 +1,101 @@
+using System;
+using System.IO;
+using System.Linq;
+using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
+using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Plans;
+
+namespace Harvester.Cli.Plans;
+
+/// <summary>The folder of a plan's output: a copy of the plan, the status of its trials, and a session for each trial.</summary>
+internal sealed class PlanOutput : IDisposable
+{
+    private const string Trials = "trials";
+    private readonly FolderLock _held;
+
+    private PlanOutput(string folder, FolderLock held, PlanStatus status) => (Folder, _held, Status) = (folder, held, status);
+
+    /// <summary>The folder.</summary>
+    public string Folder { get; }
+
+    /// <summary>The status of the trials.</summary>
+    public PlanStatus Status { get; }
+
+    /// <summary>Locks and checks the folder, and makes it if it is missing.</summary>
+    /// <param name="folder">The folder.</param>
+    /// <param name="plan">The text of the plan.</param>
+    /// <param name="shard">The part of the plan to run.</param>
+    /// <param name="resumes">Whether to continue an earlier run.</param>
+    /// <exception cref="OccupiedFolderException">The folder is in use, or has something else than unfinished results of the plan.</exception>
+    /// <exception cref="DatasetFormatException">The status file is damaged.</exception>
+    /// <exception cref="IOException">The folder cannot be made or read.</exception>
+    public static PlanOutput Open(string folder, string plan, Shard shard, bool resumes)
+    {
+        if (OutputFolder.FileInTheWayOf(folder) is { } file)
+        {
+            throw new IOException($"'{file}' is a file. Name a folder with --out.");
+        }
+
+        var held = FolderLock.Take(folder, shard.Count == 1 ? "" : FormattableString.Invariant($".{shard.Number}-of-{shard.Count}"));
+        try
+        {
+            string copy = Path.Combine(folder, PlanFile.FileName);
+            if (!File.Exists(copy) && Directory.Exists(folder) && Directory.EnumerateFileSystemEntries(folder)
+                .Any(path => AtomicFile.TargetOf(Path.GetFileName(path)) is null))
+            {
+                throw new OccupiedFolderException($"'{folder}' is not empty and has no plan. Name another folder with --out.");
+            }
+
+            Directory.CreateDirectory(folder);
+            if (!AtomicFile.TryWriteNew(copy, plan) && InputFile.ReadAllText(copy) != plan)
+            {
+                throw new OccupiedFolderException(
+                    $"'{folder}' has results of another plan, or of this one before it was changed. Name another folder with --out.");
+            }
+
+            bool hasResults = File.Exists(Path.Combine(folder, PlanStatus.FileNameOf(shard)))
+                || (shard.Count == 1 && Directory.Exists(Path.Combine(folder, Trials)));
+            if (hasResults && !resumes)
+            {
+                throw new OccupiedFolderException(
+                    $"'{folder}' has results of this plan. Continue with --resume, or name another folder with --out.");
+            }
+
+            return new PlanOutput(folder, held, PlanStatus.Open(folder, shard));
+        }
+        catch (FormatException e)
+        {
+            held.Dispose();
+            throw new DatasetFormatException($"'{folder}': {e.Message}", e);
+        }
+        catch
+        {
+            held.Dispose();
+            throw;
+        }
+    }
+
+    /// <summary>The folder of a trial's session.</summary>
+    public string FolderOf(Trial trial) => Path.Combine(Folder, Trials, trial.Id);
+
+    /// <summary>Whether a trial has a complete session, which a command that was stopped then may not have noted.</summary>
+    public bool IsComplete(Trial trial) =>
+        File.Exists(Path.Combine(FolderOf(trial), SessionInfo.FileName)) && UnfinishedMark.CommandIn(FolderOf(trial)) is null;
+
+    /// <summary>Deletes what a failed attempt wrote.</summary>
+    public void Discard(Trial trial)
+    {
+        string folder = FolderOf(trial);
+        if (Directory.Exists(folder))
+        {
+            SessionFolder.Clear(folder);
+            UnfinishedMark.Delete(folder);
+            Directory.Delete(folder);
+        }
+    }
+
+    /// <summary>Releases the folder.</summary>
+    public void Dispose() => _held.Dispose();
+}

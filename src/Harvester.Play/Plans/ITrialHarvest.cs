@@ -1,0 +1,29 @@
+using Harvester.Capture.Harvesting;
+
+namespace Harvester.Play.Plans;
+
+/// <summary>The harvest of a trial.</summary>
+public interface ITrialHarvest
+{
+    /// <summary>Whether it is running.</summary>
+    bool IsOn { get; }
+
+    /// <summary>Whether files are still being opened or written.</summary>
+    bool IsBusy { get; }
+
+    /// <summary>Number of frames of the running harvest, or of the last one.</summary>
+    int Captured { get; }
+
+    /// <summary>Why the last harvest ended early; null if it ended normally, or none has ended.</summary>
+    string? Fault { get; }
+
+    /// <summary>Mounts the camera and begins a harvest in a new folder.</summary>
+    /// <param name="folder">The folder of the session.</param>
+    /// <param name="options">What to harvest and how.</param>
+    /// <param name="verticalFovDegrees">Vertical field of view of the camera, degrees.</param>
+    /// <returns>Whether it began; otherwise the player has been told why.</returns>
+    bool Begin(string folder, HarvestOptions options, double verticalFovDegrees);
+
+    /// <summary>Ends the harvest. Calling it again has no effect.</summary>
+    void End();
+}

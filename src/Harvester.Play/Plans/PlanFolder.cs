@@ -1,0 +1,124 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Plans;
+
+namespace Harvester.Play.Plans;
+
+/// <summary>The folder of a plan's output in the game, locked: a copy of the plan, the status of its trials, and their sessions.</summary>
+public sealed class PlanFolder : IDisposable
+{
+    private const string Copy = "plan.json";
+    private const int MaxCharacters = 16 << 20;
+    private readonly WriterLock _held;
+
+    private PlanFolder(string folder, WriterLock held, Plan plan, PlanStatus status)
+    {
+        (Folder, _held, Plan, Status) = (folder, held, plan, status);
+        Trials = TrialList.Of(plan, plan.Places);
+    }
+
+    /// <summary>The folder.</summary>
+    public string Folder { get; }
+
+    /// <summary>The plan.</summary>
+    public Plan Plan { get; }
+
+    /// <summary>Its trials, in their order.</summary>
+    public IReadOnlyList<Trial> Trials { get; }
+
+    /// <summary>How they ended.</summary>
+    public PlanStatus Status { get; }
+
+    /// <summary>The first trial that needs an attempt; null if none does.</summary>
+    public Trial? Next => Trials.FirstOrDefault(trial => Status.NextAttempt(trial.Id) is not null);
+
+    /// <summary>Reads a plan, and opens its folder or makes it.</summary>
+    /// <param name="file">The plan file.</param>
+    /// <param name="root">The folder with the folders of all plans.</param>
+    /// <exception cref="FormatException">The plan has a problem, or the folder has results of another plan of that name.</exception>
+    /// <exception cref="IOException">A file cannot be read or written.</exception>
+    /// <exception cref="UnauthorizedAccessException">A file may not be read or written.</exception>
+    /// <exception cref="FolderLockedException">Another program runs the plan.</exception>
+    public static PlanFolder Open(string file, string root)
+    {
+        string text = ReadText(file);
+        PlanReading reading = PlanParser.Read(text);
+        string? problem = reading.Plan is { } read ? ProblemOf(read) : reading.Problems[0];
+        if (problem is not null)
+        {
+            throw new FormatException($"{Path.GetFileName(file)}: {problem}");
+        }
+
+        Plan plan = reading.Plan!;
+        string folder = Path.Combine(root, plan.Name);
+        Directory.CreateDirectory(root);
+        WriterLock held = WriterLock.Take(folder);
+        try
+        {
+            Directory.CreateDirectory(Path.Combine(folder, "trials"));
+            string copy = Path.Combine(folder, Copy);
+            if (!AtomicFile.TryWriteNew(copy, text) && ReadText(copy) != text)
+            {
+                throw new FormatException(
+                    $"'{folder}' has results of another plan, or of this one before it was changed. Give the plan another name.");
+            }
+
+            return new PlanFolder(folder, held, plan, PlanStatus.Open(folder, Shard.Whole));
+        }
+        catch
+        {
+            held.Dispose();
+            throw;
+        }
+    }
+
+    /// <summary>The folder of a trial's session.</summary>
+    public string FolderOf(Trial trial) => Path.Combine(Folder, "trials", (trial ?? throw new ArgumentNullException(nameof(trial))).Id);
+
+    /// <summary>
+    /// Moves what an unfinished or failed attempt wrote to the folder unfinished: the game cannot continue it, because it does not take the
+    /// same course again.
+    /// </summary>
+    /// <exception cref="IOException">The folder cannot be moved.</exception>
+    public void SetAside(Trial trial)
+    {
+        string folder = FolderOf(trial);
+        if (!Directory.Exists(folder))
+        {
+            return;
+        }
+
+        string aside = Path.Combine(Folder, "unfinished");
+        Directory.CreateDirectory(aside);
+        string free = Path.Combine(aside, trial.Id);
+        for (int number = 2; Directory.Exists(free); number++)
+        {
+            free = FormattableString.Invariant($"{Path.Combine(aside, trial.Id)}-{number}");
+        }
+
+        Directory.Move(folder, free);
+    }
+
+    /// <summary>Releases the folder.</summary>
+    public void Dispose() => _held.Dispose();
+
+    /// <summary>What the game cannot do of a plan that the simulated game can; null if it can all.</summary>
+    private static string? ProblemOf(Plan plan)
+    {
+        PlanPlace? open = plan.Places.FirstOrDefault(place => place.Start is null);
+        PlanCamera? rig = plan.Cameras.FirstOrDefault(camera => camera.RigFile is not null);
+        return open is not null ? $"the place '{open.Name}' needs x and y, or a path: in the game, places are not chosen."
+            : rig is not null ? $"the camera '{rig.Name}' has a rig, which the game cannot carry."
+            : null;
+    }
+
+    private static string ReadText(string file)
+    {
+        using var reader = new StreamReader(RegularFile.OpenRead(file));
+        char[] text = new char[MaxCharacters];
+        return new string(text, 0, reader.ReadBlock(text, 0, MaxCharacters));
+    }
+}

@@ -1,0 +1,17 @@
+namespace Harvester.Sessions.Plans;
+
+/// <summary>The state of a program that runs a plan.</summary>
+public enum HeartbeatState
+{
+    /// <summary>It has begun, or goes to the place of a trial.</summary>
+    Starting,
+
+    /// <summary>It takes frames.</summary>
+    Running,
+
+    /// <summary>It has ended, and every trial has its session.</summary>
+    Finished,
+
+    /// <summary>It has ended, and a trial has no session.</summary>
+    Failed,
+}

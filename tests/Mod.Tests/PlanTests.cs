@@ -1,0 +1,111 @@
+using System.Windows.Forms;
+using Harvester.Geometry;
+using Harvester.Mod.Tests.Games;
+
+namespace Harvester.Mod.Tests;
+
+public sealed class PlanTests
+{
+    public const string Ini = "[Plan]\nFile = plan.json\n";
+
+    /// <summary>A plan of one trial of two frames in the street of the tests of harvests.</summary>
+    public const string Text = """
+        {"name":"play","places":[{"name":"street","x":100,"y":200,"headingDegrees":0}],"weathers":["foggy"],"hours":["07:30"],"frames":2,
+        "cameras":[{"name":"small","width":64,"height":48,"verticalFovDegrees":45}]}
+        """;
+
+    private const double MillisecondsOfATick = 50;
+
+    [Fact]
+    public void Key_runs_the_plan_into_a_session_per_trial()
+    {
+        using var driver = new ScriptDriver(Ini);
+        HarvestTests.Street(driver.Game);
+        Run(driver);
+
+        string session = Path.Combine(driver.Output, "plans", "play", "trials", "street_foggy_0730_small_001");
+        Assert.Equal(2, File.ReadAllLines(Path.Combine(session, "labels.jsonl")).Length);
+        Assert.Contains("\"weather\":\"foggy\"", File.ReadAllText(Path.Combine(session, "labels.jsonl")), StringComparison.Ordinal);
+        Assert.EndsWith(
+            "The plan play is over: 1 trial done, none skipped, in " + Path.Combine(driver.Output, "plans", "play") + ".",
+            driver.Game.Notifications[^1], StringComparison.Ordinal);
+        AssertGivenBack(driver.Game);
+    }
+
+    [Fact]
+    public void Player_on_foot_is_given_a_car_which_the_end_removes()
+    {
+        TestGame game;
+        using (var driver = new ScriptDriver(Ini))
+        {
+            game = driver.Game;
+            (game.IsInCutScene, game.WantedLevel) = (true, 2);
+            Run(driver);
+
+            Assert.Equal((false, 0), (game.IsInCutScene, game.WantedLevel));
+            Assert.Equal(TestGame.Adder, Assert.Single(game.Vehicles).Name);
+            Assert.Contains("1 trial done", game.Notifications[^1], StringComparison.Ordinal);
+        }
+
+        Assert.Empty(game.LeftBehind);
+    }
+
+    [Fact]
+    public void Reloaded_mod_has_nothing_left_to_do()
+    {
+        using var driver = new ScriptDriver(Ini);
+        HarvestTests.Street(driver.Game);
+        Run(driver);
+        driver.Reload();
+        driver.Game.Notifications.Clear();
+        Run(driver);
+
+        Assert.Contains("1 trial done", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.Single(File.ReadAllLines(Path.Combine(driver.Output, "plans", "play", "plan-status.jsonl")));
+    }
+
+    [Fact]
+    public void Script_that_ends_in_a_trial_gives_everything_back()
+    {
+        using var driver = new ScriptDriver(Ini);
+        HarvestTests.Street(driver.Game);
+        Start(driver);
+        Until(driver, () => driver.Game.IsDrivenByTask);
+        driver.Script.RaiseAborted();
+
+        AssertGivenBack(driver.Game);
+        Assert.Empty(driver.Game.LeftBehind);
+    }
+
+    /// <summary>Runs the plan to its end, or until a message says that it cannot be run.</summary>
+    internal static void Run(ScriptDriver driver)
+    {
+        int before = driver.Game.Notifications.Count;
+        Start(driver);
+        Until(driver, () => driver.Game.Notifications.Skip(before).Any(message =>
+            message.Contains("The plan play is over", StringComparison.Ordinal)
+            || message.Contains(" failed: ", StringComparison.Ordinal) || message.Contains(" stopped: ", StringComparison.Ordinal)
+            || message.Contains("cannot run", StringComparison.Ordinal)));
+        driver.WaitForDisk();
+    }
+
+    private static void Start(ScriptDriver driver)
+    {
+        File.WriteAllText(Path.Combine(driver.Folder, "plan.json"), Text);
+        driver.Press(Keys.Decimal);
+    }
+
+    private static void Until(ScriptDriver driver, Func<bool> isSo) => driver.Until(() =>
+    {
+        driver.Clock.Milliseconds += MillisecondsOfATick;
+        return isSo();
+    });
+
+    private static void AssertGivenBack(TestGame game)
+    {
+        Assert.Equal(
+            (false, false, false, false, (string?)null),
+            (game.IsSceneHeld, game.IsPlayerInvincible, game.IsIgnoredByPolice, game.IsDrivenByTask, game.KeptWeather));
+        Assert.DoesNotContain(game.Vehicles, vehicle => vehicle.IsFrozen);
+    }
+}

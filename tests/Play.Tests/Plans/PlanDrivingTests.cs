@@ -1,0 +1,177 @@
+using Harvester.Play.Features;
+using Harvester.Play.Plans;
+using Harvester.Sessions.Plans;
+using Harvester.TestSupport;
+
+namespace Harvester.Play.Tests.Plans;
+
+public sealed class PlanDrivingTests : IDisposable
+{
+    private const string TwoTrials = """
+        {"name":"two","places":[{"name":"a","x":0,"y":0,"headingDegrees":0}],"weathers":["clear","rain"],"frames":3,"hz":2}
+        """;
+
+    private static readonly TimeSpan HangingAfter = TimeSpan.FromMinutes(1);
+    private readonly string _root = Directory.CreateTempSubdirectory("plan-driving").FullName;
+    private readonly List<string> _told = [];
+    private readonly PlayerMessages _messages;
+    private readonly TrialWorld _world = new();
+
+    public PlanDrivingTests() => _messages = new PlayerMessages(_root, _told.Add, new TestClock());
+
+    private string Output => Path.Combine(_root, "plans", "two");
+
+    public void Dispose()
+    {
+        _messages.Wait(Timeout.InfiniteTimeSpan);
+        Directory.Delete(_root, recursive: true);
+    }
+
+    [Fact]
+    public void Key_runs_all_trials_in_order()
+    {
+        PlanDriving plan = Driving(TwoTrials);
+        plan.Toggle();
+        UntilOff(plan);
+
+        Assert.Equal(
+            [
+                """{"trial":"a_clear_1200_camera_001","state":"done","attempt":1,"frames":3}""",
+                """{"trial":"a_rain_1200_camera_001","state":"done","attempt":1,"frames":3}""",
+            ],
+            StatusLines());
+        Assert.EndsWith($"The plan two is over: 2 trials done, none skipped, in {Output}.", _told[^1], StringComparison.Ordinal);
+        Assert.Null(_world.Weather);
+        Assert.Contains("\"state\":\"finished\"", Heartbeat(), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Key_continues_after_the_trials_that_are_done()
+    {
+        PlanDriving first = Driving(TwoTrials);
+        first.Toggle();
+        Until(first, () => StatusLines().Length == 1 && first.Line is { } line && line.Contains("driving", StringComparison.Ordinal));
+        first.Finish();
+        Assert.False(first.IsOn);
+        PlanDriving second = Driving(TwoTrials);
+        second.Toggle();
+        UntilOff(second);
+
+        Assert.Equal(2, StatusLines().Length);
+        Assert.Contains("\"trial\":\"a_rain_1200_camera_001\",\"state\":\"done\",\"attempt\":1", StatusLines()[1], StringComparison.Ordinal);
+        Assert.True(Directory.Exists(Path.Combine(Output, "unfinished", "a_rain_1200_camera_001")));
+    }
+
+    [Fact]
+    public void Trial_that_fails_three_times_is_skipped_and_reported()
+    {
+        _world.IsCollisionLoaded = false;
+        PlanDriving plan = Driving(TwoTrials);
+        plan.Toggle();
+        Until(plan, () => StatusLines().Length == 3);
+        _world.IsCollisionLoaded = true;
+        UntilOff(plan);
+
+        Assert.Equal(
+            [TrialState.Failed, TrialState.Failed, TrialState.Skipped, TrialState.Done],
+            StatusLines().Select(line => TrialResult.Parse(line).State));
+        Assert.Contains(_told, message => message.EndsWith(
+            "attempt 3 of 3: The place did not load within 30 s. It is skipped.", StringComparison.Ordinal));
+        Assert.Contains("1 trial done, skipped: a_clear_1200_camera_001, in", _told[^1], StringComparison.Ordinal);
+        Assert.Contains("\"state\":\"failed\"", Heartbeat(), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Second_press_stops_the_plan()
+    {
+        PlanDriving plan = Driving(TwoTrials);
+        plan.Toggle();
+        Until(plan, () => plan.Line is not null);
+        plan.Toggle();
+
+        Assert.False(plan.IsOn);
+        Assert.EndsWith("The plan was stopped. The same key continues it.", _told[^1], StringComparison.Ordinal);
+        Until(plan, () => !plan.IsBusy);
+        Assert.Empty(StatusLines());
+        Assert.Null(_world.Weather);
+    }
+
+    [Theory]
+    [InlineData("""{"name":"p","places":[{"name":"a","spread":3}]}""",
+        "plan.json: the place 'a' needs x and y, or a path: in the game, places are not chosen.")]
+    [InlineData("""{"name":"p","places":[{"name":"a","x":1,"y":2}],"cameras":[{"name":"c","rig":"r.json"}]}""",
+        "plan.json: the camera 'c' has a rig, which the game cannot carry.")]
+    [InlineData("""{"name":"p","places":[{"name":"a","x":1,"y":2}],"weathers":["hot"]}""", "plan.json: weathers[0] must be one of")]
+    public void Plan_that_the_game_cannot_run_is_told(string text, string problem)
+    {
+        PlanDriving plan = Driving(text);
+        plan.Toggle();
+        UntilOff(plan);
+
+        Assert.Contains($"The plan cannot run: {problem}", Assert.Single(_told), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Changed_plan_of_the_same_name_is_refused()
+    {
+        PlanDriving first = Driving(TwoTrials);
+        first.Toggle();
+        UntilOff(first);
+        PlanDriving second = Driving(TwoTrials.Replace("\"frames\":3", "\"frames\":4", StringComparison.Ordinal));
+        second.Toggle();
+        UntilOff(second);
+
+        Assert.Contains("has results of another plan", _told[^1], StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Key_without_a_plan_says_where_to_set_it()
+    {
+        var plan = new PlanDriving(null, _root, _world.Surroundings, _messages);
+        plan.Toggle();
+
+        Assert.False(plan.IsOn);
+        Assert.EndsWith("No plan is set. Give its file under [Plan] in GtaDataHarvester.ini.", Assert.Single(_told), StringComparison.Ordinal);
+    }
+
+    private PlanDriving Driving(string text)
+    {
+        string file = Path.Combine(_root, "plan.json");
+        File.WriteAllText(file, text);
+        return new PlanDriving(file, Path.Combine(_root, "plans"), _world.Surroundings, _messages);
+    }
+
+    private string[] StatusLines()
+    {
+        string path = Path.Combine(Output, "plan-status.jsonl");
+        return File.Exists(path) ? File.ReadAllText(path).Split('\n', StringSplitOptions.RemoveEmptyEntries) : [];
+    }
+
+    private string Heartbeat()
+    {
+        string path = Path.Combine(Output, "heartbeat.json");
+        string text = "";
+        SpinWait.SpinUntil(
+            () => File.Exists(path) && (text = File.ReadAllText(path)).Contains("\"trial\":null", StringComparison.Ordinal), HangingAfter);
+        return text;
+    }
+
+    private void UntilOff(PlanDriving plan) => Until(plan, () => !plan.IsOn && !plan.IsBusy);
+
+    private void Until(PlanDriving plan, Func<bool> isSo)
+    {
+        var hanging = System.Diagnostics.Stopwatch.StartNew();
+        do
+        {
+            Assert.True(hanging.Elapsed < HangingAfter, string.Join('\n', _told));
+            if (plan.IsBusy)
+            {
+                Thread.Sleep(1);
+            }
+
+            _world.Pass();
+            plan.Tick();
+        }
+        while (!isSo());
+    }
+}
