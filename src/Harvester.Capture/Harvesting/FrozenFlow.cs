@@ -24,7 +24,8 @@ internal sealed class FrozenFlow(
     TickBudget budget,
     HarvestCounters counters,
     PhaseCalls calls,
-    CodedPhotographer? photographer)
+    CodedPhotographer? photographer,
+    PairPhotographer? pairs)
     : ICaptureFlow
 {
     private readonly FrozenScene _scene = new(options, reader, budget, counters, calls);
@@ -97,6 +98,17 @@ internal sealed class FrozenFlow(
                 }
             }
 
+            if (pairs is not null)
+            {
+                photographer?.Release();
+                foreach (HarvestPhase phase in isOurs ? pairs.Take(draft!, picture!.WaitForPixels()) : pairs.Pass())
+                {
+                    yield return phase;
+                }
+
+                calls.Charge(HarvestPhase.Photographing);
+            }
+
             foreach (HarvestPhase phase in _scene.Read(HarvestPhase.Labelling))
             {
                 yield return phase;
@@ -111,7 +123,7 @@ internal sealed class FrozenFlow(
             IsPassed = !isOurs;
             if (isOurs)
             {
-                Taken = [new TakenFrame(draft!, picture!)];
+                Taken = [new TakenFrame(draft!, picture!) { Pairs = pairs?.Taken ?? [] }];
                 picture = null;
             }
         }
@@ -119,6 +131,7 @@ internal sealed class FrozenFlow(
         {
             picture?.Dispose();
             photographer?.Release();
+            pairs?.Release();
             game.Pause.Unfreeze();
             calls.Charge(HarvestPhase.Labelling);
         }

@@ -117,7 +117,8 @@ public sealed class SessionWriter : IFrameSink
             new PictureEncoder(start.Options.Format, start.Options.JpegQuality),
             KeepsManifest,
             start.Options.ViewsPerMoment);
-        _queue = new BlockingCollection<CapturedFrame>(start.Options.QueueCapacity);
+        // The pictures of one moment may take more memory than all other frames in the queue.
+        _queue = new BlockingCollection<CapturedFrame>(start.Options.Pairs.IsAny ? 1 : start.Options.QueueCapacity);
         _thread = new Thread(WriteAll) { IsBackground = true, Name = "harvest writer" };
         _thread.Start();
     }
@@ -228,6 +229,7 @@ public sealed class SessionWriter : IFrameSink
             .. With(FramePaths.Frames, views),
             .. options.Masks ? With(FramePaths.Masks, views) : [],
             .. options.Semantics is null ? [] : With(FramePaths.ClassMaps, views),
+            .. options.Pairs.IsAny ? [FramePaths.Pairs] : Array.Empty<string>(),
             .. lidars.Length == 0 ? [] : With(FramePaths.Lidar, lidars),
         ];
 

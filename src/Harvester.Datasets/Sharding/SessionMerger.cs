@@ -147,6 +147,7 @@ public static class SessionMerger
                 fields.Text("image"), fields.OptionalText("mask"),
                 fields.Has("classMap") ? fields.Fields("classMap").Text("file") : null,
                 .. fields.Has("lidar") ? fields.List("lidar").Select(sweep => sweep.Text("file")) : [],
+                .. fields.Has("pairs") ? fields.List("pairs").Select(pair => pair.OptionalText("file")) : [],
             ];
         }
         catch (Exception e) when (e is JsonException or DatasetFormatException)

@@ -30,7 +30,7 @@ public sealed record FrameLabel(
     EnvironmentState Environment,
     IReadOnlyList<ObjectLabel> Objects)
 {
-    /// <summary>Paths within the session of the files that the label names: image, mask, class map, points of LiDARs.</summary>
+    /// <summary>Paths within the session of the files that the label names: image, mask, class map, points of LiDARs, further pictures.</summary>
     public IEnumerable<string> Files
     {
         get
@@ -49,6 +49,14 @@ public sealed record FrameLabel(
             foreach (SweepLabel sweep in Lidar)
             {
                 yield return sweep.File;
+            }
+
+            foreach (PairLabel pair in Pairs)
+            {
+                if (pair.File is { } picture)
+                {
+                    yield return picture;
+                }
             }
         }
     }
@@ -73,6 +81,9 @@ public sealed record FrameLabel(
 
     /// <summary>What the LiDARs of the rig saw at the moment; empty except in the frame of its first view.</summary>
     public IReadOnlyList<SweepLabel> Lidar { get; init; } = [];
+
+    /// <summary>Further pictures of the moment in other weathers, at other hours and without objects; empty if there are none.</summary>
+    public IReadOnlyList<PairLabel> Pairs { get; init; } = [];
 
     /// <summary>Regions that show, or may show, objects without a label, the nearest first.</summary>
     public IReadOnlyList<IgnoreRegion> IgnoreRegions { get; init; } = [];
