@@ -54,6 +54,7 @@ internal static class Application
         ("stats", StatsCommand.Create),
         ("relabel", RelabelCommand.Create),
         ("export", ExportCommand.Create),
+        ("pairs", PairsCommand.Create),
         ("merge", MergeCommand.Create),
         ("project", ProjectCommand.Create),
         ("boxes", BoxesCommand.Create),
