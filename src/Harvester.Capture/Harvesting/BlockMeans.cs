@@ -10,6 +10,9 @@ internal sealed class BlockMeans
     private const int Rows = 12;
     private const int Channels = 3;
 
+    /// <summary>Of independent values, second differences have a variance of 6, first ones of 2: the root of the ratio.</summary>
+    private static readonly double SecondToFirst = Math.Sqrt(3);
+
     private readonly double[] _means;
 
     private BlockMeans(double[] means) => _means = means;
@@ -46,7 +49,7 @@ internal sealed class BlockMeans
     }
 
     /// <summary>The greatest and the mean absolute difference of the blocks of two pictures of the same size, grey levels.</summary>
-    public (double Greatest, double Mean) DifferenceTo(BlockMeans other)
+    public BlockDifference DifferenceTo(BlockMeans other)
     {
         double greatest = 0;
         double sum = 0;
@@ -57,7 +60,24 @@ internal sealed class BlockMeans
             sum += difference;
         }
 
-        return (greatest, sum / _means.Length);
+        return new BlockDifference(greatest, sum / _means.Length);
+    }
+
+    /// <summary>
+    /// The difference that noise makes between two pictures, from three successive ones: by how much the middle one is off the line between
+    /// the others. An even change does not count.
+    /// </summary>
+    public static BlockDifference NoiseOf(BlockMeans first, BlockMeans second, BlockMeans third)
+    {
+        var line = new double[first._means.Length];
+        var twice = new double[first._means.Length];
+        for (int i = 0; i < line.Length; i++)
+        {
+            line[i] = (first._means[i] + third._means[i]) / SecondToFirst;
+            twice[i] = 2 * second._means[i] / SecondToFirst;
+        }
+
+        return new BlockMeans(line).DifferenceTo(new BlockMeans(twice));
     }
 
     private static void Add(PixelBuffer picture, int row, int columns, int[] sums)

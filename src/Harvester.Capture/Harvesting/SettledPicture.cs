@@ -7,9 +7,9 @@ namespace Harvester.Capture.Harvesting;
 
 /// <summary>
 /// Decides from successive pictures of a frozen game when a change that was asked for, such as a new sky, is complete. Means of blocks are
-/// compared, in which noise averages out. The picture has settled when it differs from the one of some ticks ago by hardly more than
-/// successive pictures do: noise does not grow with the distance in time, but even a slow change does. A picture that is still as before the
-/// change may not show it yet, so it counts as settled only after a longer time.
+/// compared, in which noise averages out. The picture has settled when it differs from all of some ticks before by hardly more than noise
+/// does, which is what is left of three successive pictures when an even change is taken off. A picture that is still as before the change
+/// may not show it yet, so it counts as settled only after a longer time.
 /// </summary>
 internal sealed class SettledPicture
 {
@@ -28,11 +28,9 @@ internal sealed class SettledPicture
     /// <summary>Differences of noise vary; so much larger ones are still noise.</summary>
     private const double NoiseFactor = 2;
 
-    private readonly Queue<BlockMeans> _pictures = new();
-    private readonly Queue<(double Greatest, double Mean)> _steps = new();
+    private readonly List<BlockMeans> _pictures = [];
     private readonly int _extraTicks;
     private BlockMeans? _before;
-    private BlockMeans? _latest;
     private int _ticks;
 
     /// <summary>Creates a detector.</summary>
@@ -42,11 +40,9 @@ internal sealed class SettledPicture
     /// <summary>Begins to watch a change. The latest picture, if there is any, is the one before it.</summary>
     public void Begin()
     {
-        _before = _latest;
+        _before = _pictures.LastOrDefault();
         _ticks = 0;
         _pictures.Clear();
-        _steps.Clear();
-        _latest = null;
     }
 
     /// <summary>Takes the picture of a tick after the change was asked for.</summary>
@@ -55,24 +51,19 @@ internal sealed class SettledPicture
     {
         var now = BlockMeans.Of(picture);
         _ticks++;
-        if (_latest is { } last)
-        {
-            _steps.Enqueue(now.DifferenceTo(last));
-        }
-
-        _latest = now;
-        _pictures.Enqueue(now);
+        _pictures.Add(now);
         if (_pictures.Count <= StillTicks)
         {
             return false;
         }
 
-        BlockMeans oldest = _pictures.Dequeue();
-        (double greatest, double mean) = now.DifferenceTo(oldest);
-        double greatestNoise = NoiseFactor * MedianOf(_steps.Select(step => step.Greatest));
-        bool isStill = greatest <= ToleranceLevels + greatestNoise
-            && mean <= ToleranceLevels + (NoiseFactor * MedianOf(_steps.Select(step => step.Mean)));
-        _steps.Dequeue();
+        BlockDifference[] noise =
+            [.. Enumerable.Range(2, StillTicks - 1).Select(i => BlockMeans.NoiseOf(_pictures[i - 2], _pictures[i - 1], _pictures[i]))];
+        double greatestNoise = NoiseFactor * MedianOf(noise.Select(each => each.Greatest));
+        double meanNoise = NoiseFactor * MedianOf(noise.Select(each => each.Mean));
+        bool isStill = _pictures.Take(StillTicks).Select(now.DifferenceTo).All(difference =>
+            difference.Greatest <= ToleranceLevels + greatestNoise && difference.Mean <= ToleranceLevels + meanNoise);
+        _pictures.RemoveAt(0);
         return isStill && (_ticks >= OnsetTicks + _extraTicks
             || (_before is not null && now.DifferenceTo(_before).Greatest > ChangeLevels + greatestNoise));
     }
