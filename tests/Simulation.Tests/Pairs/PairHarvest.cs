@@ -6,6 +6,7 @@ using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Models;
+using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.Tests.Pairs;
@@ -25,6 +26,12 @@ internal sealed class PairHarvest
 
     /// <summary>The true scene at every tick in which pictures were taken.</summary>
     public List<SceneSnapshot> Scenes { get; } = [];
+
+    /// <summary>What the renderer drew at the first of these ticks, with all objects: depths, and the handles of entities.</summary>
+    public RenderTarget? Drawn { get; private set; }
+
+    /// <summary>Handles of the entities by their ids in the first frame.</summary>
+    public IReadOnlyDictionary<int, int> Handles { get; private set; } = new Dictionary<int, int>();
 
     public IReadOnlyList<string> Warnings { get; private set; } = [];
 
@@ -55,6 +62,7 @@ internal sealed class PairHarvest
                 && (harvest.Scenes.Count == 0 || !ReferenceEquals(harvest.Scenes[^1].Entities, game.Shown.Entities)))
             {
                 harvest.Scenes.Add(game.Shown);
+                harvest.Drawn ??= Copy(game.Render(Size));
             }
 
             game.Tick(1 / TicksPerSecond);
@@ -65,6 +73,11 @@ internal sealed class PairHarvest
         foreach (CapturedFrame frame in sink.Frames)
         {
             harvest.Labels.Add(frame.Label);
+            if (harvest.Handles.Count == 0)
+            {
+                harvest.Handles = frame.Scene!.Ids.ToDictionary(pair => pair.Value, pair => pair.Key);
+            }
+
             string[] names = [.. frame.Label.Pairs.Select(pair => pair.File).OfType<string>().Select(file =>
                 Path.GetFileNameWithoutExtension(file))];
             Assert.Equal(names.Length, frame.Pairs.Count);
@@ -84,6 +97,14 @@ internal sealed class PairHarvest
         Without = [.. without.Split(',', StringSplitOptions.RemoveEmptyEntries).Select(text => HiddenChoice.Parse(text)!)],
         TakesAllTicks = true,
     };
+
+    private static RenderTarget Copy(RenderTarget target)
+    {
+        var copy = new RenderTarget(target.Width, target.Height);
+        target.Handles.CopyTo(copy.Handles, 0);
+        target.Depth.CopyTo(copy.Depth, 0);
+        return copy;
+    }
 
     /// <summary>The pixels of a BMP file: rows from the bottom, blue first, each row filled up to four bytes.</summary>
     private static byte[] Decoded(byte[] file)

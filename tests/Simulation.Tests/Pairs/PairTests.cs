@@ -87,10 +87,10 @@ public sealed class PairTests
 
     [Theory]
     [InlineData(5)]
-    [InlineData(60)]
+    [InlineData(40)]
     public void Sky_that_fades_in_is_waited_for(int ticks)
     {
-        PairOptions options = PairHarvest.Options("clear,thunder", "0,12", "nearest-vehicle");
+        PairOptions options = PairHarvest.Options("thunder", "0,12", "nearest-vehicle");
         SimulationOptions slow = Town with { Quirks = new GameQuirks { SlowSkyTicks = ticks } };
 
         PairHarvest settled = PairHarvest.Of(Town, options);
