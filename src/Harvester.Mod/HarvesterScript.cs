@@ -90,6 +90,7 @@ public sealed class HarvesterScript : Script
         {
             IsWanted = () => player.DrivesLights && _harvest!.IsOn,
         };
+        var controls = new GameCarControls();
         var game = new GamePorts(world, rays, screen, time, clock, markers)
         {
             Roads = roads,
@@ -98,11 +99,12 @@ public sealed class HarvesterScript : Script
             RigCamera = mount,
             SurfaceRays = rays,
             Visibility = hidden,
+            Sky = new PlayerSky(controls, world),
             Sheets = sheets,
             Calls = calls,
             Reading = reading
         };
-        var driven = new PlayerCar(new GameCarControls(), vehicles, mount, world);
+        var driven = new PlayerCar(controls, vehicles, mount, world);
         _drive = new BridgeDriving(player.Bridge, game, driven, mount, display, _messages) { Obstacle = DriveObstacle };
         _harvest = new Harvest(player.Options, player.Folder, _messages, mount, game, display, () =>
             Origin(player))

@@ -12,12 +12,13 @@ from .frame import Frame, View
 from .lanes import INDICATOR_NAMES, Indicators, LaneLine, Lanes, VehicleInLane
 from .points import POINT_TYPE
 from .records import (
-    CLASS_NAMES, JOINT_NAMES, SEMANTIC_CLASS_NAMES, Cuboid, Ego, Face, IgnoreRegion, Joint, Light, ObjectLabel, VehicleLights)
+    CLASS_NAMES, JOINT_NAMES, SEMANTIC_CLASS_NAMES, Cuboid, Ego, Face, IgnoreRegion, Joint, Light, ObjectLabel, Pair,
+    VehicleLights)
 from .selection import Selection
 from .session import FORMAT_VERSION, Session, Track, open_session
 
 __all__ = [
     "CLASS_NAMES", "FORMAT_VERSION", "INDICATOR_NAMES", "JOINT_NAMES", "SEMANTIC_CLASS_NAMES", "Camera", "Cuboid", "Ego", "Face",
     "Frame", "IgnoreRegion", "Indicators", "Joint", "LabelError", "LaneLine", "Lanes", "Lens", "Light", "MissingPictureError",
-    "NewerFormatError", "NotASessionError", "ObjectArrays", "ObjectLabel", "POINT_TYPE", "PartialSessionError", "PictureError",
+    "NewerFormatError", "NotASessionError", "ObjectArrays", "ObjectLabel", "POINT_TYPE", "Pair", "PartialSessionError", "PictureError",
     "Projection", "Selection", "Session", "SessionError", "Track", "VehicleInLane", "VehicleLights", "View", "__version__", "open_session"]

@@ -14,7 +14,7 @@ from .motion import motion_rows
 from .pictures import Depth, read_class_map, read_depth, read_image, read_mask
 from .png import Picture
 from .points import Points, read_points
-from .records import Ego, IgnoreRegion, ObjectLabel
+from .records import Ego, IgnoreRegion, ObjectLabel, Pair
 from .selection import Selection
 
 if TYPE_CHECKING:
@@ -92,7 +92,7 @@ class View:
         Raises MissingPictureError if the file does not exist, and PictureError if it cannot be decoded or has another size.
         """
         path = self.image_path
-        return self._sized(path, read_image(path))
+        return self.sized(path, read_image(path))
 
     def mask(self) -> Picture:
         """The instance mask as (height, width), uint16: the id of the object visible at each pixel, or 0.
@@ -102,7 +102,7 @@ class View:
         path = self.mask_path
         if path is None:
             raise MissingPictureError(f"{self._source}: the frame has no mask. Harvest with --masks, or see harvester masks import.")
-        return self._sized(path, read_mask(path))
+        return self.sized(path, read_mask(path))
 
     @property
     def class_map_path(self) -> Optional[Path]:
@@ -119,7 +119,7 @@ class View:
         path = self.class_map_path
         if path is None:
             raise MissingPictureError(f"{self._source}: the frame has no class map. Harvest with --semantics.")
-        return self._sized(path, read_class_map(path))
+        return self.sized(path, read_class_map(path))
 
     def depth_path(self, kind: str = "sparse") -> Optional[Path]:
         """The file of a depth map: "sparse", what rays measured; "completed", every pixel; "error", its estimated error.
@@ -141,9 +141,10 @@ class View:
         path = self.depth_path(kind)
         if path is None:
             raise MissingPictureError(f"{self._source}: the frame has no {kind} depth. Harvest with --depth and --masks.")
-        return self._sized(path, read_depth(path))
+        return self.sized(path, read_depth(path))
 
-    def _sized(self, path: Path, picture: Picture) -> Picture:
+    def sized(self, path: Path, picture: Picture) -> Picture:
+        """A picture of the view. Raises PictureError if it has another size than the label says."""
         size = (self.camera.height, self.camera.width)
         if picture.shape[:2] != size:
             shape = f"{picture.shape[1]}x{picture.shape[0]}"
@@ -216,6 +217,21 @@ class Frame:
         """The files of the LiDARs by name; empty in all but the first view of a moment."""
         return _checked(
             self._source, lambda: {str(each["sensor"]): self.view.inner(str(each["file"])) for each in self.raw.get("lidar", ())})
+
+    @functools.cached_property
+    def pairs(self) -> Tuple[Pair, ...]:
+        """Further pictures of the moment, in other weathers, at other hours and without objects; empty if there are none."""
+        return _checked(self._source, lambda: tuple(map(Pair.from_json, self.raw.get("pairs", ()))))
+
+    def pair_image(self, pair: Pair) -> Picture:
+        """A further picture of the moment as (height, width, 3), uint8, red first.
+
+        Raises MissingPictureError if the harvest dropped it or the file does not exist, and PictureError as image does.
+        """
+        if pair.file is None:
+            raise MissingPictureError(f"{self._source}: the picture was dropped during the harvest: {pair.dropped}.")
+        path = self.view.inner(pair.file)
+        return self.view.sized(path, read_image(path))
 
     def points(self, sensor: str) -> Points:
         """The points of a LiDAR as a structured array with the fields of POINT_TYPE.

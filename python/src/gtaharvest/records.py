@@ -163,6 +163,23 @@ class ObjectLabel:
 
 
 @dataclass(frozen=True)
+class Pair:
+    """A further picture of the moment of a frame, which shares its labels. file is None if the harvest dropped it, for the reason
+    dropped: unsettled, notHidden or noPicture. without has the ids of the hidden objects."""
+
+    file: Optional[str]
+    weather: str
+    time_of_day: str
+    without: Tuple[int, ...]
+    dropped: Optional[str]
+
+    @staticmethod
+    def from_json(pair: Mapping[str, Any]) -> Pair:
+        """The record of an entry of pairs."""
+        return Pair(pair["file"], pair["weather"], pair["timeOfDay"], tuple(pair["without"]), pair.get("dropped"))
+
+
+@dataclass(frozen=True)
 class IgnoreRegion:
     """A part of an image that shows, or may show, an object without a label."""
 

@@ -33,7 +33,7 @@ internal sealed class CaptureFlows(
 
         FrameLabeller labeller = LabellerOf(options, registry, rays, lanes);
         return options.Freeze
-            ? new FrozenFlow(options, game, reader, labeller, pool, budget, counters, calls, Photographer)
+            ? new FrozenFlow(options, game, reader, labeller, pool, budget, counters, calls, Photographer, Pairs)
             {
                 TakesNext = () => Takes(sink.FirstFrame + counters.Taken),
             }
@@ -43,6 +43,9 @@ internal sealed class CaptureFlows(
     /// <summary>Takes the pictures for coded masks; null if there are none.</summary>
     public CodedPhotographer? Photographer { get; } =
         options is { Masks: true, MaskMethod: not MaskMethod.Rays } ? new CodedPhotographer(game, pool, options.MaxPictureLagTicks) : null;
+
+    /// <summary>Takes the further pictures of moments; null if there are none.</summary>
+    public PairPhotographer? Pairs { get; } = options.Pairs.IsAny ? new PairPhotographer(options, game, pool) : null;
 
     /// <summary>Compares masks of both methods; null if they are not compared.</summary>
     public MaskComparison? Comparison { get; } = options is { Masks: true, MaskMethod: MaskMethod.Both } ? new MaskComparison() : null;

@@ -48,6 +48,9 @@ public sealed class CapturedFrame : IDisposable
     /// <summary>The points of the LiDARs, in the order of the label; empty except for the first view of a moment.</summary>
     public IReadOnlyList<LidarSweep> Sweeps { get; init; } = [];
 
+    /// <summary>The bytes of the files of further pictures, in the order of those in the label that have a file.</summary>
+    public IReadOnlyList<byte[]> Pairs { get; init; } = [];
+
     /// <summary>The scene from which its labels were made; null if scenes are not recorded.</summary>
     public RecordedScene? Scene { get; init; }
 

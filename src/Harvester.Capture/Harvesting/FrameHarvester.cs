@@ -1,7 +1,9 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Harvester.Capture.Labelling;
 using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Semantics;
 
@@ -16,7 +18,8 @@ internal sealed class FrameHarvester(
     HarvestOptions options, IFrameSink sink, ICaptureFlow flow, HarvestCounters counters, MotionRecorder? motion)
     : IDisposable
 {
-    private readonly PictureQueue _drawing = new(Math.Max(PictureQueue.UsualCapacity, options.ViewsPerMoment));
+    private readonly PictureQueue _drawing = new(
+        options.Pairs.IsAny ? 0 : Math.Max(PictureQueue.UsualCapacity, options.ViewsPerMoment));
     private CapturedFrame? _ready;
 
     /// <summary>Harvests or discards one frame, or all views of one moment. Disposing the sequence resumes the game.</summary>
@@ -107,7 +110,8 @@ internal sealed class FrameHarvester(
 
     private CapturedFrame OldestFrame()
     {
-        (int number, (FrameDraft draft, GrabbedPicture grabbed)) = _drawing.Remove();
+        (int number, TakenFrame taken) = _drawing.Remove();
+        (FrameDraft draft, GrabbedPicture grabbed) = taken;
         PixelBuffer? picture = null;
         try
         {
@@ -118,8 +122,13 @@ internal sealed class FrameHarvester(
                 ClassColours.Complete(classes, draft.Mask, picture);
             }
 
-            return new CapturedFrame(draft.Label(number, options.Format, options.Places), picture, draft.Mask, grabbed.Pool)
+            FrameLabel label = draft.Label(number, options.Format, options.Places) with
             {
+                Pairs = [.. taken.Pairs.Select(pair => pair.Label(number, options.Format))],
+            };
+            return new CapturedFrame(label, picture, draft.Mask, grabbed.Pool)
+            {
+                Pairs = [.. taken.Pairs.Where(pair => pair.Content is not null).Select(pair => pair.Content!.GetAwaiter().GetResult())],
                 Classes = draft.Classes,
                 Depth = draft.Depth,
                 Sweeps = draft.Sweeps,

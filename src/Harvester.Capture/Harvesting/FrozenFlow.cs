@@ -24,7 +24,8 @@ internal sealed class FrozenFlow(
     TickBudget budget,
     HarvestCounters counters,
     PhaseCalls calls,
-    CodedPhotographer? photographer)
+    CodedPhotographer? photographer,
+    PairPhotographer? pairs)
     : ICaptureFlow
 {
     private readonly FrozenScene _scene = new(options, reader, budget, counters, calls);
@@ -100,6 +101,17 @@ internal sealed class FrozenFlow(
                 }
             }
 
+            if (pairs is not null)
+            {
+                photographer?.Release();
+                foreach (HarvestPhase phase in isOurs ? pairs.Take(draft!, picture!.WaitForPixels()) : pairs.Pass())
+                {
+                    yield return phase;
+                }
+
+                calls.Charge(HarvestPhase.Photographing);
+            }
+
             foreach (HarvestPhase phase in _scene.Read(HarvestPhase.Labelling))
             {
                 yield return phase;
@@ -115,7 +127,7 @@ internal sealed class FrozenFlow(
             TakenSeconds = snapshot.TimeSeconds;
             if (isOurs)
             {
-                Taken = [new TakenFrame(draft!, picture!)];
+                Taken = [new TakenFrame(draft!, picture!) { Pairs = pairs?.Taken ?? [] }];
                 picture = null;
             }
         }
@@ -123,6 +135,7 @@ internal sealed class FrozenFlow(
         {
             picture?.Dispose();
             photographer?.Release();
+            pairs?.Release();
             game.Pause.Unfreeze();
             calls.Charge(HarvestPhase.Labelling);
         }

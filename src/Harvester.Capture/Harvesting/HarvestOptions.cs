@@ -28,6 +28,9 @@ public sealed record HarvestOptions : LabellingOptions
     /// <summary>Number of frames of one moment: one per camera.</summary>
     public int ViewsPerMoment => Rig?.Cameras.Count ?? 1;
 
+    /// <summary>The further pictures of each moment; none by default. They need a frozen harvest without a rig.</summary>
+    public PairOptions Pairs { get; init; } = new();
+
     /// <summary>File format of the saved images.</summary>
     public ImageFormat Format { get; init; } = ImageFormat.Png;
 

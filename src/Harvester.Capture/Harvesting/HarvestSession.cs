@@ -70,6 +70,13 @@ public sealed class HarvestSession : IDisposable
             throw new ArgumentException("Depth maps need a game that is frozen for each frame and reports normals.", nameof(options));
         }
 
+        if (options.Pairs.IsAny && (!options.Freeze || options.Rig is not null || game.Sky is null || game.Visibility is null))
+        {
+            throw new ArgumentException(
+                "Pairs need a game that is frozen for each moment, without a rig, and lets its weather be set and its objects be hidden.",
+                nameof(options));
+        }
+
         _budget = new TickBudget(game.Clock, options.TickBudgetMilliseconds);
         Calls = new PhaseCalls(game.Calls);
         _motion = options.Motion ? new MotionRecorder(game.World) : null;
@@ -89,7 +96,8 @@ public sealed class HarvestSession : IDisposable
     public string? Fault => Failure?.Message;
 
     /// <summary>What could not be checked; empty until the first frame.</summary>
-    public IReadOnlyList<CaptureFault> Warnings => [.. _unchecked, .. new[] { _flows?.Photographer?.Warning }.OfType<CaptureFault>()];
+    public IReadOnlyList<CaptureFault> Warnings =>
+        [.. _unchecked, .. new[] { _flows?.Photographer?.Warning, _flows?.Pairs?.Warning }.OfType<CaptureFault>()];
 
     /// <summary>How well masks from rays agree with those from photographs; null if they are not compared.</summary>
     public MaskComparison? MaskComparison => _flows?.Comparison;
@@ -303,6 +311,7 @@ public sealed class HarvestSession : IDisposable
             {
                 // Disposing the flow of a frame resumes the game; a flow that was ended by a fault may not have done so.
                 _flows?.Photographer?.Release();
+                _flows?.Pairs?.Release();
                 _game.Pause.Unfreeze();
             }
             finally

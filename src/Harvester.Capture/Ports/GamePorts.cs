@@ -41,6 +41,9 @@ public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IP
     /// <summary>Draws sheets in the world; null if the game cannot.</summary>
     public ISheets? Sheets { get; init; }
 
+    /// <summary>Weather and time of day, if they can be set; otherwise null.</summary>
+    public ISky? Sky { get; init; }
+
     /// <summary>The camera, if it can be moved on its vehicle; otherwise null.</summary>
     public IMountedCamera? MountedCamera { get; init; }
 

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
+using System.Linq;
 using System.Text;
 using System.Threading;
 using Harvester.Capture.Harvesting;
@@ -110,6 +111,7 @@ internal sealed class FrameStore(
             written.Add(new(name, files.WriteWhole(name, stream => LidarFile.Write(stream, sweep.Points))));
         }
 
+        WritePairs(frame, written);
         if (frame.Scene is { } scene)
         {
             string name = FramePaths.Scene(frame.Label.Frame);
@@ -129,6 +131,19 @@ internal sealed class FrameStore(
         if (mode != SyncMode.Batch || _labelLines.Count >= SyncBatch.MaxFrames || _age.Elapsed >= SyncBatch.MaxAge)
         {
             Commit();
+        }
+    }
+
+    private void WritePairs(CapturedFrame frame, List<KeyValuePair<string, FileDigest>> written)
+    {
+        if (frame.Pairs.Count > 0)
+        {
+            files.MakeFolder(FramePaths.PairsOf(frame.Label.Frame));
+        }
+
+        foreach ((string name, byte[] bytes) in frame.Label.Pairs.Select(pair => pair.File).OfType<string>().Zip(frame.Pairs, (a, b) => (a, b)))
+        {
+            written.Add(new(name, files.WriteWhole(name, stream => stream.Write(bytes, 0, bytes.Length))));
         }
     }
 

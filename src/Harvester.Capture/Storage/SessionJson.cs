@@ -111,8 +111,36 @@ internal static class SessionJson
             .Key("occlusionSamples").Integer(options.OcclusionSamples)
             .Key("maxPictureLagTicks").Integer(options.MaxPictureLagTicks)
             .Key("maxSettleTicks").Integer(options.MaxSettleTicks)
-            .Key("stillToleranceMetres").Number(options.StillToleranceMetres, LabelDecimals.Seconds)
-            .EndObject();
+            .Key("stillToleranceMetres").Number(options.StillToleranceMetres, LabelDecimals.Seconds);
+        if (options.Pairs.IsAny)
+        {
+            Append(json.Key("pairs"), options.Pairs);
+        }
+
+        json.EndObject();
+    }
+
+    private static void Append(JsonText json, PairOptions pairs)
+    {
+        json.BeginObject().Key("weathers").BeginArray();
+        foreach (string weather in pairs.Weathers)
+        {
+            json.String(weather);
+        }
+
+        json.EndArray().Key("hours").BeginArray();
+        foreach (int hour in pairs.Hours)
+        {
+            json.Integer(hour);
+        }
+
+        json.EndArray().Key("without").BeginArray();
+        foreach (HiddenChoice choice in pairs.Without)
+        {
+            json.String(choice.Name);
+        }
+
+        json.EndArray().Key("maxTicks").Integer(pairs.MaxTicks).EndObject();
     }
 
     private static void AppendTruth(JsonText json, IReadOnlyList<KeyValuePair<string, LabelTruth>> truth)

@@ -126,7 +126,8 @@ public sealed class SessionWriter : IFrameSink
             KeepsManifest,
             start.Options.ViewsPerMoment);
         _space = new SpaceWatch(Folder, start.Options.MinFreeBytes, _disk);
-        _queue = new BlockingCollection<CapturedFrame>(start.Options.QueueCapacity);
+        // The pictures of one moment may take more memory than all other frames in the queue.
+        _queue = new BlockingCollection<CapturedFrame>(start.Options.Pairs.IsAny ? 1 : start.Options.QueueCapacity);
         _thread = new Thread(WriteAll) { IsBackground = true, Name = "harvest writer" };
         _thread.Start();
     }
@@ -245,6 +246,7 @@ public sealed class SessionWriter : IFrameSink
             .. options.Depth ? With(FramePaths.DepthMaps, views) : [],
             .. options is { Depth: true, Masks: true } ? With(FramePaths.CompletedDepths, views) : [],
             .. options is { Depth: true, Masks: true } ? With(FramePaths.DepthErrors, views) : [],
+            .. options.Pairs.IsAny ? [FramePaths.Pairs] : Array.Empty<string>(),
             .. lidars.Length == 0 ? [] : With(FramePaths.Lidar, lidars),
         ];
 

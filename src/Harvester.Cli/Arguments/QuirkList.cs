@@ -17,6 +17,7 @@ internal static class QuirkList
         + "  boxRays        rays hit the box around an object instead of its shape\n"
         + "  missedRays=P   rays pass through a fraction P of the moving vehicles beyond 30 m\n"
         + "  lateHiding=N   objects are hidden and shown N ticks after the harvest asks for it\n"
+        + "  slowSky=N      a new weather or time of day fades in within N ticks\n"
         + "  unhideable=P   a fraction P of the objects cannot be hidden\n"
         + "  shadowsRemain  hidden objects still cast shadows\n"
         + "  noise=L        every pixel has noise with a standard deviation of L grey levels, 0 to 20\n"
@@ -29,7 +30,7 @@ internal static class QuirkList
         + "The last five apply to both freeze methods; the prefix paused. or timeScale., as in paused.creep=3, limits them to one.";
 
     private const string Form =
-        "lag=N, lateCamera, vanish=P, boxRays, missedRays=P, lateHiding=N, unhideable=P, shadowsRemain, noise=L, movingTextures, "
+        "lag=N, lateCamera, vanish=P, boxRays, missedRays=P, lateHiding=N, slowSky=N, unhideable=P, shadowsRemain, noise=L, movingTextures, "
         + "creep=N, restless, heldCamera, weather and visibility";
     private const int MaxTicks = 60;
     private const double MaxLevels = 20;
@@ -64,6 +65,7 @@ internal static class QuirkList
             ("missedRays", not null) => Fraction(value) is { } missed ? quirks with { RayMissFraction = missed } : null,
             ("lateCamera", null) => quirks with { IsCameraReportedLate = true },
             ("lateHiding", not null) => Ticks(value) is { } late ? quirks with { VisibilityDelayTicks = late } : null,
+            ("slowSky", not null) => Ticks(value) is { } slow ? quirks with { SlowSkyTicks = slow } : null,
             ("unhideable", not null) => Fraction(value) is { } shown ? quirks with { UnhideableFraction = shown } : null,
             ("shadowsRemain", null) => quirks with { ShadowsRemain = true },
             ("noise", not null) => Levels(value) is { } levels ? quirks with { PictureNoiseLevels = levels } : null,

@@ -47,6 +47,11 @@ internal sealed class RigOption
             throw new UsageException("With --rig, masks come from rays. Use --masks without a value.");
         }
 
+        if (plan.Options.Pairs.IsAny)
+        {
+            throw new UsageException("The --pair options cannot be used with --rig.");
+        }
+
         return Mounted(plan, Read(file.FullName));
     }
 

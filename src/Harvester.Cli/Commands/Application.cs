@@ -58,6 +58,7 @@ internal static class Application
         ("stats", StatsCommand.Create),
         ("relabel", RelabelCommand.Create),
         ("export", ExportCommand.Create),
+        ("pairs", PairsCommand.Create),
         ("merge", MergeCommand.Create),
         ("supervise", SuperviseCommand.Create),
         ("project", ProjectCommand.Create),

@@ -35,6 +35,7 @@ internal sealed class HarvestCommand
         + "with the same bytes as if it had not been stopped; without --resume it starts anew. A shard is a session with every N-th\n"
         + "frame of the full run, under the same frame numbers and without a report; harvester merge combines all shards.\n\n"
         + MaskOption.Notes + "\n\n"
+        + PairsOption.Notes + "\n\n"
         + QuirkList.Notes + "\n\n"
         + "Examples:\n"
         + "  harvester harvest --out out\n"
@@ -43,6 +44,7 @@ internal sealed class HarvestCommand
         + "  harvester harvest --out distorted --k1 -0.05 --focal-scale 1.01\n"
         + "  harvester harvest --out streets --roads nodes.zip --places 20\n"
         + "  harvester harvest --out around --rig data/rigs/nuscenes.json --hz 2 --frames 40\n"
+        + "  harvester harvest --out pairs --frames 20 --pair-weathers clear,rain --pair-hours 0,6,12 --pair-without nearest-sign\n"
         + "  harvester harvest --out part-2 --frames 5000 --shard 2/8";
 
     private Option<string> Out { get; } =
@@ -146,6 +148,7 @@ internal sealed class HarvestCommand
 
     private LensOptions LensOf { get; } = new();
     private RigOption RigOf { get; } = new();
+    private PairsOption PairsOf { get; } = new();
     private Option<Shard> ShardOf { get; } = ShardOption.Create();
     private Option<SyncMode> Sync { get; } = SyncOption.Create();
     private Option<long?> MinFree { get; } = MinFreeOption.Create();
@@ -166,6 +169,7 @@ internal sealed class HarvestCommand
         Variety.AddTo(command);
         LensOf.AddTo(command);
         RigOf.AddTo(command);
+        PairsOf.AddTo(command);
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
             Task.FromResult(Run(
@@ -292,6 +296,7 @@ internal sealed class HarvestCommand
             Motion = parsed.GetValue(Motion),
             Sync = parsed.GetValue(Sync),
             MinFreeBytes = MinFreeOption.BytesIn(parsed, MinFree),
+            Pairs = PairsOf.Parse(parsed),
         };
     }
 

@@ -125,6 +125,11 @@ public static class MaskImporter
             yield return new(sweep.File, digests.Of(label.Frame, sweep.File));
         }
 
+        foreach (string pair in label.Pairs.Select(pair => pair.File).OfType<string>())
+        {
+            yield return new(pair, digests.Of(label.Frame, pair));
+        }
+
         if (label.Frame >= 0 && FramePaths.Scene(label.Frame) is var scene && File.Exists(session.PathOf(scene)))
         {
             yield return new(scene, digests.Of(label.Frame, scene));

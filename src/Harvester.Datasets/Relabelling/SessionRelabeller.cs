@@ -187,6 +187,11 @@ public sealed class SessionRelabeller
             Place(sweep.File);
         }
 
+        foreach (string pair in made.Pairs.Select(pair => pair.File).OfType<string>())
+        {
+            Place(pair);
+        }
+
         if (made.Mask is not { } mask)
         {
             return;

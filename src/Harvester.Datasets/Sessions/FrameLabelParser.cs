@@ -63,6 +63,7 @@ public static class FrameLabelParser
             View = frame.OptionalText("view"),
             Lidar = frame.Has("lidar") ? [.. frame.List("lidar").Select(ReadSweep)] : [],
             Motion = MotionParser.Parse(frame),
+            Pairs = frame.Has("pairs") ? [.. frame.List("pairs").Select(ReadPair)] : [],
             Place = frame.Has("place") ? frame.Integer("place") : null,
             PlaceFrame = frame.Has("placeFrame") ? frame.Integer("placeFrame") : null,
             PixelMap = frame.Has("pixelMap") ? ReadPixelMap(frame.Fields("pixelMap")) : null,
@@ -133,6 +134,19 @@ public static class FrameLabelParser
             : throw new DatasetFormatException($"file of lidar must name points ({SweepFile}), not \"{name}\"."),
         sweep.Integer("points"),
         sweep.Integer("raysCast"));
+
+    private static PairLabel ReadPair(JsonFields pair)
+    {
+        EnvironmentState sky = ReadEnvironment(pair);
+        string? file = pair.Has("file") ? PictureName(pair, "file") : null;
+        PairDrop? dropped = pair.Has("dropped") ? pair.Name<PairDrop>("dropped") : null;
+        return file is null == dropped is not null
+            ? new PairLabel(file, sky.Weather, sky.TimeOfDay, [.. pair.Numbers("without").Select(ReadId)]) { Dropped = dropped }
+            : throw new DatasetFormatException("A picture of pairs must have either a file or the reason why it was dropped.");
+    }
+
+    private static int ReadId(double number) => number is >= 1 and <= ushort.MaxValue && number == Math.Floor(number) ? (int)number
+        : throw new DatasetFormatException($"without of pairs must hold ids from 1 to {ushort.MaxValue}.");
 
     private static CameraLabel ReadCamera(JsonFields camera)
     {

@@ -20,6 +20,9 @@ public static class SessionFolder
     private static readonly string[] Common = [Path.GetFileName(FramePaths.Faces), Path.GetFileName(FramePaths.Roads)];
     private static readonly Regex FrameFile = new(@"\A[0-9]{8,}\.(png|bmp|jpg|json|bin)\z", RegexOptions.CultureInvariant);
 
+    private static readonly Regex PairFile =
+        new(@"\A[a-z]+(-[0-9]{2})?(-without-[A-Za-z0-9-]{1,60})?\.(png|bmp|jpg)\z", RegexOptions.CultureInvariant);
+
     private static readonly Regex View = new(@"\A[A-Za-z0-9][A-Za-z0-9_-]{0,39}\z", RegexOptions.CultureInvariant);
 
     /// <summary>The path within a folder of something that is no part of a session; null if there is none.</summary>
@@ -115,7 +118,8 @@ public static class SessionFolder
     private static string? ForeignInView(string path) => !View.IsMatch(Path.GetFileName(path)) ? ""
         : new FileInfo(path).LinkTarget is not null ? null
         : Directory.EnumerateFileSystemEntries(path).Select(Path.GetFileName).OfType<string>()
-            .FirstOrDefault(name => !FrameFile.IsMatch(TargetOf(name)));
+            .FirstOrDefault(name => TargetOf(name) is var target && !FrameFile.IsMatch(target)
+                && !(PairFile.IsMatch(target) && Path.GetFileName(Path.GetDirectoryName(path)) == FramePaths.Pairs));
 
     private static bool IsOwn(string name) => UnfinishedMark.Is(name) || Files.Contains(TargetOf(name)) || IsLock(TargetOf(name));
 

@@ -163,6 +163,7 @@ public static class SessionMerger
                 .. fields.Has("depth")
                     ? DepthKinds.Select(fields.Fields("depth").OptionalText) : [],
                 .. fields.Has("lidar") ? fields.List("lidar").Select(sweep => sweep.Text("file")) : [],
+                .. fields.Has("pairs") ? fields.List("pairs").Select(pair => pair.OptionalText("file")) : [],
             ];
         }
         catch (Exception e) when (e is JsonException or DatasetFormatException)

@@ -45,6 +45,8 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
             mask = mask.Concat(DepthProblems(label, depth, taken, manifest));
         }
 
+        mask = mask.Concat(label.Pairs.Select(pair => pair.File).OfType<string>()
+            .Select(file => Problem("further picture", file, label.Camera, null, taken, manifest)).OfType<string>());
         mask = mask.Concat(label.Lidar.Select(sweep => SweepProblem(sweep, taken, manifest)).OfType<string>());
         return Problem("image", label.Image, label.Camera, null, taken, manifest) is { } image ? mask.Prepend(image) : mask;
     }

@@ -1,5 +1,7 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
@@ -59,6 +61,7 @@ public static class HarvestSettings
             },
             Semantics = semantics ? SemanticsMethod.Rays : null,
             Motion = ini.Choice(Harvest, "Motion", Switch.Off, "On or Off") == Switch.On,
+            Pairs = PairsOf(ini),
             RayBudget = ini.Whole(Harvest, "Rays", fallback.RayBudget, 0, LabellingOptions.MaxRays),
             RayReachMetres = ini.Number(Harvest, "RayReach", fallback.RayReachMetres, 1, 100_000),
             OcclusionSamples = ini.Whole(Harvest, "OcclusionRays", fallback.OcclusionSamples, 1, 10_000),
@@ -83,6 +86,23 @@ public static class HarvestSettings
         new(K1, lens.K1),
         new(K2, lens.K2),
     ];
+
+    private static PairOptions PairsOf(IniFile ini)
+    {
+        var fallback = new PairOptions();
+        string[] allHours = [.. Enumerable.Range(0, 24).Select(hour => hour.ToString(CultureInfo.InvariantCulture))];
+        IReadOnlyList<string> hours = ini.List(
+            Harvest, "PairHours", "a list of whole hours from 0 to 23", text => allHours.Contains(text) ? text : null);
+        return fallback with
+        {
+            Weathers = ini.List(
+                Harvest, "PairWeathers", "a list of " + string.Join(", ", WeatherNames.All),
+                text => WeatherNames.IsKnown(text.ToLowerInvariant()) ? text.ToLowerInvariant() : null),
+            Hours = hours.Count == 0 ? fallback.Hours : [.. hours.Select(text => int.Parse(text, CultureInfo.InvariantCulture))],
+            Without = ini.List(Harvest, "PairWithout", "a list of " + HiddenChoice.Form, HiddenChoice.Parse),
+            MaxTicks = ini.Whole(Harvest, "PairTicks", fallback.MaxTicks, 10, 10_000),
+        };
+    }
 
     private static FreezeMethod? FreezeByOf(FreezeChoice choice) => choice switch
     {

@@ -114,6 +114,21 @@ public sealed class IniFile
             return (good, good && chosen.SequenceEqual(fallback) ? fallback : chosen);
         });
 
+    /// <summary>Different values separated by commas; none by default.</summary>
+    /// <typeparam name="T">Their type.</typeparam>
+    /// <param name="section">The section.</param>
+    /// <param name="name">The name.</param>
+    /// <param name="expected">What the list must be.</param>
+    /// <param name="parse">Reads a value; null if the text is none.</param>
+    public IReadOnlyList<T> List<T>(string section, string name, string expected, Func<string, T?> parse)
+        where T : class =>
+        Parse<IReadOnlyList<T>>(section, name, [], expected, text =>
+        {
+            string[] parts = [.. text.Split(',').Select(part => part.Trim())];
+            T[] values = [.. parts.Select(parse).OfType<T>()];
+            return (values.Length == parts.Length && parts.Distinct().Count() == parts.Length, values);
+        });
+
     private static bool TryName<T>(string text, out T value)
         where T : struct, Enum
     {

@@ -20,8 +20,8 @@ public static class FramePaths
     public const string Scenes = "scenes";
 
     /// <summary>The folders of a session that hold files of frames.</summary>
-    public static IReadOnlyList<string> Folders { get; } = 
-        [Frames, Masks, ClassMaps, DepthMaps, CompletedDepths, DepthErrors, Lidar, Scenes];
+    public static IReadOnlyList<string> Folders { get; } =
+        [Frames, Masks, ClassMaps, DepthMaps, CompletedDepths, DepthErrors, Lidar, Pairs, Scenes];
 
     /// <summary>Path of the table of faces used for the labels.</summary>
     public const string Faces = Scenes + "/spaces.csv";
@@ -40,6 +40,9 @@ public static class FramePaths
 
     /// <summary>Folder of the points of LiDARs.</summary>
     public const string Lidar = "lidar";
+
+    /// <summary>Folder of the further pictures of moments.</summary>
+    public const string Pairs = "pairs";
 
     /// <summary>Path of a screenshot.</summary>
     /// <param name="frame">Number of the frame.</param>
@@ -77,6 +80,15 @@ public static class FramePaths
     /// <param name="frame">Number of the frame of the moment's first view.</param>
     /// <param name="sensor">Name of the LiDAR.</param>
     public static string Sweep(int frame, string sensor) => $"{Lidar}/{sensor}/{Number(frame)}.bin";
+
+    /// <summary>Folder of the further pictures of a frame's moment.</summary>
+    public static string PairsOf(int frame) => $"{Pairs}/{Number(frame)}";
+
+    /// <summary>Path of a further picture of a frame's moment.</summary>
+    /// <param name="frame">Number of the frame.</param>
+    /// <param name="name">What the picture shows, as a file name without its ending.</param>
+    /// <param name="format">The format of the session's images.</param>
+    public static string Pair(int frame, string name, ImageFormat format) => $"{PairsOf(frame)}/{name}{format.Extension()}";
 
     /// <summary>The folder of a view, or of a LiDAR, in a folder of the session.</summary>
     public static string In(string folder, string? view) => view is null ? folder : $"{folder}/{view}";

@@ -30,7 +30,9 @@ public sealed record FrameLabel(
     EnvironmentState Environment,
     IReadOnlyList<ObjectLabel> Objects)
 {
-    /// <summary>Paths within the session of the files that the label names: image, mask, class map, depth maps, points of LiDARs.</summary>
+    /// <summary>
+    /// Paths within the session of the files that the label names: image, mask, class map, depth maps, points of LiDARs, further pictures.
+    /// </summary>
     public IEnumerable<string> Files
     {
         get
@@ -54,6 +56,14 @@ public sealed record FrameLabel(
             foreach (SweepLabel sweep in Lidar)
             {
                 yield return sweep.File;
+            }
+
+            foreach (PairLabel pair in Pairs)
+            {
+                if (pair.File is { } picture)
+                {
+                    yield return picture;
+                }
             }
         }
     }
@@ -87,6 +97,9 @@ public sealed record FrameLabel(
     /// the first view of a moment.
     /// </summary>
     public IReadOnlyList<MotionSample>? Motion { get; init; }
+
+    /// <summary>Further pictures of the moment in other weathers, at other hours and without objects; empty if there are none.</summary>
+    public IReadOnlyList<PairLabel> Pairs { get; init; } = [];
 
     /// <summary>Regions that show, or may show, objects without a label, the nearest first.</summary>
     public IReadOnlyList<IgnoreRegion> IgnoreRegions { get; init; } = [];

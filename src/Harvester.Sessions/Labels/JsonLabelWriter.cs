@@ -62,6 +62,7 @@ public static class JsonLabelWriter
 
         Append(json.Key("rays"), frame.Rays);
         SweepsJson.Append(json, frame.Lidar);
+        PairsJson.Append(json, frame.Pairs);
         Append(json.Key("camera"), frame.Camera);
         Append(json.Key("ego"), frame.Ego);
         MotionJson.Append(json, frame.Motion);

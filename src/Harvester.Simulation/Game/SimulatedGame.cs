@@ -43,6 +43,8 @@ public sealed class SimulatedGame
     private double _weatherAheadSeconds;
     private long _state;
     private int _precipitation;
+    private (string Weather, TimeSpan Start)? _skyBefore;
+    private readonly SkyFade _fade;
     private long _rayState = -1;
 
     /// <summary>Builds the world.</summary>
@@ -56,6 +58,7 @@ public sealed class SimulatedGame
             new Pose(new Vector3D(0, 2, 0.4), Axes.Identity), options.VerticalFovDegrees, options.WindowAspect, options.Lens);
         View = _view;
         _weather = new WeatherClock(options);
+        _fade = new SkyFade(options.Quirks.SlowSkyTicks);
         Enter(0);
         Freezing = new Freezing(options.Seed, options.Quirks);
         Hidden = new HiddenEntities(options.Seed, options.Quirks);
@@ -75,6 +78,7 @@ public sealed class SimulatedGame
             Paint = new PaintPort(this),
             Lights = new LightsPort(this),
             Visibility = new VisibilityPort(this),
+            Sky = new SkyPort(this),
             Sheets = new SheetsPort(this),
             Surfaces = new SurfacePort(this),
             DrawnOcclusion = options.ReportsTrueOcclusion ? new DrawnOcclusionPort(this) : null,
@@ -170,6 +174,8 @@ public sealed class SimulatedGame
     /// <summary>The world's time for time of day and weather, which may continue in a frozen world.</summary>
     private double WeatherSeconds => _world.TimeSeconds + _weatherAheadSeconds;
 
+    private Lighting Light => _fade.Shown(_weather.LightingAt(WeatherSeconds));
+
     private CameraState Camera =>
         new(_world.Ego.Pose.Compose(_view.Mount), _view.VerticalFovDegrees, _options.NearClip, _view.Aspect);
 
@@ -187,7 +193,7 @@ public sealed class SimulatedGame
                     new SceneSnapshot(GameFrame, _world.TimeSeconds, Camera, _world.EgoState,
                         _world.EntitiesNear(eye, double.PositiveInfinity), Environment),
                     [.. _world.MovingNear(eye, SightRange), .. Markers.Select(MarkerModel.Of), .. Sheets.Select(SheetModel.Of)],
-                    _weather.LightingAt(WeatherSeconds) with { PrecipitationSeed = _precipitation },
+                    Light with { PrecipitationSeed = _precipitation },
                     _world.LightsNear(eye))
                 {
                     Hidden = Hidden.Current,
@@ -255,6 +261,7 @@ public sealed class SimulatedGame
         }
 
         _state += Hidden.Tick() ? 1 : 0;
+        _state += _fade.Tick() ? 1 : 0;
         _vanishing.Tick(GameFrame);
         Hide();
 
@@ -314,6 +321,28 @@ public sealed class SimulatedGame
     {
         _weather.Set(weather, timeOfDay, WeatherSeconds);
         _state++;
+    }
+
+    /// <summary>Sets weather and time of day until they are restored; null for those before.</summary>
+    internal void SetSky(string? weather, TimeSpan? timeOfDay)
+    {
+        Lighting shown = Light;
+        _skyBefore ??= _weather.Keep();
+        _weather.Restore(_skyBefore.Value);
+        SetEnvironment(weather, timeOfDay);
+        _fade.Begin(shown);
+    }
+
+    /// <summary>Gives weather and time of day back as they were before they were set.</summary>
+    internal void RestoreSky()
+    {
+        if (_skyBefore is { } before)
+        {
+            _fade.Begin(Light);
+            _skyBefore = null;
+            _weather.Restore(before);
+            _state++;
+        }
     }
 
     internal IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range)

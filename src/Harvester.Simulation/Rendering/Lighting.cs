@@ -43,4 +43,25 @@ public sealed record Lighting
 
     /// <summary>Seed of the positions of raindrops and snowflakes; different for each frame.</summary>
     public int PrecipitationSeed { get; init; }
+
+    /// <summary>The light a fraction of the way to another one.</summary>
+    internal Lighting Towards(Lighting other, double fraction)
+    {
+        double Mixed(double own, double others) => own + ((others - own) * fraction);
+        return this with
+        {
+            SunDirection = (SunDirection + ((other.SunDirection - SunDirection) * fraction)).Normalized(),
+            SunColour = SunColour.Towards(other.SunColour, fraction),
+            AmbientColour = AmbientColour.Towards(other.AmbientColour, fraction),
+            ZenithColour = ZenithColour.Towards(other.ZenithColour, fraction),
+            HorizonColour = HorizonColour.Towards(other.HorizonColour, fraction),
+            GlowColour = GlowColour.Towards(other.GlowColour, fraction),
+            GlowDirection = (GlowDirection + ((other.GlowDirection - GlowDirection) * fraction)).Normalized(),
+            FogDensity = Mixed(FogDensity, other.FogDensity),
+            CloudFraction = Mixed(CloudFraction, other.CloudFraction),
+            RainFraction = Mixed(RainFraction, other.RainFraction),
+            SnowFraction = Mixed(SnowFraction, other.SnowFraction),
+            NightFraction = Mixed(NightFraction, other.NightFraction),
+        };
+    }
 }

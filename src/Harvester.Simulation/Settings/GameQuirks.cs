@@ -34,6 +34,9 @@ public sealed record GameQuirks
     /// <summary>Number of ticks after which the hiding or showing of an entity takes effect; 0, the next picture, or more.</summary>
     public int VisibilityDelayTicks { get; init; }
 
+    /// <summary>Number of ticks in which a new weather or time of day fades in; 0, at once, or more.</summary>
+    public int SlowSkyTicks { get; init; }
+
     /// <summary>Fraction of the entities that cannot be hidden, 0 to 1.</summary>
     public double UnhideableFraction { get; init; }
 

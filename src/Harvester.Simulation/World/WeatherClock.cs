@@ -44,6 +44,12 @@ internal sealed class WeatherClock
     public void Set(string? weather, TimeSpan? timeOfDay, double worldSeconds) =>
         (_weather, _start) = Checked(weather ?? _weather, timeOfDay is { } now ? _start + now - TimeOfDay(worldSeconds) : _start);
 
+    /// <summary>What was set, to be given back to <see cref="Restore"/>.</summary>
+    public (string Weather, TimeSpan Start) Keep() => (_weather, _start);
+
+    /// <summary>Sets what was kept.</summary>
+    public void Restore((string Weather, TimeSpan Start) kept) => (_weather, _start) = kept;
+
     private static (string Weather, TimeSpan Start) Checked(string weather, TimeSpan start)
     {
         _ = Weather.LightingOf(weather, FirstDay, start);

@@ -13,6 +13,9 @@ internal sealed class TestScreen(TestGame game) : IScreen, IGameWindow
     /// <summary>Whether the picture changes with the entities that are hidden.</summary>
     public bool ShowsHiding { get; set; } = true;
 
+    /// <summary>Whether the picture shows weather and time of day instead of the number of the frame.</summary>
+    public bool ShowsSky { get; set; }
+
     public string? Refusal { get; set; }
 
     /// <summary>Grabs with anything of the game's display or the mod's in the picture.</summary>
@@ -29,7 +32,8 @@ internal sealed class TestScreen(TestGame game) : IScreen, IGameWindow
         // The picture grabbed in a tick is the one that the frame before drew.
         SpoiltPictures += game.ShowedDisplay ? 1 : 0;
         int hidden = ShowsHiding && game.Entities.Values.Any(entity => entity.IsHidden) ? HiddenLevels : 0;
-        Array.Fill(target.Bytes, (byte)((1 + (game.Frame % 255) + hidden) % 256));
+        long shown = ShowsSky ? (game.Environment.Weather.Length * 10) + game.Environment.TimeOfDay.Hours : game.Frame % 255;
+        Array.Fill(target.Bytes, (byte)((1 + shown + hidden) % 256));
         return Refusal is null ? GrabResult.Good : GrabResult.Refused(Refusal);
     }
 }

@@ -83,6 +83,32 @@ public sealed class HarvestSettingsTests
         Assert.Equal(expected, options);
     }
 
+    [Fact]
+    public void Pairs_are_lists_in_the_settings()
+    {
+        IniFile ini = Read("[Harvest]\nPairWeathers = Clear, rain\nPairHours = 0,18\nPairWithout = signs, nearest-vehicle\nPairTicks = 99\n");
+        PairOptions pairs = HarvestSettings.Read(ini).Pairs;
+
+        Assert.Empty(ini.Complaints);
+        Assert.Equal(["clear", "rain"], pairs.Weathers);
+        Assert.Equal([0, 18], pairs.Hours);
+        Assert.Equal(["signs", "nearest-vehicle"], pairs.Without.Select(choice => choice.Name));
+        Assert.Equal((99, false), (pairs.MaxTicks, pairs.TakesAllTicks));
+    }
+
+    [Theory]
+    [InlineData("PairWeathers = sunny")]
+    [InlineData("PairWeathers = rain, rain")]
+    [InlineData("PairHours = 24")]
+    [InlineData("PairWithout = trees")]
+    public void Wrong_pairs_are_reported_and_not_taken(string setting)
+    {
+        IniFile ini = Read($"[Harvest]\n{setting}\n");
+
+        Assert.False(HarvestSettings.Read(ini).Pairs.IsAny);
+        Assert.StartsWith($"Line 2: {setting} is not a list of ", Assert.Single(ini.Complaints), StringComparison.Ordinal);
+    }
+
     [Theory]
     [InlineData("Paused", FreezeMethod.Paused)]
     [InlineData("TimeScale", FreezeMethod.TimeScale)]

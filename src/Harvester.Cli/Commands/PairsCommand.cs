@@ -1,0 +1,72 @@
+using System.CommandLine;
+using System.IO;
+using System.Threading;
+using System.Threading.Tasks;
+using Harvester.Cli.Arguments;
+using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
+using Harvester.Datasets.Pairs;
+using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Text;
+
+namespace Harvester.Cli.Commands;
+
+/// <summary>harvester pairs: exports the pictures of moments in all weathers, at all hours and without objects, grouped by moment.</summary>
+internal sealed class PairsCommand
+{
+    private const string Notes =
+        "A group has all pictures of one moment: the image of the frame and those of harvester harvest --pair-weathers, --pair-hours and\n"
+        + "--pair-without. They share the labels. csv writes the pictures to images/GROUP and the tables index.csv and objects.csv;\n"
+        + "webdataset writes archives with one sample for each group, and the same tables. docs/pairs.md describes both.\n"
+        + "A command that was stopped is given again, and starts anew.\n\n"
+        + "Examples:\n"
+        + "  harvester pairs out --out trials --format csv\n"
+        + "  harvester pairs out --out trials --format webdataset";
+
+    private Option<string> Out { get; } =
+        new("--out") { Description = "Folder to write to, new or empty", HelpName = "DIR", Required = true };
+    private Option<PairFormat> Format { get; } =
+        ValueParsers.Choice<PairFormat>("--format", "csv or webdataset [default: csv]");
+    private Option<ImageTransfer> Images { get; } = TransferOption.Create("images");
+    private Option<SyncMode> Sync { get; } = SyncOption.Create();
+
+    public static Command Create(Terminal terminal) => new PairsCommand().Build(terminal);
+
+    private Command Build(Terminal terminal)
+    {
+        Argument<string> session = SessionArgument.Create();
+        var command = new Command("pairs", "Export the pictures of moments in several weathers, at several hours and without objects.")
+        {
+            session, Out, Format, Images, Sync,
+        };
+        HelpWithNotes.AddTo(command, Notes);
+        command.SetAction((parsed, cancellation) =>
+            Task.FromResult(Run(terminal, parsed.GetRequiredValue(session), parsed, cancellation)));
+        return command;
+    }
+
+    private int Run(Terminal terminal, string folder, ParseResult parsed, CancellationToken cancellation)
+    {
+        string target = parsed.GetRequiredValue(Out);
+        var session = new SessionReader(folder, cancellation);
+        if (session.HasUnfinishedLine)
+        {
+            terminal.WriteError($"'{folder}' ends in an unfinished line, which is ignored.");
+        }
+
+        var exporter = new PairExporter(session, parsed.GetValue(Format), parsed.GetValue(Images), parsed.GetValue(Sync));
+        using var output = new PairsOutput(target, CommandText.Of(parsed));
+        output.Begin();
+        PairExport done = new(0, 0, 0);
+        new JobProgress(terminal, session.CountLines()).Run(report =>
+        {
+            done = exporter.Run(target, report, cancellation);
+            return done.Groups;
+        });
+        output.Complete();
+        string missing = done.Missing > 0 ? $"; {done.Missing} are missing because the harvest dropped them" : "";
+        terminal.Out.WriteLine($"{target}: {Counted.Of(done.Groups, "group")}, {Counted.Of(done.Images, "picture")}{missing}");
+        return ExitCode.Done;
+    }
+}

@@ -1,0 +1,109 @@
+using System;
+using System.IO;
+using Harvester.Datasets.Files;
+using Harvester.Datasets.Pairs;
+using Harvester.Sessions.Files;
+
+namespace Harvester.Cli.Terminals;
+
+/// <summary>The folder to which pairs are exported: new, empty, or what the same command left unfinished.</summary>
+internal sealed class PairsOutput : IDisposable
+{
+    private readonly string _folder;
+    private readonly string _command;
+    private readonly FolderLock _held;
+    private bool _isBegun;
+    private bool _isComplete;
+
+    /// <summary>Locks the folder and checks it.</summary>
+    /// <param name="folder">The folder.</param>
+    /// <param name="command">The command, as <see cref="CommandText"/> gives it.</param>
+    /// <exception cref="IOException">A file is where the folder should be.</exception>
+    /// <exception cref="OccupiedFolderException">The folder is in use or has other files.</exception>
+    public PairsOutput(string folder, string command)
+    {
+        (_folder, _command) = (folder, command);
+        _held = FolderLock.Take(folder);
+        try
+        {
+            Check();
+        }
+        catch
+        {
+            _held.Dispose();
+            throw;
+        }
+    }
+
+    /// <summary>Makes the folder, and empties it but for its mark.</summary>
+    /// <exception cref="IOException">The folder cannot be made or cleared.</exception>
+    /// <exception cref="UnauthorizedAccessException">The folder may not be made or cleared.</exception>
+    public void Begin()
+    {
+        Directory.CreateDirectory(_folder);
+        _isBegun = true;
+        if (UnfinishedMark.CommandIn(_folder) is null)
+        {
+            UnfinishedMark.Write(_folder, _command);
+        }
+
+        PairExporter.Clear(_folder);
+    }
+
+    /// <summary>Makes the export complete.</summary>
+    public void Complete()
+    {
+        UnfinishedMark.Delete(_folder);
+        _isComplete = true;
+    }
+
+    /// <summary>Deletes an unfinished export, and releases the folder.</summary>
+    public void Dispose()
+    {
+        if (_isBegun && !_isComplete)
+        {
+            Discard();
+        }
+
+        _held.Dispose();
+    }
+
+    private void Check()
+    {
+        if (OutputFolder.FileInTheWayOf(_folder) is { } file)
+        {
+            throw new IOException($"'{file}' is a file. Name a folder with --out.");
+        }
+
+        if (!Directory.Exists(_folder) || UnfinishedMark.IsAllOf(_folder))
+        {
+            return;
+        }
+
+        if (UnfinishedMark.CommandIn(_folder) != _command)
+        {
+            throw new OccupiedFolderException($"'{_folder}' is not empty. Name another folder with --out.");
+        }
+
+        if (PairExporter.ForeignIn(_folder) is { } other)
+        {
+            throw new OccupiedFolderException(
+                $"'{_folder}' has other files besides an export, e.g. '{other}'. Name another folder with --out.");
+        }
+    }
+
+    private void Discard()
+    {
+        try
+        {
+            PairExporter.Clear(_folder);
+            UnfinishedMark.Delete(_folder);
+            Directory.Delete(_folder);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            // The same command clears it when it is given again; a folder with something else stays.
+            return;
+        }
+    }
+}

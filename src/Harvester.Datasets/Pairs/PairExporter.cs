@@ -1,0 +1,128 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Threading;
+using Harvester.Datasets.Files;
+using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Files;
+
+namespace Harvester.Datasets.Pairs;
+
+/// <summary>
+/// Exports the pictures of moments, grouped by moment. Every file is written whole; the tables, which name all others, come last.
+/// </summary>
+/// <param name="session">The session.</param>
+/// <param name="format">The form of the export.</param>
+/// <param name="transfer">Whether pictures are linked or copied, for <see cref="PairFormat.Csv"/>.</param>
+/// <param name="sync">When to wait for the disk.</param>
+public sealed class PairExporter(SessionReader session, PairFormat format, ImageTransfer transfer, SyncMode sync)
+{
+    /// <summary>Folder of the pictures.</summary>
+    private const string Images = "images";
+
+    private readonly SyncBatch _written = new();
+
+    /// <summary>Deletes what an export that was stopped left in a folder; a mark stays.</summary>
+    /// <exception cref="IOException">Something cannot be deleted.</exception>
+    /// <exception cref="UnauthorizedAccessException">Something may not be deleted.</exception>
+    public static void Clear(string folder)
+    {
+        foreach (string file in Directory.GetFiles(folder).Where(path => IsOwn(Path.GetFileName(path))))
+        {
+            File.Delete(file);
+        }
+
+        if (Directory.Exists(Path.Combine(folder, Images)))
+        {
+            Directory.Delete(Path.Combine(folder, Images), recursive: true);
+        }
+    }
+
+    /// <summary>The name of something in a folder that is no part of an export; null if there is none.</summary>
+    public static string? ForeignIn(string folder) => Directory.EnumerateFileSystemEntries(folder).Select(Path.GetFileName)
+        .FirstOrDefault(name => name != Images && !IsOwn(name!) && !UnfinishedMark.Is(name!));
+
+    /// <summary>Writes the export.</summary>
+    /// <param name="folder">The folder, which has nothing but its mark.</param>
+    /// <param name="report">Receives the number of frames after each frame.</param>
+    /// <param name="cancellation">Stops between two frames.</param>
+    /// <exception cref="DatasetFormatException">The session has no further pictures, or a label or picture is invalid.</exception>
+    /// <exception cref="IOException">A file cannot be read or written.</exception>
+    public PairExport Run(string folder, Action<int> report, CancellationToken cancellation = default)
+    {
+        ArgumentNullException.ThrowIfNull(report);
+        using var archives = new PairArchives(folder, file => Written(file));
+        var done = new PairExport(0, 0, 0);
+        using var index = new StringWriter();
+        using var objects = new StringWriter();
+        using (var tables = new PairTables(index, objects))
+        {
+            var keys = new HashSet<string>(StringComparer.Ordinal);
+            int frames = 0;
+            foreach (LabelLine line in session.ReadGoodLines())
+            {
+                cancellation.ThrowIfCancellationRequested();
+                if (line.Label!.Pairs.Count > 0)
+                {
+                    var group = PairGroup.Of(line);
+                    if (!keys.Add(group.Key))
+                    {
+                        throw new DatasetFormatException($"Two frames have the number {line.Label.Frame}. Run 'harvester validate'.");
+                    }
+
+                    string? archive = format == PairFormat.Webdataset ? archives.Add(group, session) : null;
+                    tables.Add(group, image => archive is null ? Placed(folder, group, image) : $"{archive}/{group.Key}.{image.Name}");
+                    done = new PairExport(
+                        done.Groups + 1, done.Images + group.Images.Count, done.Missing + line.Label.Pairs.Count(pair => pair.File is null));
+                }
+
+                report(++frames);
+            }
+        }
+
+        if (done.Groups == 0)
+        {
+            throw new DatasetFormatException(
+                $"'{session.Folder}' has no further pictures of its moments. Harvest with --pair-weathers, --pair-hours or --pair-without.");
+        }
+
+        archives.End();
+        WriteTable(Path.Combine(folder, PairTables.Objects), objects);
+        WriteTable(Path.Combine(folder, PairTables.Index), index);
+        if (sync != SyncMode.Never)
+        {
+            _written.AddFolder(folder);
+            _written.Flush();
+        }
+
+        return done;
+    }
+
+    private static bool IsOwn(string name) => (AtomicFile.TargetOf(name) ?? name) is var target
+        && (target is PairTables.Index or PairTables.Objects || PairArchives.IsName(target));
+
+    private string Placed(string folder, PairGroup group, PairImage image)
+    {
+        string name = $"{Images}/{group.Key}/{image.Name}";
+        string target = InnerPath.Of(folder, name);
+        Directory.CreateDirectory(Path.GetDirectoryName(target)!);
+        FileTransfer.Place(target, session.PathOf(image.Path), transfer);
+        Written(target);
+        return name;
+    }
+
+    private void WriteTable(string file, StringWriter text)
+    {
+        AtomicFile.Write(file, text.ToString(), isDurable: false);
+        Written(file);
+    }
+
+    private void Written(string file)
+    {
+        if (sync != SyncMode.Never)
+        {
+            _written.Add(file);
+        }
+    }
+}

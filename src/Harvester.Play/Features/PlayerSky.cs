@@ -1,0 +1,47 @@
+using System;
+using Harvester.Capture.Ports;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Play.Features;
+
+/// <summary>Weather and time of day of the game, set by its natives for pictures of a frozen moment.</summary>
+/// <param name="controls">Sets weather and time of day.</param>
+/// <param name="world">Tells them.</param>
+public sealed class PlayerSky(ICarControls controls, IWorld world) : ISky
+{
+    private EnvironmentState? _before;
+
+    /// <inheritdoc/>
+    public void Set(string? weather, TimeSpan? timeOfDay)
+    {
+        if (weather is not null && !WeatherNames.IsKnown(weather))
+        {
+            throw new ArgumentException($"The game has no weather '{weather}'.", nameof(weather));
+        }
+
+        _before ??= world.ReadEnvironment();
+        Show(weather ?? _before.Weather, timeOfDay ?? _before.TimeOfDay);
+    }
+
+    /// <inheritdoc/>
+    public void Restore()
+    {
+        if (_before is { } before)
+        {
+            Show(before.Weather, before.TimeOfDay);
+            controls.KeepWeather(null);
+            _before = null;
+        }
+    }
+
+    private void Show(string weather, TimeSpan timeOfDay)
+    {
+        // The game may be between two weathers that scripts cannot name.
+        if (WeatherNames.IsKnown(weather))
+        {
+            controls.KeepWeather(weather);
+        }
+
+        controls.SetTimeOfDay(timeOfDay);
+    }
+}

@@ -1,0 +1,120 @@
+using System.Formats.Tar;
+using Harvester.Cli.Terminals;
+using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Labels;
+
+namespace Harvester.Cli.Tests.Commands;
+
+public sealed class PairsCommandTests(HarvestedPairs harvested) : IClassFixture<HarvestedPairs>, IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    private string Made => _folder.PathOf("made");
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public void Index_has_a_row_for_each_picture()
+    {
+        CliRun run = CliRun.Of("pairs", harvested.Session, "--out", Made);
+        FrameLabel[] labels = [.. new SessionReader(harvested.Session).ReadLabels()];
+        int pictures = labels.Sum(label => 1 + label.Pairs.Count);
+
+        Assert.Equal((ExitCode.Done, "", $"{Made}: 4 groups, {pictures} pictures\n"), (run.ExitCode, run.Error, run.Out));
+        string[][] rows = [.. File.ReadAllLines(Path.Combine(Made, "index.csv")).Select(line => line.Split(','))];
+        Assert.Equal(
+            ["group", "image", "weather", "time_of_day", "without", "x_min", "y_min", "x_max", "y_max"], rows[0]);
+        Assert.Equal(pictures, rows.Length - 1);
+        Assert.All(rows.Skip(1), row => Assert.True(File.Exists(Path.Combine(Made, row[1]))));
+        Assert.Equal(
+            File.ReadAllBytes(Path.Combine(harvested.Session, "pairs/00000000/rain-00.png")),
+            File.ReadAllBytes(Path.Combine(Made, "images/00000000/rain-00.png")));
+        Assert.Equal(labels.Sum(label => label.Objects.Count), File.ReadAllLines(Path.Combine(Made, "objects.csv")).Length - 1);
+
+        PairLabel hidden = labels[0].Pairs.First(pair => pair.Without.Count == 1);
+        ObjectLabel item = labels[0].Objects.Single(item => item.Id == hidden.Without[0]);
+        string[] row = rows.Single(row => row[1] == $"images/00000000/{Path.GetFileName(hidden.File)}");
+        Assert.Equal($"{item.Id}", row[4]);
+        Assert.Equal(item.Box2D.XMin, double.Parse(row[5]), 3);
+        Assert.Equal(item.Box2D.YMax, double.Parse(row[8]), 3);
+    }
+
+    [Fact]
+    public void Archive_has_a_sample_for_each_group()
+    {
+        CliRun.Of("pairs", harvested.Session, "--out", Made, "--format", "webdataset").AssertDone();
+        FrameLabel[] labels = [.. new SessionReader(harvested.Session).ReadLabels()];
+        List<string> names = [];
+        using (var tar = new TarReader(File.OpenRead(Path.Combine(Made, "pairs-000000.tar"))))
+        {
+            while (tar.GetNextEntry() is { } entry)
+            {
+                names.Add(entry.Name);
+            }
+        }
+
+        Assert.Equal(
+            labels.SelectMany(label => new[] { ".json", ".frame.png" }
+                .Concat(label.Pairs.Select(pair => "." + Path.GetFileName(pair.File))).Select(end => $"{label.Frame:D8}{end}")),
+            names);
+        Assert.Contains("pairs-000000.tar/00000000.rain-12.png", File.ReadAllText(Path.Combine(Made, "index.csv")), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Stopped_export_is_written_anew_by_the_same_command()
+    {
+        string[] command = ["pairs", harvested.Session, "--out", Made, "--format", "webdataset"];
+        CliRun.Of(command).AssertDone();
+        Dictionary<string, byte[]> whole = Directory.GetFiles(Made).ToDictionary(file => Path.GetFileName(file), File.ReadAllBytes);
+
+        // What a kill leaves: the mark, and files that are not all of this export.
+        File.WriteAllText(Path.Combine(Made, ".harvester-unfinished"), $"harvester pairs {harvested.Session} --format webdataset");
+        File.WriteAllText(Path.Combine(Made, "pairs-000007.tar"), "half");
+        File.WriteAllText(Path.Combine(Made, "index.csv"), "half");
+        CliRun.Of("pairs", harvested.Session, "--out", Made).AssertFailed(ExitCode.Usage, "is not empty");
+        CliRun.Of(command).AssertDone();
+
+        Assert.Equal(whole.Keys.Order(), Directory.GetFiles(Made).Select(file => Path.GetFileName(file)).Order());
+        Assert.All(whole, file => Assert.Equal(file.Value, File.ReadAllBytes(Path.Combine(Made, file.Key))));
+    }
+
+    [Fact]
+    public void Folder_with_other_files_is_left_alone()
+    {
+        Directory.CreateDirectory(Made);
+        File.WriteAllText(Path.Combine(Made, "index.csv"), "mine");
+
+        CliRun.Of("pairs", harvested.Session, "--out", Made).AssertFailed(ExitCode.Usage, "is not empty");
+        Assert.Equal("mine", File.ReadAllText(Path.Combine(Made, "index.csv")));
+    }
+
+    [Fact]
+    public void Session_without_pairs_is_refused()
+    {
+        string plain = _folder.PathOf("plain");
+        CliRun.Of("harvest", "--out", plain, "--frames", "1", "--size", "64x48", "--no-report").AssertDone();
+
+        CliRun.Of("pairs", plain, "--out", Made).AssertFailed(ExitCode.BadData, "no further pictures");
+        Assert.False(Directory.Exists(Made));
+    }
+
+    [Theory]
+    [InlineData("\"file\":\"pairs/00000000/", "\"file\":\"../")]
+    [InlineData("\"file\":\"pairs/00000000/rain-12.png\"", "\"file\":null")]
+    [InlineData("\"without\":[]", "\"without\":[0]")]
+    [InlineData("\"file\":\"pairs/00000000/rain-12.png\"", "\"file\":\"pairs/00000000/rain-00.png\"")]
+    [InlineData("\"file\":\"pairs/00000000/rain-12.png\"", "\"file\":\"labels.jsonl\"")]
+    public void Damaged_label_is_refused_in_one_line(string from, string to)
+    {
+        string session = _folder.PathOf("damaged");
+        CliRun.Of("relabel", harvested.Session, "--out", session, "--images", "copy", "--no-report").AssertDone();
+        string labels = Path.Combine(session, "labels.jsonl");
+        string text = File.ReadAllText(labels);
+        Assert.Contains(from, text, StringComparison.Ordinal);
+        File.WriteAllText(labels, text.Replace(from, to, StringComparison.Ordinal));
+
+        CliRun run = CliRun.Of("pairs", session, "--out", Made);
+        Assert.Equal((ExitCode.BadData, 1), (run.ExitCode, run.Error.Count(letter => letter == '\n')));
+        Assert.False(Directory.Exists(Made));
+    }
+}
