@@ -100,7 +100,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         {
             SessionOrigin origin = _origin();
             (_isSingle, _lastCaptured, LastFault) = (false, 0, null);
-            Start(options with { Faces = FacesInUse() }, () => Locked(folder, origin));
+            Start(options with { Faces = FacesInUse() }, () => Locked(folder, origin, options.ViewsPerMoment));
         }
     }
 
