@@ -28,7 +28,8 @@ internal sealed class DepthLabeller(FrameRays rays)
         Camera camera = draft.Camera;
         Dictionary<int, ushort> regions = RegionsOf(draft);
         int budget = Math.Min(rays.Left, (int)(MaxRayFraction * camera.Image.PixelCount));
-        var mapper = new DepthMapper(new DepthGrid(camera.Image, LinesOf(camera.Intrinsics)) { Regions = draft.Mask?.Ids }, SampleAt, budget);
+        var grid = new DepthGrid(camera.Image, LinesOf(camera.Intrinsics)) { Regions = draft.Mask?.Ids };
+        var mapper = new DepthMapper(grid, SampleAt, budget);
         var sparse = new InstanceMap(camera.Image);
         foreach (RecordedHit hit in rays.Record!.Hits.ToArray())
         {

@@ -67,7 +67,9 @@ public sealed class CuboidsAcrossCamerasTests(ITestOutputHelper output)
     }
 
     private static Dictionary<int, Cuboid> CuboidsByHandle(CapturedFrame frame) => frame.Scene!.Ids
-        .Join(frame.Label.Objects.Where(item => item.Parent is null), pair => pair.Value, item => item.Id, (pair, item) => (pair.Key, item.Box3D))
+        .Join(
+            frame.Label.Objects.Where(item => item.Parent is null), pair => pair.Value, item => item.Id,
+            (pair, item) => (pair.Key, item.Box3D))
         .ToDictionary(pair => pair.Key, pair => pair.Box3D);
 
     /// <summary>How far outside a cuboid the points of an object are that a picture shows, pixels; null if it shows none.</summary>

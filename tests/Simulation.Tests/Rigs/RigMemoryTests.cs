@@ -18,7 +18,8 @@ public sealed class RigMemoryTests(ITestOutputHelper output)
     private const int Begun = 300;
 
     /// <summary>
-    /// New objects come into the world, with models and ids: about 10 kB. If moments were kept, each would take 150 kB of pixels and depths.
+    /// New objects come into the world, with models and ids: about 10 kB. If moments were kept, each would take 150 kB of pixels and
+    /// depths.
     /// </summary>
     private const long BytesPerMoment = 40_000;
 
@@ -51,7 +52,13 @@ public sealed class RigMemoryTests(ITestOutputHelper output)
         };
         var options = new HarvestOptions
         {
-            Rig = rig, Image = image, MaxFrames = Moments * 2, RateHz = 60, ProbeLag = false, MaxCalibrationErrorPixels = null, Masks = true,
+            Rig = rig,
+            Image = image,
+            MaxFrames = Moments * 2,
+            RateHz = 60,
+            ProbeLag = false,
+            MaxCalibrationErrorPixels = null,
+            Masks = true,
             Depth = true,
         };
         using (var session = new HarvestSession(options, game.Ports, sink))
@@ -66,7 +73,8 @@ public sealed class RigMemoryTests(ITestOutputHelper output)
         }
 
         double perMoment = (sizes[1] - sizes[0]) / (double)(Moments - Begun);
-        output.WriteLine(FormattableString.Invariant($"{sizes[0] / 1e6:0.0} MB, then {perMoment:0} bytes for each of {Moments - Begun} moments"));
+        output.WriteLine(FormattableString.Invariant(
+            $"{sizes[0] / 1e6:0.0} MB, then {perMoment:0} bytes for each of {Moments - Begun} moments"));
         Assert.InRange(perMoment, long.MinValue, BytesPerMoment);
     }
 }
