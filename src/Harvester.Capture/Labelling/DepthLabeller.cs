@@ -28,7 +28,8 @@ internal sealed class DepthLabeller(FrameRays rays)
         Camera camera = draft.Camera;
         Dictionary<int, ushort> regions = RegionsOf(draft);
         int budget = Math.Min(rays.Left, (int)(MaxRayFraction * camera.Image.PixelCount));
-        var mapper = new DepthMapper(new DepthGrid(camera.Image, LineOf) { Regions = draft.Mask?.Ids }, SampleAt, budget);
+        var grid = new DepthGrid(camera.Image, LinesOf(camera.Intrinsics)) { Regions = draft.Mask?.Ids };
+        var mapper = new DepthMapper(grid, SampleAt, budget);
         var sparse = new InstanceMap(camera.Image);
         foreach (RecordedHit hit in rays.Record!.Hits.ToArray())
         {
@@ -66,12 +67,6 @@ internal sealed class DepthLabeller(FrameRays rays)
             : new DepthMaps(sparse, Units(completed, completed.Metres, DepthUnits.OfDepth),
                 Units(completed, completed.ErrorMetres, DepthUnits.OfError), mapper.RaysCast);
 
-        SightLine LineOf(int column, int row)
-        {
-            Vector3D local = camera.Pose.Axes.ToLocal(camera.RayThrough(column + 0.5, row + 0.5).Direction);
-            return new SightLine(local / local.Y);
-        }
-
         DepthSample SampleAt(int column, int row)
         {
             Ray ray = camera.RayThrough(column + 0.5, row + 0.5);
@@ -83,6 +78,26 @@ internal sealed class DepthLabeller(FrameRays rays)
 
         DepthSample SampleOf(Vector3D point, Vector3D normal, int entity) =>
             new(point.Y, SurfacePlane.Of(point, normal), entity, regions.TryGetValue(entity, out ushort region) ? region : (ushort)0);
+    }
+
+    /// <summary>The line of sight of each pixel's centre. Without distortion, columns and rows are independent.</summary>
+    private static Func<int, int, SightLine> LinesOf(CameraIntrinsics intrinsics)
+    {
+        if (intrinsics.Lens is not { K1: 0, K2: 0 })
+        {
+            return (column, row) => Line(column, row);
+        }
+
+        double[] across = [.. Enumerable.Range(0, intrinsics.Image.Width).Select(column => Line(column, 0).Direction.X)];
+        double[] up = [.. Enumerable.Range(0, intrinsics.Image.Height).Select(row => Line(0, row).Direction.Z)];
+        return (column, row) => new SightLine(new Vector3D(across[column], 1, up[row]));
+
+        SightLine Line(int column, int row)
+        {
+            var shown = new Vector2D((column + 0.5 - intrinsics.Cx) / intrinsics.Fx, (row + 0.5 - intrinsics.Cy) / intrinsics.Fy);
+            Vector2D ideal = intrinsics.Lens.Undistort(shown);
+            return new SightLine(new Vector3D(ideal.X, 1, -ideal.Y));
+        }
     }
 
     /// <summary>The number in the mask of each entity that it shows.</summary>

@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using Harvester.Geometry;
 
 namespace Harvester.Capture.Labelling;
 

@@ -35,7 +35,8 @@ internal sealed class SensorMotion(EgoState ego, Pose mount)
         }
 
         Axes axes = ego.Pose.Axes;
-        return new Pose(ego.Pose.Position + way, Axes.FromVectors(Turned(axes.Right), Turned(axes.Forward), Turned(axes.Up))).Compose(mount);
+        var vehicle = new Pose(ego.Pose.Position + way, Axes.FromVectors(Turned(axes.Right), Turned(axes.Forward), Turned(axes.Up)));
+        return vehicle.Compose(mount);
 
         Vector3D Turned(Vector3D vector) =>
             new((vector.X * cosine) - (vector.Y * sine), (vector.X * sine) + (vector.Y * cosine), vector.Z);

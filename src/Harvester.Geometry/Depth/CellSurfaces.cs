@@ -20,6 +20,8 @@ internal sealed class CellSurfaces
     private DepthCell _cell;
     private int _count;
     private double _residual;
+    private bool _isOneEntity;
+    private bool _hasMiss;
     private Edge _edge;
 
     /// <summary>How the surfaces meet.</summary>
@@ -39,7 +41,8 @@ internal sealed class CellSurfaces
     }
 
     /// <summary>Begins a cell.</summary>
-    public void Begin(DepthCell cell) => (_cell, _count, _residual) = (cell, 0, 0);
+    public void Begin(DepthCell cell) => 
+        (_cell, _count, _residual, _isOneEntity, _hasMiss) = (cell, 0, 0, true, false);
 
     /// <summary>Adds a corner of the region.</summary>
     /// <param name="number">Its place in <see cref="DepthCell.Corners"/>.</param>
@@ -51,6 +54,8 @@ internal sealed class CellSurfaces
     {
         _corners[_count++] = new Corner(number, place, sample, line);
         _residual = Math.Max(_residual, residual);
+        _isOneEntity &= sample.Entity == _corners[0].Sample.Entity;
+        _hasMiss |= !sample.IsHit;
     }
 
     /// <summary>Finds out how the surfaces of the corners meet.</summary>
@@ -93,14 +98,18 @@ internal sealed class CellSurfaces
             return null;
         }
 
+        double right = _cell.Right > _cell.Left ? (column - _cell.Left) / (double)(_cell.Right - _cell.Left) : 0;
+        double down = _cell.Bottom > _cell.Top ? (row - _cell.Top) / (double)(_cell.Bottom - _cell.Top) : 0;
         int nearest = 0;
+        double heaviest = -1;
         double sum = 0;
         double weights = 0;
         (double least, double greatest) = (double.PositiveInfinity, 0);
         for (int i = 0; i < _count; i++)
         {
-            double weight = WeightOf(_corners[i].Number, column, row);
-            nearest = weight > WeightOf(_corners[nearest].Number, column, row) ? i : nearest;
+            int number = _corners[i].Number;
+            double weight = ((number & 1) == 0 ? 1 - right : right) * (number < 2 ? 1 - down : down);
+            (nearest, heaviest) = weight > heaviest ? (i, weight) : (nearest, heaviest);
             if (_corners[i].Sample.IsHit)
             {
                 double inverse = InverseOf(_corners[i].Sample, line);
@@ -118,14 +127,14 @@ internal sealed class CellSurfaces
         double own = InverseOf(near.Sample, line);
         double chosen = _edge switch
         {
-            Edge.None when weights > 0 && IsOneEntity => sum / weights,
+            Edge.None when weights > 0 && _isOneEntity => sum / weights,
             Edge.Inner => greatest,
             Edge.Outer => least,
             _ => own,
         };
         double depth = 1 / chosen;
         double error = Math.Max(Math.Max(Math.Abs((1 / least) - depth), Math.Abs((1 / greatest) - depth)), _residual * depth);
-        return (depth, HasMiss ? Math.Max(error, depth) : error, SourceOf(chosen, line, nearest));
+        return (depth, _hasMiss ? Math.Max(error, depth) : error, SourceOf(chosen, line, nearest));
     }
 
     /// <summary>The inverse depth at which a sample's surface is seen.</summary>
@@ -134,38 +143,6 @@ internal sealed class CellSurfaces
         double inverse = sample.Surface.InverseAt(line);
         double own = 1 / sample.Depth;
         return inverse >= own / MaxExtension && inverse <= own * MaxExtension ? inverse : own;
-    }
-
-    private bool IsOneEntity
-    {
-        get
-        {
-            for (int i = 1; i < _count; i++)
-            {
-                if (_corners[i].Sample.Entity != _corners[0].Sample.Entity)
-                {
-                    return false;
-                }
-            }
-
-            return true;
-        }
-    }
-
-    private bool HasMiss
-    {
-        get
-        {
-            for (int i = 0; i < _count; i++)
-            {
-                if (!_corners[i].Sample.IsHit)
-                {
-                    return true;
-                }
-            }
-
-            return false;
-        }
     }
 
     private int SourceOf(double chosen, SightLine line, int nearest)
@@ -184,13 +161,6 @@ internal sealed class CellSurfaces
         }
 
         return _corners[nearest].Place;
-    }
-
-    private double WeightOf(int corner, int column, int row)
-    {
-        double right = _cell.Right > _cell.Left ? (column - _cell.Left) / (double)(_cell.Right - _cell.Left) : 0;
-        double down = _cell.Bottom > _cell.Top ? (row - _cell.Top) / (double)(_cell.Bottom - _cell.Top) : 0;
-        return ((corner & 1) == 0 ? 1 - right : right) * (corner < 2 ? 1 - down : down);
     }
 
     /// <summary>A sampled corner of the cell.</summary>

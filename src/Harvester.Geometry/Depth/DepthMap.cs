@@ -9,7 +9,9 @@ public sealed class DepthMap(ImageSize image)
     /// <summary>The image's size, pixels.</summary>
     public ImageSize Image { get; } = image;
 
-    /// <summary>Depth along the camera's axis, metres, row by row; positive infinity where nothing is seen, NaN where it is unknown.</summary>
+    /// <summary>
+    /// Depth along the camera's axis, metres, row by row; positive infinity where nothing is seen, NaN where it is unknown.
+    /// </summary>
     public double[] Metres { get; } = new double[image.PixelCount];
 
     /// <summary>The place of the sample that each depth is taken from, mainly; -1 without one.</summary>

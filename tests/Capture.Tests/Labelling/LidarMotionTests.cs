@@ -125,7 +125,8 @@ public sealed class LidarMotionTests : IRayCaster
         };
         var game = new GamePorts(null!, this, null!, null!, null!);
         var moment = new SceneSnapshot(
-            1, 0, new CameraState(ego.Pose, 50, 1.5, 0.1), ego, _board is null ? [] : [_board], new EnvironmentState("clear", TimeSpan.Zero));
+            1, 0, new CameraState(ego.Pose, 50, 1.5, 0.1), ego, _board is null ? [] : [_board],
+            new EnvironmentState("clear", TimeSpan.Zero));
         var scanner = new LidarScanner(lidar, lidar.Mount, new LabellingOptions(), game, new ObjectRegistry(1));
         return [.. scanner.Scan(moment).OfType<LidarSweep>().Single().Points];
     }

@@ -201,10 +201,8 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
     public void Depth_that_contradicts_its_label_is_found()
     {
         CopyTo(_folder.PathOf("damaged"));
-        File.Copy(
-            _folder.PathOf("damaged/depth-completed/left/00000002.png"), _folder.PathOf("damaged/depth/left/00000002.png"), overwrite: true);
-        File.Copy(
-            _folder.PathOf("damaged/depth/left/00000000.png"), _folder.PathOf("damaged/depth-error/left/00000004.png"), overwrite: true);
+        Replace("depth/left/00000002.png", "depth-completed/left/00000002.png");
+        Replace("depth-error/left/00000004.png", "depth/left/00000000.png");
         File.Delete(_folder.PathOf("damaged/manifest.jsonl"));
 
         CliRun run = CliRun.Of("validate", _folder.PathOf("damaged"));
@@ -212,6 +210,9 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
         Assert.Equal(ExitCode.BadData, run.ExitCode);
         Assert.Contains("depth map 'depth/left/00000002.png' has", run.Out, StringComparison.Ordinal);
         Assert.Contains("'depth-error/left/00000004.png' must have an error for each pixel", run.Out, StringComparison.Ordinal);
+
+        void Replace(string name, string by) =>
+            File.Copy(_folder.PathOf($"damaged/{by}"), _folder.PathOf($"damaged/{name}"), overwrite: true);
     }
 
     [Fact]
