@@ -68,7 +68,9 @@ internal static class HeartbeatFile
             TimeOf(fields.Text("time")),
             fields.Name<HeartbeatState>("state"),
             TrialOf(document.RootElement),
-            fields.LongInteger("frames") is >= 0 and var frames ? frames : throw new DatasetFormatException("The field frames is negative."));
+            fields.LongInteger("frames") is >= 0 and var frames
+                ? frames
+                : throw new DatasetFormatException("The field frames is negative."));
     }
 
     private static DateTime TimeOf(string text) =>
