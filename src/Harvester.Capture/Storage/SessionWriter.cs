@@ -40,7 +40,9 @@ public sealed class SessionWriter : IFrameSink
     /// <param name="origin">Where the session comes from.</param>
     /// <param name="resume">Whether to resume a session that the directory holds; its frames are kept and new ones are appended.</param>
     /// <param name="viewsPerMoment">Number of frames of a moment; an incomplete last moment of a resumed session is dropped.</param>
-    /// <exception cref="IOException">The directory is not empty, or cannot be created or read.</exception>
+    /// <exception cref="IOException">
+    /// The directory is not empty, has a link in place of a folder of frames, or cannot be created or read.
+    /// </exception>
     /// <exception cref="UnauthorizedAccessException">The directory is not writable.</exception>
     public SessionWriter(string directory, SessionOrigin origin, bool resume = false, int viewsPerMoment = 1)
         : this(directory, origin, resume, new SessionDirectory(directory), viewsPerMoment)
@@ -60,15 +62,16 @@ public sealed class SessionWriter : IFrameSink
             throw new IOException($"The directory '{directory}' is not empty. Name another, or ask to resume the session in it.");
         }
 
+        foreach (string folder in InnerFolders())
+        {
+            AppendedFile.RefuseLink(folder);
+        }
+
         _before = resume ? SessionContent.Read(directory, viewsPerMoment) : SessionContent.Nothing;
         AtomicFile.DeleteLeftovers(directory, _ => true);
-        foreach (string folder in FramePaths.Folders.Select(name => Path.Combine(directory, name)))
+        foreach (string folder in InnerFolders())
         {
             AtomicFile.DeleteLeftovers(folder, _ => true);
-            foreach (string view in Directory.Exists(folder) ? Directory.GetDirectories(folder) : [])
-            {
-                AtomicFile.DeleteLeftovers(view, _ => true);
-            }
         }
     }
 
@@ -165,6 +168,19 @@ public sealed class SessionWriter : IFrameSink
         _queue = null;
         _files.Dispose();
         Lock?.Dispose();
+    }
+
+    /// <summary>The folders of frames that are there, each before the folders of views in it.</summary>
+    private IEnumerable<string> InnerFolders()
+    {
+        foreach (string folder in FramePaths.Folders.Select(name => Path.Combine(Folder, name)).Where(Directory.Exists))
+        {
+            yield return folder;
+            foreach (string view in Directory.GetDirectories(folder))
+            {
+                yield return view;
+            }
+        }
     }
 
     private void WriteAll()

@@ -48,7 +48,12 @@ internal static class MergeCommand
             parsed.GetRequiredValue(output),
             CommandText.Of(parsed),
             !parsed.GetValue(noReport),
-            new MergeOptions(parsed.GetValue(images), parsed.GetValue(sync), parsed.GetValue(resume), MinFreeOption.BytesIn(parsed, minFree), cancellation))));
+            new MergeOptions(
+                parsed.GetValue(images),
+                parsed.GetValue(sync),
+                parsed.GetValue(resume),
+                MinFreeOption.BytesIn(parsed, minFree),
+                cancellation))));
         return command;
     }
 

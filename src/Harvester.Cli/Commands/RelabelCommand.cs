@@ -66,8 +66,8 @@ internal sealed class RelabelCommand
     {
         var command = new Command("relabel", "Recompute the labels of a session with other options, without the game.")
         {
-            Session, Out, Overwrite, Resume, Range, Classes, MinArea, MinSide, MaxOccluded, Calibration, Faces, Roads, LaneLookAhead, LaneWidth,
-                NarrowLaneWidth, Images, ShardOf, Sync, MinFree, NoReport,
+            Session, Out, Overwrite, Resume, Range, Classes, MinArea, MinSide, MaxOccluded, Calibration, Faces, Roads, LaneLookAhead,
+                LaneWidth, NarrowLaneWidth, Images, ShardOf, Sync, MinFree, NoReport,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));

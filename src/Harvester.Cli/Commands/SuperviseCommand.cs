@@ -18,8 +18,8 @@ internal sealed class SuperviseCommand
     private const string Notes =
         "The command after -- is started and its heartbeat file is watched. It is ended with all processes that it started, and started\n"
         + "again with --resume, when it hangs (no new heartbeat), crashes (it ends and the heartbeat does not say finished) or lies (a\n"
-        + "heartbeat without new frames, from the future, of a foreign process, or finished while the process goes on). Ctrl+C and SIGTERM\n"
-        + "are passed on. docs/supervise.md describes the file and the exit codes.\n\n"
+        + "heartbeat without new frames, from the future, of a foreign process, or finished while the process goes on). Ctrl+C and\n"
+        + "SIGTERM are passed on. docs/supervise.md describes the file and the exit codes.\n\n"
         + "Examples:\n"
         + "  harvester supervise --heartbeat night -- harvester plan run plan.json --out night\n"
         + "  harvester supervise --heartbeat out --timeout 120 --restart-argument none -- PlayGTAV.exe";

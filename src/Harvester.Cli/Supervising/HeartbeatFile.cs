@@ -36,11 +36,11 @@ internal static class HeartbeatFile
         }
         catch (JsonException)
         {
-            return new HeartbeatReading(bytes, null, "it is not JSON");
+            return new HeartbeatReading(bytes, null, "It is not JSON.");
         }
         catch (Exception e) when (e is DatasetFormatException or IOException or UnauthorizedAccessException)
         {
-            return new HeartbeatReading(bytes, null, e.Message.TrimEnd('.'));
+            return new HeartbeatReading(bytes, null, e.Message);
         }
     }
 
@@ -48,7 +48,7 @@ internal static class HeartbeatFile
     {
         if (new FileInfo(path).LinkTarget is not null)
         {
-            throw new IOException("it is a link, which is not followed");
+            throw new IOException("It is a link, which is not followed.");
         }
 
         // The program may replace or delete the file meanwhile.
@@ -56,7 +56,7 @@ internal static class HeartbeatFile
         byte[] bytes = new byte[MaxBytes + 1];
         int count = file.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false);
         return count <= MaxBytes ? bytes[..count]
-            : throw new DatasetFormatException(FormattableString.Invariant($"it has more than {MaxBytes} bytes"));
+            : throw new DatasetFormatException(FormattableString.Invariant($"It has more than {MaxBytes} bytes."));
     }
 
     private static Heartbeat Parse(byte[] bytes)
@@ -68,14 +68,16 @@ internal static class HeartbeatFile
             TimeOf(fields.Text("time")),
             fields.Name<HeartbeatState>("state"),
             TrialOf(document.RootElement),
-            fields.LongInteger("frames") is >= 0 and var frames ? frames : throw new DatasetFormatException("frames is negative"));
+            fields.LongInteger("frames") is >= 0 and var frames
+                ? frames
+                : throw new DatasetFormatException("The field frames is negative."));
     }
 
     private static DateTime TimeOf(string text) =>
         DateTimeOffset.TryParse(
             text, CultureInfo.InvariantCulture, DateTimeStyles.AssumeUniversal | DateTimeStyles.AdjustToUniversal, out DateTimeOffset time)
             ? time.UtcDateTime
-            : throw new DatasetFormatException("time is not a time");
+            : throw new DatasetFormatException("The field time is not a time.");
 
     private static string TrialOf(JsonElement root)
     {

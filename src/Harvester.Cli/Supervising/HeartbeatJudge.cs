@@ -46,7 +46,8 @@ internal sealed class HeartbeatJudge(SupervisorOptions options, HeartbeatReading
         return Last is null ? (now > options.StartTimeout ? $"no heartbeat within {Seconds(options.StartTimeout)}{Reason()}" : null)
             : Last.State == HeartbeatState.Starting
                 ? now - _starting > options.StartTimeout ? $"still starting after {Seconds(options.StartTimeout)}" : null
-            : _ended is { } ended ? (now - ended > options.Timeout ? $"its heartbeat says {Name(Last.State)}, but the process goes on" : null)
+            : _ended is { } ended
+                ? now - ended > options.Timeout ? $"its heartbeat says {Name(Last.State)}, but the process goes on" : null
             : now - _advanced > options.Timeout ? $"no new heartbeat for {Seconds(options.Timeout)}{Reason()}"
             : now - _progressed > options.Stall
                 ? FormattableString.Invariant($"its heartbeat goes on, but it has been at frame {Last.Frames} for {Seconds(options.Stall)}")
@@ -80,7 +81,7 @@ internal sealed class HeartbeatJudge(SupervisorOptions options, HeartbeatReading
         progress.Note(heartbeat);
     }
 
-    private string Reason() => _problem is null ? "" : $", because the file cannot be used: {_problem}";
+    private string Reason() => _problem is null ? "" : $". The file cannot be used: {_problem.TrimEnd('.')}";
 
     private static string Name(HeartbeatState state) => state == HeartbeatState.Finished ? "finished" : "failed";
 

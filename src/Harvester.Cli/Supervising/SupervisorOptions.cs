@@ -21,7 +21,7 @@ internal sealed record SupervisorOptions
     /// <summary>The heartbeat file.</summary>
     public required string HeartbeatPath { get; init; }
 
-    /// <summary>Time without a new heartbeat after which the program hangs; also the time it has to end once it says that it ends.</summary>
+    /// <summary>Time without a new heartbeat after which the program hangs; also the time it has to end after its last word.</summary>
     public TimeSpan Timeout { get; init; } = TimeSpan.FromSeconds(60);
 
     /// <summary>Time from the start until the program must be running.</summary>

@@ -87,7 +87,8 @@ public sealed class SessionRelabeller
         bool depth = _recorded.Options.Depth;
         SemanticsMethod? semantics = _recorded.Options.Semantics;
         using var digests = new CarriedDigests(_recorded.Session);
-        NewSession.Write(folder, _changes.Sync, RelabelKey.Of(_recorded.Session, _changes), _changes.Resume, _changes.MinFreeBytes, session =>
+        string key = RelabelKey.Of(_recorded.Session, _changes);
+        NewSession.Write(folder, _changes.Sync, key, _changes.Resume, _changes.MinFreeBytes, session =>
         {
             foreach ((FrameLabel label, RecordedScene scene) in _recorded.Frames())
             {

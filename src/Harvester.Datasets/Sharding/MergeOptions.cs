@@ -11,4 +11,8 @@ namespace Harvester.Datasets.Sharding;
 /// <param name="MinFreeBytes">Space that stays free on the disk, bytes; 0 watches nothing.</param>
 /// <param name="Cancellation">Stops the merge between two frames.</param>
 public readonly record struct MergeOptions(
-    ImageTransfer Transfer, SyncMode Sync = SyncMode.Batch, bool Resume = false, long MinFreeBytes = 0, CancellationToken Cancellation = default);
+    ImageTransfer Transfer,
+    SyncMode Sync = SyncMode.Batch,
+    bool Resume = false,
+    long MinFreeBytes = 0,
+    CancellationToken Cancellation = default);

@@ -56,6 +56,16 @@ public static class AppendedFile
         }
     }
 
+    /// <summary>Refuses a folder that is a link: what is written to it would go elsewhere.</summary>
+    /// <exception cref="IOException">The folder is a link.</exception>
+    internal static void RefuseLink(string folder)
+    {
+        if ((File.GetAttributes(folder) & FileAttributes.ReparsePoint) != 0)
+        {
+            throw new IOException($"'{folder}' is a link, which is not followed when writing. Delete it, or name another folder.");
+        }
+    }
+
     /// <summary>Whether a path is that of a link, whatever it leads to.</summary>
     internal static bool IsLink(string path)
     {

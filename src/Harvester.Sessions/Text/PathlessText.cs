@@ -5,7 +5,8 @@ namespace Harvester.Sessions.Text;
 /// <summary>Messages as they are kept in files that are passed on: without the folders of the machine on which they arose.</summary>
 internal static class PathlessText
 {
-    private static readonly Regex QuotedPath = new(@"'(?! )[^'\r\n]*[/\\](?<name>[^'/\\\r\n]+)[/\\]?(?<! )'", RegexOptions.CultureInvariant);
+    private static readonly Regex QuotedPath = new(
+        @"'(?! )[^'\r\n]*[/\\](?<name>[^'/\\\r\n]+)[/\\]?(?<! )'", RegexOptions.CultureInvariant);
 
     // A drive, a share or a root folder, up to the next space or quotation mark.
     private static readonly Regex BarePath = new(

@@ -1,6 +1,5 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Storage;
-using Harvester.Capture.Tests.Doubles;
 using Harvester.Geometry.Cameras;
 using Harvester.TestSupport;
 

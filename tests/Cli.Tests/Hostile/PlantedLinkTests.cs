@@ -1,5 +1,6 @@
 using Harvester.Cli.Terminals;
 using Harvester.Cli.Tests.Commands;
+using Harvester.Sessions.Files;
 using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Hostile;
@@ -46,6 +47,43 @@ public sealed class PlantedLinkTests(SmallSession session) : IClassFixture<Small
         run.AssertFailed(ExitCode.InputOutput, "is a link");
         Assert.DoesNotContain(secret, run.Error, StringComparison.Ordinal);
         Assert.Equal(secret, File.ReadAllText(_hostile.PathOf("secret")));
+    }
+
+    [PosixTheory]
+    [InlineData("frames")]
+    [InlineData("masks")]
+    public void Folder_of_a_stopped_harvest_that_is_a_link_is_not_written(string name)
+    {
+        string folder = _hostile.PathOf("out");
+        string outside = _hostile.PathOf("outside");
+        string[] harvest = ["harvest", "--frames", "2", "--size", "64x48", "--masks", "--no-report", "--min-free", "0", "--out", folder];
+        Directory.CreateDirectory(folder);
+        UnfinishedMark.Write(folder, CommandText.Of(harvest[..^4]));
+        Directory.CreateDirectory(outside);
+        File.WriteAllText(Path.Combine(outside, "00000000.png.0123456789abcdef.partial"), "kept");
+        File.CreateSymbolicLink(Path.Combine(folder, name), outside);
+
+        HostileSession.Run([.. harvest, "--resume"]).AssertFailed(ExitCode.InputOutput, "is a link");
+
+        Assert.Equal(["00000000.png.0123456789abcdef.partial"], Directory.GetFiles(outside).Select(Path.GetFileName));
+    }
+
+    [PosixFact]
+    public void Stopped_relabelling_is_not_resumed_through_a_link()
+    {
+        string folder = _hostile.PathOf("out");
+        string outside = _hostile.PathOf("outside");
+        string[] relabel = ["relabel", _hostile.Folder, "--no-report", "--out", folder];
+        Directory.CreateDirectory(folder);
+        UnfinishedMark.Write(folder, CommandText.Of(relabel[..^2]));
+        Directory.CreateDirectory(outside);
+        File.CreateSymbolicLink(Path.Combine(folder, "frames"), outside);
+
+        CliRun run = HostileSession.Run([.. relabel, "--resume"]);
+
+        Assert.Empty(Directory.GetFiles(outside));
+        run.AssertDone();
+        Assert.Null(new FileInfo(Path.Combine(folder, "frames")).LinkTarget);
     }
 
     [Fact]

@@ -134,10 +134,8 @@ public sealed class PrivacyTests : IClassFixture<PrivacyTests.Work>, IDisposable
                 WorkingDirectory = _folder.PathOf(Folder),
                 RedirectStandardOutput = true,
             };
-            foreach (string variable in (string[])["USER", "LOGNAME", "USERNAME", "COMPUTERNAME", "HOSTNAME"])
-            {
-                start.Environment[variable] = variable.EndsWith("AME", StringComparison.Ordinal) && variable[0] is 'C' or 'H' ? Machine : User;
-            }
+            Array.ForEach(["USER", "LOGNAME", "USERNAME"], variable => start.Environment[variable] = User);
+            Array.ForEach(["COMPUTERNAME", "HOSTNAME"], variable => start.Environment[variable] = Machine);
 
             using Process harvest = Process.Start(start)!;
             harvest.StandardOutput.ReadToEnd();

@@ -14,5 +14,7 @@ internal sealed record Fault(FileOperation Operation, int Error, bool Kills = fa
 
     public static Fault None { get; } = new(FileOperation.None, 0);
 
-    public override string ToString() => $"{(Kills ? "kill" : Vanishes ? "no drive" : $"error {Error}")} at {Operation}{(CanExchange ? "" : " without exchange")}";
+    private string Kind => Kills ? "kill" : Vanishes ? "no drive" : $"error {Error}";
+
+    public override string ToString() => $"{Kind} at {Operation}{(CanExchange ? "" : " without exchange")}";
 }

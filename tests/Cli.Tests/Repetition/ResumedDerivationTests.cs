@@ -86,6 +86,28 @@ public sealed class ResumedDerivationTests : IClassFixture<ResumedDerivationTest
         AssertResumed(RelabelWords);
     }
 
+    [Theory]
+    [InlineData("../secret.png")]
+    [InlineData("/etc/hostname")]
+    [InlineData("frames/link.png")]
+    public void Journal_that_names_a_file_outside_is_not_trusted(string name)
+    {
+        StopRelabel();
+        File.WriteAllText(_folder.PathOf("secret.png"), "secret");
+        File.CreateSymbolicLink(Path.Combine(Out, "frames/link.png"), _folder.PathOf("secret.png"));
+        string journal = Path.Combine(Out, ".harvester-journal");
+        string[] lines = File.ReadAllLines(journal);
+        FileDigest digest = FileDigest.Of("secret");
+        lines[1] = Manifest.FrameLine(0, FileDigest.Of(lines[2]), [new(name, digest)]);
+        File.WriteAllText(journal, string.Join('\n', lines) + "\n");
+        var made = new List<int>();
+
+        Relabeller(resume: true).Run(Out, made.Add);
+
+        Assert.Equal(1, made[0]);
+        Assert.Equal("secret", File.ReadAllText(_folder.PathOf("secret.png")));
+    }
+
     [Fact]
     public void Frames_made_with_other_options_are_not_kept()
     {

@@ -51,7 +51,7 @@ public sealed class HeartbeatFileTests : IDisposable
 
     [Fact]
     public void Large_file_is_not_read() =>
-        Assert.Equal("it has more than 65536 bytes", ReadText(Good + new string(' ', 70_000)).Problem);
+        Assert.Equal("It has more than 65536 bytes.", ReadText(Good + new string(' ', 70_000)).Problem);
 
     [Fact]
     public void Link_is_not_followed()
@@ -59,7 +59,7 @@ public sealed class HeartbeatFileTests : IDisposable
         File.WriteAllText(_folder.PathOf("real.json"), Good);
         File.CreateSymbolicLink(Path, _folder.PathOf("real.json"));
 
-        Assert.Equal("it is a link, which is not followed", HeartbeatFile.Read(Path).Problem);
+        Assert.Equal("It is a link, which is not followed.", HeartbeatFile.Read(Path).Problem);
     }
 
     [Fact]

@@ -5,8 +5,8 @@ using System.Runtime.InteropServices;
 namespace Harvester.Cli.Tests.Supervising;
 
 /// <summary>
-/// A program to supervise, in place of a game: with --resume it finishes; before, it does what its behaviour says. Each start adds a line to
-/// the file starts in its folder.
+/// A program to supervise, in place of a game: with --resume it finishes; before, it does what its behaviour says. Each start adds a line
+/// to the file starts in its folder.
 /// </summary>
 internal static class StandIn
 {
@@ -107,7 +107,9 @@ internal static class StandIn
         string path = Path.Combine(folder, "heartbeat.json");
         File.WriteAllText(
             path + ".new",
-            $$"""{"process": {{process ?? Environment.ProcessId}}, "time": "{{time}}", "state": "{{state}}", "trial": null, "frames": {{frames}}}""");
+            $$"""
+            {"process": {{process ?? Environment.ProcessId}}, "time": "{{time}}", "state": "{{state}}", "trial": null, "frames": {{frames}}}
+            """);
         File.Move(path + ".new", path, overwrite: true);
     }
 }

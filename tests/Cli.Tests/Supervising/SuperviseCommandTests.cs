@@ -24,7 +24,7 @@ public sealed class SuperviseCommandTests : IDisposable
     [InlineData("stalls", "it has been at frame 1 for 0.5 s", "--stall", "0.5")]
     [InlineData("lingers", "its heartbeat says finished, but the process goes on", "--timeout", "1")]
     [InlineData("hangs", "no new heartbeat for 1 s", "--timeout", "1")]
-    [InlineData("writes-rubbish", "no heartbeat within 1 s, because the file cannot be used: it has more than", "--start-timeout", "1")]
+    [InlineData("writes-rubbish", "no heartbeat within 1 s. The file cannot be used: It has more than", "--start-timeout", "1")]
     [Trait("Category", "Heavy")]
     public void Program_that_hangs_or_stalls_is_restarted(string behaviour, string reason, string option, string value)
     {
@@ -79,7 +79,8 @@ public sealed class SuperviseCommandTests : IDisposable
             return;
         }
 
-        string words = string.Join(' ', Words("obeys").Prepend(Path.Combine(AppContext.BaseDirectory, "harvester.dll")).Select(ShellWord.Of));
+        string program = Path.Combine(AppContext.BaseDirectory, "harvester.dll");
+        string words = string.Join(' ', Words("obeys").Prepend(program).Select(ShellWord.Of));
         var start = new ProcessStartInfo("sh", ["-c", $"{HeededSignals.Script}exec $heeding dotnet {words}"])
         {
             RedirectStandardInput = true,
@@ -121,7 +122,7 @@ public sealed class SuperviseCommandTests : IDisposable
     }
 
     /// <summary>
-    /// Runs a stand-in that misbehaves once. On a busy machine the start that finishes may be ended for its slowness: then one more follows.
+    /// Runs a stand-in that misbehaves once. On a busy machine the start that finishes may be ended for its slowness: then one follows.
     /// </summary>
     private void AssertRestarted(string behaviour, string reason, params string[] options)
     {

@@ -99,7 +99,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         Folder.Export("csv", simulated.Open(), to: "b", shard: new Shard(3, 3));
 
         DatasetFormatException refused = Assert.Throws<DatasetFormatException>(
-            () => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), new MergeOptions(ImageTransfer.Link)));
+            () => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), default));
 
         Assert.Equal("Shard 2 is missing; run it, and name its folder too.", refused.Message);
     }
@@ -111,7 +111,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         Folder.Export("csv", simulated.Open(), TwoSplits, "b", new Shard(2, 2));
 
         Assert.Throws<DatasetFormatException>(
-            () => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), new MergeOptions(ImageTransfer.Link)));
+            () => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), default));
     }
 
     [Fact]
@@ -123,7 +123,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
             ExportFolder.Plan("csv", [simulated.Open()]), Folder.PathOf("b"), new Shard(2, 2)).Run(_ => stop.Cancel(), stop.Token));
 
         DatasetFormatException refused = Assert.Throws<DatasetFormatException>(
-            () => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), new MergeOptions(ImageTransfer.Link)));
+            () => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), default));
 
         Assert.Contains("Shard 2/2", refused.Message, StringComparison.Ordinal);
     }
