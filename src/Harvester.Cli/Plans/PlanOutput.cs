@@ -28,7 +28,7 @@ internal sealed class PlanOutput : IDisposable
     /// <param name="plan">The text of the plan.</param>
     /// <param name="shard">The part of the plan to run.</param>
     /// <param name="resumes">Whether to continue an earlier run.</param>
-    /// <exception cref="OccupiedFolderException">The folder is in use, or has something else than unfinished results of the plan.</exception>
+    /// <exception cref="OccupiedFolderException">The folder is in use, or has other files than results of the plan.</exception>
     /// <exception cref="DatasetFormatException">The status file is damaged.</exception>
     /// <exception cref="IOException">The folder cannot be made or read.</exception>
     public static PlanOutput Open(string folder, string plan, Shard shard, bool resumes)

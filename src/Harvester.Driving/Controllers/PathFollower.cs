@@ -8,8 +8,8 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Driving.Controllers;
 
 /// <summary>
-/// Drives a car along a path of points by pure pursuit (Coulter, Implementation of the Pure Pursuit Path Tracking Algorithm, CMU-RI-TR-92-01):
-/// it steers along the arc to a point of the path ahead, slows down in bends and stops behind what stands in the way.
+/// Drives a car along a path of points by pure pursuit (Coulter, Implementation of the Pure Pursuit Path Tracking Algorithm,
+/// CMU-RI-TR-92-01): it steers along the arc to a point of the path ahead, slows down in bends and stops behind what stands in the way.
 /// </summary>
 public sealed class PathFollower
 {
@@ -98,7 +98,7 @@ public sealed class PathFollower
         .DefaultIfEmpty(double.PositiveInfinity)
         .Min();
 
-    /// <summary>Goes on to the nearest point of the path that is not behind the last one, and not so far ahead that it is another bend.</summary>
+    /// <summary>Goes on to the nearest point of the path, neither behind the last one nor so far ahead that it is another bend.</summary>
     private void Advance(Vector2D place)
     {
         double best = double.PositiveInfinity;

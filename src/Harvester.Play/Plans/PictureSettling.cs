@@ -5,8 +5,8 @@ using Harvester.Sessions.Imaging;
 namespace Harvester.Play.Plans;
 
 /// <summary>
-/// Tells when the picture has settled after a change of place, weather or hour: two comparisons in a row, half a second apart, find the same
-/// picture but for what moves in it.
+/// Tells when the picture has settled after a change of place, weather or hour: two comparisons in a row, half a second apart, find the
+/// same picture but for what moves in it.
 /// </summary>
 /// <param name="screen">The game's picture.</param>
 /// <param name="clock">Real time.</param>

@@ -215,6 +215,7 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
         _messages.Tell($"The plan {folder.Plan.Name} is over: {Counted.Of(folder.Trials.Count - skipped.Length, "trial")} done, "
             + (skipped.Length == 0 ? "none skipped, " : $"skipped: {string.Join(", ", skipped.Select(result => result.Trial))}, ")
             + $"in {folder.Folder}.");
+        _world.Grip.GiveAllBack();
     }
 
     private void End(HeartbeatState state)

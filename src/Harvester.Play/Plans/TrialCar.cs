@@ -43,8 +43,9 @@ public sealed class TrialCar(IVehicles vehicles, IModels models, ITrialGame game
             _isModelHeld = true;
             if (models.Load(model))
             {
-                Remove();
+                RemoveMade();
                 Vehicle = _made = vehicles.MakeBesidePlayer(model, MetresBeside);
+                ReleaseModel();
                 if (_made != 0)
                 {
                     vehicles.Prepare(_made, Black, Orange, "HARVEST");
@@ -58,12 +59,22 @@ public sealed class TrialCar(IVehicles vehicles, IModels models, ITrialGame game
     /// <summary>Removes the vehicle that was made here, and lets the game unload its model.</summary>
     public void Remove()
     {
+        RemoveMade();
+        ReleaseModel();
+    }
+
+    private void RemoveMade()
+    {
         if (_made != 0 && vehicles.Exists(_made))
         {
             vehicles.Remove(_made);
         }
 
         _made = 0;
+    }
+
+    private void ReleaseModel()
+    {
         if (_isModelHeld)
         {
             models.Release(model);

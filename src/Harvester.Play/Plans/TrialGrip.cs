@@ -6,8 +6,8 @@ using Harvester.Play.Features;
 namespace Harvester.Play.Plans;
 
 /// <summary>
-/// What a trial has taken of the game, and gives back. Each thing is noted before it is taken: if the game refuses to take it back, the next
-/// call tries again.
+/// What a trial has taken of the game, and gives back. Each thing is noted before it is taken: if the game refuses to take it back, the
+/// next call tries again.
 /// </summary>
 /// <param name="game">The game.</param>
 /// <param name="controls">Sets the weather.</param>

@@ -7,8 +7,8 @@ using Harvester.Sessions.Plans;
 namespace Harvester.Play.Plans;
 
 /// <summary>
-/// One attempt at a trial in the game, tick by tick: board a vehicle, load the place, set the sky and let the picture settle, drive and take
-/// frames. Whatever goes wrong ends the attempt with a reason; what can be put right for the next one is.
+/// One attempt at a trial in the game, tick by tick: board a vehicle, load the place, set the sky and let the picture settle, drive and
+/// take frames. Whatever goes wrong ends the attempt with a reason; what can be put right for the next one is.
 /// </summary>
 public sealed class TrialRun
 {
@@ -55,7 +55,8 @@ public sealed class TrialRun
         _plan = plan ?? throw new ArgumentNullException(nameof(plan));
         _trial = trial ?? throw new ArgumentNullException(nameof(trial));
         _folder = folder;
-        Vector2D start = trial.Place.Start ?? throw new ArgumentException("The place of a trial is chosen before it begins.", nameof(trial));
+        Vector2D start = trial.Place.Start
+            ?? throw new ArgumentException("The place of a trial is chosen before it begins.", nameof(trial));
         _start = new Vector3D(start.X, start.Y, 0);
         _follower = trial.Place.Path.Count > 0 ? new PathFollower(trial.Place.Path, plan.SpeedMetresPerSecond) : null;
         _phaseBegan = world.Clock.Milliseconds;

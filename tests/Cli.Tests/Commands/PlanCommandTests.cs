@@ -121,7 +121,8 @@ public sealed class PlanCommandTests : IDisposable
         CliRun.Of("plan", "run", PlanPath, "--out", stopped, "--resume").AssertDone();
 
         AssertSameFiles(Path.Combine(Out, "trials"), Path.Combine(stopped, "trials"));
-        Assert.Equal(File.ReadAllText(Path.Combine(Out, "plan-status.jsonl")), File.ReadAllText(Path.Combine(stopped, "plan-status.jsonl")));
+        Assert.Equal(
+            File.ReadAllText(Path.Combine(Out, "plan-status.jsonl")), File.ReadAllText(Path.Combine(stopped, "plan-status.jsonl")));
     }
 
     [Fact]

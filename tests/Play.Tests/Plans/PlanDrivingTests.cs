@@ -58,7 +58,7 @@ public sealed class PlanDrivingTests : IDisposable
         UntilOff(second);
 
         Assert.Equal(2, StatusLines().Length);
-        Assert.Contains("\"trial\":\"a_rain_1200_camera_001\",\"state\":\"done\",\"attempt\":1", StatusLines()[1], StringComparison.Ordinal);
+        Assert.Equal("""{"trial":"a_rain_1200_camera_001","state":"done","attempt":1,"frames":3}""", StatusLines()[1]);
         Assert.True(Directory.Exists(Path.Combine(Output, "unfinished", "a_rain_1200_camera_001")));
     }
 
@@ -131,7 +131,8 @@ public sealed class PlanDrivingTests : IDisposable
         plan.Toggle();
 
         Assert.False(plan.IsOn);
-        Assert.EndsWith("No plan is set. Give its file under [Plan] in GtaDataHarvester.ini.", Assert.Single(_told), StringComparison.Ordinal);
+        Assert.EndsWith(
+            "No plan is set. Give its file under [Plan] in GtaDataHarvester.ini.", Assert.Single(_told), StringComparison.Ordinal);
     }
 
     private PlanDriving Driving(string text)

@@ -11,8 +11,8 @@ using Harvester.TestSupport;
 namespace Harvester.Play.Tests.Plans;
 
 /// <summary>
-/// A game for trials: one car, which drives east at 10 m/s when it is driven, ground at 30 m, and a harvest that takes a frame in every tenth
-/// tick. A tick has 50 ms. Each thing that may go wrong is a property.
+/// A game for trials: one car, which drives east at 10 m/s when it is driven, ground at 30 m, and a harvest that takes a frame in every
+/// tenth tick. A tick has 50 ms. Each thing that may go wrong is a property.
 /// </summary>
 internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels, IDrivenCar, IWorld, IScreen, ITrialHarvest
 {

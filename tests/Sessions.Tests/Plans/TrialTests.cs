@@ -32,7 +32,7 @@ public sealed class TrialTests
     [Fact]
     public void Every_trial_and_attempt_has_a_seed_of_its_own()
     {
-        int[] seeds = [.. TrialsOf(Text).SelectMany(trial => new[] { 1, 2, 3 }.Select(attempt => trial.SeedOf(7, attempt)))];
+        int[] seeds = [.. TrialsOf(Text).SelectMany(trial => Enumerable.Range(1, 3).Select(attempt => trial.SeedOf(7, attempt)))];
 
         Assert.Equal(seeds.Length, seeds.Distinct().Count());
         Assert.All(seeds, seed => Assert.InRange(seed, 0, int.MaxValue));
