@@ -19,6 +19,7 @@ import mcap
 import motchallenge
 import nuscenes
 import openlabel
+import pairs
 import panoptic
 
 VANS = ("minivan", "speedo", "boxville")
@@ -340,5 +341,6 @@ if __name__ == "__main__":
         module.read(os.path.join(root, module.__name__), session)
         print(f"{module.__name__}: {len(session)} frames as in the session")
     panoptic.read(os.path.join(root, "classes"), os.path.join(root, "panoptic-stuff"))
+    print(pairs.read(*(os.path.join(root, name) for name in ("moments", "pairs-csv", "pairs-webdataset"))))
     print(nuscenes.read(os.path.join(root, "nuscenes")))
     imagefolder.read_webdataset_card(os.path.join(root, "webdataset"))

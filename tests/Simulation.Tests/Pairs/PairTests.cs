@@ -87,7 +87,7 @@ public sealed class PairTests
 
     [Theory]
     [InlineData(5)]
-    [InlineData(40)]
+    [InlineData(20)]
     public void Sky_that_fades_in_is_waited_for(int ticks)
     {
         PairOptions options = PairHarvest.Options("thunder", "0,12", "nearest-vehicle");
