@@ -12,7 +12,7 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;
 
-/// <summary>harvester pairs: exports the pictures of moments in all weathers, at all hours and without objects, grouped by moment.</summary>
+/// <summary>harvester pairs: exports all pictures of moments, grouped by moment.</summary>
 internal sealed class PairsCommand
 {
     private const string Notes =

@@ -74,7 +74,9 @@ public sealed class PairExporter(SessionReader session, PairFormat format, Image
                     string? archive = format == PairFormat.Webdataset ? archives.Add(group, session) : null;
                     tables.Add(group, image => archive is null ? Placed(folder, group, image) : $"{archive}/{group.Key}.{image.Name}");
                     done = new PairExport(
-                        done.Groups + 1, done.Images + group.Images.Count, done.Missing + line.Label.Pairs.Count(pair => pair.File is null));
+                        done.Groups + 1,
+                        done.Images + group.Images.Count,
+                        done.Missing + line.Label.Pairs.Count(pair => pair.File is null));
                 }
 
                 report(++frames);
@@ -84,7 +86,8 @@ public sealed class PairExporter(SessionReader session, PairFormat format, Image
         if (done.Groups == 0)
         {
             throw new DatasetFormatException(
-                $"'{session.Folder}' has no further pictures of its moments. Harvest with --pair-weathers, --pair-hours or --pair-without.");
+                $"'{session.Folder}' has no further pictures of its moments. "
+                + "Harvest with --pair-weathers, --pair-hours or --pair-without.");
         }
 
         archives.End();

@@ -30,7 +30,9 @@ public sealed record FrameLabel(
     EnvironmentState Environment,
     IReadOnlyList<ObjectLabel> Objects)
 {
-    /// <summary>Paths within the session of the files that the label names: image, mask, class map, points of LiDARs, further pictures.</summary>
+    /// <summary>
+    /// Paths within the session of the files that the label names: image, mask, class map, points of LiDARs, further pictures.
+    /// </summary>
     public IEnumerable<string> Files
     {
         get

@@ -14,7 +14,9 @@ internal sealed class ShadowMap(int size)
     private const int SideCount = 4;
     private static readonly int Lanes = Vector256<float>.Count;
 
-    /// <summary>So many sets of hidden static entities have their heights kept, for pictures of one moment with and without objects.</summary>
+    /// <summary>
+    /// So many sets of hidden static entities have their heights kept, for pictures of one moment with and without objects.
+    /// </summary>
     private const int MostKept = 4;
 
     private readonly List<FixedHeights> _kept = [];

@@ -164,7 +164,11 @@ public sealed class PairTests
         Pairs = [],
         GameFrame = 0,
         Environment = new EnvironmentState("", TimeSpan.Zero),
-        Objects = [.. label.Objects.Select(item => item with { Lights = null, Face = item.Face is { } face ? face with { Light = null } : null })],
+        Objects = [.. label.Objects.Select(item => item with
+        {
+            Lights = null,
+            Face = item.Face is { } face ? face with { Light = null } : null,
+        })],
     });
 
     /// <summary>An entity without the lamps that a dark sky switches on.</summary>
