@@ -1,7 +1,6 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
-using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.Tests.Pairs;
