@@ -39,6 +39,9 @@ public sealed class PairExporter(SessionReader session, PairFormat format, Image
         }
     }
 
+    /// <summary>Whether a folder has nothing but an export whose last file is written.</summary>
+    public static bool IsFinished(string folder) => File.Exists(Path.Combine(folder, PairTables.Index)) && ForeignIn(folder) is null;
+
     /// <summary>The name of something in a folder that is no part of an export; null if there is none.</summary>
     public static string? ForeignIn(string folder) => Directory.EnumerateFileSystemEntries(folder).Select(Path.GetFileName)
         .FirstOrDefault(name => name != Images && !IsOwn(name!) && !UnfinishedMark.Is(name!));

@@ -85,6 +85,8 @@ public sealed class PairsCommandTests(HarvestedPairs harvested) : IClassFixture<
         Directory.CreateDirectory(Made);
         File.WriteAllText(Path.Combine(Made, "index.csv"), "mine");
 
+        CliRun.Of("pairs", harvested.Session, "--out", Made).AssertFailed(ExitCode.Usage, "already has a finished export");
+        File.WriteAllText(Path.Combine(Made, "notes.txt"), "mine");
         CliRun.Of("pairs", harvested.Session, "--out", Made).AssertFailed(ExitCode.Usage, "is not empty");
         Assert.Equal("mine", File.ReadAllText(Path.Combine(Made, "index.csv")));
     }
