@@ -20,6 +20,7 @@ import motchallenge
 import nuscenes
 import nuscenes_detection
 import openlabel
+import pairs
 import panoptic
 import rigs
 
@@ -345,4 +346,5 @@ if __name__ == "__main__":
     print(nuscenes.read(os.path.join(root, "nuscenes"), os.path.join(root, "around")))
     print(nuscenes_detection.read(os.path.join(root, "nuscenes")))
     print(rigs.read(os.path.join(root, "grey-and-colour"), *(os.path.join(root, f"rig-{name}") for name in rigs.FORMATS)))
+    print(pairs.read(*(os.path.join(root, name) for name in ("moments", "pairs-csv", "pairs-webdataset"))))
     imagefolder.read_webdataset_card(os.path.join(root, "webdataset"))

@@ -8,7 +8,9 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.Harvesting;
 
-/// <summary>Which objects of a moment a further picture does not show: all of some classes, the nearest of them, or one by its id.</summary>
+/// <summary>
+/// Which objects of a moment a further picture does not show: all of some classes, the nearest of them, or one by its id.
+/// </summary>
 public sealed class HiddenChoice
 {
     /// <summary>The form of a choice, for messages.</summary>

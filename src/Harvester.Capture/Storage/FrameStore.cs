@@ -141,7 +141,8 @@ internal sealed class FrameStore(
             files.MakeFolder(FramePaths.PairsOf(frame.Label.Frame));
         }
 
-        foreach ((string name, byte[] bytes) in frame.Label.Pairs.Select(pair => pair.File).OfType<string>().Zip(frame.Pairs, (a, b) => (a, b)))
+        IEnumerable<string> names = frame.Label.Pairs.Select(pair => pair.File).OfType<string>();
+        foreach ((string name, byte[] bytes) in names.Zip(frame.Pairs, (name, bytes) => (name, bytes)))
         {
             written.Add(new(name, files.WriteWhole(name, stream => stream.Write(bytes, 0, bytes.Length))));
         }

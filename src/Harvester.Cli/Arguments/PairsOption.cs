@@ -14,8 +14,9 @@ internal sealed class PairsOption
 {
     /// <summary>What the options do, for the help.</summary>
     public const string Notes =
-        "With --pair-weathers and --pair-hours, the frozen world of each frame is also photographed in every one of these weathers at every\n"
-        + "one of these hours; with --pair-without, every picture of the moment, the frame's image included, also without some objects:\n"
+        "With --pair-weathers and --pair-hours, the frozen world of each frame is also photographed in every one of these weathers\n"
+        + "at every one of these hours; with --pair-without, every picture of the moment, the frame's image included, also without\n"
+        + "some objects:\n"
         + "  signs, vehicles, people, or a class such as car: all labelled objects of this kind\n"
         + "  nearest-sign, nearest-vehicle, nearest-person, nearest-car, ...: the nearest one\n"
         + "  17: the object with this id\n"
@@ -70,7 +71,8 @@ internal sealed class PairsOption
         };
         return options.Pictures <= PairOptions.MaxPictures ? options
             : throw new UsageException(
-                $"The --pair options ask for {options.Pictures} pictures of each frame, more than {PairOptions.MaxPictures}. Give fewer values.");
+                $"The --pair options ask for {options.Pictures} pictures of each frame, more than {PairOptions.MaxPictures}. "
+                + "Give fewer values.");
     }
 
     private static IEnumerable<T> List<T>(string option, string? text, IReadOnlyList<T> all, Func<string, T> parse)

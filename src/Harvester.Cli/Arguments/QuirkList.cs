@@ -30,8 +30,8 @@ internal static class QuirkList
         + "The last five apply to both freeze methods; the prefix paused. or timeScale., as in paused.creep=3, limits them to one.";
 
     private const string Form =
-        "lag=N, lateCamera, vanish=P, boxRays, missedRays=P, lateHiding=N, slowSky=N, unhideable=P, shadowsRemain, noise=L, movingTextures, "
-        + "creep=N, restless, heldCamera, weather and visibility";
+        "lag=N, lateCamera, vanish=P, boxRays, missedRays=P, lateHiding=N, slowSky=N, unhideable=P, shadowsRemain, noise=L, "
+        + "movingTextures, creep=N, restless, heldCamera, weather and visibility";
     private const int MaxTicks = 60;
     private const double MaxLevels = 20;
 

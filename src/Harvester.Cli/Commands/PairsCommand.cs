@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
@@ -12,7 +11,7 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;
 
-/// <summary>harvester pairs: exports the pictures of moments in all weathers, at all hours and without objects, grouped by moment.</summary>
+/// <summary>harvester pairs: exports all pictures of moments, grouped by moment.</summary>
 internal sealed class PairsCommand
 {
     private const string Notes =

@@ -80,7 +80,13 @@ internal sealed class PairsOutput : IDisposable
             return;
         }
 
-        if (UnfinishedMark.CommandIn(_folder) != _command)
+        string? unfinished = UnfinishedMark.CommandIn(_folder);
+        if (unfinished is null && PairExporter.IsFinished(_folder))
+        {
+            throw new OccupiedFolderException($"'{_folder}' already has a finished export. Name another folder with --out.");
+        }
+
+        if (unfinished != _command)
         {
             throw new OccupiedFolderException($"'{_folder}' is not empty. Name another folder with --out.");
         }

@@ -39,6 +39,9 @@ public sealed class PairExporter(SessionReader session, PairFormat format, Image
         }
     }
 
+    /// <summary>Whether a folder has nothing but an export whose last file is written.</summary>
+    public static bool IsFinished(string folder) => File.Exists(Path.Combine(folder, PairTables.Index)) && ForeignIn(folder) is null;
+
     /// <summary>The name of something in a folder that is no part of an export; null if there is none.</summary>
     public static string? ForeignIn(string folder) => Directory.EnumerateFileSystemEntries(folder).Select(Path.GetFileName)
         .FirstOrDefault(name => name != Images && !IsOwn(name!) && !UnfinishedMark.Is(name!));
@@ -74,7 +77,9 @@ public sealed class PairExporter(SessionReader session, PairFormat format, Image
                     string? archive = format == PairFormat.Webdataset ? archives.Add(group, session) : null;
                     tables.Add(group, image => archive is null ? Placed(folder, group, image) : $"{archive}/{group.Key}.{image.Name}");
                     done = new PairExport(
-                        done.Groups + 1, done.Images + group.Images.Count, done.Missing + line.Label.Pairs.Count(pair => pair.File is null));
+                        done.Groups + 1,
+                        done.Images + group.Images.Count,
+                        done.Missing + line.Label.Pairs.Count(pair => pair.File is null));
                 }
 
                 report(++frames);
@@ -84,7 +89,8 @@ public sealed class PairExporter(SessionReader session, PairFormat format, Image
         if (done.Groups == 0)
         {
             throw new DatasetFormatException(
-                $"'{session.Folder}' has no further pictures of its moments. Harvest with --pair-weathers, --pair-hours or --pair-without.");
+                $"'{session.Folder}' has no further pictures of its moments. "
+                + "Harvest with --pair-weathers, --pair-hours or --pair-without.");
         }
 
         archives.End();

@@ -12,6 +12,7 @@ internal sealed class InstanceSet
     private const int LeafSize = 1;
 
     private readonly MeshInstance[] _instances;
+    private HashSet<int>? _handles;
     private RayTree? _rays;
 
     public InstanceSet(IEnumerable<MeshInstance> instances)
@@ -25,6 +26,18 @@ internal sealed class InstanceSet
 
     /// <summary>The instances in the tree's order.</summary>
     public ReadOnlySpan<MeshInstance> Instances => _instances;
+
+    /// <summary>Those of some handles that instances of the set have.</summary>
+    public HashSet<int> HandlesAmong(HashSet<int>? handles)
+    {
+        if (handles is null)
+        {
+            return [];
+        }
+
+        _handles ??= [.. _instances.Select(instance => instance.Handle)];
+        return [.. handles.Where(_handles.Contains)];
+    }
 
     /// <summary>Built on first use: some sets are only drawn. Two threads that ask at once may both build it; results are equal.</summary>
     private RayTree Rays => _rays ??= new RayTree(Hierarchy);

@@ -14,12 +14,16 @@ internal sealed class ShadowMap(int size)
     private const int SideCount = 4;
     private static readonly int Lanes = Vector256<float>.Count;
 
-    private readonly float[] _fixedHeights = new float[size * size];
+    /// <summary>
+    /// So many sets of hidden static entities have their heights kept, for pictures of one moment with and without objects.
+    /// </summary>
+    private const int MostKept = 4;
+
+    private readonly List<FixedHeights> _kept = [];
     private readonly float[] _heights = new float[size * size];
     private readonly List<(int First, int Count)> _ranges = [];
     private ShadowFrame _frame;
     private InstanceSet? _drawn;
-    private HashSet<int>? _left;
     private Vector3 _across;
     private Vector3 _along;
     private Vector3 _light;
@@ -29,21 +33,42 @@ internal sealed class ShadowMap(int size)
     public ReadOnlySpan<float> Heights => _heights;
 
     /// <summary>
-    /// Draws the instances that reach into a frame: the static ones only if the frame, the world or the hidden entities are others than
-    /// before, then the moving ones.
+    /// Draws the instances that reach into a frame: the static ones only if the frame, the world or the static ones that are hidden are
+    /// others than before, then the moving ones.
     /// </summary>
     public void Draw(in ShadowFrame frame, RenderScene scene)
     {
         HashSet<int>? left = scene.Shadowless;
-        if (_drawn != scene.Static || _frame != frame || !IsSame(_left, left))
+        FixedHeightsOf(frame, scene.Static, left).CopyTo(_heights, 0);
+        Draw(scene.Dynamic, left, _heights);
+    }
+
+    private float[] FixedHeightsOf(in ShadowFrame frame, InstanceSet world, HashSet<int>? left)
+    {
+        if (_drawn != world || _frame != frame)
         {
-            (_drawn, _frame, _left) = (scene.Static, frame, left);
-            Array.Fill(_fixedHeights, float.NegativeInfinity);
-            Draw(scene.Static, left, _fixedHeights);
+            (_drawn, _frame) = (world, frame);
+            if (_kept.Count > 1)
+            {
+                _kept.RemoveRange(1, _kept.Count - 1);
+            }
+
+            _kept.ForEach(static kept => kept.IsDrawn = false);
         }
 
-        _fixedHeights.CopyTo(_heights, 0);
-        Draw(scene.Dynamic, left, _heights);
+        HashSet<int> hidden = world.HandlesAmong(left);
+        FixedHeights? found = _kept.Find(kept => kept.IsDrawn && kept.Hidden.SetEquals(hidden));
+        if (found is null)
+        {
+            found = _kept.Find(static kept => !kept.IsDrawn) ?? (_kept.Count < MostKept ? new FixedHeights(size * size) : _kept[0]);
+            Array.Fill(found.Heights, float.NegativeInfinity);
+            Draw(world, left, found.Heights);
+            (found.IsDrawn, found.Hidden) = (true, hidden);
+        }
+
+        _kept.Remove(found);
+        _kept.Add(found);
+        return found.Heights;
     }
 
     /// <summary>Prepares for places relative to an eye.</summary>
@@ -117,8 +142,6 @@ internal sealed class ShadowMap(int size)
     private static Vector256<float> Reaches(Vector256<float> height, ReadOnlySpan<float> near, int corner) =>
         Vector256.GreaterThanOrEqual(height, Vector256.Create(near.Slice(corner * Lanes, Lanes)));
 
-    private static bool IsSame(HashSet<int>? a, HashSet<int>? b) => a == b || (a is not null && b is not null && a.SetEquals(b));
-
     private void Draw(InstanceSet set, HashSet<int>? left, float[] heights)
     {
         Span<Plane> sides = stackalloc Plane[SideCount];
@@ -174,5 +197,15 @@ internal sealed class ShadowMap(int size)
                 texels[i] = Math.Max(texels[i], (float)(height + (stepX * i)));
             }
         }
+    }
+
+    /// <summary>Heights of the static instances of one world in one frame, without some of them.</summary>
+    private sealed class FixedHeights(int texels)
+    {
+        public float[] Heights { get; } = new float[texels];
+
+        public HashSet<int> Hidden { get; set; } = [];
+
+        public bool IsDrawn { get; set; }
     }
 }

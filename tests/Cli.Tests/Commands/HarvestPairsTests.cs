@@ -110,8 +110,8 @@ public sealed class HarvestPairsTests(HarvestedPairs harvested) : IClassFixture<
     public void Wrong_option_is_refused_in_one_line(string options, string message)
     {
         string rig = _folder.File("rig.json", HarvestedRig.Rig);
-        CliRun run = CliRun.Of(
-            ["harvest", "--out", _folder.PathOf("none"), .. options.Split(' ').Select(word => word.Replace("{0}", rig, StringComparison.Ordinal))]);
+        string[] words = [.. options.Split(' ').Select(word => word.Replace("{0}", rig, StringComparison.Ordinal))];
+        CliRun run = CliRun.Of(["harvest", "--out", _folder.PathOf("none"), .. words]);
 
         run.AssertFailed(ExitCode.Usage, message);
         Assert.False(Directory.Exists(_folder.PathOf("none")));

@@ -57,7 +57,8 @@ public sealed class PairsCommandTests(HarvestedPairs harvested) : IClassFixture<
             labels.SelectMany(label => new[] { ".json", ".frame.png" }
                 .Concat(label.Pairs.Select(pair => "." + Path.GetFileName(pair.File))).Select(end => $"{label.Frame:D8}{end}")),
             names);
-        Assert.Contains("pairs-000000.tar/00000000.rain-12.png", File.ReadAllText(Path.Combine(Made, "index.csv")), StringComparison.Ordinal);
+        Assert.Contains(
+            "pairs-000000.tar/00000000.rain-12.png", File.ReadAllText(Path.Combine(Made, "index.csv")), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -84,6 +85,8 @@ public sealed class PairsCommandTests(HarvestedPairs harvested) : IClassFixture<
         Directory.CreateDirectory(Made);
         File.WriteAllText(Path.Combine(Made, "index.csv"), "mine");
 
+        CliRun.Of("pairs", harvested.Session, "--out", Made).AssertFailed(ExitCode.Usage, "already has a finished export");
+        File.WriteAllText(Path.Combine(Made, "notes.txt"), "mine");
         CliRun.Of("pairs", harvested.Session, "--out", Made).AssertFailed(ExitCode.Usage, "is not empty");
         Assert.Equal("mine", File.ReadAllText(Path.Combine(Made, "index.csv")));
     }

@@ -86,7 +86,8 @@ public sealed class HarvestSettingsTests
     [Fact]
     public void Pairs_are_lists_in_the_settings()
     {
-        IniFile ini = Read("[Harvest]\nPairWeathers = Clear, rain\nPairHours = 0,18\nPairWithout = signs, nearest-vehicle\nPairTicks = 99\n");
+        IniFile ini = Read(
+            "[Harvest]\nPairWeathers = Clear, rain\nPairHours = 0,18\nPairWithout = signs, nearest-vehicle\nPairTicks = 99\n");
         PairOptions pairs = HarvestSettings.Read(ini).Pairs;
 
         Assert.Empty(ini.Complaints);

@@ -1,4 +1,3 @@
-using Harvester.Capture.Harvesting;
 using Harvester.Sessions.Labels;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;

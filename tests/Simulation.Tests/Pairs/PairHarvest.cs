@@ -81,7 +81,8 @@ internal sealed class PairHarvest
             string[] names = [.. frame.Label.Pairs.Select(pair => pair.File).OfType<string>().Select(file =>
                 Path.GetFileNameWithoutExtension(file))];
             Assert.Equal(names.Length, frame.Pairs.Count);
-            Dictionary<string, byte[]> pictures = names.Zip(frame.Pairs.Select(Decoded)).ToDictionary(pair => pair.First, pair => pair.Second);
+            Dictionary<string, byte[]> pictures =
+                names.Zip(frame.Pairs.Select(Decoded)).ToDictionary(pair => pair.First, pair => pair.Second);
             pictures.Add("frame", [.. frame.Picture.Bytes]);
             harvest.Pictures.Add(pictures);
             frame.Dispose();

@@ -1,7 +1,6 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
-using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.Tests.Pairs;
@@ -87,7 +86,7 @@ public sealed class PairTests
 
     [Theory]
     [InlineData(5)]
-    [InlineData(40)]
+    [InlineData(20)]
     public void Sky_that_fades_in_is_waited_for(int ticks)
     {
         PairOptions options = PairHarvest.Options("thunder", "0,12", "nearest-vehicle");
@@ -164,7 +163,11 @@ public sealed class PairTests
         Pairs = [],
         GameFrame = 0,
         Environment = new EnvironmentState("", TimeSpan.Zero),
-        Objects = [.. label.Objects.Select(item => item with { Lights = null, Face = item.Face is { } face ? face with { Light = null } : null })],
+        Objects = [.. label.Objects.Select(item => item with
+        {
+            Lights = null,
+            Face = item.Face is { } face ? face with { Light = null } : null,
+        })],
     });
 
     /// <summary>An entity without the lamps that a dark sky switches on.</summary>
