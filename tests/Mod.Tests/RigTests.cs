@@ -117,6 +117,14 @@ public sealed class RigTests
         Assert.False(Directory.Exists(driver.Output));
     }
 
+    /// <summary>A game whose harvest with a rig has begun.</summary>
+    internal static ScriptDriver Harvesting()
+    {
+        ScriptDriver driver = Start(Rig);
+        driver.Press(Keys.J);
+        return driver;
+    }
+
     private static ScriptDriver Start(string rig, string ini = Ini)
     {
         var driver = new ScriptDriver(ini, game => File.WriteAllText(

@@ -1,0 +1,67 @@
+using Harvester.Cli.Terminals;
+
+namespace Harvester.Cli.Tests.Commands;
+
+/// <summary>Exports of a rig, and what validate finds in damaged ones. The cameras of this rig do not belong together for KITTI.</summary>
+public sealed class RigExportTests(HarvestedRig harvested) : IClassFixture<HarvestedRig>, IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Theory]
+    [InlineData("kitti", "training/oxts/000001.txt")]
+    [InlineData("kitti-odometry", "sequences/1001/velodyne/000001.bin")]
+    [InlineData("pcd", "clouds/top/00000006.pcd")]
+    [InlineData("ply", "clouds/top/00000006.ply")]
+    [InlineData("nuscenes", "can_bus/scene-2002_pose.json")]
+    public void Export_of_a_rig_is_valid(string format, string file)
+    {
+        Export(format);
+
+        CliRun.Of("validate", _folder.PathOf("out")).AssertDone();
+        Assert.True(File.Exists(_folder.PathOf("out/" + file)));
+    }
+
+    [Theory]
+    [InlineData("kitti", "training/oxts/000001.txt", 3, "it does not have 30 numbers.")]
+    [InlineData("kitti-odometry", "poses/00.txt", 30, "it does not have 12 numbers.")]
+    [InlineData("kitti-odometry", "sequences/00/labels/000000.label", 4, "it does not have four bytes for each point of its scan.")]
+    [InlineData("kitti-odometry", "sequences/00/times.txt", 2, "it is not a time after the one before, from 0.")]
+    [InlineData("pcd", "clouds/top/00000006.pcd", 1, "bytes, as its")]
+    [InlineData("ply", "clouds.csv", 5, "its pose is no position and unit quaternion.")]
+    [InlineData("nuscenes", "can_bus/scene-2002_pose.json", 3, "it is cut off.")]
+    public void Cut_off_file_of_an_export_is_found(string format, string file, int bytes, string problem)
+    {
+        Export(format);
+        string path = _folder.PathOf("out/" + file);
+        File.WriteAllBytes(path, File.ReadAllBytes(path)[..^bytes]);
+
+        CliRun run = CliRun.Of("validate", _folder.PathOf("out"));
+
+        Assert.Equal(ExitCode.BadData, run.ExitCode);
+        Assert.Contains(problem, run.Out, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("kitti-odometry", "sequences/00/calib.txt", "Tr is missing.", "Tr: ", "Ts: ")]
+    [InlineData("pcd", "clouds.csv", "it has the unknown split 'test'.", ",train,", ",test,")]
+    [InlineData("pcd", "clouds/top/00000006.pcd", "its header is not that of", "0.7", "0.6")]
+    [InlineData("nuscenes", "can_bus/scene-2001_pose.json", "its utime is not after that", "\"utime\":1", "\"utime\":-1")]
+    public void Changed_file_of_an_export_is_found(string format, string file, string problem, string before, string after)
+    {
+        Export(format);
+        string path = _folder.PathOf("out/" + file);
+        File.WriteAllText(
+            path, File.ReadAllText(path, System.Text.Encoding.Latin1).Replace(before, after, StringComparison.Ordinal),
+            System.Text.Encoding.Latin1);
+
+        CliRun run = CliRun.Of("validate", _folder.PathOf("out"));
+
+        Assert.Equal(ExitCode.BadData, run.ExitCode);
+        Assert.Contains(problem, run.Out, StringComparison.Ordinal);
+    }
+
+    private void Export(string format) =>
+        CliRun.Of("export", harvested.Session, "--format", format, "--out", _folder.PathOf("out")).AssertDone();
+}
