@@ -160,8 +160,8 @@ internal sealed class HarvestCommand
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Resume, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, Masks, Depth, TrueOcclusion, Rays,
-                RayReach, NoScenes, Motion, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, DetailOf, Quirks,
+            Out, Overwrite, Resume, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, Masks, Depth, TrueOcclusion,
+                Rays, RayReach, NoScenes, Motion, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, DetailOf, Quirks,
                     FreezeBy, MaxPictureLag, MaxCameraError, ShardOf, Sync, MinFree, NoReport,
         };
         Semantics.AddTo(command);
