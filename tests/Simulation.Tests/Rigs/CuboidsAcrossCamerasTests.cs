@@ -2,7 +2,6 @@ using Harvester.Capture.Harvesting;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
-using Harvester.Sessions.Labels;
 using Harvester.Sessions.Rigs;
 using Harvester.Simulation.Rendering;
 using Xunit.Abstractions;
