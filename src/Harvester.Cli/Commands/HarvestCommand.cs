@@ -154,8 +154,8 @@ internal sealed class HarvestCommand
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
             Out, Overwrite, Resume, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, Masks, TrueOcclusion, Rays,
-                RayReach, NoScenes, Motion, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, DetailOf, Quirks, FreezeBy,
-                    MaxPictureLag, MaxCameraError, ShardOf, Sync, NoReport,
+                RayReach, Motion, NoScenes, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, DetailOf, Quirks,
+                    FreezeBy, MaxPictureLag, MaxCameraError, ShardOf, Sync, NoReport,
         };
         Semantics.AddTo(command);
         Moment.AddTo(command);
