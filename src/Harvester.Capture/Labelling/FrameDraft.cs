@@ -67,7 +67,9 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
     /// <summary>The points of the LiDARs at its moment, if it is the first view.</summary>
     public IReadOnlyList<LidarSweep> Sweeps { get; set; } = [];
 
-    /// <summary>The motion of the ego since the frame before; null if it is not recorded, or the frame is not a moment's first view.</summary>
+    /// <summary>
+    /// The motion of the ego since the frame before; null if it is not recorded, or the frame is not a moment's first view.
+    /// </summary>
     public IReadOnlyList<MotionSample>? Motion { get; set; }
 
     /// <summary>The ids of the entities that have one, by handle.</summary>

@@ -117,7 +117,7 @@ public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera, IRigC
     }
 
     /// <inheritdoc/>
-    public void Return() => MoveTo(UsualPlace, _settings.VerticalFovDegrees);
+    public void MoveBack() => MoveTo(UsualPlace, _settings.VerticalFovDegrees);
 
     /// <inheritdoc/>
     public void Tick()

@@ -289,7 +289,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         _writer.Close();
         if (_startedWith!.Rig is not null)
         {
-            _mount.Return();
+            _mount.MoveBack();
         }
 
         _lastWriter = status.Fault is null ? writer : null;

@@ -10,5 +10,5 @@ public interface IMount
     void Mount();
 
     /// <summary>Moves it back to its usual place and field of view, after it took those of a rig.</summary>
-    void Return();
+    void MoveBack();
 }

@@ -1,6 +1,5 @@
 using System.Collections.Generic;
 using Harvester.Geometry;
-using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Sessions.Labels;

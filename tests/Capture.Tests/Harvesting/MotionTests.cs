@@ -1,4 +1,5 @@
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Ports;
 using Harvester.Capture.Tests.Doubles;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;
@@ -43,7 +44,7 @@ public sealed class MotionTests
         var sink = new MemorySink();
         using var session = new HarvestSession(Small with { ProbeLag = false, MaxFrames = 3 }, game.Ports, sink);
         game.OnCall = name => game.GrabAnswer = name == "Grab" && ++grabs == 2
-            ? Harvester.Capture.Ports.GrabResult.Refused("covered") : Harvester.Capture.Ports.GrabResult.Good;
+            ? GrabResult.Refused("covered") : GrabResult.Good;
 
         game.Run(session);
 

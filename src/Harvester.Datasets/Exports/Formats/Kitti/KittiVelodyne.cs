@@ -54,14 +54,17 @@ internal sealed class KittiVelodyne
         get
         {
             Pose lidar = _rig.OnVehicle(_rig.Lidars[0].Mount);
-            Vector3D[] columns = [Forward(lidar.Axes, new(0, 1, 0)), Forward(lidar.Axes, new(-1, 0, 0)), Forward(lidar.Axes, new(0, 0, 1)),
-                Forward(lidar.Axes, lidar.Position * -1)];
+            Vector3D[] columns =
+            [
+                EgoTrack.InBody(lidar.Axes, new Vector3D(0, 1, 0)),
+                EgoTrack.InBody(lidar.Axes, new Vector3D(-1, 0, 0)),
+                EgoTrack.InBody(lidar.Axes, new Vector3D(0, 0, 1)),
+                EgoTrack.InBody(lidar.Axes, lidar.Position * -1),
+            ];
             return
             [
                 .. columns.Select(column => column.X), .. columns.Select(column => column.Y), .. columns.Select(column => column.Z),
             ];
-
-            static Vector3D Forward(Axes axes, Vector3D vector) => EgoTrack.InBody(axes, vector);
         }
     }
 

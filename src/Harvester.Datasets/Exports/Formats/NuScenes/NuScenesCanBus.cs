@@ -5,7 +5,6 @@ using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
-using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports.Formats.NuScenes;
 
