@@ -34,7 +34,6 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         $"harvest --out {{inputs}}/part-1 --frames 2 --shard 1/2 {Small}",
         $"harvest --out {{inputs}}/part-2 --frames 2 --shard 2/2 {Small}",
         "harvest --out {inputs}/people --frames 1 --pedestrians 5 --size 64x48 --masks --seed 2 --roads {inputs}/roads.csv",
-        $"harvest --out {{inputs}}/pairs --frames 1 --pair-hours 0 --pair-without nearest-vehicle --no-report {Small}",
         "export {inputs}/session --format coco --out {inputs}/coco-1 --shard 1/2",
         "export {inputs}/session --format coco --out {inputs}/coco-2 --shard 2/2",
     ];
@@ -67,12 +66,6 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
             "merge {root}/out --out {root}/out",
             "export {inputs}/session --format csv --out {root}/out --shard 1/2",
             "export {inputs}/session --format csv --out {root}/out --shard 2/2"),
-        new("harvest-pairs", $"harvest --out {{root}}/out --frames 1 --pair-hours 0 --no-report --no-scenes {Small}")
-        {
-            Only = "out/pairs/",
-        },
-        new("pairs", "pairs {inputs}/pairs --out {root}/out"),
-        new("pairs-webdataset", "pairs {inputs}/pairs --out {root}/out --format webdataset"),
         new("masks-import", "masks import {root}/out {inputs}/session/masks", $"harvest --out {{root}}/out --frames 2 {Small}"),
         new("repair", "repair {inputs}/session --out {root}/out"),
         new("report", "report {inputs}/session --out {root}/page.html", "report {inputs}/session --out {root}/page.html --frames 1"),
