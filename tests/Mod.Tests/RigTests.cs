@@ -1,6 +1,7 @@
 using System.Text.Json;
 using System.Windows.Forms;
 using GTA.Hosting;
+using GTA.Native;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
 
@@ -21,6 +22,11 @@ public sealed class RigTests
         {"name":"left","position":[-1,0,1],"yawDegrees":90,"pitchDegrees":-5,"verticalFovDegrees":70,"width":64,"height":48}],
         "lidars":[{"name":"top","position":[0,0,1.8],"beamsDegrees":[0,-10],"columns":36,"rangeMetres":40}]}
         """;
+
+    public static TheoryData<Hash> Natives => [.. OwnNatives];
+
+    /// <summary>The natives that only a harvest with a rig calls.</summary>
+    internal static IReadOnlyList<Hash> OwnNatives { get; } = [Hash.SET_CAM_FOV];
 
     [Fact]
     public void Moment_has_the_views_and_points_of_the_rig()
@@ -115,6 +121,22 @@ public sealed class RigTests
 
         Assert.Contains(driver.Game.Notifications, told => told.Contains(message, StringComparison.Ordinal));
         Assert.False(Directory.Exists(driver.Output));
+    }
+
+    [Theory]
+    [MemberData(nameof(Natives))]
+    public void Fault_of_the_camera_ends_the_harvest_and_gives_it_back(Hash broken)
+    {
+        using ScriptDriver driver = Harvesting();
+        driver.Game.Fault = native => native == broken ? new InvalidOperationException("The native is broken.") : null;
+        driver.UntilMessage("The native is broken.");
+        driver.Game.Fault = _ => null;
+        driver.Press(Keys.O);
+        driver.WaitForDisk();
+
+        Assert.False(driver.Game.IsPaused);
+        Assert.Equal(-1, driver.Game.RenderingCamera);
+        Assert.Empty(driver.Game.Cameras);
     }
 
     /// <summary>A game whose harvest with a rig has begun.</summary>

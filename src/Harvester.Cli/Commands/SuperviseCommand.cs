@@ -81,7 +81,7 @@ internal sealed class SuperviseCommand
         {
             Program = words[0],
             Arguments = words[1..],
-            HeartbeatPath = Path.GetExtension(path) == ".json" ? path : Path.Combine(path, HeartbeatFile.FileName),
+            HeartbeatPath = Path.GetExtension(path) == ".json" ? path : Path.Combine(path, HeartbeatReader.FileName),
             Timeout = TimeSpan.FromSeconds(parsed.GetValue(Timeout)),
             StartTimeout = TimeSpan.FromSeconds(parsed.GetValue(StartTimeout)),
             Stall = TimeSpan.FromSeconds(parsed.GetValue(Stall)),

@@ -1,4 +1,5 @@
 using System;
+using Harvester.Sessions.Plans;
 
 namespace Harvester.Cli.Supervising;
 
@@ -22,7 +23,7 @@ internal sealed class HeartbeatJudge(SupervisorOptions options, HeartbeatReading
     private TimeSpan? _ended;
 
     /// <summary>The last heartbeat of this start; null if there was none yet.</summary>
-    public Heartbeat? Last { get; private set; }
+    public SeenHeartbeat? Last { get; private set; }
 
     /// <summary>Judges a reading.</summary>
     /// <param name="reading">The reading.</param>
@@ -54,14 +55,14 @@ internal sealed class HeartbeatJudge(SupervisorOptions options, HeartbeatReading
             : null;
     }
 
-    private string? LieIn(Heartbeat heartbeat, DateTime utcNow, Func<int, bool> isOurs) =>
+    private string? LieIn(SeenHeartbeat heartbeat, DateTime utcNow, Func<int, bool> isOurs) =>
         heartbeat.Time > utcNow + FutureTolerance
             ? FormattableString.Invariant($"its heartbeat is {(heartbeat.Time - utcNow).TotalSeconds:0} s in the future")
         : !options.AllowsAnyProcess && !isOurs(heartbeat.Process)
             ? FormattableString.Invariant($"its heartbeat names process {heartbeat.Process}, which the command did not start")
         : null;
 
-    private void Hear(Heartbeat heartbeat, TimeSpan now)
+    private void Hear(SeenHeartbeat heartbeat, TimeSpan now)
     {
         if (_time is null || heartbeat.Time > _time)
         {

@@ -6,7 +6,7 @@ namespace Harvester.Cli.Supervising;
 /// <param name="Bytes">The content of the file; empty without one.</param>
 /// <param name="Heartbeat">The heartbeat; null if there is none that can be read.</param>
 /// <param name="Problem">Why the file cannot be read, a sentence; null if it can, or is missing.</param>
-internal sealed record HeartbeatReading(ReadOnlyMemory<byte> Bytes, Heartbeat? Heartbeat, string? Problem)
+internal sealed record HeartbeatReading(ReadOnlyMemory<byte> Bytes, SeenHeartbeat? Heartbeat, string? Problem)
 {
     /// <summary>There is no file.</summary>
     public static HeartbeatReading Missing { get; } = new(default, null, null);

@@ -16,7 +16,7 @@ internal sealed class Progress
     public long Frames { get; private set; }
 
     /// <summary>Takes a heartbeat into account.</summary>
-    public void Note(Heartbeat heartbeat)
+    public void Note(SeenHeartbeat heartbeat)
     {
         bool isNewTrial = heartbeat.Trial.Length > 0 && _trials.Count < MaxTrials && _trials.Add(heartbeat.Trial);
         _isMade |= isNewTrial || heartbeat.Frames > Frames;

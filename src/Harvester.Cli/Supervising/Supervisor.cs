@@ -4,6 +4,7 @@ using System.Globalization;
 using System.Linq;
 using System.Threading;
 using Harvester.Cli.Terminals;
+using Harvester.Sessions.Plans;
 
 namespace Harvester.Cli.Supervising;
 
@@ -59,7 +60,7 @@ internal sealed class Supervisor(SupervisorOptions options, Terminal terminal)
     /// <returns>Why it has to be started again; null if it has finished.</returns>
     private string? Watch(bool isRestart, PassedSignal signal, CancellationToken cancellation)
     {
-        var judge = new HeartbeatJudge(options, HeartbeatFile.Read(options.HeartbeatPath), _progress);
+        var judge = new HeartbeatJudge(options, HeartbeatReader.Read(options.HeartbeatPath), _progress);
         ProcessStartInfo start = StartOf(isRestart);
         using SupervisedProcess process = SupervisedProcess.Start(start);
         Log($"started process {Text(process.Id)}: {string.Join(' ', start.ArgumentList.Prepend(start.FileName).Select(ShellWord.Of))}");
@@ -68,7 +69,7 @@ internal sealed class Supervisor(SupervisorOptions options, Terminal terminal)
         {
             // What has ended cannot write any more: the reading that follows is its last word.
             bool hasEnded = process.HasEnded;
-            HeartbeatReading reading = HeartbeatFile.Read(options.HeartbeatPath);
+            HeartbeatReading reading = HeartbeatReader.Read(options.HeartbeatPath);
             string? fault = judge.Judge(reading, time.Elapsed, DateTime.UtcNow, process.IsOurs);
             if (hasEnded && judge.Last is { State: HeartbeatState.Finished } last)
             {

@@ -23,6 +23,7 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
     private readonly PlayerMessages _messages;
     private readonly SlowResource<PlanFolder> _folder = new();
     private HeartbeatFile? _heartbeat;
+    private HeartbeatFile? _lastHeartbeat;
     private Task _disk = Task.CompletedTask;
     private Trial? _trial;
     private TrialRun? _run;
@@ -48,7 +49,7 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
     public bool IsOn => _folder.IsHeld;
 
     /// <inheritdoc/>
-    public bool IsBusy => _folder.IsBusy || !_disk.IsCompleted;
+    public bool IsBusy => _folder.IsBusy || !_disk.IsCompleted || _lastHeartbeat is { IsBusy: true };
 
     /// <summary>Why no plan can run now; null if one can.</summary>
     public Func<string?> Obstacle { get; init; } = static () => null;
@@ -149,6 +150,7 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
 
         _disk.ContinueWith(static _ => { }, TaskScheduler.Default).Wait(MaxWaitForDisk);
         _folder.Wait(MaxWaitForDisk);
+        _lastHeartbeat?.Wait();
     }
 
     /// <summary>Stops and waits as <see cref="Finish"/> does.</summary>
@@ -230,6 +232,7 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
         (_heartbeat, _run, _trial) = (null, null, null);
         _folder.Close();
         heartbeat?.End(state, _frames);
+        _lastHeartbeat = heartbeat;
         run?.Stop(StoppedReason);
     }
 }

@@ -26,6 +26,9 @@ public sealed class HeartbeatFile(string folder, string plan, Shard shard)
     private readonly Stopwatch _sinceLast = new();
     private Task _writing = Task.CompletedTask;
 
+    /// <summary>Whether a sign of life is still being written.</summary>
+    public bool IsBusy => !_writing.IsCompleted;
+
     /// <summary>Gives a sign of life, unless the last one is younger than a second or still being written.</summary>
     public void Beat(HeartbeatState state, string? trial, int frames)
     {

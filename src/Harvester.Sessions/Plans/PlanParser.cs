@@ -30,9 +30,14 @@ public sealed class PlanParser
     /// <summary>Reads the text of a plan file, with all its problems.</summary>
     public static PlanReading Read(string text)
     {
+        if (text is null)
+        {
+            throw new ArgumentNullException(nameof(text));
+        }
+
         try
         {
-            var parser = new PlanParser(JsonFields.Parse(text ?? throw new ArgumentNullException(nameof(text)), "a plan"));
+            var parser = new PlanParser(JsonFields.Parse(text, "a plan"));
             Plan plan = parser.Read();
             return new PlanReading(parser._problems.Count == 0 ? plan : null, parser._problems);
         }

@@ -41,7 +41,12 @@ public static class RigParser
     /// <exception cref="FormatException">The text is not a rig; the message names the field.</exception>
     public static Rig Parse(string text)
     {
-        JsonFields file = JsonFields.Parse(text ?? throw new ArgumentNullException(nameof(text)), "a rig");
+        if (text is null)
+        {
+            throw new ArgumentNullException(nameof(text));
+        }
+
+        JsonFields file = JsonFields.Parse(text, "a rig");
         string name = NameOf(file);
         Vector3D origin = file.Has("origin") ? file.Vector("origin", MaxOffsetMetres) : Vector3D.Zero;
         JsonFields[] cameras = file.List("cameras");

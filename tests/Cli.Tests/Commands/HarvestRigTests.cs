@@ -73,7 +73,9 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
         string text = File.ReadAllText(header);
         File.WriteAllText(header, text[..text.IndexOf("\n  \"state\"", StringComparison.Ordinal)] + "\n  \"state\": \"recording\"\n}\n");
         UnfinishedMark.Write(
-            session, $"harvester harvest --rig {harvested.RigFile} --frames 4 --hz 2 --seed 3 --places 2 --masks --no-report");
+            session,
+            CommandText.Of(
+                ["harvest", "--rig", harvested.RigFile, .. "--frames 4 --hz 2 --seed 3 --places 2 --masks --no-report".Split(' ')]));
 
         CliRun.Of("harvest", "--out", session, "--rig", harvested.RigFile, "--frames", "4", "--hz", "2", "--seed", "3", "--places", "2",
             "--masks", "--no-report", "--resume").AssertDone();

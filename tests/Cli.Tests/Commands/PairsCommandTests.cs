@@ -1,6 +1,7 @@
 using System.Formats.Tar;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
 
 namespace Harvester.Cli.Tests.Commands;
@@ -54,7 +55,7 @@ public sealed class PairsCommandTests(HarvestedPairs harvested) : IClassFixture<
         }
 
         Assert.Equal(
-            labels.SelectMany(label => new[] { ".json", ".frame.png" }
+            labels.SelectMany(label => ((string[])[".json", ".frame.png"])
                 .Concat(label.Pairs.Select(pair => "." + Path.GetFileName(pair.File))).Select(end => $"{label.Frame:D8}{end}")),
             names);
         Assert.Contains(
@@ -69,7 +70,7 @@ public sealed class PairsCommandTests(HarvestedPairs harvested) : IClassFixture<
         Dictionary<string, byte[]> whole = Directory.GetFiles(Made).ToDictionary(file => Path.GetFileName(file), File.ReadAllBytes);
 
         // What a kill leaves: the mark, and files that are not all of this export.
-        File.WriteAllText(Path.Combine(Made, ".harvester-unfinished"), $"harvester pairs {harvested.Session} --format webdataset");
+        UnfinishedMark.Write(Made, CommandText.Of(["pairs", harvested.Session, "--format", "webdataset"]));
         File.WriteAllText(Path.Combine(Made, "pairs-000007.tar"), "half");
         File.WriteAllText(Path.Combine(Made, "index.csv"), "half");
         CliRun.Of("pairs", harvested.Session, "--out", Made).AssertFailed(ExitCode.Usage, "is not empty");

@@ -41,7 +41,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
     public static IReadOnlyList<WritingCommand> All { get; } =
     [
         new("harvest", $"harvest --out {{root}}/out --frames 2 {Small}"),
-        new("harvest-resume", $"harvest --out {{root}}/out --resume --frames 5 --no-report {Small}"),
+        new("harvest-resume", $"harvest --out {{root}}/out --resume --frames 3 --no-report {Small}"),
         new("harvest-town", "harvest --out {root}/out --frames 1 --size 64x48 --seed 5 --no-report") { Only = "out/scenes/roads.csv" },
 
         // Of five frames, some have their pictures drawn while others are written.

@@ -1,5 +1,6 @@
 using System.Text;
 using Harvester.Cli.Supervising;
+using Harvester.Sessions.Plans;
 
 namespace Harvester.Cli.Tests.Supervising;
 
@@ -165,7 +166,7 @@ public sealed class HeartbeatJudgeTests
     private static HeartbeatReading Beat(
         double seconds, long frames, HeartbeatState state = HeartbeatState.Running, string trial = "", int process = Own)
     {
-        var heartbeat = new Heartbeat(process, Noon.AddSeconds(seconds), state, trial, frames);
+        var heartbeat = new SeenHeartbeat(process, Noon.AddSeconds(seconds), state, trial, frames);
         return new HeartbeatReading(Encoding.UTF8.GetBytes(heartbeat.ToString()), heartbeat, null);
     }
 }

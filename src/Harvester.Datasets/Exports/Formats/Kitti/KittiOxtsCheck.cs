@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports.Formats.Kitti;

@@ -5,6 +5,7 @@ using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Plans;
 
 namespace Harvester.Cli.Supervising;
 
@@ -12,7 +13,7 @@ namespace Harvester.Cli.Supervising;
 /// Reads heartbeat.json, which another program writes and may damage. A link, a pipe or a device is not opened, and no more is read than a
 /// heartbeat can have.
 /// </summary>
-internal static class HeartbeatFile
+internal static class HeartbeatReader
 {
     /// <summary>Name of the file in the output folder.</summary>
     public const string FileName = "heartbeat.json";
@@ -59,11 +60,11 @@ internal static class HeartbeatFile
             : throw new DatasetFormatException(FormattableString.Invariant($"It has more than {MaxBytes} bytes."));
     }
 
-    private static Heartbeat Parse(byte[] bytes)
+    private static SeenHeartbeat Parse(byte[] bytes)
     {
         using JsonDocument document = JsonInput.Parse(bytes);
         var fields = new JsonFields(document.RootElement);
-        return new Heartbeat(
+        return new SeenHeartbeat(
             fields.Integer("process"),
             TimeOf(fields.Text("time")),
             fields.Name<HeartbeatState>("state"),

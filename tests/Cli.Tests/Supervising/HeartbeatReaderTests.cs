@@ -1,9 +1,10 @@
 using Harvester.Cli.Supervising;
+using Harvester.Sessions.Plans;
 
 namespace Harvester.Cli.Tests.Supervising;
 
 /// <summary>heartbeat.json as a program writes it, and as a damaged or hostile one leaves it.</summary>
-public sealed class HeartbeatFileTests : IDisposable
+public sealed class HeartbeatReaderTests : IDisposable
 {
     private const string Good =
         """{"process": 12, "time": "2026-01-02T12:00:00.5Z", "state": "running", "trial": "rain-3", "frames": 4000000000}""";
@@ -16,7 +17,7 @@ public sealed class HeartbeatFileTests : IDisposable
 
     [Fact]
     public void Every_field_is_read() => Assert.Equal(
-        new Heartbeat(
+        new SeenHeartbeat(
             12, new DateTime(2026, 1, 2, 12, 0, 0, 500, DateTimeKind.Utc), HeartbeatState.Running, "rain-3", 4_000_000_000),
         ReadText(Good).Heartbeat);
 
@@ -47,7 +48,7 @@ public sealed class HeartbeatFileTests : IDisposable
     }
 
     [Fact]
-    public void Missing_file_is_no_problem() => Assert.Equal(HeartbeatReading.Missing, HeartbeatFile.Read(Path));
+    public void Missing_file_is_no_problem() => Assert.Equal(HeartbeatReading.Missing, HeartbeatReader.Read(Path));
 
     [Fact]
     public void Large_file_is_not_read() =>
@@ -59,7 +60,7 @@ public sealed class HeartbeatFileTests : IDisposable
         File.WriteAllText(_folder.PathOf("real.json"), Good);
         File.CreateSymbolicLink(Path, _folder.PathOf("real.json"));
 
-        Assert.Equal("It is a link, which is not followed.", HeartbeatFile.Read(Path).Problem);
+        Assert.Equal("It is a link, which is not followed.", HeartbeatReader.Read(Path).Problem);
     }
 
     [Fact]
@@ -67,12 +68,12 @@ public sealed class HeartbeatFileTests : IDisposable
     {
         Directory.CreateDirectory(Path);
 
-        Assert.NotNull(HeartbeatFile.Read(Path).Problem);
+        Assert.NotNull(HeartbeatReader.Read(Path).Problem);
     }
 
     private HeartbeatReading ReadText(string text)
     {
         File.WriteAllText(Path, text);
-        return HeartbeatFile.Read(Path);
+        return HeartbeatReader.Read(Path);
     }
 }

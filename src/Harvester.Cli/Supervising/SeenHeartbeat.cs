@@ -1,4 +1,5 @@
 using System;
+using Harvester.Sessions.Plans;
 
 namespace Harvester.Cli.Supervising;
 
@@ -8,4 +9,4 @@ namespace Harvester.Cli.Supervising;
 /// <param name="State">What the program is doing.</param>
 /// <param name="Trial">Name of the trial of a plan that is under way; empty without one.</param>
 /// <param name="Frames">Frames so far, 0 or more.</param>
-internal sealed record Heartbeat(int Process, DateTime Time, HeartbeatState State, string Trial, long Frames);
+internal sealed record SeenHeartbeat(int Process, DateTime Time, HeartbeatState State, string Trial, long Frames);
