@@ -29,7 +29,8 @@ public sealed class SparseLidarTests(ITestOutputHelper output)
                 && new Vector3D(point.X - own.X, point.Y - own.Y, point.Z - own.Z).Length <= metres);
             double fraction = near / (double)full.Points.Count;
             output.WriteLine(FormattableString.Invariant(
-                $"{seed}: {tenth.RaysCast} of {full.RaysCast} rays, {fraction:0.0000} of the points, {near / (double)tenth.Points.Count:0.0000} right"));
+                $"{seed}: {tenth.RaysCast} of {full.RaysCast} rays, {fraction:0.0000} of the points, ")
+                + FormattableString.Invariant($"{near / (double)tenth.Points.Count:0.0000} right"));
             Assert.InRange(tenth.RaysCast, 1, full.RaysCast * RayFraction);
             Assert.InRange(fraction, worst, 1);
             Assert.InRange(tenth.Points.Count, full.Points.Count * pooled, full.Points.Count / pooled);
