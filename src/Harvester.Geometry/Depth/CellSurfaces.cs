@@ -41,7 +41,7 @@ internal sealed class CellSurfaces
     }
 
     /// <summary>Begins a cell.</summary>
-    public void Begin(DepthCell cell) => 
+    public void Begin(DepthCell cell) =>
         (_cell, _count, _residual, _isOneEntity, _hasMiss) = (cell, 0, 0, true, false);
 
     /// <summary>Adds a corner of the region.</summary>

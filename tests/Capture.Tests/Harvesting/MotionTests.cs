@@ -12,7 +12,11 @@ public sealed class MotionTests
 {
     private static readonly HarvestOptions Small = new()
     {
-        Image = new ImageSize(64, 48), MaxFrames = 10, OcclusionSamples = 4, RateHz = 10, Motion = true,
+        Image = new ImageSize(64, 48),
+        MaxFrames = 10,
+        OcclusionSamples = 4,
+        RateHz = 10,
+        Motion = true,
     };
 
     [Theory]

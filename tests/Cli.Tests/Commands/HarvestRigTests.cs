@@ -75,7 +75,10 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
         UnfinishedMark.Write(
             session,
             CommandText.Of(
-                ["harvest", "--rig", harvested.RigFile, .. "--frames 4 --hz 2 --seed 3 --places 2 --masks --depth --no-report".Split(' ')]));
+                [
+                    "harvest", "--rig", harvested.RigFile,
+                    .. "--frames 4 --hz 2 --seed 3 --places 2 --masks --depth --no-report".Split(' '),
+                ]));
 
         CliRun.Of("harvest", "--out", session, "--rig", harvested.RigFile, "--frames", "4", "--hz", "2", "--seed", "3", "--places", "2",
             "--masks", "--depth", "--no-report", "--resume").AssertDone();
