@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Harvester.Sessions.Rigs;
 
 namespace Harvester.Capture.Labelling;
@@ -9,7 +10,7 @@ internal sealed class LidarNoise(RigLidar lidar, long gameFrame)
     /// <summary>Noise beyond this number of standard deviations does not bring a surface beyond the range into it.</summary>
     private const double MaxDeviations = 4;
 
-    private ulong _state = unchecked((ulong)gameFrame * 0x9E3779B97F4A7C15);
+    private ulong _state = Mixed(HashOf(lidar.Name) ^ (ulong)gameFrame);
 
     /// <summary>How far beyond its range a LiDAR may meet a surface, metres.</summary>
     public static double ReachOf(RigLidar lidar) => MaxDeviations * lidar.RangeNoiseMetres;
@@ -34,12 +35,21 @@ internal sealed class LidarNoise(RigLidar lidar, long gameFrame)
     /// <summary>The next number of SplitMix64 (Steele, Lea and Flood 2014), from 0 to below 1.</summary>
     private double Next()
     {
+        _state = unchecked(_state + 0x9E3779B97F4A7C15);
+        return (Mixed(_state) >> 11) * (1.0 / (1UL << 53));
+    }
+
+    private static ulong Mixed(ulong state)
+    {
         unchecked
         {
-            _state += 0x9E3779B97F4A7C15;
-            ulong mixed = (_state ^ (_state >> 30)) * 0xBF58476D1CE4E5B9;
+            ulong mixed = (state ^ (state >> 30)) * 0xBF58476D1CE4E5B9;
             mixed = (mixed ^ (mixed >> 27)) * 0x94D049BB133111EB;
-            return ((mixed ^ (mixed >> 31)) >> 11) * (1.0 / (1UL << 53));
+            return mixed ^ (mixed >> 31);
         }
     }
+
+    /// <summary>The FNV-1a hash of a name.</summary>
+    private static ulong HashOf(string name) =>
+        name.Aggregate(0xCBF29CE484222325, static (hash, letter) => unchecked((hash ^ letter) * 0x100000001B3));
 }
