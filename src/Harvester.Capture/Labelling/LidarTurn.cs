@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Geometry;
@@ -17,6 +18,9 @@ internal sealed class LidarTurn
     /// <summary>The first cells: columns and beams between their corners.</summary>
     private const int FirstColumns = 24;
     private const int FirstBeams = 4;
+
+    /// <summary>A step is made only with this many rays left, so that it never runs out of them.</summary>
+    private const int SpareRays = 5;
 
     /// <summary>
     /// Planes that foretell each other's hits this well need no ray between, metres. Between the hits the mean of the planes is wrong by
@@ -46,7 +50,7 @@ internal sealed class LidarTurn
             LastSide = 1,
             ToleranceMetres = ToleranceMetres,
         };
-        _mapper = new DepthMapper(_grid, Sample, (int)(lidar.RayFraction * lidar.Rays));
+        _mapper = new DepthMapper(_grid, Sample, Math.Max((int)(lidar.RayFraction * lidar.Rays), FirstRaysOf(lidar) + SpareRays));
     }
 
     /// <summary>Continues with a handful of rays.</summary>
@@ -73,6 +77,12 @@ internal sealed class LidarTurn
 
         return returns;
     }
+
+    /// <summary>The number of corners of the first cells.</summary>
+    private static int FirstRaysOf(RigLidar lidar) =>
+        CornersOf(lidar.Columns, FirstColumns) * CornersOf(lidar.BeamsDegrees.Count, FirstBeams);
+
+    private static int CornersOf(int places, int side) => ((places - 2) / side) + 2;
 
     private DepthSample Sample(int column, int row)
     {
