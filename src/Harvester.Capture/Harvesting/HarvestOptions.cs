@@ -152,4 +152,8 @@ public sealed record HarvestOptions : LabellingOptions
 
     /// <summary>Distance of the rig's farthest camera from the origin of the vehicle's model, metres; 0 without a rig.</summary>
     internal double RigReachMetres => Rig?.Cameras.Max(camera => Rig.OnVehicle(camera.Mount).Position.Length) ?? 0;
+
+    /// <summary>Distance that the rig's LiDARs see from the origin of the vehicle's model at most, metres; 0 without a LiDAR.</summary>
+    internal double LidarReachMetres =>
+        Rig?.Lidars.Select(lidar => Rig.OnVehicle(lidar.Mount).Position.Length + lidar.RangeMetres).DefaultIfEmpty().Max() ?? 0;
 }

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Ports;
@@ -9,7 +10,7 @@ namespace Harvester.Capture.Harvesting;
 /// <summary>Reads one moment of a game's world into plain data.</summary>
 internal sealed class SceneReader(IWorld world, HarvestOptions options)
 {
-    private readonly double _range = options.ReadRangeMetres + options.RigReachMetres;
+    private readonly double _range = Math.Max(options.ReadRangeMetres + options.RigReachMetres, options.LidarReachMetres);
 
     /// <summary>Reads the scene at once, in the tick in hand.</summary>
     public SceneSnapshot Read()
