@@ -37,6 +37,10 @@ public static class RigParser
 
     private static readonly Regex NameForm = new(@"\A[A-Za-z0-9][A-Za-z0-9_-]{0,39}\z", RegexOptions.CultureInvariant);
 
+    /// <summary>Names of devices, which Windows does not allow for folders.</summary>
+    private static readonly Regex DeviceName =
+        new(@"\A(CON|NUL|AUX|PRN|COM[1-9]|LPT[1-9])\z", RegexOptions.CultureInvariant | RegexOptions.IgnoreCase);
+
     /// <summary>Reads the text of a rig file.</summary>
     /// <exception cref="FormatException">The text is not a rig; the message names the field.</exception>
     public static Rig Parse(string text)
@@ -160,7 +164,8 @@ public static class RigParser
     private static string NameOf(JsonFields named)
     {
         string name = named.Text("name");
-        return NameForm.IsMatch(name) ? name
+        return DeviceName.IsMatch(name) ? throw named.Wrong("name", $"another one: Windows reserves '{name}' for a device")
+            : NameForm.IsMatch(name) ? name
             : throw named.Wrong("name", $"1 to 40 letters, digits, - and _, beginning with a letter or digit, not '{name}'");
     }
 }

@@ -85,6 +85,9 @@ public sealed class RigParserTests
         "cameras[0].verticalFovDegrees must be a number from 1 to 170.")]
     [InlineData("""{"name":"r","cameras":[{"name":"a","position":[1,2,3],"verticalFovDegrees":50,"width":80.5,"height":60}]}""",
         "cameras[0].width must be a whole number.")]
+    [InlineData("""{"name":"Nul","cameras":[CAMERA]}""", "name must be another one: Windows reserves 'Nul' for a device.")]
+    [InlineData("""{"name":"r","cameras":[{"name":"COM1","position":[1,2,3],"verticalFovDegrees":50,"width":80,"height":60}]}""",
+        "cameras[0].name must be another one: Windows reserves 'COM1' for a device.")]
     [InlineData("[]", "the file must be an object.")]
     public void Bad_rig_is_refused_with_its_field(string text, string message)
     {
