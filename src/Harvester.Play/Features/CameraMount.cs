@@ -71,7 +71,8 @@ public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera, IRigC
         }
 
         Stop();
-        int camera = _cameras.Make(new Pose(Vector3D.Zero, Axes.Identity), VerticalFovDegrees ?? _settings.VerticalFovDegrees);
+        double verticalFovDegrees = VerticalFovDegrees ?? _settings.VerticalFovDegrees;
+        int camera = _cameras.Make(new Pose(Vector3D.Zero, Axes.Identity), verticalFovDegrees);
         if (camera == 0)
         {
             _messages.Tell("The game did not create a camera. Other mods may use too many.");
@@ -81,7 +82,7 @@ public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera, IRigC
         _camera = camera;
         try
         {
-            (_place, _verticalFovDegrees) = (UsualPlace, _settings.VerticalFovDegrees);
+            (_place, _verticalFovDegrees) = (UsualPlace, verticalFovDegrees);
             _cameras.Attach(camera, vehicle, _place);
             _cameras.Show(camera);
             Vehicle = vehicle;

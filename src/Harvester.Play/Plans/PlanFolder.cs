@@ -111,7 +111,7 @@ public sealed class PlanFolder : IDisposable
         PlanPlace? open = plan.Places.FirstOrDefault(place => place.Start is null);
         PlanCamera? rig = plan.Cameras.FirstOrDefault(camera => camera.RigFile is not null);
         return open is not null ? $"the place '{open.Name}' needs x and y, or a path: in the game, places are not chosen."
-            : rig is not null ? $"the camera '{rig.Name}' has a rig, which the game cannot carry."
+            : rig is not null ? $"the camera '{rig.Name}' has a rig, which plans in the game do not support."
             : null;
     }
 

@@ -289,6 +289,7 @@ public sealed class TrialRun
 
     private HarvestOptions OptionsOf(HarvestOptions options) => options with
     {
+        Rig = null,
         Image = _trial.Camera.Image,
         RateHz = _plan.Hz,
         MaxFrames = _plan.FramesAt(_trial.Place),

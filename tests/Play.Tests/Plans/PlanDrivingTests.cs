@@ -100,7 +100,7 @@ public sealed class PlanDrivingTests : IDisposable
     [InlineData("""{"name":"p","places":[{"name":"a","spread":3}]}""",
         "plan.json: the place 'a' needs x and y, or a path: in the game, places are not chosen.")]
     [InlineData("""{"name":"p","places":[{"name":"a","x":1,"y":2}],"cameras":[{"name":"c","rig":"r.json"}]}""",
-        "plan.json: the camera 'c' has a rig, which the game cannot carry.")]
+        "plan.json: the camera 'c' has a rig, which plans in the game do not support.")]
     [InlineData("""{"name":"p","places":[{"name":"a","x":1,"y":2}],"weathers":["hot"]}""", "plan.json: weathers[0] must be one of")]
     public void Plan_that_the_game_cannot_run_is_told(string text, string problem)
     {

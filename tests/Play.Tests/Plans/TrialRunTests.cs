@@ -1,6 +1,8 @@
 using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
 using Harvester.Play.Plans;
 using Harvester.Sessions.Plans;
+using Harvester.Sessions.Rigs;
 
 namespace Harvester.Play.Tests.Plans;
 
@@ -35,6 +37,16 @@ public sealed class TrialRunTests : IDisposable
         Assert.Equal((0.5, 2.0, 0.0), _world.Densities);
         Assert.Equal(new TrialEnding(5, null), run.Ending);
         AssertGivenBack();
+    }
+
+    [Fact]
+    public void Trial_has_its_own_camera_though_the_settings_have_a_rig()
+    {
+        var left = new RigCamera("left", new Pose(Vector3D.Zero, Axes.Identity), 50, new ImageSize(64, 48), Lens.Ideal);
+        _world.Rig = new Rig("pair", Vector3D.Zero, [left, left with { Name = "right" }], []);
+        UntilPhase(Run(), TrialPhase.Driving);
+
+        Assert.Equal((1, 320), (_world.HarvestedWith!.ViewsPerMoment, _world.HarvestedWith.Image.Width));
     }
 
     [Fact]

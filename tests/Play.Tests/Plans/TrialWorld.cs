@@ -5,6 +5,7 @@ using Harvester.Geometry.Roads;
 using Harvester.Play.Features;
 using Harvester.Play.Plans;
 using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Rigs;
 using Harvester.Sessions.Scenes;
 using Harvester.TestSupport;
 
@@ -38,11 +39,14 @@ internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels,
         Settling = new PictureSettling(this, _clock),
         Harvest = this,
         Clock = _clock,
-        Options = new HarvestOptions(),
+        Options = new HarvestOptions { Rig = Rig },
         Log = Logged.Add,
     };
 
     private TrialSurroundings? _surroundings;
+
+    /// <summary>The rig of the settings.</summary>
+    public Rig? Rig { get; set; }
 
     public List<string> Logged { get; } = [];
 
