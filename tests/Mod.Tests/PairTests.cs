@@ -91,6 +91,19 @@ public sealed class PairTests
         Assert.True(changed > 3, "The harvest changed no sky, so that the test shows nothing.");
     }
 
+    [Fact]
+    public void Live_mode_refuses_pairs()
+    {
+        using var driver = new ScriptDriver(Ini + "Mode = Live\n");
+        HarvestTests.Street(driver.Game);
+        driver.Press(Keys.J);
+
+        Assert.Contains(
+            driver.Game.Notifications,
+            told => told.Contains("PairWeathers, PairHours and PairWithout need Mode = Freeze", StringComparison.Ordinal));
+        Assert.False(Directory.Exists(driver.Output));
+    }
+
     private static ScriptDriver Harvesting()
     {
         var driver = new ScriptDriver(Ini);

@@ -114,12 +114,24 @@ public sealed class RigTests
     [Theory]
     [InlineData("Mode = Live\n", "Rig needs Mode = Freeze")]
     [InlineData("Masks = Coded\n", "Rig needs Masks = Rays or Off.")]
+    [InlineData("PairHours = 6\n", "Rig cannot be used together with PairWeathers, PairHours and PairWithout.")]
     public void Rig_refuses_settings_that_contradict_it(string setting, string message)
     {
         using ScriptDriver driver = Start(Rig, Ini + setting);
         driver.Press(Keys.J);
 
         Assert.Contains(driver.Game.Notifications, told => told.Contains(message, StringComparison.Ordinal));
+        Assert.False(Directory.Exists(driver.Output));
+    }
+
+    [Fact]
+    public void Camera_wider_than_those_of_the_game_is_refused()
+    {
+        using ScriptDriver driver = Start(Rig.Replace("\"verticalFovDegrees\":70", "\"verticalFovDegrees\":131", StringComparison.Ordinal));
+        driver.Press(Keys.J);
+
+        Assert.Contains(driver.Game.Notifications, told => told.Contains("'left' of the rig needs a verticalFovDegrees of at most 130",
+            StringComparison.Ordinal));
         Assert.False(Directory.Exists(driver.Output));
     }
 

@@ -17,6 +17,9 @@ public static class GameRig
     /// <summary>Relative difference of shapes that shows nowhere: half a pixel of 1,000.</summary>
     private const double AspectTolerance = 5e-4;
 
+    /// <summary>The widest vertical field of view of a camera of the game, degrees.</summary>
+    private const double MaxFovDegrees = 130;
+
     /// <summary>The options of a harvest with a rig.</summary>
     /// <exception cref="ArgumentNullException"><paramref name="options"/> is null.</exception>
     public static HarvestOptions AppliedTo(HarvestOptions options, Rig? rig)
@@ -36,13 +39,16 @@ public static class GameRig
         };
     }
 
-    /// <summary>Why options cannot be used with their rig, as a message for the player; null if they can, or have none.</summary>
+    /// <summary>Why options for a rig or for pairs cannot be used, as a message for the player; null if they can.</summary>
     /// <exception cref="ArgumentNullException"><paramref name="options"/> is null.</exception>
-    public static string? ProblemOf(HarvestOptions options) => (options ?? throw new ArgumentNullException(nameof(options))).Rig is null
-        ? null
-        : !options.Freeze ? "Rig needs Mode = Freeze, because its camera goes from place to place while the world stands still."
-        : options.MaskMethod != MaskMethod.Rays ? "Rig needs Masks = Rays or Off."
-        : null;
+    public static string? ProblemOf(HarvestOptions options)
+    {
+        _ = options ?? throw new ArgumentNullException(nameof(options));
+        return options.Rig is { } rig ? ProblemOf(options, rig)
+            : options.Pairs.IsAny && !options.Freeze
+                ? "PairWeathers, PairHours and PairWithout need Mode = Freeze, because all pictures of a pair show one moment."
+            : null;
+    }
 
     /// <summary>What of a rig the game cannot show, one sentence each.</summary>
     /// <param name="rig">The rig as it was read.</param>
@@ -64,4 +70,12 @@ public static class GameRig
             + FormattableString.Invariant(
                 $"{other.Image.Height}: they are stretched, and their horizontal field of view is the window's. Labels account for that.");
     }
+
+    private static string? ProblemOf(HarvestOptions options, Rig rig) =>
+        !options.Freeze ? "Rig needs Mode = Freeze, because its camera goes from place to place while the world stands still."
+        : options.MaskMethod != MaskMethod.Rays ? "Rig needs Masks = Rays or Off."
+        : options.Pairs.IsAny ? "Rig cannot be used together with PairWeathers, PairHours and PairWithout."
+        : rig.Cameras.FirstOrDefault(camera => camera.VerticalFovDegrees > MaxFovDegrees) is { } wide ? FormattableString.Invariant(
+            $"The camera '{wide.Name}' of the rig needs a verticalFovDegrees of at most {MaxFovDegrees}, the widest of the game.")
+        : null;
 }
