@@ -15,6 +15,7 @@ internal static class SemanticKittiLabels
     private static readonly Dictionary<SemanticClass, uint> Ids = new()
     {
         [SemanticClass.None] = 0,
+        [SemanticClass.Sky] = 0,
         [SemanticClass.Car] = 10,
         [SemanticClass.Bicycle] = 11,
         [SemanticClass.Bus] = 13,

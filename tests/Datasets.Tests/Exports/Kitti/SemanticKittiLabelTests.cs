@@ -1,0 +1,20 @@
+using Harvester.Datasets.Exports.Formats.Kitti;
+using Harvester.Sessions.Lidar;
+using Harvester.Sessions.Semantics;
+
+namespace Harvester.Datasets.Tests.Exports.Kitti;
+
+public sealed class SemanticKittiLabelTests
+{
+    [Theory]
+    [InlineData(SemanticClass.Sky, 0, 0)]
+    [InlineData(SemanticClass.Car, 3, 10 + (3 << 16))]
+    [InlineData(SemanticClass.TrafficLight, 0, 99)]
+    public void Label_has_the_class_below_the_id(SemanticClass kind, ushort id, int label)
+    {
+        using var stream = new MemoryStream();
+        SemanticKittiLabels.Write(stream, [new LidarPoint(1, 2, 3, 0.5f, 0, 0, id, kind)]);
+
+        Assert.Equal(label, BitConverter.ToInt32(stream.ToArray()));
+    }
+}
