@@ -63,4 +63,6 @@ public sealed class CameraMountTests : IDisposable, ICameras, IVehicles
     public int MakeBesidePlayer(int model, double metresBeside) => throw new NotSupportedException();
 
     public void Prepare(int vehicle, int primaryColour, int secondaryColour, string plate) => throw new NotSupportedException();
+
+    void IVehicles.Remove(int vehicle) => throw new NotSupportedException();
 }

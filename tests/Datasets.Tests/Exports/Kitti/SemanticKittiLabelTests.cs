@@ -10,10 +10,10 @@ public sealed class SemanticKittiLabelTests
     [InlineData(SemanticClass.Sky, 0, 0)]
     [InlineData(SemanticClass.Car, 3, 10 + (3 << 16))]
     [InlineData(SemanticClass.TrafficLight, 0, 99)]
-    public void Label_has_the_class_below_the_id(SemanticClass kind, ushort id, int label)
+    public void Label_has_the_class_below_the_id(SemanticClass kind, int id, int label)
     {
         using var stream = new MemoryStream();
-        SemanticKittiLabels.Write(stream, [new LidarPoint(1, 2, 3, 0.5f, 0, 0, id, kind)]);
+        SemanticKittiLabels.Write(stream, [new LidarPoint(1, 2, 3, 0.5f, 0, 0, (ushort)id, kind)]);
 
         Assert.Equal(label, BitConverter.ToInt32(stream.ToArray()));
     }
