@@ -99,7 +99,7 @@ public sealed class HarvesterScript : Script
             RigCamera = mount,
             SurfaceRays = rays,
             Visibility = hidden,
-            Sky = new PlayerSky(controls, world),
+            Sky = new PlayerSky(controls, world) { Kept = () => _plan?.Weather },
             Sheets = sheets,
             Calls = calls,
             Reading = reading
@@ -263,7 +263,7 @@ public sealed class HarvesterScript : Script
             World = game.World,
             Roads = new GameRoadSource(),
             Settling = new PictureSettling(game.Screen, clock),
-            Harvest = new TrialHarvest(_harvest, mount),
+            Harvest = new TrialHarvest(_harvest, mount, _messages),
             Clock = clock,
             Options = player.Options,
             Log = _messages.Log,

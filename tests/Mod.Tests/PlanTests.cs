@@ -65,6 +65,49 @@ public sealed class PlanTests
     }
 
     [Fact]
+    public void Harvest_of_the_player_goes_on_when_a_trial_cannot_begin()
+    {
+        using var driver = new ScriptDriver(Ini);
+        HarvestTests.Street(driver.Game);
+        Start(driver);
+        driver.Press(Keys.J);
+        Until(driver, () => driver.Game.Notifications.Any(message =>
+            message.Contains("Another harvest is running", StringComparison.Ordinal)));
+        driver.Press(Keys.Decimal);
+        driver.Game.Notifications.Clear();
+        driver.Press(Keys.J);
+
+        Assert.Contains(driver.Game.Notifications, message => message.Contains("The harvest ended: ", StringComparison.Ordinal));
+        Assert.False(Directory.Exists(Path.Combine(driver.Output, "plans", "play", "trials", "street_foggy_0730_small_001")));
+    }
+
+    [Fact]
+    public void Trial_whose_last_frame_is_not_written_is_repeated()
+    {
+        using var driver = new ScriptDriver(Ini);
+        HarvestTests.Street(driver.Game);
+        string folder = Path.Combine(driver.Output, "plans", "play");
+        Start(driver);
+        Until(driver, () =>
+        {
+            // A folder in place of the last image, as soon as the session is open.
+            driver.WaitForDisk();
+            string session = Path.Combine(folder, "trials", "street_foggy_0730_small_001");
+            return Directory.Exists(session)
+                && Directory.CreateDirectory(Path.Combine(session, "frames", "00000001.png", "inner")).Exists;
+        });
+        Until(driver, () => driver.Game.Notifications.Any(message =>
+            message.Contains("The plan play is over", StringComparison.Ordinal)));
+        driver.WaitForDisk();
+
+        string[] status = File.ReadAllLines(Path.Combine(folder, "plan-status.jsonl"));
+        Assert.Equal(2, status.Length);
+        Assert.Contains("\"state\":\"failed\",\"attempt\":1", status[0], StringComparison.Ordinal);
+        Assert.Contains("cannot be written", status[0], StringComparison.Ordinal);
+        Assert.Contains("\"state\":\"done\",\"attempt\":2,\"frames\":2", status[1], StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Script_that_ends_in_a_trial_gives_everything_back()
     {
         using var driver = new ScriptDriver(Ini);
@@ -106,6 +149,7 @@ public sealed class PlanTests
         Assert.Equal(
             (false, false, false, false, (string?)null),
             (game.IsSceneHeld, game.IsPlayerInvincible, game.IsIgnoredByPolice, game.IsDrivenByTask, game.KeptWeather));
+        Assert.Equal(TestGame.NoCamera, game.RenderingCamera);
         Assert.DoesNotContain(game.Vehicles, vehicle => vehicle.IsFrozen);
     }
 }

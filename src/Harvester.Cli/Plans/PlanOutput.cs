@@ -78,7 +78,18 @@ internal sealed class PlanOutput : IDisposable
     }
 
     /// <summary>The folder of a trial's session.</summary>
-    public string FolderOf(Trial trial) => Path.Combine(Folder, Trials, trial.Id);
+    /// <exception cref="IOException">It or the folder of all trials is a link.</exception>
+    public string FolderOf(Trial trial)
+    {
+        string trials = Path.Combine(Folder, Trials);
+        string folder = Path.Combine(trials, trial.Id);
+        foreach (string path in new[] { trials, folder }.Where(Directory.Exists))
+        {
+            AppendedFile.RefuseLink(path);
+        }
+
+        return folder;
+    }
 
     /// <summary>Whether a trial has a complete session, which a command that was stopped then may not have noted.</summary>
     public bool IsComplete(Trial trial) =>

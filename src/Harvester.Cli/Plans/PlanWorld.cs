@@ -30,14 +30,18 @@ internal sealed record PlanWorld(string? Roads, Detail Detail)
     private const double WholeWorld = 100_000;
 
     /// <summary>The places of a plan with those that it leaves open chosen, in its order.</summary>
-    /// <exception cref="UsageException">The roads have too few places, or no such space.</exception>
+    /// <exception cref="UsageException">The roads have too few places or no such space, or two places get the same name.</exception>
     public IReadOnlyList<PlanPlace> PlacesOf(Plan plan)
     {
         Lazy<RoadNetwork> network = new(() => Roads is null ? TownBuilder.Build(plan.Seed) : RoadImporter.Import(Roads).Network);
         Lazy<List<(EntityState Entity, ModelFace Face)>> spaces = new(() => SpacesOf(plan));
-        return [.. plan.Places.SelectMany(place => place.Spread is { } count ? Spread(place, count, network.Value, plan.Seed)
+        PlanPlace[] places = [.. plan.Places.SelectMany(place => place.Spread is { } count ? Spread(place, count, network.Value, plan.Seed)
             : place.Space is not null ? [Before(place, spaces.Value)]
             : [place])];
+        string? twice = places.GroupBy(place => place.Name, StringComparer.OrdinalIgnoreCase)
+            .FirstOrDefault(group => group.Count() > 1)?.Key;
+        return twice is null ? places
+            : throw new UsageException($"Two places are called '{twice}' once the spread ones are chosen. Rename one in the plan.");
     }
 
     /// <summary>Several places all over the roads, chosen as for harvest --places.</summary>

@@ -71,7 +71,7 @@ internal sealed class HeartbeatJudge(SupervisorOptions options, HeartbeatReading
         }
 
         bool isNew = Last is null || heartbeat.Frames != Last.Frames || heartbeat.Trial != Last.Trial;
-        _starting = Last is null || Last.State == HeartbeatState.Starting ? _starting : now;
+        _starting = Last is null || (Last.State == HeartbeatState.Starting && heartbeat.Trial == Last.Trial) ? _starting : now;
         if (isNew || heartbeat.State != HeartbeatState.Running || Last!.State != HeartbeatState.Running)
         {
             _progressed = now;

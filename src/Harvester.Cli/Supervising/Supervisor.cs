@@ -47,8 +47,8 @@ internal sealed class Supervisor(SupervisorOptions options, Terminal terminal)
             }
 
             TimeSpan delay = options.DelayOf(vain);
-            Log(FormattableString.Invariant(
-                $"{fault}; restart {vain} of {options.MaxRestarts} without progress follows in {delay.TotalSeconds:0.##} s"));
+            Log(FormattableString.Invariant($"{fault}; restart {vain} of at most {options.MaxRestarts} in a row without progress ")
+                + FormattableString.Invariant($"follows in {delay.TotalSeconds:0.##} s"));
             if (cancellation.WaitHandle.WaitOne(delay))
             {
                 return ExitCode.Cancelled;
@@ -77,7 +77,8 @@ internal sealed class Supervisor(SupervisorOptions options, Terminal terminal)
                 return null;
             }
 
-            if (hasEnded && !(judge.Last is { } heartbeat && process.TryAdopt(heartbeat.Process)))
+            // With any process, the number is that of another system.
+            if (hasEnded && !(judge.Last is { } heartbeat && !options.AllowsAnyProcess && process.TryAdopt(heartbeat.Process)))
             {
                 return $"process {Text(process.Id)} crashed: it ended ({process.Ending}) before its heartbeat said finished";
             }

@@ -31,6 +31,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
     private FreezeReport? _freezing;
     private bool _isSingle;
     private int _lastCaptured;
+    private string? _lastFault;
 
     /// <summary>Creates the feature; no harvest is running.</summary>
     /// <param name="options">What to harvest and how.</param>
@@ -89,7 +90,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
     public int Captured => _session is { } session ? session.Status.Captured : IsOn ? 0 : _lastCaptured;
 
     /// <summary>Why the last harvest ended early; null if it ended normally, or none has ended.</summary>
-    public string? LastFault { get; private set; }
+    public string? LastFault => _lastFault ?? (IsBusy ? null : _lastWriter?.Fault);
 
     /// <summary>Starts a harvest in a given folder, unless one is running.</summary>
     /// <param name="folder">The folder, which must not exist.</param>
@@ -99,7 +100,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         if (!IsOn)
         {
             SessionOrigin origin = _origin();
-            (_isSingle, _lastCaptured, LastFault) = (false, 0, null);
+            (_isSingle, _lastCaptured, _lastFault) = (false, 0, null);
             Start(options with { Faces = FacesInUse() }, () => Locked(folder, origin, options.ViewsPerMoment));
         }
     }
@@ -284,7 +285,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
     {
         SessionWriter writer = _writer.Opened!;
         HarvestStatus status = session.Status;
-        (_lastCaptured, LastFault) = (status.Captured, session.Failure is { } failure ? failure.Message : null);
+        (_lastCaptured, _lastFault) = (status.Captured, session.Failure is { } failure ? failure.Message : null);
         _session = null;
         _writer.Close();
         if (_startedWith!.Rig is not null)
@@ -333,6 +334,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         _lastWriter = null;
         if (writer.Fault is { } fault)
         {
+            _lastFault ??= fault;
             _messages.Tell(fault);
             _singles = null;
         }

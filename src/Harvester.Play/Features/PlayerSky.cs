@@ -11,6 +11,9 @@ public sealed class PlayerSky(ICarControls controls, IWorld world) : ISky
 {
     private EnvironmentState? _before;
 
+    /// <summary>The weather to keep after a moment; null for that of the game.</summary>
+    public Func<string?> Kept { get; init; } = static () => null;
+
     /// <inheritdoc/>
     public void Set(string? weather, TimeSpan? timeOfDay)
     {
@@ -29,7 +32,7 @@ public sealed class PlayerSky(ICarControls controls, IWorld world) : ISky
         if (_before is { } before)
         {
             Show(before.Weather, before.TimeOfDay);
-            controls.KeepWeather(null);
+            controls.KeepWeather(Kept());
             _before = null;
         }
     }

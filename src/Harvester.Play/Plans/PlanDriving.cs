@@ -54,6 +54,9 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
     /// <summary>Why no plan can run now; null if one can.</summary>
     public Func<string?> Obstacle { get; init; } = static () => null;
 
+    /// <summary>The weather that is kept for the trial under way; null without one.</summary>
+    public string? Weather => _world.Grip.Weather;
+
     /// <summary>A line about the trial under way; null without one.</summary>
     public string? Line => _run is { } run && _folder.Opened is { } folder
         ? FormattableString.Invariant($"PLAN  {folder.Status.Last.Values.Count(result => result.IsLast)} of {folder.Trials.Count} done  ")
@@ -104,6 +107,7 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
         if (_disk.IsFaulted)
         {
             string reason = _disk.Exception!.InnerException!.Message;
+            _disk = Task.CompletedTask;
             Stop();
             _messages.Tell($"The plan was stopped: {reason} The same key continues it.");
             return;

@@ -17,7 +17,9 @@ public sealed class TrialGrip(ITrialGame game, ICarControls controls)
     private int _held;
     private bool _isLoading;
     private bool _isDriven;
-    private bool _keepsWeather;
+
+    /// <summary>The weather that is kept; null for that of the game.</summary>
+    public string? Weather { get; private set; }
 
     /// <summary>Begins to load the scene around a place.</summary>
     public void BeginLoading(Vector3D place)
@@ -59,7 +61,7 @@ public sealed class TrialGrip(ITrialGame game, ICarControls controls)
     /// <summary>Fixes the weather.</summary>
     public void KeepWeather(string weather)
     {
-        _keepsWeather = true;
+        Weather = weather;
         controls.KeepWeather(weather);
     }
 
@@ -95,10 +97,10 @@ public sealed class TrialGrip(ITrialGame game, ICarControls controls)
         GiveBack,
         () =>
         {
-            if (_keepsWeather)
+            if (Weather is not null)
             {
                 controls.KeepWeather(null);
-                _keepsWeather = false;
+                Weather = null;
             }
         });
 

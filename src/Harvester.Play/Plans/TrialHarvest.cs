@@ -6,8 +6,11 @@ namespace Harvester.Play.Plans;
 /// <summary>Takes the frames of trials by the mod's own harvest, with the mod's own camera.</summary>
 /// <param name="harvest">The harvest.</param>
 /// <param name="mount">The camera.</param>
-public sealed class TrialHarvest(Harvest harvest, CameraMount mount) : ITrialHarvest
+/// <param name="messages">Reports why a harvest did not begin.</param>
+public sealed class TrialHarvest(Harvest harvest, CameraMount mount, PlayerMessages messages) : ITrialHarvest
 {
+    private bool _isBegun;
+
     /// <inheritdoc/>
     public bool IsOn => harvest.IsOn;
 
@@ -23,7 +26,14 @@ public sealed class TrialHarvest(Harvest harvest, CameraMount mount) : ITrialHar
     /// <inheritdoc/>
     public bool Begin(string folder, HarvestOptions options, double verticalFovDegrees)
     {
+        if (harvest.IsOn || harvest.IsBusy)
+        {
+            messages.Tell("Another harvest is running or being written. End it first.");
+            return false;
+        }
+
         // The camera is made anew, on the vehicle of the trial and with its field of view.
+        _isBegun = true;
         mount.Stop();
         mount.VerticalFovDegrees = verticalFovDegrees;
         harvest.StartIn(folder, options);
@@ -33,7 +43,21 @@ public sealed class TrialHarvest(Harvest harvest, CameraMount mount) : ITrialHar
     /// <inheritdoc/>
     public void End()
     {
+        // A harvest of the player's own goes on.
+        if (!_isBegun)
+        {
+            return;
+        }
+
+        _isBegun = false;
         mount.VerticalFovDegrees = null;
-        harvest.Stop();
+        try
+        {
+            harvest.Stop();
+        }
+        finally
+        {
+            mount.Stop();
+        }
     }
 }

@@ -58,7 +58,7 @@ public static class AppendedFile
 
     /// <summary>Refuses a folder that is a link: what is written to it would go elsewhere.</summary>
     /// <exception cref="IOException">The folder is a link.</exception>
-    internal static void RefuseLink(string folder)
+    public static void RefuseLink(string folder)
     {
         if ((File.GetAttributes(folder) & FileAttributes.ReparsePoint) != 0)
         {

@@ -49,8 +49,14 @@ public sealed class PlanStatus
     /// <exception cref="IOException">The file cannot be written; it is unchanged.</exception>
     public void Add(TrialResult result)
     {
+        bool isNew = !File.Exists(_path);
         using FileStream file = AppendedFile.Open(_path);
         AppendedFile.AppendLines(file, [(result ?? throw new ArgumentNullException(nameof(result))).ToJson()], isDurable: true);
+        if (isNew)
+        {
+            DiskSync.Folder(Path.GetDirectoryName(Path.GetFullPath(_path))!);
+        }
+
         _last[result.Trial] = result;
     }
 

@@ -8,7 +8,7 @@ namespace Harvester.Sessions.Plans;
 /// <param name="Trial">Id of the trial.</param>
 /// <param name="State">How it ended.</param>
 /// <param name="Attempt">Number of the attempt, from 1.</param>
-/// <param name="Frames">Number of frames of its session; of a failed attempt, those that are deleted.</param>
+/// <param name="Frames">Number of frames of its session; of a failed attempt, those that are deleted, or in the game moved away.</param>
 /// <param name="Reason">Why it failed; null if it did not.</param>
 public sealed record TrialResult(string Trial, TrialState State, int Attempt, int Frames, string? Reason)
 {
@@ -25,9 +25,9 @@ public sealed record TrialResult(string Trial, TrialState State, int Attempt, in
     /// <summary>Whether the trial needs no further attempt.</summary>
     public bool IsLast => State != TrialState.Failed;
 
-    /// <summary>The result of an attempt that failed.</summary>
+    /// <summary>The result of an attempt that failed; of paths in its reason, the last part remains.</summary>
     public static TrialResult OfFailure(string trial, int attempt, int frames, string reason) =>
-        new(trial, attempt < MaxAttempts ? TrialState.Failed : TrialState.Skipped, attempt, frames, reason);
+        new(trial, attempt < MaxAttempts ? TrialState.Failed : TrialState.Skipped, attempt, frames, PathlessText.Of(reason));
 
     /// <summary>The line of the file, without a line feed.</summary>
     public string ToJson()

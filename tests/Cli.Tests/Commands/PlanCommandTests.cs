@@ -162,6 +162,24 @@ public sealed class PlanCommandTests : IDisposable
     }
 
     [Fact]
+    public void Spread_place_with_the_name_of_another_is_one_line()
+    {
+        File.WriteAllText(PlanPath, """{"name":"p","places":[{"name":"a","spread":2},{"name":"A-1","x":0,"y":0}]}""");
+
+        CliRun.Of("plan", "show", PlanPath).AssertFailed(ExitCode.Usage, "Two places are called 'a-1' once the spread ones are chosen.");
+    }
+
+    [Fact]
+    public void Run_of_too_many_images_is_refused()
+    {
+        File.WriteAllText(
+            PlanPath, """{"name":"p","places":[{"name":"a","x":0,"y":0}],"weathers":["clear","rain","foggy"],"""
+            + """ "repetitions":1000,"frames":1000000}""");
+
+        CliRun.Of("plan", "run", PlanPath, "--out", Out).AssertFailed(ExitCode.Usage, "The plan has 3000000000 images; a run may have ");
+    }
+
+    [Fact]
     public void Resolved_plan_has_the_same_trials_at_points()
     {
         File.WriteAllText(PlanPath, PlanInitCommand.Example);

@@ -68,6 +68,25 @@ public sealed class PlantedLinkTests(SmallSession session) : IClassFixture<Small
         Assert.Equal(["00000000.png.0123456789abcdef.partial"], Directory.GetFiles(outside).Select(Path.GetFileName));
     }
 
+    [PosixTheory]
+    [InlineData("trials")]
+    [InlineData("trials/a_clear_1200_camera_001")]
+    public void Folder_of_trials_that_is_a_link_is_not_written(string name)
+    {
+        string folder = _hostile.PathOf("out");
+        string outside = _hostile.PathOf("outside");
+        string plan = _hostile.PathOf("plan.json");
+        File.WriteAllText(plan, """{"name":"p","places":[{"name":"a","x":0,"y":0}],"frames":1}""");
+        Directory.CreateDirectory(Path.Combine(folder, Path.GetDirectoryName(name)!));
+        File.Copy(plan, Path.Combine(folder, "plan.json"));
+        Directory.CreateDirectory(outside);
+        File.CreateSymbolicLink(Path.Combine(folder, name), outside);
+
+        HostileSession.Run("plan", "run", plan, "--out", folder, "--resume").AssertFailed(ExitCode.InputOutput, "is a link");
+
+        Assert.Empty(Directory.GetFileSystemEntries(outside));
+    }
+
     [PosixFact]
     public void Stopped_relabelling_is_not_resumed_through_a_link()
     {

@@ -94,6 +94,15 @@ public sealed class HeartbeatJudgeTests
     }
 
     [Fact]
+    public void Trials_that_do_not_load_in_a_row_are_no_hang()
+    {
+        for (int second = 0; second <= 200; second++)
+        {
+            Assert.Null(At(second, Beat(second, 0, HeartbeatState.Starting, trial: $"trial {second / 40}")));
+        }
+    }
+
+    [Fact]
     public void Heartbeat_that_never_comes_is_a_hang()
     {
         Assert.Null(At(50, HeartbeatReading.Missing));

@@ -60,6 +60,27 @@ public sealed class SuperviseCommandTests : IDisposable
     }
 
     [Fact]
+    public void Process_of_another_system_is_not_watched()
+    {
+        if (OperatingSystem.IsWindows())
+        {
+            return;
+        }
+
+        const string launcher = """
+            sleep 5 > /dev/null 2>&1 &
+            printf '{"process": %d, "time": "%s", "state": "running", "trial": null, "frames": 1}' \
+              $! "$(date -u +%Y-%m-%dT%H:%M:%SZ)" > "$0"
+            """;
+        CliRun run = CliRun.Of(
+            "supervise", "--heartbeat", _folder.Path, "--max-restarts", "0", "--any-process", "--",
+            "sh", "-c", launcher, _folder.PathOf("heartbeat.json"));
+
+        Assert.Equal(ExitCode.HarvestFault, run.ExitCode);
+        Assert.Contains("crashed: it ended (exit code 0)", run.Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Program_that_does_not_exist_is_reported() =>
         CliRun.Of("supervise", "--heartbeat", _folder.Path, "--", _folder.PathOf("none")).AssertFailed(
             ExitCode.InputOutput, "cannot be started");

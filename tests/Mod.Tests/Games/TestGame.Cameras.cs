@@ -8,7 +8,7 @@ namespace Harvester.Mod.Tests.Games;
 internal sealed partial class TestGame
 {
     public const float Aspect = 4f / 3;
-    private const int NoCamera = -1;
+    public const int NoCamera = -1;
     private const float NearClip = 0.15f;
     private const float OwnVerticalFovDegrees = 65;
 

@@ -96,6 +96,25 @@ public sealed class PlanDrivingTests : IDisposable
         Assert.Null(_world.Weather);
     }
 
+    [Fact]
+    public void Key_continues_after_an_error_of_the_disk()
+    {
+        string unfinished = Path.Combine(Output, "unfinished");
+        Directory.CreateDirectory(Path.Combine(Output, "trials", "a_clear_1200_camera_001"));
+        File.WriteAllText(unfinished, "a file where the folder belongs");
+        PlanDriving plan = Driving(TwoTrials);
+        plan.Toggle();
+        UntilOff(plan);
+        Assert.Contains("The plan was stopped: ", _told[^1], StringComparison.Ordinal);
+        Assert.Empty(StatusLines());
+
+        File.Delete(unfinished);
+        plan.Toggle();
+        UntilOff(plan);
+
+        Assert.Equal([TrialState.Done, TrialState.Done], StatusLines().Select(line => TrialResult.Parse(line).State));
+    }
+
     [Theory]
     [InlineData("""{"name":"p","places":[{"name":"a","spread":3}]}""",
         "plan.json: the place 'a' needs x and y, or a path: in the game, places are not chosen.")]

@@ -225,7 +225,7 @@ internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels,
 
     public IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range) => [];
 
-    public EnvironmentState ReadEnvironment() => throw new NotSupportedException();
+    public EnvironmentState ReadEnvironment() => new(Weather ?? "clear", TimeOfDay);
 
     public GrabResult Grab(PixelBuffer target)
     {

@@ -41,6 +41,14 @@ public sealed class PlanStatusTests : IDisposable
     }
 
     [Fact]
+    public void Reason_has_no_folders()
+    {
+        TrialResult result = TrialResult.OfFailure("a", 1, 0, "The session in '/home/someone/out/a' cannot be written: No space.");
+
+        Assert.Equal("The session in 'a' cannot be written: No space.", result.Reason);
+    }
+
+    [Fact]
     public void Unfinished_last_line_is_removed()
     {
         Open().Add(new TrialResult("a", TrialState.Done, 1, 40, null));

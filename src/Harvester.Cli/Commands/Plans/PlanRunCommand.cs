@@ -19,9 +19,9 @@ internal sealed class PlanRunCommand
 {
     private const string Notes =
         "Every trial becomes a session in DIR/trials/ID. DIR also has a copy of the plan; plan-status.jsonl, a line for each attempt\n"
-        + "that has ended; and heartbeat.json, renewed every second. A trial that fails is repeated; after three failures it is skipped,\n"
-        + "and the exit code is 4. Whatever stopped the command, --resume continues it, and the result has the bytes of a run that was\n"
-        + "not stopped. With --shard I/N, every N-th trial is run; the shards may share DIR.\n\n"
+        + "that has ended; and heartbeat.json, renewed at most once a second. A trial that fails is repeated; after three failures it\n"
+        + "is skipped, and the exit code is 4. Whatever stopped the command, --resume continues it, and the result has the bytes of a run\n"
+        + "that was not stopped. With --shard I/N, every N-th trial is run; the shards may share DIR.\n\n"
         + "Examples:\n"
         + "  harvester plan run plan.json --out experiment\n"
         + "  harvester plan run plan.json --out experiment --resume\n"
@@ -53,8 +53,14 @@ internal sealed class PlanRunCommand
         PlanWorld world = World.Parse(parsed);
         Trial[] trials = [.. TrialList.Of(file.Plan, world.PlacesOf(file.Plan)).Where((_, index) => shard.Takes(index))];
         using var output = PlanOutput.Open(folder, file.Text, shard, parsed.GetValue(Resume));
-        int images = checked(trials.Where(trial => output.Status.NextAttempt(trial.Id) is not null)
-            .Sum(trial => PlanRun.ImagesOf(file, trial)));
+        long images = trials.Where(trial => output.Status.NextAttempt(trial.Id) is not null)
+            .Sum(trial => (long)PlanRun.ImagesOf(file, trial));
+        if (images > int.MaxValue)
+        {
+            throw new UsageException(FormattableString.Invariant(
+                $"The plan has {images} images; a run may have {int.MaxValue}. Divide it with --shard, or take fewer frames."));
+        }
+
         terminal.Out.WriteLine(
             $"Running {Counted.Of(trials.Length, "trial")} of the plan {file.Plan.Name}, {PlanEstimate.Of(file, trials)}, to {folder}");
         terminal.Out.Flush();
@@ -63,7 +69,7 @@ internal sealed class PlanRunCommand
         int code;
         try
         {
-            code = new JobProgress(terminal, images, "images").Run(report => run.Run(trials, report, cancellation));
+            code = new JobProgress(terminal, (int)images, "images").Run(report => run.Run(trials, report, cancellation));
         }
         catch (OperationCanceledException)
         {
@@ -85,7 +91,7 @@ internal sealed class PlanRunCommand
         TrialResult[] skipped = [.. results.Where(result => result.State == TrialState.Skipped)];
         terminal.Out.WriteLine(
             $"{Counted.Of(results.Length - skipped.Length, "trial")} done, {skipped.Length} skipped, "
-            + Counted.Of(results.Where(result => result.State == TrialState.Done).Sum(result => result.Frames), "frame"));
+            + Counted.Of(results.Where(result => result.State == TrialState.Done).Sum(result => (long)result.Frames), "frame"));
         terminal.Out.WriteLine($"sessions {Path.Combine(folder, "trials")}");
         if (skipped.Length == 0)
         {
