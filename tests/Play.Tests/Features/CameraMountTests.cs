@@ -44,17 +44,17 @@ public sealed class CameraMountTests : IDisposable, ICameras, IVehicles
         return 1;
     }
 
-    public void Attach(int camera, int vehicle, Pose mount)
+    void ICameras.Attach(int camera, int vehicle, Pose mount)
     {
     }
 
-    public void Zoom(int camera, double verticalFovDegrees) => _shownDegrees = verticalFovDegrees;
+    void ICameras.Zoom(int camera, double verticalFovDegrees) => _shownDegrees = verticalFovDegrees;
 
-    public void Show(int camera)
+    void ICameras.Show(int camera)
     {
     }
 
-    public void Remove(int camera)
+    void ICameras.Remove(int camera)
     {
     }
 
@@ -62,7 +62,7 @@ public sealed class CameraMountTests : IDisposable, ICameras, IVehicles
 
     public int MakeBesidePlayer(int model, double metresBeside) => throw new NotSupportedException();
 
-    public void Prepare(int vehicle, int primaryColour, int secondaryColour, string plate) => throw new NotSupportedException();
+    void IVehicles.Prepare(int vehicle, int primaryColour, int secondaryColour, string plate) => throw new NotSupportedException();
 
     void IVehicles.Remove(int vehicle) => throw new NotSupportedException();
 }

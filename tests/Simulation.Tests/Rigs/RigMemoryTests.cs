@@ -10,6 +10,7 @@ using Xunit.Abstractions;
 namespace Harvester.Simulation.Tests.Rigs;
 
 /// <summary>What a harvest of many moments keeps in memory.</summary>
+[Collection(MeasuredAlone.Name)]
 public sealed class RigMemoryTests(ITestOutputHelper output)
 {
     private const int Moments = 400;
