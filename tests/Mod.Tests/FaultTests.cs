@@ -43,7 +43,9 @@ public sealed class FaultTests
         driver.Tick();
         HarvestTests.Street(driver.Game);
         driver.Press(Keys.J);
-        driver.Tick(30);
+        driver.Tick();
+        driver.WaitForDisk();
+        driver.Tick(29);
         Assert.InRange(driver.Screen.Grabs, before + 1, before + 30);
         driver.Press(Keys.J);
         Assert.False(driver.Game.IsPaused);
