@@ -160,8 +160,10 @@ public sealed class KilledCommandTests : IDisposable
         ];
         var start = new ProcessStartInfo("dotnet", arguments) { RedirectStandardInput = true, RedirectStandardOutput = true };
 
-        // It lives for seconds only: compiling everything at once, as the tests do, would take most of them.
+        // It lives for seconds only: compiling everything at once, as the tests do, would take most of them, and so would drawing by code
+        // that is not optimized.
         start.Environment["DOTNET_TieredCompilation"] = "1";
+        start.Environment["DOTNET_TC_QuickJitForLoops"] = "0";
         Process process = Process.Start(start)!;
         AssertLine(CommandLoop.Begun, process);
         return process;
