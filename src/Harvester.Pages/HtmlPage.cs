@@ -24,12 +24,15 @@ public static class HtmlPage
         page.Start("meta").With("charset", "utf-8").End().NewLine();
         page.Start("meta").With("name", "viewport").With("content", "width=device-width, initial-scale=1").End().NewLine();
         page.Element("title", title).NewLine();
-        page.Code("style", Asset("page.css") + style);
+        page.Code("style", StyleSheet(style));
         page.End().NewLine();
         page.Start("body").NewLine();
         writeBody(page);
         page.End().NewLine().End().NewLine();
     }
+
+    /// <summary>The common style sheet with a page's own.</summary>
+    internal static string StyleSheet(string style) => Asset("page.css") + style;
 
     private static string Asset(string name)
     {
