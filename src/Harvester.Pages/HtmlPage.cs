@@ -24,6 +24,9 @@ public static class HtmlPage
         page.Start("meta").With("charset", "utf-8").End().NewLine();
         page.Start("meta").With("name", "viewport").With("content", "width=device-width, initial-scale=1").End().NewLine();
         page.Element("title", title).NewLine();
+
+        // Without an icon, a browser would ask a server for one.
+        page.Start("link").With("rel", "icon").With("href", "data:,").End().NewLine();
         page.Code("style", StyleSheet(style));
         page.End().NewLine();
         page.Start("body").NewLine();

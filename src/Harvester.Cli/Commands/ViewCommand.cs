@@ -31,7 +31,7 @@ internal static class ViewCommand
             Description = "Folders of sessions; with several, the page lets you choose",
             Arity = ArgumentArity.OneOrMore,
         };
-        Option<int> port = ValueParsers.Integer("--port", "N", "Port to serve on [default: a free one]", 1, MaxPort);
+        Option<int> port = ValueParsers.Integer("--port", "N", "Port to serve on [default: a free one]", 0, MaxPort);
         port.DefaultValueFactory = _ => 0;
         var noOpen = new Option<bool>("--no-open")
         {

@@ -36,5 +36,5 @@ const source = {
     return (indicator < 0 ? frame.ego[name] : frame.indicators?.[indicator]) ?? null;
   },
   /** Calls back when more becomes known; a report knows all. */
-  follow() {},
+  async follow() {},
 };

@@ -69,7 +69,7 @@ function showFilters() {
   if (document.activeElement !== byId("text")) byId("text").value = state.text;
   byId("paint").value = state.paint;
   byId("opacity").value = state.opacity;
-  byId("raster-options").hidden = !rasterKinds.some(kind => rastersSeen.has(kind));
+  byId("raster-options").hidden = !rastersSeen.has("mask") && !rastersSeen.has("depth");
   describeMatches();
 }
 

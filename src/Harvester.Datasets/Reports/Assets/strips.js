@@ -2,15 +2,16 @@
 const thumbnails = { height: 36, made: new Map(), wanted: [] };
 const barHeight = 4;
 
-/** The frames of the small pictures: evenly spaced, all of the camera that is shown. */
+/** The frames of the small pictures: evenly spaced, and of the camera that is shown. */
 function thumbnailFrames() {
   const width = Math.max(40, Math.round(thumbnails.height * sizeOf(current())[0] / sizeOf(current())[1]));
   const number = Math.max(1, Math.min(source.count, Math.floor(byId("thumbs").clientWidth / (width + 2))));
-  return Array.from({ length: number }, (_, place) => {
-    const index = Math.floor((place + 0.5) * source.count / number);
-    for (let other = index; other < Math.min(source.known, index + data.views.length); other++) if (source.view(other) === current().view) return other;
+  const views = Math.max(1, data.views.length);
+  const ofView = index => {
+    for (let other = index; other < Math.min(source.known, index + views); other++) if (source.view(other) === current().view) return other;
     return index;
-  });
+  };
+  return [...new Set(Array.from({ length: number }, (_, place) => ofView(Math.floor((place + 0.5) * source.count / number))))];
 }
 
 /** Draws the strip; pictures that it lacks are made one after the other, so that the frame itself never waits long. */
