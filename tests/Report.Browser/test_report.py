@@ -292,7 +292,19 @@ def test_dark_and_light_style_differ(driver, open_page):
     for scheme in ("dark", "light"):
         driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": scheme}]})
         colours.append(page.script("return getComputedStyle(document.body).backgroundColor"))
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
     assert colours[0] != colours[1]
+
+
+def test_high_contrast_leaves_no_grey(driver, open_page):
+    page = open_page("town")
+    script = "return [...document.querySelectorAll('dt, .hint, h2, small')].map(e => getComputedStyle(e).color)"
+    assert len(set(page.script(script))) > 0
+    for scheme, ink in (("light", "rgb(0, 0, 0)"), ("dark", "rgb(255, 255, 255)")):
+        features = [{"name": "prefers-contrast", "value": "more"}, {"name": "prefers-color-scheme", "value": scheme}]
+        driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": features})
+        assert set(page.script(script)) == {ink}
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
 
 
 def test_every_control_has_a_name(open_page):

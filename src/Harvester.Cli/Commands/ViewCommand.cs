@@ -1,11 +1,14 @@
 using System;
 using System.Collections.Generic;
 using System.CommandLine;
+using System.Globalization;
 using System.Threading;
 using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Cli.Viewing;
+using Harvester.Datasets.Files;
+using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Viewing;
 using Harvester.Viewer;
 
@@ -31,8 +34,8 @@ internal static class ViewCommand
             Description = "Folders of sessions; with several, the page lets you choose",
             Arity = ArgumentArity.OneOrMore,
         };
-        Option<int> port = ValueParsers.Integer("--port", "N", "Port to serve on [default: a free one]", 0, MaxPort);
-        port.DefaultValueFactory = _ => 0;
+        Option<int?> port = ValueParsers.Optional<int>(
+            "--port", "N", "Port to serve on [default: a free one]", PortOf, "a port from 0 to 65535; 0 is a free one");
         var noOpen = new Option<bool>("--no-open")
         {
             Description = "Do not open the page in a browser; without a terminal it is not opened either",
@@ -42,10 +45,25 @@ internal static class ViewCommand
         command.SetAction((parsed, cancellation) =>
         {
             bool isOpened = terminal.IsInteractive && !parsed.GetValue(noOpen);
-            return ServeAsync(terminal, parsed.GetRequiredValue(sessions), parsed.GetValue(port), isOpened, cancellation);
+            return ServeAsync(terminal, parsed.GetRequiredValue(sessions), parsed.GetValue(port) ?? 0, isOpened, cancellation);
         });
         return command;
     }
+
+    private static SessionView Open(string session)
+    {
+        try
+        {
+            return new SessionView(new SessionReader(session));
+        }
+        catch (DatasetFormatException e)
+        {
+            throw new DatasetFormatException($"{session}: {e.Message}", e);
+        }
+    }
+
+    private static int? PortOf(string text) =>
+        int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int port) && port <= MaxPort ? port : null;
 
     private static async Task<int> ServeAsync(
         Terminal terminal, string[] sessions, int port, bool isOpened, CancellationToken cancellation)
@@ -55,7 +73,7 @@ internal static class ViewCommand
         {
             foreach (string session in sessions)
             {
-                views.Add(new SessionView(RecordedSessions.Open(terminal, session, CancellationToken.None)));
+                views.Add(Open(session));
             }
 
             await using ViewServer server = await ViewServer.StartAsync(views, port, cancellation).ConfigureAwait(false);

@@ -29,13 +29,20 @@ internal static class ReportPage
     /// <param name="title">Title of the browser's tab.</param>
     /// <param name="scripts">The parts of the script.</param>
     /// <param name="writeData">Writes the data that the scripts read.</param>
-    public static void Write(Stream stream, string title, IReadOnlyList<string> scripts, Action<MarkupWriter> writeData) =>
-        HtmlPage.Write(stream, title, Style, page =>
-        {
-            page.Markup(Asset("report.html"));
-            writeData(page);
-            page.Code("script", Code(scripts));
-        });
+    /// <param name="isServed">Whether a server sends the page.</param>
+    public static void Write(
+        Stream stream, string title, IReadOnlyList<string> scripts, Action<MarkupWriter> writeData, bool isServed = false) =>
+        HtmlPage.Write(
+            stream,
+            title,
+            Style,
+            page =>
+            {
+                page.Markup(Asset("report.html"));
+                writeData(page);
+                page.Code("script", Code(scripts));
+            },
+            isServed);
 
     /// <summary>The script.</summary>
     public static string Code(IReadOnlyList<string> scripts) => string.Join('\n', scripts.Select(Asset));

@@ -27,26 +27,28 @@ public static class ChooserPage
     public static string Write(Stream stream, IReadOnlyList<SessionView> views)
     {
         ArgumentNullException.ThrowIfNull(views);
-        HtmlPage.Write(stream, "Sessions", Style, page =>
-        {
-            page.Start("header").Element("h1", Counted.Of(views.Count, "session")).End();
-            page.Start("ul").With("class", "sessions").NewLine();
-            foreach ((int number, SessionView view) in views.Index())
-            {
-                string address = number.ToString(CultureInfo.InvariantCulture);
-                page.Start("li").With("class", "panel").Start("a").With("href", $"{address}/");
-                if (view.Frames > 0)
-                {
-                    page.Start("img").With("src", $"{address}/image/0").With("alt", "").With("loading", "lazy").End();
-                }
+        HtmlPage.Write(stream, "Sessions", Style, page => WriteBody(page, views), isServed: true);
+        return PagePolicy.Of(Style, script: null);
+    }
 
-                page.Element("b", view.Name);
-                page.Element("span", $"{Counted.Of(view.Frames, "frame")}, {view.Info.Image.Width} × {view.Info.Image.Height} px");
-                page.End().End().NewLine();
+    private static void WriteBody(MarkupWriter page, IReadOnlyList<SessionView> views)
+    {
+        page.Start("header").Element("h1", Counted.Of(views.Count, "session")).End();
+        page.Start("ul").With("class", "sessions").NewLine();
+        foreach ((int number, SessionView view) in views.Index())
+        {
+            string address = number.ToString(CultureInfo.InvariantCulture);
+            page.Start("li").With("class", "panel").Start("a").With("href", $"{address}/");
+            if (view.Frames > 0)
+            {
+                page.Start("img").With("src", $"{address}/image/0").With("alt", "").With("loading", "lazy").End();
             }
 
-            page.End().NewLine();
-        });
-        return PagePolicy.Of(Style, script: null);
+            page.Element("b", view.Name);
+            page.Element("span", $"{Counted.Of(view.Frames, "frame")}, {view.Info.Image.Width} × {view.Info.Image.Height} px");
+            page.End().End().NewLine();
+        }
+
+        page.End().NewLine();
     }
 }

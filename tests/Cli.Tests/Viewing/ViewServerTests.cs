@@ -38,7 +38,6 @@ public sealed class ViewServerTests : IAsyncLifetime
     [InlineData("/")]
     [InlineData("/0/")]
     [InlineData("/0123456789abcdef0123456789abcdef0123456789abcdef/0/")]
-    [InlineData("//0/")]
     public async Task Path_without_the_token_is_not_found(string path) =>
         Assert.Equal(HttpStatusCode.NotFound, await StatusAsync(new Uri(_server.Address, path), "127.0.0.1"));
 

@@ -162,6 +162,7 @@ async function begin() {
   await restore(location.hash);
   countMatches();
   await show(state.index);
+  performance.mark("first frame");
   if (state.frame) drawAll();
 }
 
