@@ -32,12 +32,18 @@ if (args.Length == 5)
 {
     // The runtime is a package that the restore downloads; the host, which is the program's first code, has its version. The SDK brings the
     // host of its own system, without the package and its hash.
-    string runtime = $"Microsoft.NETCore.App.Runtime.{args[4]}";
-    string runtimeVersion = VersionOfDownload(assets, runtime);
-    string path = Path.Combine(runtime.ToLowerInvariant(), runtimeVersion);
-    string hash = File.ReadAllText(Path.Combine(FolderOf(path), $"{runtime.ToLowerInvariant()}.{runtimeVersion}.nupkg.sha512"));
-    Add("framework", runtime, runtimeVersion, hash, LicenceOf(path));
-    Add("framework", $"Microsoft.NETCore.App.Host.{args[4]}", runtimeVersion, null, LicenceOf(path));
+    foreach (string framework in new[] { "Microsoft.NETCore.App", "Microsoft.AspNetCore.App" })
+    {
+        string runtime = $"{framework}.Runtime.{args[4]}";
+        string runtimeVersion = VersionOfDownload(assets, runtime);
+        string path = Path.Combine(runtime.ToLowerInvariant(), runtimeVersion);
+        string hash = File.ReadAllText(Path.Combine(FolderOf(path), $"{runtime.ToLowerInvariant()}.{runtimeVersion}.nupkg.sha512"));
+        Add("framework", runtime, runtimeVersion, hash, LicenceOf(path));
+        if (framework == "Microsoft.NETCore.App")
+        {
+            Add("framework", $"{framework}.Host.{args[4]}", runtimeVersion, null, LicenceOf(path));
+        }
+    }
 }
 
 JsonObject bom = new()

@@ -12,8 +12,9 @@ public static class HtmlPage
     /// <param name="title">Title of the browser's tab.</param>
     /// <param name="style">Style sheet, in addition to the common one.</param>
     /// <param name="writeBody">Writes the content of the body element.</param>
+    /// <param name="isServed">Whether a server sends the page: it then says that it has no icon, for which a browser would ask.</param>
     /// <exception cref="IOException">The stream cannot be written.</exception>
-    public static void Write(Stream stream, string title, string style, Action<MarkupWriter> writeBody)
+    public static void Write(Stream stream, string title, string style, Action<MarkupWriter> writeBody, bool isServed = false)
     {
         ArgumentNullException.ThrowIfNull(writeBody);
         ArgumentNullException.ThrowIfNull(stream);
@@ -24,12 +25,20 @@ public static class HtmlPage
         page.Start("meta").With("charset", "utf-8").End().NewLine();
         page.Start("meta").With("name", "viewport").With("content", "width=device-width, initial-scale=1").End().NewLine();
         page.Element("title", title).NewLine();
-        page.Code("style", Asset("page.css") + style);
+        if (isServed)
+        {
+            page.Start("link").With("rel", "icon").With("href", "data:,").End().NewLine();
+        }
+
+        page.Code("style", StyleSheet(style));
         page.End().NewLine();
         page.Start("body").NewLine();
         writeBody(page);
         page.End().NewLine().End().NewLine();
     }
+
+    /// <summary>The common style sheet with a page's own.</summary>
+    internal static string StyleSheet(string style) => Asset("page.css") + style;
 
     private static string Asset(string name)
     {

@@ -18,7 +18,11 @@ public sealed class ProjectReferenceTests
         ["Harvester.Mod"] = ["ScriptHookVDotNet3"],
         ["Harvester.Simulation"] = ["Harvester.Capture"],
         ["Harvester.Datasets"] = ["Harvester.Capture", "Harvester.Pages"],
-        ["Harvester.Cli"] = ["Harvester.Simulation", "Harvester.Datasets", "Harvester.Evaluation", "Harvester.Pages", "Harvester.Play"],
+        ["Harvester.Viewer"] = ["Harvester.Datasets"],
+        ["Harvester.Cli"] =
+        [
+            "Harvester.Simulation", "Harvester.Datasets", "Harvester.Evaluation", "Harvester.Pages", "Harvester.Play", "Harvester.Viewer",
+        ],
     };
 
     public static TheoryData<string> Projects => new(Directory

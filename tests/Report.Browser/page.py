@@ -1,7 +1,6 @@
 """A report in a headless browser."""
 
 import contextlib
-import pathlib
 
 from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
@@ -15,10 +14,10 @@ PATIENCE_SECONDS = 60  # A page is ready in a second; a busy machine may take lo
 class Page:
     """The page of a session. Positions and counts are read from what the browser shows."""
 
-    def __init__(self, driver, report: pathlib.Path, fragment: str = ""):
+    def __init__(self, driver, address: str, fragment: str = ""):
         self.driver = driver
         driver.get("about:blank")
-        driver.get(report.as_uri() + fragment)
+        driver.get(address + fragment)
         self.wait(lambda: self.script("return byId('position').textContent !== ''"))
 
     def wait(self, condition):
@@ -54,6 +53,17 @@ class Page:
     def marks(self):
         """All that is drawn on the picture and on the ground."""
         return self.script("return byId('marks').innerHTML + byId('ground').innerHTML")
+
+    def rasters(self):
+        """The maps and points that are drawn on the frame that is shown; None while they are read."""
+        index, kinds = self.script("return (byId('stage').dataset.rasters ?? '-1:').split(':')")
+        return kinds if int(index) == self.script("return state.index") else None
+
+    def show_layers(self, *names):
+        """Shows these layers and no others, and waits until they are drawn."""
+        self.script("state.shown = new Set(arguments[0]); refilter()", names)
+        wanted = [name for name in ("mask", "depth", "points") if name in names]
+        self.wait(lambda: self.rasters() == ",".join(wanted))
 
     def type_into(self, name, text):
         field = self.find(f"#{name}")

@@ -8,8 +8,14 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
 FRAME = 5
-CONTROLS = "#play, #slider, #speed, #plot, #plot-name, #kinds button, #classes button, #text, #farthest, #smallest, #mostOccluded, #clear, #help-open"
+CONTROLS = (
+    "#play, #slider, #speed, #plot, #plot-name, #bars, #thumbs, #kinds button, #classes button, #paint, #opacity, #text, #farthest, "
+    "#smallest, #mostOccluded, #mostTruncated, #leastSeen, #clear, #help-open")
 GROUND_TOLERANCE_METRES = 0.05  # Positions in the page have two decimals, headings of the ego two.
+
+
+def area(box):
+    return (box[2] - box[0]) * (box[3] - box[1])
 
 
 def nearest(frame, kind="car"):
@@ -77,6 +83,8 @@ def test_class_switch_hides_the_class(open_page, labels):
     ("farthest", "30", lambda item: item["distanceMetres"] <= 30),
     ("smallest", "12", lambda item: item["box2d"][3] - item["box2d"][1] >= 12),
     ("mostOccluded", "25", lambda item: (item["occludedFraction"] or 0) <= 0.25),
+    ("mostTruncated", "10", lambda item: item["truncatedFraction"] <= 0.1),
+    ("leastSeen", "120", lambda item: area(item["box2d"]) * (1 - (item["occludedFraction"] or 0)) >= 120),
     ("text", "car", lambda item: "car" in f"{item['id']} {item['class']} {item['model']} {item['name'] or ''}".lower()),
 ])
 def test_filter_counts_what_passes(open_page, labels, name, text, passes):
@@ -148,7 +156,7 @@ def test_keys_do_what_the_help_says(open_page, labels):
     for key, frame in ((Keys.ARROW_RIGHT, 1), (Keys.ARROW_LEFT, 0), (Keys.ARROW_LEFT, last), (Keys.HOME, 0), (Keys.PAGE_DOWN, 10), (Keys.END, last)):
         page.press(key)
         page.wait(lambda: page.frame() == frame)
-    for key, layer in (("b", "box"), ("v", "visible"), ("a", "amodal"), ("d", "edges"), ("l", "lanes"), ("j", "joints")):
+    for key, layer in (("b", "box"), ("v", "visible"), ("a", "amodal"), ("d", "edges"), ("l", "lanes"), ("j", "joints"), ("k", "mask"), ("t", "depth"), ("r", "points")):
         before = page.script("return state.shown.has(arguments[0])", layer)
         page.press(key)
         assert page.script("return state.shown.has(arguments[0])", layer) != before
@@ -206,12 +214,57 @@ def test_plot_has_the_values_of_the_labels(open_page, labels):
     page = open_page("town", f"#{FRAME}")
     frames = labels("town")
     page.script("byId('plot-name').value = 'angle'; byId('plot-name').dispatchEvent(new Event('change'))")
+    assert "angle" in page.text("#plot-name option:checked")
     values = [frame["lanes"]["indicators"]["angle"] for frame in frames if frame["lanes"]["valid"]["angle"]]
     least, greatest = page.text("#plot-range").split(" to ")
     assert (float(least), float(greatest)) == pytest.approx((min(values), max(values)), abs=0.005001)
     plot = page.find("#plot")
     ActionChains(page.driver).move_to_element_with_offset(plot, plot.size["width"] // 2 - 1, 0).click().perform()
     page.wait(lambda: page.frame() == len(frames) - 1)
+
+
+def test_bars_show_when_a_class_appears(open_page, labels):
+    page = open_page("town")
+    frames = labels("town")
+    names = page.script("return Object.keys(data.classes)")
+    # One column for each frame: its middle row of pixels in the row of each class.
+    drawn = page.script("""
+        const canvas = byId("bars"), context = canvas.getContext("2d");
+        return Object.keys(data.classes).map((_, row) => Array.from({ length: canvas.width }, (_, x) => context.getImageData(x, row * barHeight + 1, 1, 1).data[3] > 0));
+    """)
+    for name, row in zip(names, drawn):
+        assert row == [any(item["class"] == name for item in frame["objects"]) for frame in frames], name
+
+
+def test_key_goes_to_the_next_event(open_page, labels):
+    page = open_page("town")
+    frames = labels("town")
+    moved = next(index for index in range(1, len(frames)) if frames[index]["place"] != frames[index - 1]["place"])
+    assert moved > 0
+    for _ in range(page.script("return data.events.length")):
+        page.press("e")
+        if page.frame() == moved:
+            break
+    page.wait(lambda: page.frame() == moved)
+    assert "new place" in page.text("#message")
+
+
+def test_small_pictures_lead_to_their_frames(open_page, labels):
+    page = open_page("town")
+    page.wait(lambda: page.script("return [...document.querySelectorAll('#thumbs canvas')].every(canvas => canvas.width > 1)"))
+    frames = page.script("return [...byId('thumbs').children].map(button => Number(button.dataset.index))")
+    assert len(frames) > 5 and frames == sorted(set(frames))
+    page.driver.find_elements(By.CSS_SELECTOR, "#thumbs button")[3].click()
+    page.wait(lambda: page.frame() == frames[3])
+
+
+def test_picture_is_described_in_words(open_page, labels):
+    page = open_page("town", f"#{FRAME}")
+    whole = [item for item in labels("town")[FRAME]["objects"] if item["parent"] is None]
+    words = page.find("#image").get_attribute("aria-label")
+    assert words.startswith(f"Frame {FRAME}: ")
+    assert f"{sum(item['class'] == 'car' for item in whole)} car" in words
+    assert f"at {min(item['distanceMetres'] for item in whole):.0f} m" in words
 
 
 def test_wheel_zooms_about_the_pointer(open_page):
@@ -239,7 +292,19 @@ def test_dark_and_light_style_differ(driver, open_page):
     for scheme in ("dark", "light"):
         driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": scheme}]})
         colours.append(page.script("return getComputedStyle(document.body).backgroundColor"))
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
     assert colours[0] != colours[1]
+
+
+def test_high_contrast_leaves_no_grey(driver, open_page):
+    page = open_page("town")
+    script = "return [...document.querySelectorAll('dt, .hint, h2, small')].map(e => getComputedStyle(e).color)"
+    assert len(set(page.script(script))) > 0
+    for scheme, ink in (("light", "rgb(0, 0, 0)"), ("dark", "rgb(255, 255, 255)")):
+        features = [{"name": "prefers-contrast", "value": "more"}, {"name": "prefers-color-scheme", "value": scheme}]
+        driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": features})
+        assert set(page.script(script)) == {ink}
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
 
 
 def test_every_control_has_a_name(open_page):

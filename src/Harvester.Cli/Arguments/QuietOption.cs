@@ -9,7 +9,7 @@ namespace Harvester.Cli.Arguments;
 internal static class QuietOption
 {
     private static readonly string[] PrintingCommands =
-        ["validate", "doctor", "calibrate", "stats", "project", "boxes", "lanes", "info", "compare", "check", "list", "show"];
+        ["validate", "doctor", "view", "calibrate", "stats", "project", "boxes", "lanes", "info", "compare", "check", "list", "show"];
 
     public static Option<bool> Create() => new("--quiet", "-q")
     {

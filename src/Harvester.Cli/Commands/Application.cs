@@ -54,6 +54,7 @@ internal static class Application
         ("repair", RepairCommand.Create),
         ("doctor", DoctorCommand.Create),
         ("report", ReportCommand.Create),
+        ("view", ViewCommand.Create),
         ("calibrate", CalibrateCommand.Create),
         ("stats", StatsCommand.Create),
         ("relabel", RelabelCommand.Create),

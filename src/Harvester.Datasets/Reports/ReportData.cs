@@ -4,11 +4,14 @@ using System.Globalization;
 using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
+using Harvester.Datasets.Reports.Colours;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Rigs;
+using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Reports;
@@ -24,6 +27,30 @@ internal static class ReportData
         double pictureScale)
     {
         json.WriteStartObject();
+        WriteHead(json, title, info);
+        ReportFigures.Write(json, info, statistics);
+        json.WriteString("note",
+            string.Join(
+                " ",
+                [
+                    Note(statistics.Frames, frames.Count), .. pictureScale < 1 ? [Note(pictureScale)] : Array.Empty<string>(),
+                    .. info.Unchecked.Select(open => $"Note: {open}"),
+                ]));
+        FrameEvents.Write(json, FrameEvents.Of(frames));
+        WriteObjects(json, frames.SelectMany(frame => frame.Objects));
+        json.WriteStartArray("frames");
+        foreach (FrameLabel frame in frames)
+        {
+            ReportFrame.Write(json, frame);
+        }
+
+        json.WriteEndArray();
+        json.WriteEndObject();
+    }
+
+    /// <summary>Writes what a page needs before it knows any frame, as fields of the current object.</summary>
+    public static void WriteHead(Utf8JsonWriter json, string title, SessionInfo info)
+    {
         json.WriteString("title", title);
         json.WriteNumber("width", info.Image.Width);
         json.WriteNumber("height", info.Image.Height);
@@ -37,23 +64,23 @@ internal static class ReportData
         }
 
         json.WriteEndArray();
-        ReportFigures.Write(json, info, statistics);
-        json.WriteString("note",
-            string.Join(
-                " ",
-                [
-                    Note(statistics.Frames, frames.Count), .. pictureScale < 1 ? [Note(pictureScale)] : Array.Empty<string>(),
-                    .. info.Unchecked.Select(open => $"Note: {open}"),
-                ]));
-        WriteObjects(json, frames);
-        json.WriteStartArray("frames");
-        foreach (FrameLabel frame in frames)
+        json.WriteStartObject("colours");
+        foreach (ObjectClass kind in Enum.GetValues<ObjectClass>())
         {
-            ReportFrame.Write(json, frame);
+            json.WriteString(JsonName.Of(kind), $"#{ClassColours.Of(kind):x6}");
+        }
+
+        json.WriteEndObject();
+        json.WriteStartArray("views");
+        foreach (RigCamera camera in info.Rig?.Cameras ?? [])
+        {
+            json.WriteStartObject();
+            json.WriteString("name", camera.Name);
+            json.Numbers("size", [camera.Image.Width, camera.Image.Height], 0);
+            json.WriteEndObject();
         }
 
         json.WriteEndArray();
-        json.WriteEndObject();
     }
 
     private static string Note(int all, int shown) =>
@@ -66,15 +93,20 @@ internal static class ReportData
         string.Create(CultureInfo.InvariantCulture, $"Images are scaled to {100 * pictureScale:0} % so that the page stays small.");
 
     /// <summary>What does not change from frame to frame, by the objects' numbers.</summary>
-    private static void WriteObjects(Utf8JsonWriter json, IEnumerable<FrameLabel> frames)
+    public static void WriteObjects(Utf8JsonWriter json, IEnumerable<ObjectLabel> objects)
     {
         json.WriteStartObject("objects");
-        foreach (ObjectLabel item in frames.SelectMany(frame => frame.Objects).DistinctBy(item => item.Id))
+        foreach (ObjectLabel item in objects.DistinctBy(item => item.Id))
         {
             json.WriteStartObject(item.Id.ToString(CultureInfo.InvariantCulture));
             json.WriteString("class", JsonName.Of(item.Class));
             json.WriteString("model", item.Model);
             json.WriteString("name", item.Name);
+            if (item.Face?.MutcdCode is { } code)
+            {
+                json.WriteString("mutcd", code);
+            }
+
             if (item.Parent is { } parent)
             {
                 json.WriteNumber("parent", parent);

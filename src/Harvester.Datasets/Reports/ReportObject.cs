@@ -46,11 +46,6 @@ internal static class ReportObject
             json.WriteString("light", JsonName.Of(light.State));
         }
 
-        if (item.Face?.MutcdCode is { } code)
-        {
-            json.WriteString("mutcd", code);
-        }
-
         if (item.Lights is { } lamps)
         {
             WriteLamps(json, lamps);

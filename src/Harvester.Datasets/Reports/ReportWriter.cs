@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using System.Text;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
@@ -19,10 +18,6 @@ public sealed class ReportWriter
 {
     /// <summary>Default name of a session's report.</summary>
     public const string FileName = SessionFolder.Report;
-
-    /// <summary>The parts of the page's script, in the order in which they use each other.</summary>
-    private static readonly string[] Scripts =
-        ["page.js", "state.js", "picture.js", "ground.js", "timeline.js", "objects.js", "statistics.js", "report.js"];
 
     private readonly SessionReader _session;
     private readonly ReportLimits _limits;
@@ -59,9 +54,8 @@ public sealed class ReportWriter
         }
 
         string title = Path.GetFileName(Path.GetFullPath(_session.Folder));
-        HtmlPage.Write(stream, $"{title}: session report", Asset("report.css"), page =>
+        ReportPage.Write(stream, $"{title}: session report", ReportPage.ScriptsOfReport, page =>
         {
-            page.Markup(Asset("report.html"));
             page.Json("data", json => ReportData.Write(json, title, info, statistics, frames, embedder?.Scale ?? 1));
             if (embedder is null)
             {
@@ -70,9 +64,8 @@ public sealed class ReportWriter
             else
             {
                 WritePictures(page, embedder.Embed(PathsOf(frames)));
+                WriteMasks(page, frames);
             }
-
-            page.Code("script", string.Join('\n', Scripts.Select(Asset)));
         });
         return frames.Count;
     }
@@ -130,6 +123,23 @@ public sealed class ReportWriter
         }
     }
 
+    /// <summary>Embeds the instance masks, if they are small enough together.</summary>
+    private void WriteMasks(MarkupWriter page, List<FrameLabel> frames)
+    {
+        (int Index, string Path)[] masks = [.. frames.Index().Where(frame => frame.Item.Mask is not null)
+            .Select(frame => (frame.Index, _session.PathOf(frame.Item.Mask!))).Where(mask => File.Exists(mask.Item2))];
+        if (masks.Sum(mask => new FileInfo(mask.Path).Length) > _limits.MaskBytes)
+        {
+            return;
+        }
+
+        foreach ((int index, string path) in masks)
+        {
+            page.Start("script").With("type", "text/plain").With("id", $"mask-{index}")
+                .Base64(InputFile.ReadAllBytes(path, InputFile.MaxPictureBytes)).End().NewLine();
+        }
+    }
+
     /// <summary>Starts an image in a script element, which the browser does not decode until the page's script asks for it.</summary>
     private static void StartImage(MarkupWriter page, int index) =>
         page.Start("script").With("type", "text/plain").With("id", $"image-{index}");
@@ -141,12 +151,5 @@ public sealed class ReportWriter
         return Path.IsPathRooted(path)
             ? new Uri(path).AbsoluteUri
             : string.Join('/', path.Split(Path.DirectorySeparatorChar).Select(Uri.EscapeDataString));
-    }
-
-    private static string Asset(string name)
-    {
-        using Stream stream = typeof(ReportWriter).Assembly.GetManifestResourceStream($"Harvester.Datasets.Reports.Assets.{name}")!;
-        using var reader = new StreamReader(stream, Encoding.UTF8);
-        return reader.ReadToEnd().ReplaceLineEndings("\n");
     }
 }

@@ -136,7 +136,7 @@ public sealed class SessionReader
     }
 
     /// <summary>Checks ids: objects are looked up by id, which is also their value in masks.</summary>
-    private static string? IdProblem(FrameLabel label)
+    internal static string? IdProblem(FrameLabel label)
     {
         var seen = new HashSet<int>();
         return label.Objects.FirstOrDefault(item => item.Id is < 1 or > ushort.MaxValue || !seen.Add(item.Id)) is not { } item ? null

@@ -114,7 +114,9 @@ public sealed class SessionStatistics
     /// <summary>Labels by occluded fraction, if known.</summary>
     public Histogram OccludedFractions { get; } = Histogram.Fractions(FractionBins);
 
-    private void Add(FrameLabel label)
+    /// <summary>Counts a further frame.</summary>
+    /// <exception cref="DatasetFormatException">There are too many kinds of weather.</exception>
+    internal void Add(FrameLabel label)
     {
         FirstTimeSeconds = Frames == 0 ? label.TimeSeconds : FirstTimeSeconds;
         LastTimeSeconds = label.TimeSeconds;

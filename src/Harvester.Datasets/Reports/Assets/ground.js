@@ -19,7 +19,7 @@ function drawGround() {
   for (let ring = 20; ring <= ahead; ring += 20) {
     drawn.push(shape("circle", { r: ring, class: "ring" }), shape("text", { x: 0.5, y: -ring - 0.5, class: "metres" }, `${ring} m`));
   }
-  drawn.push(fieldOfView(frame));
+  drawn.push(fieldOfView(frame), ...groundPoints());
   for (const line of frame.lines ?? []) drawn.push(shape("path", { d: pathOf(frame, pairs(line.ground)), class: `ground-line ${line.colour ?? ""}` }));
   drawn.push(shape("path", { d: pathOf(frame, egoPath()), class: "path" }));
   drawn.push(...frame.objects.filter(object => object.parent === undefined && passes(object)).map(object => footprint(frame, object)));
@@ -31,8 +31,8 @@ function drawGround() {
 function egoPath() {
   const near = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]) < groundReach.ahead;
   const places = [current().ego.at];
-  for (let i = state.index - 1; i >= 0 && near(data.frames[i].ego.at, places[0]) && places.length < 200; i--) places.unshift(data.frames[i].ego.at);
-  for (let i = state.index + 1; i < data.frames.length && near(data.frames[i].ego.at, places.at(-1)) && places.length < 400; i++) places.push(data.frames[i].ego.at);
+  for (let i = state.index - 1; i >= 0 && i < source.known && near(source.ego(i), places[0]) && places.length < 200; i--) places.unshift(source.ego(i));
+  for (let i = state.index + 1; i < source.known && near(source.ego(i), places.at(-1)) && places.length < 400; i++) places.push(source.ego(i));
   return places;
 }
 

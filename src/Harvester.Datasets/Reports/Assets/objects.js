@@ -12,6 +12,7 @@ function detail(object) {
     ["Distance", `${fixed(object.distance)} m`], ["Speed", `${fixed(object.speed * 3.6, 0)} km/h`],
     ["Length × width × height", object.size.map(value => fixed(value)).join(" × ") + " m"],
     ["Truncation", percent(object.truncated)], ["Occlusion", percent(object.occluded)], ["Occlusion from", words(object.method)],
+    ["Visible area", `${fixed((object.box[2] - object.box[0]) * (object.box[3] - object.box[1]) * (1 - (object.occluded ?? 0)), 0)} px²`],
     ["2D box", object.box.map(value => fixed(value)).join(", ") + " px"],
   ], false);
 }
@@ -26,15 +27,14 @@ function choose(id) {
 
 /** Pictures of the followed object over time, at most eight of the frames that show it. */
 function crops() {
-  const seen = data.frames.flatMap((frame, index) => frame.objects.filter(object => object.id === state.chosen).map(object => ({ index, object })));
+  const seen = state.chosen === null ? [] : source.sightings(state.chosen);
   const chosen = seen.filter((_, number) => number % Math.ceil(seen.length / 8) === 0);
-  byId("crops").replaceChildren(...chosen.map(({ index, object }) => {
-    const [left, top, right, bottom] = object.box;
+  byId("crops").replaceChildren(...chosen.map(({ index, box: [left, top, right, bottom] }) => {
     const margin = 0.15 * Math.max(right - left, bottom - top) + 2;
     const crop = shape("svg", { viewBox: `${left - margin} ${top - margin} ${right - left + 2 * margin} ${bottom - top + 2 * margin}` });
-    const [width, height] = sizeOf(data.frames[index]);
+    const [width, height] = source.size(index);
     crop.append(shape("image", { href: picture(index).src, width, height }));
-    const button = element("button", { type: "button", "aria-label": `Frame ${data.frames[index].frame}` }, crop);
+    const button = element("button", { type: "button", "aria-label": `Frame ${source.number(index)}` }, crop);
     button.addEventListener("click", () => { play(false); show(index); });
     return button;
   }));
@@ -61,36 +61,40 @@ function switches(parent, entries) {
 
 /** The switches and limits as the state has them, and how much they let through. */
 function showFilters() {
-  switches(byId("kinds"), layers.map(([kind, label]) => ({ label, isOn: () => state.shown.has(kind), toggle: () => flip(state.shown, kind) })));
-  switches(byId("classes"), Object.entries(data.classes).map(([name, entry]) => ({
+  const offered = layers.filter(([kind]) => !rasterKinds.includes(kind) || rastersSeen.has(kind));
+  switches(byId("kinds"), offered.map(([kind, label]) => ({ label, isOn: () => state.shown.has(kind), toggle: () => flip(state.shown, kind) })));
+  switches(byId("classes"), Object.entries(data.classes ?? {}).map(([name, entry]) => ({
     label: words(name), swatch: entry.colour, count: entry.labels, isOn: () => !state.hidden.has(name), toggle: () => flip(state.hidden, name) })));
-  for (const name of ["farthest", "smallest", "mostOccluded"]) {
-    if (document.activeElement !== byId(name)) byId(name).value = state[name] ?? "";
-  }
+  for (const name in limits) if (document.activeElement !== byId(name)) byId(name).value = state[name] ?? "";
   if (document.activeElement !== byId("text")) byId("text").value = state.text;
-  const labels = data.frames.reduce((sum, frame) => sum + frame.objects.length, 0);
-  const passed = data.frames.map(frame => frame.objects.filter(passes).length);
-  byId("matches").textContent = `${passed.reduce((sum, count) => sum + count, 0)} of ${labels} labels in ${passed.filter(count => count > 0).length} of ${data.frames.length} frames`;
+  byId("paint").value = state.paint;
+  byId("opacity").value = state.opacity;
+  byId("raster-options").hidden = !rastersSeen.has("mask") && !rastersSeen.has("depth");
+  describeMatches();
 }
 
 function refilter() {
   const focused = document.activeElement?.closest("#kinds, #classes") ? [document.activeElement.parentElement.id, [...document.activeElement.parentElement.children].indexOf(document.activeElement)] : null;
+  countMatches();
   showFilters();
   if (focused) byId(focused[0]).children[focused[1]].focus();
   draw();
   drawTimeline();
+  drawBars();
 }
 
 function listenToFilters() {
-  for (const name of ["farthest", "smallest", "mostOccluded"]) {
+  for (const name in limits) {
     byId(name).addEventListener("input", event => { state[name] = event.target.value === "" ? null : Number(event.target.value); refilter(); });
   }
   byId("text").addEventListener("input", event => { state.text = event.target.value; refilter(); });
   byId("clear").addEventListener("click", () => {
     state.hidden.clear();
     state.text = "";
-    state.farthest = state.smallest = state.mostOccluded = null;
+    for (const name in limits) state[name] = null;
     refilter();
   });
   byId("follow").addEventListener("click", () => choose(null));
+  byId("paint").addEventListener("change", event => { state.paint = event.target.value; drawRasters(); remember(); });
+  byId("opacity").addEventListener("input", event => { state.opacity = Number(event.target.value); fadeRasters(); remember(); });
 }

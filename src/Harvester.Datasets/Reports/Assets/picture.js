@@ -6,27 +6,32 @@ const bones = [[0, 1], [1, 2], [2, 3], [3, 4], [4, 5], [5, 6], [2, 7], [7, 8], [
 const pictures = new Map();
 const zoom = { scale: 1, x: 0, y: 0 };
 
-function sourceOf(index) {
-  const stored = byId(`image-${index}`);
-  return stored.dataset.href ?? `data:${stored.dataset.type};base64,${stored.textContent.trim()}`;
-}
-
 /** The picture of a frame, decoded once it has been asked for. */
 function picture(index) {
   if (!pictures.has(index)) {
     const image = new Image();
-    image.src = sourceOf(index);
+    image.src = source.picture(index);
     pictures.set(index, image);
     if (pictures.size > 60) pictures.delete(pictures.keys().next().value); // The memory of a page stays small.
   }
   return pictures.get(index);
 }
 
+/** What a picture shows, in words, for those who do not see it. */
+function summary(frame) {
+  const seen = frame.objects.filter(object => object.parent === undefined && passes(object));
+  const counts = Map.groupBy(seen, object => object.class);
+  const nearest = seen.reduce((best, object) => !best || object.distance < best.distance ? object : best, null);
+  return `Frame ${frame.frame}: ${[...counts].map(([name, list]) => `${list.length} ${words(name)}`).join(", ") || "no objects"}`
+    + (nearest ? `; nearest: ${words(nearest.class)} at ${fixed(nearest.distance, 0)} m` : "");
+}
+
 function drawPicture() {
   const frame = current();
   const [width, height] = sizeOf(frame);
   byId("stage").style.setProperty("--aspect", width / height);
-  for (const [key, value] of Object.entries({ href: picture(state.index).src, width, height, "aria-label": `Frame ${frame.frame}` })) byId("image").setAttribute(key, value);
+  for (const [key, value] of Object.entries({ href: picture(state.index).src, width, height, "aria-label": summary(frame) })) byId("image").setAttribute(key, value);
+  for (const image of document.querySelectorAll("#overlay .raster")) for (const [key, value] of [["width", width], ["height", height]]) image.setAttribute(key, value);
   const view = [zoom.x, zoom.y, width / zoom.scale, height / zoom.scale];
   byId("overlay").setAttribute("viewBox", view.join(" "));
   // The farthest first, so that the nearest lies on top and is the one pointed at.

@@ -1,13 +1,13 @@
 // Puts the parts together: which frame is shown, the keys, and the address.
 const speeds = [1, 2, 4, 8, 15, 30]; // frames per second
-const hasFrames = data.frames.length > 0;
 
 async function show(index) {
   state.index = index;
-  const image = picture(index);
-  try { await image.decode(); } catch { /* A picture that cannot be decoded is shown as the browser shows it. */ }
+  let frame;
+  try { [frame] = await Promise.all([source.load(index), decoded(index)]); } catch (error) { return complain(error); }
   if (state.index !== index) return;
-  const frame = current();
+  state.frame = frame;
+  complain(null);
   byId("slider").value = index;
   byId("slider").setAttribute("aria-valuetext", `frame ${frame.frame}`);
   byId("position").textContent = `frame ${frame.frame}${frame.view ? ` (${frame.view})` : ""}, ${fixed(frame.time, 2)} s`;
@@ -20,12 +20,34 @@ async function show(index) {
   showViews();
   draw();
   moveCursor();
-  if (index + 1 < data.frames.length) picture(index + 1);
+  drawThumbnails();
+  prefetch(index);
+}
+
+/** Shows what went wrong until the next frame is shown; null when one is. */
+function complain(error) {
+  const message = byId("message");
+  if (error === null && message.dataset.isError) message.textContent = "";
+  if (error !== null) message.textContent = error.message;
+  if (error === null) delete message.dataset.isError; else message.dataset.isError = "true";
+}
+
+/** A picture that cannot be decoded is shown as the browser shows it. */
+const decoded = index => picture(index).decode().catch(() => {});
+
+/** Asks for the neighbours of a frame, so that they appear at once. */
+function prefetch(index) {
+  for (const next of [index + 1, index + 2, index - 1]) {
+    if (next < 0 || next >= source.count) continue;
+    decoded(next);
+    source.load(next).catch(() => {});
+  }
 }
 
 function draw() {
   drawPicture();
   drawGround();
+  drawRasters();
   detail(chosenObject());
   remember();
 }
@@ -34,21 +56,25 @@ const remember = () => history.replaceState(null, "", address());
 
 /** The views of a rig at this moment, side by side; none for a single camera. */
 function showViews() {
-  const views = current().view ? data.frames.map((frame, index) => ({ frame, index })).filter(({ frame }) => frame.moment === current().moment) : [];
-  byId("views").replaceChildren(...views.map(({ frame, index }) => {
-    const button = element("button", { type: "button", "aria-pressed": index === state.index }, element("img", { src: picture(index).src, alt: "" }), frame.view);
+  const views = [];
+  const near = data.views.length;
+  if (current().view) for (let index = Math.max(0, state.index - near); index < Math.min(source.known, state.index + near + 1); index++) {
+    if (source.moment(index) === current().moment) views.push(index);
+  }
+  byId("views").replaceChildren(...views.map(index => {
+    const button = element("button", { type: "button", "aria-pressed": index === state.index }, element("img", { src: picture(index).src, alt: "" }), source.view(index));
     button.addEventListener("click", () => show(index));
     return button;
   }));
 }
 
-const step = by => show((state.index + by + data.frames.length) % data.frames.length);
+const step = by => show((state.index + by + source.count) % source.count);
 
 /** Goes to the next frame in which an object passes the filters. */
 function stepToMatch(by) {
-  for (let tried = 1; tried <= data.frames.length; tried++) {
-    const index = (state.index + by * tried + data.frames.length * tried) % data.frames.length;
-    if (data.frames[index].objects.some(passes)) return show(index);
+  for (let tried = 1; tried <= source.count; tried++) {
+    const index = (state.index + by * tried + source.count * tried) % source.count;
+    if (matchCounts[index] > 0) return show(index);
   }
 }
 
@@ -72,14 +98,15 @@ async function copyLink() {
 }
 
 const nearSpeed = by => setSpeed(speeds[Math.min(speeds.length - 1, Math.max(0, speeds.indexOf(state.framesPerSecond) + by))]);
-const layerKeys = { b: "box", v: "visible", a: "amodal", d: "edges", l: "lanes", j: "joints" };
+const layerKeys = { b: "box", v: "visible", a: "amodal", d: "edges", l: "lanes", j: "joints", k: "mask", t: "depth", r: "points" };
 const keys = {
   ArrowRight: ["next frame", () => step(1)], ArrowLeft: ["previous frame", () => step(-1)],
-  PageDown: ["ten frames on", () => step(10 % data.frames.length)], PageUp: ["ten frames back", () => step(-10 % data.frames.length)],
-  Home: ["first frame", () => show(0)], End: ["last frame", () => show(data.frames.length - 1)], " ": ["play or pause", () => play(state.timer === null)],
+  PageDown: ["ten frames on", () => step(10 % source.count)], PageUp: ["ten frames back", () => step(-10 % source.count)],
+  Home: ["first frame", () => show(0)], End: ["last frame", () => show(source.count - 1)], " ": ["play or pause", () => play(state.timer === null)],
   "[": ["play slower", () => nearSpeed(-1)], "]": ["play faster", () => nearSpeed(1)],
   n: ["follow the next object, by distance", () => chooseNext(1)], p: ["follow the previous object", () => chooseNext(-1)],
   Escape: ["follow nothing", () => choose(null)], m: ["next frame that passes the filters", () => stepToMatch(1)],
+  e: ["next event", stepToEvent],
   ...Object.fromEntries(Object.entries(layerKeys).map(([key, layer]) =>
     [key, [`show or hide: ${layers.find(([name]) => name === layer)[1]}`, () => { flip(state.shown, layer); refilter(); }]])),
   "+": ["zoom in", () => zoomBy(1.5)], "-": ["zoom out", () => zoomBy(1 / 1.5)], 0: ["whole picture", () => panTo(0, 0, 1)],
@@ -91,7 +118,7 @@ function listenToKeys() {
   table("keys", ["Key", "What it does"], Object.entries(keys).map(([key, [what]]) => [element("kbd", {}, names[key] ?? key), what]));
   document.addEventListener("keydown", event => {
     const isTyping = event.target.matches("input:not([type=range]), select");
-    if (event.ctrlKey || event.metaKey || event.altKey || byId("help").open || !hasFrames) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || byId("help").open || state.frame === null) return;
     if (event.key === "Escape" && isTyping) return event.target.blur();
     // Buttons and sliders have keys of their own.
     if (isTyping || (event.target.matches("button") && event.key === " ") || (event.target.matches("input") && event.key.length > 1)) return;
@@ -100,30 +127,68 @@ function listenToKeys() {
   });
 }
 
-document.title = `${data.title}: session report`;
-byId("title").textContent = data.title;
-describe(byId("facts"), Object.entries(data.facts), true);
-byId("note").textContent = data.note;
-listenToKeys();
-byId("help-open").addEventListener("click", () => byId("help").showModal());
-showStatistics();
-byId("viewer").hidden = byId("tools").hidden = !hasFrames;
-if (hasFrames) {
-  restore(location.hash);
+/** Draws what depends on all frames. */
+function drawAll() {
+  showFilters();
+  crops();
+  offerPlots();
+  drawTimeline();
+  drawBars();
+}
+
+let isBegun = false;
+
+/** Shows the frames for the first time. */
+async function begin() {
+  isBegun = true;
   listenToFilters();
   listenToPicture();
   listenToTimeline();
-  byId("plot-name").value = state.plot;
-  byId("slider").max = data.frames.length - 1;
+  listenToStrips();
   byId("slider").addEventListener("input", event => { play(false); show(Number(event.target.value)); });
   byId("play").addEventListener("click", () => play(state.timer === null));
   byId("speed").replaceChildren(...speeds.map(speed => element("option", { value: speed }, `${speed}/s`)));
   byId("speed").addEventListener("change", event => setSpeed(Number(event.target.value)));
-  window.addEventListener("hashchange", () => { restore(location.hash); showFilters(); crops(); drawTimeline(); show(state.index); });
+  window.addEventListener("hashchange", async () => {
+    await restore(location.hash);
+    countMatches();
+    drawAll();
+    show(state.index);
+  });
+  byId("viewer").hidden = byId("tools").hidden = false;
+  byId("slider").max = source.count - 1;
   setSpeed(state.framesPerSecond);
   play(false);
-  showFilters();
-  crops();
-  drawTimeline();
-  show(state.index);
+  await restore(location.hash);
+  countMatches();
+  await show(state.index);
+  performance.mark("first frame");
+  if (state.frame) drawAll();
 }
+
+/** Takes over that more frames are known. */
+async function grow({ problems, problem }) {
+  byId("slider").max = source.count - 1;
+  byId("note").textContent = [
+    data.note, source.known < source.count ? `${source.known} of ${source.count} frames are read for filters, plots and statistics.` : "",
+    problem ? `${problems} lines cannot be read. ${problem}` : ""].filter(text => text !== "").join(" ");
+  if (!isBegun && source.count > 0) await begin();
+  countMatches(matchCounts.length);
+  if (state.frame) { drawAll(); showViews(); drawGround(); drawThumbnails(); }
+}
+
+/** Takes over statistics and events of the frames that are known. */
+function takeFigures(figures) {
+  Object.assign(data, figures);
+  describe(byId("facts"), Object.entries(data.facts), true);
+  showStatistics();
+}
+
+byId("title").textContent = data.title;
+byId("note").textContent = data.note;
+listenToKeys();
+byId("help-open").addEventListener("click", () => byId("help").showModal());
+byId("viewer").hidden = byId("tools").hidden = true;
+if (data.facts) takeFigures(data);
+if (source.count > 0) begin();
+source.follow(grow, takeFigures).catch(error => { byId("message").textContent = `The viewer has stopped. ${error.message}`; });

@@ -38,6 +38,7 @@ function histogram(chart) {
 }
 
 function showStatistics() {
+  for (const id of ["counts", "comparison", "histograms", "weathers", "hours", "indicators"]) byId(id).replaceChildren();
   counts();
   table("comparison", ["Comparison", "This session", data.comparison.name], data.comparison.rows);
   data.histograms.forEach(histogram);
