@@ -21,7 +21,7 @@ internal static class ReportData
     /// <summary>Writes the data as one object.</summary>
     public static void Write(
         Utf8JsonWriter json, string title, SessionInfo info, SessionStatistics statistics, IReadOnlyList<FrameLabel> frames,
-        double pictureScale)
+        double pictureScale, bool hasPredictions)
     {
         json.WriteStartObject();
         json.WriteString("title", title);
@@ -42,7 +42,7 @@ internal static class ReportData
             string.Join(
                 " ",
                 [
-                    Note(statistics.Frames, frames.Count), .. pictureScale < 1 ? [Note(pictureScale)] : Array.Empty<string>(),
+                    Note(statistics.Frames, frames.Count, hasPredictions), .. pictureScale < 1 ? [Note(pictureScale)] : Array.Empty<string>(),
                     .. info.Unchecked.Select(open => $"Note: {open}"),
                 ]));
         WriteObjects(json, frames);
@@ -56,10 +56,11 @@ internal static class ReportData
         json.WriteEndObject();
     }
 
-    private static string Note(int all, int shown) =>
+    private static string Note(int all, int shown, bool hasPredictions) =>
         shown == all
             ? string.Create(CultureInfo.InvariantCulture, $"This page shows all {all} frames of the session.")
-            : string.Create(CultureInfo.InvariantCulture, $"This page shows {shown} of the session's {all} frames, evenly spaced. ")
+            : string.Create(CultureInfo.InvariantCulture, $"This page shows {shown} of the session's {all} frames, ")
+                + (hasPredictions ? "evenly spaced or with the most errors. " : "evenly spaced. ")
                 + "The statistics cover all of them.";
 
     private static string Note(double pictureScale) =>
