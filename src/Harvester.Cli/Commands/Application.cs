@@ -56,6 +56,7 @@ internal static class Application
         ("report", ReportCommand.Create),
         ("calibrate", CalibrateCommand.Create),
         ("stats", StatsCommand.Create),
+        ("compare", CompareCommand.Create),
         ("relabel", RelabelCommand.Create),
         ("export", ExportCommand.Create),
         ("pairs", PairsCommand.Create),

@@ -1,12 +1,13 @@
 // Predictions in the picture, which frames have the most errors, and precision and recall; nothing without predictions.
 const evaluation = byId("predictions") ? JSON.parse(byId("predictions").textContent) : null;
 const outcomes = { matched: "matched", false: "false positive", ignored: "in an ignore region", missed: "missed" };
-const figure = value => value === null ? "no objects" : value.toFixed(3);
+const figure = value => value === null ? "none" : value.toFixed(3);
 const share = (part, whole) => whole === 0 ? "none" : (part / whole).toFixed(3);
 
 if (evaluation) {
   layers.push(["predictions", "predictions"]);
   state.shown.add("predictions");
+  state.shown.delete("box"); // Its colours are those of classes.
 }
 
 /** The predictions of the frame and the objects that they miss, told apart by colour and by style of line. */
@@ -72,10 +73,10 @@ function showEvaluation() {
   const held = id => element("div", { class: "table" }, element("table", { id }));
   const seen = classes.filter(kind => kind.objects || kind.false);
   byId("evaluation").append(element("h2", {}, `Predictions (${evaluation.format})`),
-    element("div", { class: "panels" }, held("precisions"), held("figures")),
+    element("div", { class: "panels" }, held("precisions")),
     element("p", { class: "hint" }, `AP and AR are COCO's: precision at 101 recalls, averaged over overlaps of 0.5 to 0.95, with all predictions. Matched, missed and false positives are counted at overlap 0.5 for scores of ${minScore} or more. Curves: solid at overlap 0.5, dashed at 0.75.`),
     element("div", { class: "panels" }, ...seen.filter(kind => kind.objects).map(curves)),
-    element("div", { class: "panels" }, held("by-class"), held("by-size"), held("by-distance"), held("by-occlusion")));
+    element("div", { class: "panels" }, held("by-class"), held("by-size"), held("by-distance"), held("by-occlusion"), held("figures")));
   table("precisions", ["Class", "Objects", "AP", "AP50", "AP75", "AP small", "AP medium", "AP large", "AR100"], seen.map(kind => {
     const mark = element("i");
     mark.style.background = kind.colour;
