@@ -10,6 +10,7 @@ using Harvester.Cli.Terminals;
 using Harvester.Datasets.Comparison;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Text;
 using Spectre.Console;
 
 namespace Harvester.Cli.Commands;
@@ -35,7 +36,11 @@ internal static class CompareCommand
             Description = "Folder of the session to compare it with",
             Arity = ArgumentArity.ZeroOrOne,
         };
-        var kitti = new Option<string?>("--kitti") { Description = "Compare with KITTI: the folder label_2 or one above it", HelpName = "DIR" };
+        var kitti = new Option<string?>("--kitti")
+        {
+            Description = "Compare with KITTI: the folder label_2 or one above it",
+            HelpName = "DIR",
+        };
         var nuScenes = new Option<string?>("--nuscenes")
         {
             Description = "Compare with nuScenes: the folder with its tables or the one above it",
@@ -111,7 +116,7 @@ internal static class CompareCommand
     {
         foreach (DatasetProfile profile in new[] { comparison.First, comparison.Second })
         {
-            terminal.WriteQuoting(FormattableString.Invariant($"{profile.Name}: {profile.Frames} frames, {profile.Labels} labels"));
+            terminal.WriteQuoting($"{profile.Name}: {Counted.Of(profile.Frames, "frame")}, {Counted.Of(profile.Labels, "label")}");
         }
 
         var table = new Table { Border = TableBorder.None };
@@ -128,10 +133,13 @@ internal static class CompareCommand
                 Text(comparison.WassersteinOf(quantity)), Text(comparison.JensenShannonOf(quantity)));
         }
 
-        table.AddRow("Classes", "", "", "", Text(DatasetComparison.Between(comparison.First.Classes, comparison.Second.Classes)?.JensenShannon));
-        table.AddRow("Levels", "", "", "", Text(DatasetComparison.Between(comparison.First.Levels, comparison.Second.Levels)?.JensenShannon));
+        AddCounts(table, "Classes", comparison.First.Classes, comparison.Second.Classes);
+        AddCounts(table, "Levels", comparison.First.Levels, comparison.Second.Levels);
         terminal.ToAnsiConsole().Write(table);
     }
+
+    private static void AddCounts(Table table, string name, CategoryCounts first, CategoryCounts second) =>
+        table.AddRow(name, "", "", "", Text(DatasetComparison.Between(first, second)?.JensenShannon));
 
     private static string Text(double? value) => value is { } known ? ComparisonPage.Rounded(known) : "none";
 

@@ -71,7 +71,8 @@ internal static class ReportCommand
             SessionReader reader = RecordedSessions.Open(terminal, session, cancellation);
             if (parsed.GetValue(still) is { } frame)
             {
-                if (new Option[] { frames, link, predictions, minScore }.FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false }) is { } idle)
+                Option[] ofPages = [frames, link, predictions, minScore];
+                if (Array.Find(ofPages, option => parsed.GetResult(option) is { Implicit: false }) is { } idle)
                 {
                     throw new UsageException($"{idle.Name} has no effect with --still.");
                 }

@@ -14,7 +14,7 @@ public sealed record ComparedQuantity(string Key, string Title, string Unit, (do
     private const int Bins = 36;
 
     /// <summary>Beyond this quantile, the numbers of an unbounded quantity share the last bin.</summary>
-    private const double LastBinFrom = 0.99;
+    private const double LastBinFrom = 0.95;
 
     private const double HalfTurn = 180;
     private const double White = 255;

@@ -6,6 +6,7 @@ using System.Linq;
 using Harvester.Geometry;
 using Harvester.Pages;
 using Harvester.Pages.Plots;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Comparison;
 
@@ -18,6 +19,9 @@ public static class ComparisonPage
     private const double BarHeightPixels = 10;
     private const int Percent = 100;
 
+    /// <summary>The axis of shares is a little longer than the greatest share.</summary>
+    private const double Headroom = 1.05;
+
     private const string Style = """
         body { max-width: 1240px; }
         main { display: grid; gap: 20px; grid-template-columns: minmax(0, 1fr); }
@@ -27,6 +31,7 @@ public static class ComparisonPage
         b.first { color: var(--accent); } b.second { color: #b27700; }
         rect.first { fill: var(--accent); stroke: none; } rect.second { fill: #cf8a00; stroke: none; }
         .plot polyline { stroke-width: 2; }
+        .table + .hint { margin-top: 10px; }
         td svg { display: inline-block; vertical-align: middle; }
         details { margin-top: 10px; } summary { cursor: pointer; color: var(--quiet); }
         .facts b, h1 b { overflow-wrap: anywhere; }
@@ -71,7 +76,7 @@ public static class ComparisonPage
     public static string Rounded(double value)
     {
         int decimals = value == 0 ? 0 : Math.Clamp(2 - (int)Math.Floor(Math.Log10(Math.Abs(value))), 0, 6);
-        return Math.Round(value, decimals).ToString(CultureInfo.InvariantCulture);
+        return InvariantNumber.Format(value, decimals);
     }
 
     private static string OrNone(double? value) => value is { } known ? Rounded(known) : "none";
@@ -83,7 +88,7 @@ public static class ComparisonPage
     private static string Unit(ComparedQuantity quantity) => quantity.Unit.Length == 0 ? "" : ", " + quantity.Unit;
 
     private static void WriteFact(MarkupWriter page, DatasetProfile profile) => page.Start("div").Element("dt", profile.Name)
-        .Element("dd", $"{Whole(profile.Frames)} frames, {Whole(profile.Labels)} labels").End().NewLine();
+        .Element("dd", $"{Counted.Of(profile.Frames, "frame")}, {Counted.Of(profile.Labels, "label")}").End().NewLine();
 
     private static void WriteSummary(MarkupWriter page, DatasetComparison comparison)
     {
@@ -140,7 +145,8 @@ public static class ComparisonPage
     {
         double most = fractions.SelectMany(share => share).DefaultIfEmpty(1).Max();
         var plot = new LinePlot(
-            new PlotAxis(quantity.Title + Unit(quantity), edges[0], edges[^1]), new PlotAxis("share of values, %", 0, Percent * most * 1.05));
+            new PlotAxis(quantity.Title + Unit(quantity), edges[0], edges[^1]),
+            new PlotAxis("share of values, %", 0, Percent * most * Headroom));
         foreach ((string style, double[] shares) in new[] { First, Second }.Zip(fractions))
         {
             Vector2D[] outline =
@@ -176,7 +182,7 @@ public static class ComparisonPage
     {
         (CategoryCounts first, CategoryCounts second) = (countsOf(comparison.First), countsOf(comparison.Second));
         StartSection(page, title);
-        StartTable(page, ["Name", .. Names(comparison).SelectMany(name => new[] { $"Labels, {name}", "Share" }), ""]);
+        StartTable(page, ["Name", .. Names(comparison).SelectMany(name => new[] { $"Labels, {name}", "Share" }), "Shares"]);
         foreach ((string name, double one, double other) in DatasetComparison.FractionsOf(first, second))
         {
             page.Start("tr").Start("th").With("scope", "row").Text(name).End();

@@ -36,7 +36,8 @@ internal sealed record NuScenesView(
                 (corner & 1) == 0 ? -length / 2 : length / 2, (corner & 2) == 0 ? -width / 2 : width / 2,
                 (corner & 4) == 0 ? -height / 2 : height / 2)))),
         ];
-        Vector2D[] pixels = [.. Visible(corners).Select(point => new Vector2D(Cx + (Fx * point.X / point.Z), Cy + (Fy * point.Y / point.Z)))];
+        Vector2D[] pixels =
+            [.. Visible(corners).Select(point => new Vector2D(Cx + (Fx * point.X / point.Z), Cy + (Fy * point.Y / point.Z)))];
         if (pixels.Length == 0)
         {
             return null;

@@ -12,7 +12,9 @@ using Harvester.Geometry;
 
 namespace Harvester.Datasets.Predictions;
 
-/// <summary>Predictions as COCO results: a JSON list of objects with image_id, category_id, bbox and score. All are held in memory.</summary>
+/// <summary>
+/// Predictions as COCO results: a JSON list of objects with image_id, category_id, bbox and score. All are held in memory.
+/// </summary>
 internal sealed class CocoPredictions : IPredictions
 {
     /// <summary>With 48 bytes here and 24 in the evaluation, they need less than 1 GB.</summary>
@@ -96,7 +98,8 @@ internal sealed class CocoPredictions : IPredictions
         }
     }
 
-    public IReadOnlyList<PredictedBox> For(int image) => new ArraySegment<PredictedBox>(_boxes, _starts[image], _starts[image + 1] - _starts[image]);
+    public IReadOnlyList<PredictedBox> For(int image) =>
+        new ArraySegment<PredictedBox>(_boxes, _starts[image], _starts[image + 1] - _starts[image]);
 
     public void CheckImages(IReadOnlySet<int> images)
     {
@@ -129,8 +132,7 @@ internal sealed class CocoPredictions : IPredictions
             int category = fields.Integer("category_id");
             double[] box = fields.Numbers("bbox", BoxNumbers);
             double score = fields.Number("score");
-            string? problem = image < 0 || image >= images
-                ? images == 0 ? "the session has no images." : $"image_id {image} is unknown; the images of the session are 0 to {images - 1}."
+            string? problem = image < 0 || image >= images ? $"image_id {image} is unknown; the images of the session are 0 to {images - 1}."
                 : !places.ContainsKey(category)
                     ? $"category_id {category} is unknown; the categories are {string.Join(", ", places.Keys)} (docs/exports/coco.md)."
                 : box[2] < 0 || box[3] < 0 ? $"bbox is x, y, width, height; width and height are {box[2]} and {box[3]}, less than 0."

@@ -12,7 +12,9 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Predictions;
 
-/// <summary>Predictions as KITTI results: a label file per frame, with a score at the end of each line. Files are read one at a time.</summary>
+/// <summary>
+/// Predictions as KITTI results: a label file per frame, with a score at the end of each line. Files are read one at a time.
+/// </summary>
 internal sealed class KittiPredictions : IPredictions
 {
     private const int Columns = 16;
@@ -30,7 +32,7 @@ internal sealed class KittiPredictions : IPredictions
         _options = options;
         _files = files;
         Classes = [.. KittiClasses.Types.Select(type => new PredictedClass(type, KindOf(type)))];
-        _places = Classes.Select((kind, place) => (kind.Name, place)).ToDictionary(pair => pair.Name, pair => pair.place, StringComparer.Ordinal);
+        _places = Classes.Index().ToDictionary(kind => kind.Item.Name, kind => kind.Index, StringComparer.Ordinal);
     }
 
     public string Format => "KITTI";

@@ -42,7 +42,8 @@ internal static class ReportData
             string.Join(
                 " ",
                 [
-                    Note(statistics.Frames, frames.Count, hasPredictions), .. pictureScale < 1 ? [Note(pictureScale)] : Array.Empty<string>(),
+                    Note(statistics.Frames, frames.Count, hasPredictions),
+                    .. pictureScale < 1 ? [Note(pictureScale)] : Array.Empty<string>(),
                     .. info.Unchecked.Select(open => $"Note: {open}"),
                 ]));
         WriteObjects(json, frames);

@@ -72,7 +72,7 @@ public sealed class CompareCommandTests : IDisposable
         CliRun run = CliRun.Of("compare", session, "--kitti", _folder.PathOf("kitti"), "--out", _folder.PathOf("page.html"));
 
         run.AssertDone();
-        Assert.Contains("\nkitti: 1 frames, 1 labels\n", run.Out, StringComparison.Ordinal);
+        Assert.Contains("\nkitti: 1 frame, 1 label\n", run.Out, StringComparison.Ordinal);
         Assert.Matches(@"\n *Image brightness, of 255 +[0-9.]+ +none +none +none *\n", run.Out);
     }
 

@@ -20,13 +20,16 @@ public sealed class ComparedDatasetTests(SimulatedSession session) : IDisposable
     public void KITTI_labels_are_read_in_the_terms_of_the_development_kit()
     {
         // A car 3 m high whose bottom is 1.5 m below the camera, 3 m to the right and 4 m ahead: its centre is 5 m away.
-        Write("label_2/000000.txt", "Car 0.25 1 1.5 100 50 150 80 3 1.6 4 3 1.5 4 2.1\nDontCare -1 -1 -10 0 0 9 9 -1 -1 -1 -1000 -1000 -1000 -10\n");
+        Write(
+            "label_2/000000.txt",
+            "Car 0.25 1 1.5 100 50 150 80 3 1.6 4 3 1.5 4 2.1\nDontCare -1 -1 -10 0 0 9 9 -1 -1 -1 -1000 -1000 -1000 -10\n");
         Write("label_2/000001.txt", "");
 
         DatasetProfile profile = Read(ComparedKitti.Open(_folder));
 
         Assert.Equal((2, 1, 1), (profile.Frames, profile.Labels, profile.Classes.Of("Car")));
-        Assert.Equal((30, 50, 1500), (Only(profile, ComparedQuantity.BoxHeight), Only(profile, ComparedQuantity.BoxWidth), Only(profile, ComparedQuantity.BoxArea)));
+        Assert.Equal((30, 50), (Only(profile, ComparedQuantity.BoxHeight), Only(profile, ComparedQuantity.BoxWidth)));
+        Assert.Equal(1500, Only(profile, ComparedQuantity.BoxArea));
         Assert.Equal((5, 0.25), (Only(profile, ComparedQuantity.Distance), Only(profile, ComparedQuantity.Truncation)));
         Assert.Equal(1.5 * 180 / Math.PI, Only(profile, ComparedQuantity.Orientation), 1e-9);
         Assert.Equal(1, profile.Levels.Of("1, partly occluded"));
@@ -49,8 +52,11 @@ public sealed class ComparedDatasetTests(SimulatedSession session) : IDisposable
     [Fact]
     public void Folder_without_labels_is_refused()
     {
-        Assert.Contains("has no label files", Assert.Throws<DatasetFormatException>(() => ComparedKitti.Open(_folder)).Message, StringComparison.Ordinal);
-        Assert.Contains("has no tables", Assert.Throws<DatasetFormatException>(() => ComparedNuScenes.Open(_folder)).Message, StringComparison.Ordinal);
+        string kitti = Assert.Throws<DatasetFormatException>(() => ComparedKitti.Open(_folder)).Message;
+        string nuScenes = Assert.Throws<DatasetFormatException>(() => ComparedNuScenes.Open(_folder)).Message;
+
+        Assert.Contains("has no label files", kitti, StringComparison.Ordinal);
+        Assert.Contains("has no tables", nuScenes, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -85,7 +91,9 @@ public sealed class ComparedDatasetTests(SimulatedSession session) : IDisposable
     [Fact]
     public void Session_compared_with_itself_has_no_distance()
     {
-        var comparison = new DatasetComparison(Read(ComparedSession.InItsTerms(session.Open())), Read(ComparedSession.InItsTerms(session.Open())));
+        DatasetProfile profile = Read(ComparedSession.InItsTerms(session.Open()));
+
+        var comparison = new DatasetComparison(profile, Read(ComparedSession.InItsTerms(session.Open())));
 
         Assert.All(
             ComparedQuantity.All.Where(quantity => comparison.First.Of(quantity).Count > 0),

@@ -77,17 +77,17 @@ public sealed class PredictionEvaluationTests : IDisposable
     [InlineData("[", "predictions.json', line 1: it is not valid JSON")]
     [InlineData("{}", "is not COCO results: it must be a JSON list")]
     [InlineData("[7]", "line 1: the text")]
-    [InlineData("[\n{ \"image_id\": 3, \"category_id\": 1, \"bbox\": [0, 0, 1, 1], \"score\": 1 }]", "line 2: image_id 3 is unknown; the images of the session are 0 to 2")]
-    [InlineData("[{ \"image_id\": -1, \"category_id\": 1, \"bbox\": [0, 0, 1, 1], \"score\": 1 }]", "image_id -1 is unknown")]
-    [InlineData("[{ \"image_id\": 0, \"category_id\": 11, \"bbox\": [0, 0, 1, 1], \"score\": 1 }]", "category_id 11 is unknown; the categories are 1, 2,")]
-    [InlineData("[{ \"image_id\": 0, \"category_id\": 1, \"bbox\": [0, 0, -1, 1], \"score\": 1 }]", "width and height are -1 and 1, less than 0")]
-    [InlineData("[{ \"image_id\": 0, \"category_id\": 1, \"bbox\": [0, 0, NaN, 1], \"score\": 1 }]", "NaN and Infinity are no JSON numbers")]
-    [InlineData("[{ \"image_id\": 0, \"category_id\": 1, \"bbox\": [0, 0, 1e99, 1], \"score\": 1 }]", "bbox")]
-    [InlineData("[{ \"image_id\": 0, \"category_id\": 1, \"bbox\": [0, 0, 1], \"score\": 1 }]", "bbox")]
-    [InlineData("[{ \"image_id\": 0, \"category_id\": 1, \"bbox\": [0, 0, 1, 1] }]", "score is missing")]
+    [InlineData("[\n{ 'image_id': 3, 'category_id': 1, 'bbox': [0, 0, 1, 1], 'score': 1 }]", "line 2: image_id 3 is unknown")]
+    [InlineData("[{ 'image_id': -1, 'category_id': 1, 'bbox': [0, 0, 1, 1], 'score': 1 }]", "the images of the session are 0 to 2")]
+    [InlineData("[{ 'image_id': 0, 'category_id': 11, 'bbox': [0, 0, 1, 1], 'score': 1 }]", "category_id 11 is unknown")]
+    [InlineData("[{ 'image_id': 0, 'category_id': 1, 'bbox': [0, 0, -1, 1], 'score': 1 }]", "are -1 and 1, less than 0")]
+    [InlineData("[{ 'image_id': 0, 'category_id': 1, 'bbox': [0, 0, NaN, 1], 'score': 1 }]", "NaN and Infinity are no JSON numbers")]
+    [InlineData("[{ 'image_id': 0, 'category_id': 1, 'bbox': [0, 0, 1e99, 1], 'score': 1 }]", "bbox")]
+    [InlineData("[{ 'image_id': 0, 'category_id': 1, 'bbox': [0, 0, 1], 'score': 1 }]", "bbox")]
+    [InlineData("[{ 'image_id': 0, 'category_id': 1, 'bbox': [0, 0, 1, 1] }]", "score is missing")]
     public void Bad_COCO_results_are_refused_with_their_line(string results, string message)
     {
-        DatasetFormatException e = Assert.Throws<DatasetFormatException>(() => Evaluate(results));
+        DatasetFormatException e = Assert.Throws<DatasetFormatException>(() => Evaluate(results.Replace('\'', '"')));
 
         Assert.Contains(message, e.Message, StringComparison.Ordinal);
     }

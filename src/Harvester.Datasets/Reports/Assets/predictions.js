@@ -15,7 +15,7 @@ function drawPredictions() {
   if (!evaluation) return [];
   const frame = evaluation.frames[state.index];
   const counted = kind => frame.boxes.filter(box => box.outcome === kind).length;
-  byId("outcomes-here").textContent = `This frame: ${counted("matched")} matched, ${frame.missed.length} missed, ${counted("false")} false positives.`;
+  byId("outcomes-here").textContent = `This frame: ${counted("matched")} matched, ${frame.missed.length} missed, ${counted("false")} false.`;
   if (!state.shown.has("predictions")) return [];
   return [...frame.missed.map(box => ({ ...box, outcome: "missed" })), ...frame.boxes]
     .filter(({ class: place }) => !state.hidden.has(evaluation.classes[place].name)).map(drawPrediction);
@@ -33,6 +33,7 @@ function drawPrediction({ box: [left, top, right, bottom], class: place, score, 
 
 const worstLink = ({ frame, misses, false: wrong }) => {
   const link = element("a", { href: `#frame=${frame}` }, `Frame ${frame}`);
+  link.addEventListener("click", () => byId("viewer").scrollIntoView());
   return [link, `: ${misses} missed, ${wrong} false`];
 };
 
@@ -67,13 +68,16 @@ function countTable(id, title, counts, hasFalse) {
 function showEvaluation() {
   const { figures, classes, minScore } = evaluation;
   const key = ["matched", "false", "missed"].map(kind => element("span", {}, element("i", { class: `key ${kind}` }), outcomes[kind]));
+  const next = element("button", { type: "button", class: "plain", id: "next-worst" }, "Next by errors (w)");
+  next.addEventListener("click", stepToWorst);
+  next.hidden = evaluation.worst.length === 0;
   byId("tools").firstElementChild.after(element("section", {}, element("h2", {}, "Predictions"), element("p", { class: "outcome-key" }, ...key),
-    element("p", { class: "hint", id: "outcomes-here" }), element("p", { class: "hint" }, evaluation.worst.length ? "Frames with the most errors:" : "No frame has errors."),
-    element("ol", { class: "worst" }, ...evaluation.worst.map(entry => element("li", {}, ...worstLink(entry))))));
+    element("p", { class: "hint" }, element("span", { id: "outcomes-here" }), " ", next)));
   const held = id => element("div", { class: "table" }, element("table", { id }));
   const seen = classes.filter(kind => kind.objects || kind.false);
   byId("evaluation").append(element("h2", {}, `Predictions (${evaluation.format})`),
-    element("div", { class: "panels" }, held("precisions")),
+    element("div", { class: "panels wide" }, held("precisions"), element("div", {}, element("h2", {}, "Frames with the most errors"),
+      element("ol", { class: "worst" }, ...evaluation.worst.map(entry => element("li", {}, ...worstLink(entry)))))),
     element("p", { class: "hint" }, `AP and AR are COCO's: precision at 101 recalls, averaged over overlaps of 0.5 to 0.95, with all predictions. Matched, missed and false positives are counted at overlap 0.5 for scores of ${minScore} or more. Curves: solid at overlap 0.5, dashed at 0.75.`),
     element("div", { class: "panels" }, ...seen.filter(kind => kind.objects).map(curves)),
     element("div", { class: "panels" }, held("by-class"), held("by-size"), held("by-distance"), held("by-occlusion"), held("figures")));
