@@ -57,6 +57,7 @@ internal static class Application
         ("view", ViewCommand.Create),
         ("calibrate", CalibrateCommand.Create),
         ("stats", StatsCommand.Create),
+        ("compare", CompareCommand.Create),
         ("relabel", RelabelCommand.Create),
         ("export", ExportCommand.Create),
         ("pairs", PairsCommand.Create),

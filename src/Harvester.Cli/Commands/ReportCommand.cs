@@ -6,7 +6,9 @@ using System.Linq;
 using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
+using Harvester.Datasets.Detections;
 using Harvester.Datasets.Files;
+using Harvester.Datasets.Predictions;
 using Harvester.Datasets.Reports;
 using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Text;
@@ -19,13 +21,19 @@ internal static class ReportCommand
     private const string Notes =
         "The page shows frames with their boxes, lane lines and joints, a bird's-eye view, plots over time, filters and statistics.\n"
         + "It works offline and needs no other file: the images are embedded as JPEG, scaled down if they would exceed 5.5 MB. With\n"
-        + "--link, the page shows the image files of the session. Press ? in the page for its keys.\n\n"
+        + "--link, the page shows the image files of the session. Press ? in the page for its keys.\n"
+        + "With --predictions, it also shows which objects a detector finds and misses, with average precision as COCO defines it.\n\n"
         + "Examples:\n"
         + "  harvester report out\n"
         + "  harvester report out --frames 300 --out report.html\n"
+        + "  harvester report out --predictions results.json --out predictions.html\n"
         + "  harvester report out --still 12 --out frame.png";
 
     private const int MaxFrames = 10_000;
+    private const double DefaultMinScore = 0.5;
+
+    /// <summary>The overlap of 0.75 among COCO's.</summary>
+    private const int Overlap75 = 5;
 
     public static Command Create(Terminal terminal)
     {
@@ -44,7 +52,18 @@ internal static class ReportCommand
         {
             Description = "Link the images instead of embedding them; the page is small and works only next to its session",
         };
-        var command = new Command("report", "Show a session as one self-contained HTML page.") { folder, output, frames, still, link };
+        var predictions = new Option<string?>("--predictions")
+        {
+            Description = "Compare the labels with predictions: a file with COCO results, or a folder with KITTI results",
+            HelpName = "FILE|DIR",
+        };
+        Option<double?> minScore = ValueParsers.Optional<double>(
+            "--min-score", "N", "Count and draw predictions with this score or a higher one; precision and recall use all [default: 0.5]",
+            ValueParsers.Number, "a number, e.g. 0.5");
+        var command = new Command("report", "Show a session as one self-contained HTML page.")
+        {
+            folder, output, frames, still, link, predictions, minScore,
+        };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
         {
@@ -52,7 +71,8 @@ internal static class ReportCommand
             SessionReader reader = RecordedSessions.Open(terminal, session, cancellation);
             if (parsed.GetValue(still) is { } frame)
             {
-                if (new Option[] { frames, link }.FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false }) is { } idle)
+                Option[] ofPages = [frames, link, predictions, minScore];
+                if (Array.Find(ofPages, option => parsed.GetResult(option) is { Implicit: false }) is { } idle)
                 {
                     throw new UsageException($"{idle.Name} has no effect with --still.");
                 }
@@ -77,12 +97,43 @@ internal static class ReportCommand
             }
 
             var limits = new ReportLimits(parsed.GetValue(frames)) { LinksImages = parsed.GetValue(link) };
+            PredictionEvaluation? evaluation = null;
+            if (parsed.GetValue(predictions) is { } predicted)
+            {
+                double score = parsed.GetValue(minScore) ?? DefaultMinScore;
+                evaluation = new JobProgress(terminal, reader.CountLines()).Run(
+                    progress => PredictionEvaluation.Of(reader, predicted, score, progress, cancellation));
+            }
+            else if (parsed.GetResult(minScore) is { Implicit: false })
+            {
+                throw new UsageException("--min-score has no effect without --predictions.");
+            }
+
             using FolderLock? held = OutputFile.Lock(page);
-            int shown = new ReportWriter(reader, limits).Write(page);
+            int shown = new ReportWriter(reader, limits, evaluation).Write(page);
             terminal.Out.WriteLine($"{page}: {Counted.Of(shown, "frame")} shown");
+            if (evaluation is not null)
+            {
+                terminal.Out.WriteLine(Summary(evaluation));
+            }
+
             return Task.FromResult(ExitCode.Done);
         });
         return command;
+    }
+
+    private static string Summary(PredictionEvaluation evaluation)
+    {
+        OutcomeCount all = evaluation.Groups.All;
+        return string.Create(CultureInfo.InvariantCulture, $"predictions: AP {Figure(tally => tally.AveragePrecision(0))}, ")
+            + string.Create(CultureInfo.InvariantCulture, $"AP50 {Figure(tally => tally.AveragePrecisionAt(0))}, ")
+            + string.Create(CultureInfo.InvariantCulture, $"AP75 {Figure(tally => tally.AveragePrecisionAt(Overlap75))}; ")
+            + string.Create(CultureInfo.InvariantCulture, $"{all.Matches} matched, {all.Misses} missed, ")
+            + Counted.Of(all.FalsePositives, "false positive")
+            + string.Create(CultureInfo.InvariantCulture, $" at a score of {evaluation.MinScore} or more");
+
+        string Figure(Func<ClassTally, double?> of) =>
+            evaluation.MeanOf(of)?.ToString("0.000", CultureInfo.InvariantCulture) ?? "none";
     }
 
     private static int? FrameNumber(string text) =>

@@ -6,13 +6,13 @@ using Harvester.Datasets.Files;
 namespace Harvester.Datasets.Json;
 
 /// <summary>
-/// Reads a file with a JSON object whose fields are lists, element by element, so that the file may have any length. Other fields are
-/// skipped.
+/// Reads a file with a JSON object whose fields are lists, or with one list, element by element, so that the file may have any length.
+/// Other fields are skipped.
 /// </summary>
 internal sealed class JsonListReader : IDisposable
 {
     private const int FirstBufferBytes = 1 << 16;
-    private const int ElementDepth = 2;
+    private readonly int _elementDepth;
 
     private readonly FileStream _file;
     private byte[] _buffer = new byte[FirstBufferBytes];
@@ -23,7 +23,23 @@ internal sealed class JsonListReader : IDisposable
     private int _line = 1;
     private JsonReaderState _state;
 
-    public JsonListReader(string path) => _file = InputFile.OpenRead(path);
+    /// <summary>Opens a file.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="isBare">Whether the whole file is one list, instead of an object with lists.</param>
+    public JsonListReader(string path, bool isBare = false)
+    {
+        _elementDepth = isBare ? 1 : 2;
+        _file = InputFile.OpenRead(path);
+    }
+
+    /// <summary>Whether the file has begun a list, or an object with one, so that elements may follow.</summary>
+    public bool HasList { get; private set; }
+
+    /// <summary>Bytes of the file that have been read.</summary>
+    public long Position => _file.Position;
+
+    /// <summary>Length of the file, bytes.</summary>
+    public long Length => _file.Length;
 
     /// <summary>Name of the list of the current element.</summary>
     public string List { get; private set; } = "";
@@ -69,7 +85,7 @@ internal sealed class JsonListReader : IDisposable
                 return false;
             }
 
-            bool isElement = _isInList && reader.CurrentDepth == ElementDepth;
+            bool isElement = _isInList && reader.CurrentDepth == _elementDepth;
             if (isElement && !reader.TrySkip())
             {
                 Advance(before);
@@ -87,10 +103,11 @@ internal sealed class JsonListReader : IDisposable
                 return true;
             }
 
-            if (reader.CurrentDepth == 1)
+            if (reader.CurrentDepth == _elementDepth - 1)
             {
                 List = reader.TokenType == JsonTokenType.PropertyName ? NameOf(reader) : List;
                 _isInList = reader.TokenType == JsonTokenType.StartArray;
+                HasList |= _isInList;
             }
         }
     }

@@ -24,7 +24,7 @@ internal static class ReportData
     /// <summary>Writes the data as one object.</summary>
     public static void Write(
         Utf8JsonWriter json, string title, SessionInfo info, SessionStatistics statistics, IReadOnlyList<FrameLabel> frames,
-        double pictureScale)
+        double pictureScale, bool hasPredictions)
     {
         json.WriteStartObject();
         WriteHead(json, title, info);
@@ -33,7 +33,8 @@ internal static class ReportData
             string.Join(
                 " ",
                 [
-                    Note(statistics.Frames, frames.Count), .. pictureScale < 1 ? [Note(pictureScale)] : Array.Empty<string>(),
+                    Note(statistics.Frames, frames.Count, hasPredictions),
+                    .. pictureScale < 1 ? [Note(pictureScale)] : Array.Empty<string>(),
                     .. info.Unchecked.Select(open => $"Note: {open}"),
                 ]));
         FrameEvents.Write(json, FrameEvents.Of(frames));
@@ -83,10 +84,11 @@ internal static class ReportData
         json.WriteEndArray();
     }
 
-    private static string Note(int all, int shown) =>
+    private static string Note(int all, int shown, bool hasPredictions) =>
         shown == all
             ? string.Create(CultureInfo.InvariantCulture, $"This page shows all {all} frames of the session.")
-            : string.Create(CultureInfo.InvariantCulture, $"This page shows {shown} of the session's {all} frames, evenly spaced. ")
+            : string.Create(CultureInfo.InvariantCulture, $"This page shows {shown} of the session's {all} frames, ")
+                + (hasPredictions ? "evenly spaced or with the most errors. " : "evenly spaced. ")
                 + "The statistics cover all of them.";
 
     private static string Note(double pictureScale) =>

@@ -17,11 +17,12 @@ internal static class ReportPage
     public static IReadOnlyList<string> ScriptsOfViewer { get; } = ["page.js", "state.js", "served.js", .. Common];
 
     /// <summary>The style sheet, in addition to that of all pages.</summary>
-    public static string Style => Asset("report.css");
+    public static string Style => Asset("report.css") + Asset("predictions.css");
 
     private static string[] Common =>
     [
-        "matches.js", "rasters.js", "picture.js", "ground.js", "timeline.js", "strips.js", "objects.js", "statistics.js", "report.js",
+        "matches.js", "rasters.js", "picture.js", "ground.js", "timeline.js", "strips.js", "objects.js", "predictions.js", "statistics.js",
+        "report.js",
     ];
 
     /// <summary>Writes the page.</summary>

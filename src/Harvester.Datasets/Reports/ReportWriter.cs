@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Harvester.Datasets.Files;
+using Harvester.Datasets.Predictions;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
 using Harvester.Pages;
@@ -21,12 +22,17 @@ public sealed class ReportWriter
 
     private readonly SessionReader _session;
     private readonly ReportLimits _limits;
+    private readonly PredictionEvaluation? _predictions;
 
     /// <summary>Creates a writer for the report of a session.</summary>
-    public ReportWriter(SessionReader session, ReportLimits? limits = null)
+    /// <param name="session">The session.</param>
+    /// <param name="limits">Limits of the page; null for the defaults.</param>
+    /// <param name="predictions">Predictions to show; null for none.</param>
+    public ReportWriter(SessionReader session, ReportLimits? limits = null, PredictionEvaluation? predictions = null)
     {
         _session = session;
         _limits = limits ?? new ReportLimits();
+        _predictions = predictions;
     }
 
     /// <summary>Writes the report. An existing one is replaced only when the new one is complete.</summary>
@@ -45,18 +51,28 @@ public sealed class ReportWriter
     {
         SessionInfo info = _session.ReadInfo();
         SessionStatistics statistics = SessionStatistics.Of(_session.ReadLabels());
-        List<FrameLabel> frames = Shown(EvenSelection.Of(statistics.Frames, _limits.Frames));
+        IReadOnlyList<int> places = FrameChoice.Of(statistics.Frames, _limits.Frames, _predictions);
+        List<FrameLabel> frames = Shown(places);
         PictureEmbedder? embedder = null;
         if (!_limits.LinksImages && frames.Count > 0)
         {
             (embedder, int count) = PictureEmbedder.Fitting(PathsOf(frames), _limits.ImageBytes);
-            frames = count == frames.Count ? frames : [.. EvenSelection.Of(frames.Count, count).Select(index => frames[index])];
+            IReadOnlyList<int> kept = EvenSelection.Of(frames.Count, count);
+            frames = [.. kept.Select(index => frames[index])];
+            places = [.. kept.Select(index => places[index])];
         }
 
         string title = Path.GetFileName(Path.GetFullPath(_session.Folder));
         ReportPage.Write(stream, $"{title}: session report", ReportPage.ScriptsOfReport, page =>
         {
-            page.Json("data", json => ReportData.Write(json, title, info, statistics, frames, embedder?.Scale ?? 1));
+            page.Json(
+                "data",
+                json => ReportData.Write(json, title, info, statistics, frames, embedder?.Scale ?? 1, _predictions is not null));
+            if (_predictions is { } predictions)
+            {
+                page.Json("predictions", json => ReportPredictions.Write(json, predictions, places, frames));
+            }
+
             if (embedder is null)
             {
                 WriteLinks(page, PathsOf(frames), folder);

@@ -89,4 +89,33 @@ public sealed class ReportCommandTests
     [InlineData("many")]
     public void Report_of_an_impossible_number_of_frames_is_a_usage_error(string frames) =>
         CliRun.Of("report", "session", "--frames", frames).AssertFailed(ExitCode.Usage, "--frames takes a whole number from 1");
+
+    [Fact]
+    public void Predictions_are_evaluated_and_shown()
+    {
+        using var folder = new TemporaryFolder();
+        SharedHarvest.CopyTo(folder.PathOf("session"), "--frames", "3", "--seed", "5", "--size", "80x60", "--no-report");
+        string predictions = folder.File("predictions.json", "[]");
+        string page = folder.PathOf("page.html");
+
+        CliRun run = CliRun.Of("report", folder.PathOf("session"), "--predictions", predictions, "--out", page);
+
+        run.AssertDone();
+        Assert.Matches(@"\npredictions: AP 0\.000, AP50 0\.000, AP75 0\.000; 0 matched, \d+ missed, 0 false positives at a score of 0", run.Out);
+        Assert.Contains("id=\"predictions\"", File.ReadAllText(page), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Bad_predictions_end_the_command_with_one_line()
+    {
+        using var folder = new TemporaryFolder();
+        SharedHarvest.CopyTo(folder.PathOf("session"), "--frames", "3", "--seed", "5", "--size", "80x60", "--no-report");
+        string session = folder.PathOf("session");
+
+        CliRun.Of("report", session, "--predictions", folder.File("bad.json", "[{}]"))
+            .AssertFailed(ExitCode.BadData, "bad.json', line 1: image_id is missing");
+        CliRun.Of("report", session, "--predictions", folder.PathOf("none.json")).AssertFailed(ExitCode.InputOutput, "none.json");
+        CliRun.Of("report", session, "--min-score", "0.3")
+            .AssertFailed(ExitCode.Usage, "--min-score has no effect without --predictions.");
+    }
 }

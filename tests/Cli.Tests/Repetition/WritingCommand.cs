@@ -72,6 +72,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("masks-import", "masks import {root}/out {inputs}/session/masks", $"harvest --out {{root}}/out --frames 2 {Small}"),
         new("repair", "repair {inputs}/session --out {root}/out"),
         new("report", "report {inputs}/session --out {root}/page.html", "report {inputs}/session --out {root}/page.html --frames 1"),
+        new("compare", "compare {inputs}/session {inputs}/session --out {root}/compare.html"),
         new("report-still", "report {inputs}/session --still 1 --out {root}/still.png"),
         new("roads-import", "roads import {inputs}/roads.csv --out {root}/roads.csv.gz"),
         new("roads-map", "roads map {inputs}/roads.csv --size 64 --out {root}/map.png"),

@@ -36,7 +36,7 @@ function drawPicture() {
   byId("overlay").setAttribute("viewBox", view.join(" "));
   // The farthest first, so that the nearest lies on top and is the one pointed at.
   const objects = frame.objects.filter(passes).sort((a, b) => b.distance - a.distance);
-  byId("marks").replaceChildren(...(state.shown.has("lanes") ? (frame.lines ?? []).flatMap(drawLine) : []), ...objects.flatMap(drawObject));
+  byId("marks").replaceChildren(...(state.shown.has("lanes") ? (frame.lines ?? []).flatMap(drawLine) : []), ...objects.flatMap(drawObject), ...drawPredictions());
 }
 
 /** A line in runs that are visible or hidden; a dashed marking is dashed, a hidden run faint. */

@@ -109,6 +109,7 @@ const keys = {
   e: ["next event", stepToEvent],
   ...Object.fromEntries(Object.entries(layerKeys).map(([key, layer]) =>
     [key, [`show or hide: ${layers.find(([name]) => name === layer)[1]}`, () => { flip(state.shown, layer); refilter(); }]])),
+  ...predictionKeys,
   "+": ["zoom in", () => zoomBy(1.5)], "-": ["zoom out", () => zoomBy(1 / 1.5)], 0: ["whole picture", () => panTo(0, 0, 1)],
   "/": ["go to the text filter", () => byId("text").focus()], c: ["copy a link to what is shown", copyLink], "?": ["this help", () => byId("help").showModal()],
 };

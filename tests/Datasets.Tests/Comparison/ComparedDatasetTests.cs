@@ -1,0 +1,126 @@
+using Harvester.Datasets.Comparison;
+using Harvester.Datasets.Exports;
+using Harvester.Datasets.Exports.Assembly;
+using Harvester.Datasets.Exports.Formats;
+using Harvester.Datasets.Files;
+using Harvester.Datasets.Sessions;
+using Harvester.Datasets.Tests.Exports;
+using Harvester.Sessions.Files;
+
+namespace Harvester.Datasets.Tests.Comparison;
+
+[Collection(SimulatedSession.Collection)]
+public sealed class ComparedDatasetTests(SimulatedSession session) : IDisposable
+{
+    private readonly string _folder = Directory.CreateTempSubdirectory("harvester-test-").FullName;
+
+    public void Dispose() => Directory.Delete(_folder, recursive: true);
+
+    [Fact]
+    public void KITTI_labels_are_read_in_the_terms_of_the_development_kit()
+    {
+        // A car 3 m high whose bottom is 1.5 m below the camera, 3 m to the right and 4 m ahead: its centre is 5 m away.
+        Write(
+            "label_2/000000.txt",
+            "Car 0.25 1 1.5 100 50 150 80 3 1.6 4 3 1.5 4 2.1\nDontCare -1 -1 -10 0 0 9 9 -1 -1 -1 -1000 -1000 -1000 -10\n");
+        Write("label_2/000001.txt", "");
+
+        DatasetProfile profile = Read(ComparedKitti.Open(_folder));
+
+        Assert.Equal((2, 1, 1), (profile.Frames, profile.Labels, profile.Classes.Of("Car")));
+        Assert.Equal((30, 50), (Only(profile, ComparedQuantity.BoxHeight), Only(profile, ComparedQuantity.BoxWidth)));
+        Assert.Equal(1500, Only(profile, ComparedQuantity.BoxArea));
+        Assert.Equal((5, 0.25), (Only(profile, ComparedQuantity.Distance), Only(profile, ComparedQuantity.Truncation)));
+        Assert.Equal(1.5 * 180 / Math.PI, Only(profile, ComparedQuantity.Orientation), 1e-9);
+        Assert.Equal(1, profile.Levels.Of("1, partly occluded"));
+        Assert.Equal([0.0, 1], profile.Of(ComparedQuantity.ObjectsPerFrame).Points.Select(point => point.Value));
+    }
+
+    [Theory]
+    [InlineData("Car 0 0 0 1 1 2 2 1 1 1 1 1 1", "line 1: it has 14 columns instead of 15")]
+    [InlineData("Car 0 0 0 1 1 2 2 1 1 1 1 1 x 0", "line 1: a column after the type is not a finite number")]
+    [InlineData("Car 0 0 0 3 1 2 2 1 1 1 1 1 1 0", "line 1: right or bottom is less than left or top")]
+    public void Bad_KITTI_label_is_refused_with_its_line(string text, string message)
+    {
+        Write("label_2/000000.txt", text);
+
+        DatasetFormatException e = Assert.Throws<DatasetFormatException>(() => Read(ComparedKitti.Open(_folder)));
+
+        Assert.Contains(message, e.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Folder_without_labels_is_refused()
+    {
+        string kitti = Assert.Throws<DatasetFormatException>(() => ComparedKitti.Open(_folder)).Message;
+        string nuScenes = Assert.Throws<DatasetFormatException>(() => ComparedNuScenes.Open(_folder)).Message;
+
+        Assert.Contains("has no label files", kitti, StringComparison.Ordinal);
+        Assert.Contains("has no tables", nuScenes, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Session_and_its_own_KITTI_export_have_the_same_distributions()
+    {
+        Export("kitti");
+
+        var comparison = new DatasetComparison(Read(ComparedSession.InKittiTerms(session.Open())), Read(ComparedKitti.Open(_folder)));
+
+        Assert.Equal(comparison.First.Frames, comparison.Second.Frames);
+
+        // The export moves boxes that lean by centimetres, and leaves out objects without visible pixels.
+        Assert.InRange(comparison.WassersteinOf(ComparedQuantity.Distance)!.Value, 0, 2);
+        Assert.InRange(comparison.WassersteinOf(ComparedQuantity.Orientation)!.Value, 0, 6);
+        Assert.InRange(DatasetComparison.Between(comparison.First.Classes, comparison.Second.Classes)!.Value.TotalVariation, 0, 0.1);
+        Assert.Equal(comparison.First.Frames, ImageBrightness.Of(Read2(ComparedKitti.Open(_folder)).Images).Count());
+    }
+
+    [Fact]
+    public void Session_and_its_own_nuScenes_export_have_the_same_distributions()
+    {
+        Export("nuscenes");
+
+        var comparison = new DatasetComparison(Read(ComparedSession.InNuScenesTerms(session.Open())), Read(ComparedNuScenes.Open(_folder)));
+
+        Assert.InRange(comparison.Second.Frames, 1, comparison.First.Frames);
+        Assert.InRange(comparison.WassersteinOf(ComparedQuantity.Distance)!.Value, 0, 6);
+        Assert.InRange(comparison.WassersteinOf(ComparedQuantity.Orientation)!.Value, 0, 15);
+        Assert.InRange(DatasetComparison.Between(comparison.First.Classes, comparison.Second.Classes)!.Value.TotalVariation, 0, 0.15);
+    }
+
+    [Fact]
+    public void Session_compared_with_itself_has_no_distance()
+    {
+        DatasetProfile profile = Read(ComparedSession.InItsTerms(session.Open()));
+
+        var comparison = new DatasetComparison(profile, Read(ComparedSession.InItsTerms(session.Open())));
+
+        Assert.All(
+            ComparedQuantity.All.Where(quantity => comparison.First.Of(quantity).Count > 0),
+            quantity => Assert.Equal((0.0, 0.0), (comparison.WassersteinOf(quantity), comparison.JensenShannonOf(quantity))));
+        Assert.Equal((0.0, 0.0), DatasetComparison.Between(comparison.First.Classes, comparison.Second.Classes));
+    }
+
+    private static DatasetProfile Read(IComparedDataset dataset) => dataset.Read(_ => { }, CancellationToken.None);
+
+    private static IComparedDataset Read2(IComparedDataset dataset)
+    {
+        Read(dataset);
+        return dataset;
+    }
+
+    private static double Only(DatasetProfile profile, ComparedQuantity quantity) => Assert.Single(profile.Of(quantity).Points).Value;
+
+    private void Export(string format)
+    {
+        var plan = new ExportPlan(DatasetFormats.Find(format)!, [session.Open()], new ExportOptions());
+        new DatasetExporter(plan, _folder, Shard.Whole).Run(_ => { });
+    }
+
+    private void Write(string name, string text)
+    {
+        string path = Path.Combine(_folder, name);
+        Directory.CreateDirectory(Path.GetDirectoryName(path)!);
+        File.WriteAllText(path, text);
+    }
+}
