@@ -49,6 +49,9 @@ internal sealed class GameTrials : ITrialGame
     public void Seat(int vehicle) => Natives.Call(Hash.SET_PED_INTO_VEHICLE, Natives.PlayerPed(), vehicle, DriversSeat);
 
     /// <inheritdoc/>
+    public void Repair(int vehicle) => Natives.Call(Hash.SET_VEHICLE_FIXED, vehicle);
+
+    /// <inheritdoc/>
     public void BeginLoading(Vector3D place) => Natives.Call<bool>(
         Hash.NEW_LOAD_SCENE_START_SPHERE, (float)place.X, (float)place.Y, (float)place.Z, SceneRadiusMetres, 0);
 

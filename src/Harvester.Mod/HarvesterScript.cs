@@ -268,7 +268,10 @@ public sealed class HarvesterScript : Script
             Options = player.Options,
             Log = _messages.Log,
         }, _messages)
-        { Obstacle = () => _drive.IsOn ? "A client drives: end that first." : DriveObstacle() };
+        {
+            Obstacle = () => _drive.IsOn ? "A client drives: end that first." : DriveObstacle(),
+            StartsByItself = player.StartsPlan,
+        };
     }
 
     private SessionOrigin Origin(PlayerSettings player) => new()

@@ -33,6 +33,18 @@ public sealed class PlanTests
     }
 
     [Fact]
+    public void Plan_can_start_without_the_key()
+    {
+        using var driver = new ScriptDriver(Ini + "Start = On\n");
+        HarvestTests.Street(driver.Game);
+        File.WriteAllText(Path.Combine(driver.Folder, "plan.json"), Text);
+        Until(driver, () => driver.Game.Notifications.Any(message =>
+            message.Contains("The plan play is over: 1 trial done", StringComparison.Ordinal)));
+
+        Assert.Contains(driver.Game.Vehicles, vehicle => vehicle.Repairs == 1);
+    }
+
+    [Fact]
     public void Player_on_foot_is_given_a_car_which_the_end_removes()
     {
         TestGame game;

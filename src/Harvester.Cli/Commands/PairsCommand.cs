@@ -1,3 +1,4 @@
+using System;
 using System.CommandLine;
 using System.Threading;
 using System.Threading.Tasks;
@@ -18,7 +19,7 @@ internal sealed class PairsCommand
         "A group has all pictures of one moment: the image of the frame and those of harvester harvest --pair-weathers, --pair-hours and\n"
         + "--pair-without. They share the labels. csv writes the pictures to images/GROUP and the tables index.csv and objects.csv;\n"
         + "webdataset writes archives with one sample for each group, and the same tables. docs/pairs.md describes both.\n"
-        + "A command that was stopped is given again, and starts anew.\n\n"
+        + "With --resume, the command continues after a stop: what it has written whole stays.\n\n"
         + "Examples:\n"
         + "  harvester pairs out --out trials --format csv\n"
         + "  harvester pairs out --out trials --format webdataset";
@@ -28,6 +29,7 @@ internal sealed class PairsCommand
     private Option<PairFormat> Format { get; } =
         ValueParsers.Choice<PairFormat>("--format", "csv or webdataset [default: csv]");
     private Option<ImageTransfer> Images { get; } = TransferOption.Create("images");
+    private Option<bool> Resume { get; } = ResumeOption.Create();
     private Option<SyncMode> Sync { get; } = SyncOption.Create();
 
     public static Command Create(Terminal terminal) => new PairsCommand().Build(terminal);
@@ -37,7 +39,7 @@ internal sealed class PairsCommand
         Argument<string> session = SessionArgument.Create();
         var command = new Command("pairs", "Export the pictures of moments in several weathers, at several hours and without objects.")
         {
-            session, Out, Format, Images, Sync,
+            session, Out, Format, Images, Sync, Resume,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
@@ -54,15 +56,28 @@ internal sealed class PairsCommand
             terminal.WriteError($"'{folder}' ends in an unfinished line, which is ignored.");
         }
 
-        var exporter = new PairExporter(session, parsed.GetValue(Format), parsed.GetValue(Images), parsed.GetValue(Sync));
-        using var output = new PairsOutput(target, CommandText.Of(parsed));
+        bool resumes = parsed.GetValue(Resume);
+        var exporter = new PairExporter(session, parsed.GetValue(Format), parsed.GetValue(Images), parsed.GetValue(Sync))
+        {
+            Resumes = resumes,
+        };
+        using var output = new PairsOutput(target, CommandText.Of(parsed), resumes);
         output.Begin();
         PairExport done = new(0, 0, 0);
-        new JobProgress(terminal, session.CountLines()).Run(report =>
+        try
         {
-            done = exporter.Run(target, report, cancellation);
-            return done.Groups;
-        });
+            new JobProgress(terminal, session.CountLines()).Run(report =>
+            {
+                done = exporter.Run(target, report, cancellation);
+                return done.Groups;
+            });
+        }
+        catch (OperationCanceledException)
+        {
+            output.Keep();
+            throw;
+        }
+
         output.Complete();
         string missing = done.Missing > 0 ? $"; {done.Missing} are missing because the harvest dropped them" : "";
         terminal.Out.WriteLine($"{target}: {Counted.Of(done.Groups, "group")}, {Counted.Of(done.Images, "picture")}{missing}");

@@ -18,11 +18,11 @@ internal sealed class SuperviseCommand
     private const string Notes =
         "The command after -- is started and its heartbeat file is watched. It is ended with all processes that it started, and started\n"
         + "again with --resume, when it hangs (no new heartbeat), crashes (it ends and the heartbeat does not say finished) or lies (a\n"
-        + "heartbeat without new frames, from the future, of a foreign process, or finished while the process goes on). Ctrl+C and\n"
-        + "SIGTERM are passed on. docs/supervise.md describes the file and the exit codes.\n\n"
+        + "heartbeat without new frames, from the future, or of a foreign process). Once the heartbeat says finished, it is not started\n"
+        + "again; one that goes on is ended. Ctrl+C and SIGTERM are passed on. docs/supervise.md describes the file and the exit codes.\n\n"
         + "Examples:\n"
         + "  harvester supervise --heartbeat night -- harvester plan run plan.json --out night\n"
-        + "  harvester supervise --heartbeat out --timeout 120 --restart-argument none -- PlayGTAV.exe";
+        + "  harvester supervise --heartbeat out --timeout 120 --restart-argument none --launcher -- PlayGTAV.exe";
 
     private Argument<string[]> Program { get; } = new("COMMAND")
     {
@@ -58,6 +58,11 @@ internal sealed class SuperviseCommand
         Description = "Do not check the process of a heartbeat: under Wine and in containers it has another number",
     };
 
+    private Option<bool> Launcher { get; } = new("--launcher")
+    {
+        Description = "The command only starts the program and may end before its first heartbeat, as game launchers do",
+    };
+
     public static Command Create(Terminal terminal) => new SuperviseCommand().Build(terminal);
 
     private Command Build(Terminal terminal)
@@ -65,7 +70,7 @@ internal sealed class SuperviseCommand
         MaxRestarts.DefaultValueFactory = _ => 5;
         var command = new Command("supervise", "Keep a game or a long command going: restart it when it hangs, crashes or lies.")
         {
-            Program, HeartbeatPath, Timeout, StartTimeout, Stall, Delay, MaxRestarts, RestartArgument, AnyProcess,
+            Program, HeartbeatPath, Timeout, StartTimeout, Stall, Delay, MaxRestarts, RestartArgument, AnyProcess, Launcher,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
@@ -89,6 +94,7 @@ internal sealed class SuperviseCommand
             MaxRestarts = parsed.GetValue(MaxRestarts),
             RestartArgument = restart == None ? null : restart,
             AllowsAnyProcess = parsed.GetValue(AnyProcess),
+            IsLauncher = parsed.GetValue(Launcher),
         };
         return new Supervisor(options, terminal).Run(cancellation);
     }

@@ -13,6 +13,7 @@ namespace Harvester.Cli.Plans;
 internal sealed class PlanOutput : IDisposable
 {
     private const string Trials = "trials";
+    private const string World = "world.json";
     private readonly FolderLock _held;
 
     private PlanOutput(string folder, FolderLock held, PlanStatus status) => (Folder, _held, Status) = (folder, held, status);
@@ -26,12 +27,13 @@ internal sealed class PlanOutput : IDisposable
     /// <summary>Locks and checks the folder, and makes it if it is missing.</summary>
     /// <param name="folder">The folder.</param>
     /// <param name="plan">The text of the plan.</param>
+    /// <param name="world">What tells the plan's world from others.</param>
     /// <param name="shard">The part of the plan to run.</param>
     /// <param name="resumes">Whether to continue an earlier run.</param>
     /// <exception cref="OccupiedFolderException">The folder is in use, or has other files than results of the plan.</exception>
     /// <exception cref="DatasetFormatException">The status file is damaged.</exception>
     /// <exception cref="IOException">The folder cannot be made or read.</exception>
-    public static PlanOutput Open(string folder, string plan, Shard shard, bool resumes)
+    public static PlanOutput Open(string folder, string plan, string world, Shard shard, bool resumes)
     {
         if (OutputFolder.FileInTheWayOf(folder) is { } file)
         {
@@ -49,6 +51,11 @@ internal sealed class PlanOutput : IDisposable
             }
 
             Directory.CreateDirectory(folder);
+            if (shard.Count == 1)
+            {
+                AtomicFile.DeleteLeftovers(folder, static name => name is PlanFile.FileName or World);
+            }
+
             if (!AtomicFile.TryWriteNew(copy, plan) && InputFile.ReadAllText(copy) != plan)
             {
                 throw new OccupiedFolderException(
@@ -61,6 +68,14 @@ internal sealed class PlanOutput : IDisposable
             {
                 throw new OccupiedFolderException(
                     $"'{folder}' has results of this plan. Continue with --resume, or name another folder with --out.");
+            }
+
+            string described = Path.Combine(folder, World);
+            if (!AtomicFile.TryWriteNew(described, world) && InputFile.ReadAllText(described) != world)
+            {
+                throw new OccupiedFolderException(
+                    $"'{folder}' has results of other roads or of another detail. Give --roads and --detail as then, or name another "
+                    + "folder with --out.");
             }
 
             return new PlanOutput(folder, held, PlanStatus.Open(folder, shard));

@@ -1,16 +1,21 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using System.IO;
 using System.Linq;
 using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads;
 using Harvester.Driving.Controllers;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Faces;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Plans;
+using Harvester.Sessions.Roads;
 using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Text;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Rendering;
@@ -28,6 +33,22 @@ internal sealed record PlanWorld(string? Roads, Detail Detail)
     private const double LeftOfSpace = 4;
 
     private const double WholeWorld = 100_000;
+
+    /// <summary>What tells the world from others, as a file: a digest of the roads, and the detail.</summary>
+    /// <exception cref="DatasetFormatException">The roads cannot be read.</exception>
+    /// <exception cref="IOException">The roads cannot be read.</exception>
+    public string ToJson()
+    {
+        string digest = "null";
+        if (Roads is not null)
+        {
+            using var text = new StringWriter(CultureInfo.InvariantCulture);
+            RoadCsvWriter.Write(RoadImporter.Import(Roads).Network, text);
+            digest = $"\"{FileDigest.Of(text.ToString()).Sha256}\"";
+        }
+
+        return $"{{\"roads\":{digest},\"detail\":\"{JsonName.Of(Detail)}\"}}\n";
+    }
 
     /// <summary>The places of a plan with those that it leaves open chosen, in its order.</summary>
     /// <exception cref="UsageException">The roads have too few places or no such space, or two places get the same name.</exception>

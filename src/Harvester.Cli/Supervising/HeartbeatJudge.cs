@@ -1,5 +1,6 @@
 using System;
 using Harvester.Sessions.Plans;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Supervising;
 
@@ -25,6 +26,9 @@ internal sealed class HeartbeatJudge(SupervisorOptions options, HeartbeatReading
     /// <summary>The last heartbeat of this start; null if there was none yet.</summary>
     public SeenHeartbeat? Last { get; private set; }
 
+    /// <summary>Whether the program has said that nothing is left to do.</summary>
+    public bool IsOver => Last?.State is HeartbeatState.Finished or HeartbeatState.Incomplete;
+
     /// <summary>Judges a reading.</summary>
     /// <param name="reading">The reading.</param>
     /// <param name="now">Time since the start.</param>
@@ -48,7 +52,7 @@ internal sealed class HeartbeatJudge(SupervisorOptions options, HeartbeatReading
             : Last.State == HeartbeatState.Starting
                 ? now - _starting > options.StartTimeout ? $"still starting after {Seconds(options.StartTimeout)}" : null
             : _ended is { } ended
-                ? now - ended > options.Timeout ? $"its heartbeat says {Name(Last.State)}, but the process goes on" : null
+                ? now - ended > options.Timeout ? $"its heartbeat says {JsonName.Of(Last.State)}, but the process goes on" : null
             : now - _advanced > options.Timeout ? $"no new heartbeat for {Seconds(options.Timeout)}{Reason()}"
             : now - _progressed > options.Stall
                 ? FormattableString.Invariant($"its heartbeat goes on, but it has been at frame {Last.Frames} for {Seconds(options.Stall)}")
@@ -77,14 +81,12 @@ internal sealed class HeartbeatJudge(SupervisorOptions options, HeartbeatReading
             _progressed = now;
         }
 
-        _ended = heartbeat.State is HeartbeatState.Finished or HeartbeatState.Failed ? _ended ?? now : null;
+        _ended = heartbeat.State is HeartbeatState.Starting or HeartbeatState.Running ? null : _ended ?? now;
         Last = heartbeat;
         progress.Note(heartbeat);
     }
 
     private string Reason() => _problem is null ? "" : $". The file cannot be used: {_problem.TrimEnd('.')}";
-
-    private static string Name(HeartbeatState state) => state == HeartbeatState.Finished ? "finished" : "failed";
 
     private static string Seconds(TimeSpan span) => FormattableString.Invariant($"{span.TotalSeconds:0.#} s");
 }

@@ -27,6 +27,9 @@ internal sealed class SupervisedProcess : IDisposable
     /// <summary>Whether the process that is watched has ended.</summary>
     public bool HasEnded => (_adopted ?? _command).HasExited;
 
+    /// <summary>Whether the command itself is watched, and not a process that it left.</summary>
+    public bool IsCommand => _adopted is null;
+
     /// <summary>How the process that is watched ended, as text.</summary>
     public string Ending => _adopted is null ? FormattableString.Invariant($"exit code {_command.ExitCode}") : "exit code unknown";
 
@@ -60,8 +63,9 @@ internal sealed class SupervisedProcess : IDisposable
     /// <returns>Whether there is such a process.</returns>
     public bool TryAdopt(int id)
     {
-        _adopted = _adopted is null && id != _command.Id ? Find(id) : null;
-        return _adopted is not null;
+        Process? found = _adopted is null && id != _command.Id ? Find(id) : null;
+        _adopted = found ?? _adopted;
+        return found is not null;
     }
 
     /// <summary>Passes a signal on; the program may end in good order.</summary>

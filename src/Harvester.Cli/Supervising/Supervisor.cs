@@ -16,6 +16,7 @@ internal sealed class Supervisor(SupervisorOptions options, Terminal terminal)
     private static readonly TimeSpan SharedSignalPatience = TimeSpan.FromSeconds(2);
 
     private readonly Progress _progress = new();
+    private bool _isIncomplete;
 
     /// <summary>Supervises until the program has finished, too many restarts bring nothing, or a signal comes.</summary>
     /// <returns>The exit code.</returns>
@@ -28,7 +29,7 @@ internal sealed class Supervisor(SupervisorOptions options, Terminal terminal)
         {
             if (Watch(isRestart, signal, cancellation) is not { } fault)
             {
-                return ExitCode.Done;
+                return Ending();
             }
 
             if (cancellation.IsCancellationRequested)
@@ -71,14 +72,15 @@ internal sealed class Supervisor(SupervisorOptions options, Terminal terminal)
             bool hasEnded = process.HasEnded;
             HeartbeatReading reading = HeartbeatReader.Read(options.HeartbeatPath);
             string? fault = judge.Judge(reading, time.Elapsed, DateTime.UtcNow, process.IsOurs);
-            if (hasEnded && judge.Last is { State: HeartbeatState.Finished } last)
-            {
-                Log($"process {Text(process.Id)} has finished ({process.Ending}), frames: {Text(last.Frames)}");
-                return null;
-            }
 
             // With any process, the number is that of another system.
-            if (hasEnded && !(judge.Last is { } heartbeat && !options.AllowsAnyProcess && process.TryAdopt(heartbeat.Process)))
+            bool isLeft = hasEnded && judge.Last is { } heard && !options.AllowsAnyProcess && process.TryAdopt(heard.Process);
+            if (judge.IsOver && (fault is not null || (hasEnded && !isLeft)))
+            {
+                return Finish(process, judge.Last!, hasEnded && !isLeft);
+            }
+
+            if (hasEnded && !isLeft && !IsLauncherOf(process, judge.Last))
             {
                 return $"process {Text(process.Id)} crashed: it ended ({process.Ending}) before its heartbeat said finished";
             }
@@ -96,6 +98,35 @@ internal sealed class Supervisor(SupervisorOptions options, Terminal terminal)
                 return "a signal came";
             }
         }
+    }
+
+    /// <summary>Whether a command that has ended is a launcher, whose program gives signs of life or may still do so.</summary>
+    private bool IsLauncherOf(SupervisedProcess process, SeenHeartbeat? last) =>
+        options.IsLauncher && process.IsCommand && (last is null || options.AllowsAnyProcess);
+
+    /// <summary>Ends a program that has nothing left to do, if it goes on all the same.</summary>
+    /// <returns>Null: it is not started again.</returns>
+    private string? Finish(SupervisedProcess process, SeenHeartbeat last, bool hasEnded)
+    {
+        if (!hasEnded)
+        {
+            process.End();
+        }
+
+        string how = hasEnded ? process.Ending : "it went on and was ended";
+        Log($"process {Text(process.Id)} has finished ({how}), frames: {Text(last.Frames)}");
+        _isIncomplete = last.State == HeartbeatState.Incomplete;
+        return null;
+    }
+
+    private int Ending()
+    {
+        if (_isIncomplete)
+        {
+            terminal.WriteError("It has finished, but trials were skipped; plan-status.jsonl names them.");
+        }
+
+        return _isIncomplete ? ExitCode.HarvestFault : ExitCode.Done;
     }
 
     private void Stop(SupervisedProcess process, PassedSignal signal)

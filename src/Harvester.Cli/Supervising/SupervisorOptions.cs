@@ -39,6 +39,9 @@ internal sealed record SupervisorOptions
     /// <summary>Whether the process of a heartbeat is not checked, because it is counted by another system.</summary>
     public bool AllowsAnyProcess { get; init; }
 
+    /// <summary>Whether the command only starts the program, and may end before its first heartbeat.</summary>
+    public bool IsLauncher { get; init; }
+
     /// <summary>How often the heartbeat is read.</summary>
     public TimeSpan Poll => TimeSpan.FromMilliseconds(Math.Clamp(Timeout.TotalMilliseconds / 20, 10, 1000));
 

@@ -12,17 +12,20 @@ internal sealed class PairsOutput : IDisposable
     private readonly string _folder;
     private readonly string _command;
     private readonly FolderLock _held;
+    private readonly bool _resumes;
     private bool _isBegun;
+    private bool _isKept;
     private bool _isComplete;
 
     /// <summary>Locks the folder and checks it.</summary>
     /// <param name="folder">The folder.</param>
     /// <param name="command">The command, as <see cref="CommandText"/> gives it.</param>
+    /// <param name="resumes">Whether what the same command has written may stay.</param>
     /// <exception cref="IOException">A file is where the folder should be.</exception>
     /// <exception cref="OccupiedFolderException">The folder is in use or has other files.</exception>
-    public PairsOutput(string folder, string command)
+    public PairsOutput(string folder, string command, bool resumes)
     {
-        (_folder, _command) = (folder, command);
+        (_folder, _command, _resumes) = (folder, command, resumes);
         _held = FolderLock.Take(folder);
         try
         {
@@ -35,7 +38,7 @@ internal sealed class PairsOutput : IDisposable
         }
     }
 
-    /// <summary>Makes the folder, and empties it but for its mark.</summary>
+    /// <summary>Makes the folder, and empties it but for its mark and what may stay.</summary>
     /// <exception cref="IOException">The folder cannot be made or cleared.</exception>
     /// <exception cref="UnauthorizedAccessException">The folder may not be made or cleared.</exception>
     public void Begin()
@@ -47,8 +50,18 @@ internal sealed class PairsOutput : IDisposable
             UnfinishedMark.Write(_folder, _command);
         }
 
-        PairExporter.Clear(_folder);
+        if (_resumes)
+        {
+            PairExporter.ClearTables(_folder);
+        }
+        else
+        {
+            PairExporter.Clear(_folder);
+        }
     }
+
+    /// <summary>Leaves what is written, for the same command with --resume.</summary>
+    public void Keep() => _isKept = true;
 
     /// <summary>Makes the export complete.</summary>
     public void Complete()
@@ -57,10 +70,10 @@ internal sealed class PairsOutput : IDisposable
         _isComplete = true;
     }
 
-    /// <summary>Deletes an unfinished export, and releases the folder.</summary>
+    /// <summary>Deletes an unfinished export unless it is kept, and releases the folder.</summary>
     public void Dispose()
     {
-        if (_isBegun && !_isComplete)
+        if (_isBegun && !_isComplete && !_isKept)
         {
             Discard();
         }

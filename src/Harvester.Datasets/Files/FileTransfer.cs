@@ -25,6 +25,19 @@ internal static class FileTransfer
         });
     }
 
+    /// <summary>Whether a file has the bytes of a source already, and is not a link that leads elsewhere.</summary>
+    /// <exception cref="IOException">One of them cannot be read.</exception>
+    public static bool IsPlaced(string target, string source)
+    {
+        var file = new FileInfo(target);
+        if (!file.Exists || file.LinkTarget is not null || !File.Exists(source) || file.Length != new FileInfo(source).Length)
+        {
+            return false;
+        }
+
+        return FileDigest.OfFile(target) == FileDigest.OfFile(source);
+    }
+
     private static void Copy(string source, Stream target)
     {
         using FileStream file = InputFile.OpenRead(source);

@@ -22,6 +22,10 @@ public sealed class PairExporter(SessionReader session, PairFormat format, Image
     private const string Images = "images";
 
     private readonly SyncBatch _written = new();
+    private readonly HashSet<string> _placed = new(StringComparer.Ordinal);
+
+    /// <summary>Whether what an earlier run of the same command has written whole may stay.</summary>
+    public bool Resumes { get; init; }
 
     /// <summary>Deletes what an export that was stopped left in a folder; a mark stays.</summary>
     /// <exception cref="IOException">Something cannot be deleted.</exception>
@@ -39,6 +43,28 @@ public sealed class PairExporter(SessionReader session, PairFormat format, Image
         }
     }
 
+    /// <summary>Deletes the tables and temporary files that an export that was stopped left; what else it wrote stays.</summary>
+    /// <exception cref="IOException">Something cannot be deleted, or a folder is a link.</exception>
+    /// <exception cref="UnauthorizedAccessException">Something may not be deleted.</exception>
+    public static void ClearTables(string folder)
+    {
+        foreach (string file in Directory.GetFiles(folder).Where(path =>
+            IsOwn(Path.GetFileName(path)) && !PairArchives.IsName(Path.GetFileName(path))))
+        {
+            File.Delete(file);
+        }
+
+        string images = Path.Combine(folder, Images);
+        if (Directory.Exists(images))
+        {
+            AppendedFile.RefuseLink(images);
+            foreach (string group in Directory.GetDirectories(images))
+            {
+                AppendedFile.RefuseLink(group);
+            }
+        }
+    }
+
     /// <summary>Whether a folder has nothing but an export whose last file is written.</summary>
     public static bool IsFinished(string folder) => File.Exists(Path.Combine(folder, PairTables.Index)) && ForeignIn(folder) is null;
 
@@ -47,7 +73,7 @@ public sealed class PairExporter(SessionReader session, PairFormat format, Image
         .FirstOrDefault(name => name != Images && !IsOwn(name!) && !UnfinishedMark.Is(name!));
 
     /// <summary>Writes the export.</summary>
-    /// <param name="folder">The folder, which has nothing but its mark.</param>
+    /// <param name="folder">The folder, which has nothing but its mark and what may stay of an earlier run.</param>
     /// <param name="report">Receives the number of frames after each frame.</param>
     /// <param name="cancellation">Stops between two frames.</param>
     /// <exception cref="DatasetFormatException">The session has no further pictures, or a label or picture is invalid.</exception>
@@ -55,7 +81,7 @@ public sealed class PairExporter(SessionReader session, PairFormat format, Image
     public PairExport Run(string folder, Action<int> report, CancellationToken cancellation = default)
     {
         ArgumentNullException.ThrowIfNull(report);
-        using var archives = new PairArchives(folder, file => Written(file));
+        using var archives = new PairArchives(folder, file => Written(file)) { Resumes = Resumes };
         var done = new PairExport(0, 0, 0);
         using var index = new StringWriter();
         using var objects = new StringWriter();
@@ -94,6 +120,12 @@ public sealed class PairExporter(SessionReader session, PairFormat format, Image
         }
 
         archives.End();
+        if (Resumes)
+        {
+            archives.DeleteHigher();
+            DeleteOthers(Path.Combine(folder, Images));
+        }
+
         WriteTable(Path.Combine(folder, PairTables.Objects), objects);
         WriteTable(Path.Combine(folder, PairTables.Index), index);
         if (sync != SyncMode.Never)
@@ -113,9 +145,42 @@ public sealed class PairExporter(SessionReader session, PairFormat format, Image
         string name = $"{Images}/{group.Key}/{image.Name}";
         string target = InnerPath.Of(folder, name);
         Directory.CreateDirectory(Path.GetDirectoryName(target)!);
-        FileTransfer.Place(target, session.PathOf(image.Path), transfer);
+        string source = session.PathOf(image.Path);
+        if (!Resumes || !FileTransfer.IsPlaced(target, source))
+        {
+            FileTransfer.Place(target, source, transfer);
+        }
+
+        _placed.Add(Path.GetFullPath(target));
         Written(target);
         return name;
+    }
+
+    /// <summary>Deletes pictures of an earlier run that this one has not, and temporary files.</summary>
+    private void DeleteOthers(string images)
+    {
+        if (!Directory.Exists(images))
+        {
+            return;
+        }
+
+        foreach (string group in Directory.GetDirectories(images))
+        {
+            foreach (string file in Directory.GetFiles(group).Where(file => !_placed.Contains(Path.GetFullPath(file))))
+            {
+                File.Delete(file);
+            }
+
+            if (!Directory.EnumerateFileSystemEntries(group).Any())
+            {
+                Directory.Delete(group);
+            }
+        }
+
+        if (!Directory.EnumerateFileSystemEntries(images).Any())
+        {
+            Directory.Delete(images);
+        }
     }
 
     private void WriteTable(string file, StringWriter text)

@@ -32,6 +32,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
     private bool _isSingle;
     private int _lastCaptured;
     private string? _lastFault;
+    private bool _isSpaceLow;
 
     /// <summary>Creates the feature; no harvest is running.</summary>
     /// <param name="options">What to harvest and how.</param>
@@ -92,6 +93,9 @@ public sealed class Harvest : ILastingFeature, IDisposable
     /// <summary>Why the last harvest ended early; null if it ended normally, or none has ended.</summary>
     public string? LastFault => _lastFault ?? (IsBusy ? null : _lastWriter?.Fault);
 
+    /// <summary>Whether the last harvest ended because the disk has too little space.</summary>
+    public bool IsSpaceLow => _isSpaceLow || (!IsBusy && _lastWriter is { IsSpaceLow: true });
+
     /// <summary>Starts a harvest in a given folder, unless one is running.</summary>
     /// <param name="folder">The folder, which must not exist.</param>
     /// <param name="options">What to harvest and how; the faces in use are added.</param>
@@ -100,7 +104,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         if (!IsOn)
         {
             SessionOrigin origin = _origin();
-            (_isSingle, _lastCaptured, _lastFault) = (false, 0, null);
+            (_isSingle, _lastCaptured, _lastFault, _isSpaceLow) = (false, 0, null, false);
             Start(options with { Faces = FacesInUse() }, () => Locked(folder, origin, options.ViewsPerMoment));
         }
     }
@@ -286,6 +290,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         SessionWriter writer = _writer.Opened!;
         HarvestStatus status = session.Status;
         (_lastCaptured, _lastFault) = (status.Captured, session.Failure is { } failure ? failure.Message : null);
+        _isSpaceLow = writer.IsSpaceLow;
         _session = null;
         _writer.Close();
         if (_startedWith!.Rig is not null)
@@ -334,6 +339,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         _lastWriter = null;
         if (writer.Fault is { } fault)
         {
+            _isSpaceLow |= writer.IsSpaceLow;
             _lastFault ??= fault;
             _messages.Tell(fault);
             _singles = null;

@@ -27,6 +27,9 @@ public interface ITrialGame
     /// <summary>Puts the player onto the driver's seat of a vehicle.</summary>
     void Seat(int vehicle);
 
+    /// <summary>Repairs a vehicle, body and engine, so that each attempt begins with a whole one.</summary>
+    void Repair(int vehicle);
+
     /// <summary>Begins to load the scene around a place.</summary>
     void BeginLoading(Vector3D place);
 

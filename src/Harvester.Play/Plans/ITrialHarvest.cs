@@ -17,6 +17,9 @@ public interface ITrialHarvest
     /// <summary>Why the last harvest ended early; null if it ended normally, or none has ended.</summary>
     string? Fault { get; }
 
+    /// <summary>Whether <see cref="Fault"/> is that the disk has too little space, which is no fault of a trial.</summary>
+    bool IsSpaceLow { get; }
+
     /// <summary>Mounts the camera and begins a harvest in a new folder.</summary>
     /// <param name="folder">The folder of the session.</param>
     /// <param name="options">What to harvest and how.</param>

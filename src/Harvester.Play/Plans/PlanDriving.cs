@@ -28,6 +28,7 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
     private Trial? _trial;
     private TrialRun? _run;
     private int _frames;
+    private bool _hasStarted;
 
     /// <summary>Creates the feature; it is off.</summary>
     /// <param name="file">The plan file; null without one.</param>
@@ -53,6 +54,9 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
 
     /// <summary>Why no plan can run now; null if one can.</summary>
     public Func<string?> Obstacle { get; init; } = static () => null;
+
+    /// <summary>Whether the plan begins without the key, once, as soon as the game lets the mod work.</summary>
+    public bool StartsByItself { get; init; }
 
     /// <summary>The weather that is kept for the trial under way; null without one.</summary>
     public string? Weather => _world.Grip.Weather;
@@ -89,6 +93,15 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
     /// <inheritdoc/>
     public void Tick()
     {
+        if (StartsByItself && !_hasStarted)
+        {
+            _hasStarted = true;
+            if (!IsOn)
+            {
+                Toggle();
+            }
+        }
+
         if (_folder.TakeFailure() is { } failure)
         {
             _messages.Tell($"The plan cannot run: {failure.Message}");
@@ -108,12 +121,19 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
         {
             string reason = _disk.Exception!.InnerException!.Message;
             _disk = Task.CompletedTask;
-            Stop();
-            _messages.Tell($"The plan was stopped: {reason} The same key continues it.");
+            StopForDisk(reason);
             return;
         }
 
-        _heartbeat ??= new HeartbeatFile(folder.Folder, folder.Plan.Name, Shard.Whole);
+        if (_heartbeat is null)
+        {
+            _heartbeat = new HeartbeatFile(folder.Folder, folder.Plan.Name, Shard.Whole);
+            if (folder.Ended is { } ended)
+            {
+                TellFailure(ended);
+            }
+        }
+
         if (_run is { } run)
         {
             Continue(folder, run);
@@ -125,7 +145,7 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
         else if (folder.Next is { } next)
         {
             _trial = next;
-            _disk = Task.Run(() => folder.SetAside(next));
+            _disk = Task.Run(() => folder.Begin(next));
         }
         else
         {
@@ -177,7 +197,11 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
         bool isDriving = run.Phase == TrialPhase.Driving;
         _heartbeat!.Beat(
             isDriving ? HeartbeatState.Running : HeartbeatState.Starting, _trial!.Id, _frames + (isDriving ? _world.Harvest.Captured : 0));
-        if (run.Ending is { } ending)
+        if (run.Ending is { IsSpaceLow: true } fault)
+        {
+            StopForDisk(fault.Reason!);
+        }
+        else if (run.Ending is { } ending)
         {
             Note(folder, ending);
         }
@@ -197,27 +221,27 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
         }
         else
         {
-            _messages.Tell(FormattableString.Invariant(
-                $"{trial.Id}, attempt {attempt} of {TrialResult.MaxAttempts}: {result.Reason}")
-                + (result.State == TrialState.Skipped ? " It is skipped." : " It is repeated."));
+            TellFailure(result);
         }
 
-        _disk = Task.Run(() =>
-        {
-            if (result.State == TrialState.Skipped)
-            {
-                folder.SetAside(trial);
-            }
+        _disk = Task.Run(() => folder.End(result));
+    }
 
-            folder.Status.Add(result);
-        });
+    private void TellFailure(TrialResult result) => _messages.Tell(
+        FormattableString.Invariant($"{result.Trial}, attempt {result.Attempt} of {TrialResult.MaxAttempts}: {result.Reason}")
+        + (result.State == TrialState.Skipped ? " It is skipped." : " It is repeated."));
+
+    private void StopForDisk(string reason)
+    {
+        Stop();
+        _messages.Tell($"The plan was stopped: {reason} The same key continues it.");
     }
 
     private void Complete(PlanFolder folder)
     {
         TrialResult[] skipped = [.. folder.Trials.Select(trial => folder.Status.Last[trial.Id])
             .Where(result => result.State == TrialState.Skipped)];
-        End(skipped.Length == 0 ? HeartbeatState.Finished : HeartbeatState.Failed);
+        End(skipped.Length == 0 ? HeartbeatState.Finished : HeartbeatState.Incomplete);
         _messages.Tell($"The plan {folder.Plan.Name} is over: {Counted.Of(folder.Trials.Count - skipped.Length, "trial")} done, "
             + (skipped.Length == 0 ? "none skipped, " : $"skipped: {string.Join(", ", skipped.Select(result => result.Trial))}, ")
             + $"in {folder.Folder}.");

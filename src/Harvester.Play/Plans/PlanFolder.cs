@@ -7,12 +7,18 @@ using Harvester.Sessions.Plans;
 
 namespace Harvester.Play.Plans;
 
-/// <summary>The folder of a plan's output in the game, locked: a copy of the plan, the status of its trials, and their sessions.</summary>
+/// <summary>
+/// The folder of a plan's output in the game, locked: a copy of the plan, the status of its trials, and their sessions. While an attempt is
+/// under way, a file names it: if the file is there when the folder is opened, the game has ended during the attempt.
+/// </summary>
 public sealed class PlanFolder : IDisposable
 {
     private const string Copy = "plan.json";
+    private const string EndedReason = "The game ended during the attempt.";
     private const int MaxCharacters = 16 << 20;
     private readonly WriterLock _held;
+    private readonly object _gate = new();
+    private bool _isReleased;
 
     private PlanFolder(string folder, WriterLock held, Plan plan, PlanStatus status)
     {
@@ -31,6 +37,9 @@ public sealed class PlanFolder : IDisposable
 
     /// <summary>How they ended.</summary>
     public PlanStatus Status { get; }
+
+    /// <summary>The attempt during which the game ended before the folder was opened; null if it did not.</summary>
+    public TrialResult? Ended { get; private set; }
 
     /// <summary>The first trial that needs an attempt; null if none does.</summary>
     public Trial? Next => Trials.FirstOrDefault(trial => Status.NextAttempt(trial.Id) is not null);
@@ -66,7 +75,9 @@ public sealed class PlanFolder : IDisposable
                     $"'{folder}' has results of another plan, or of this one before it was changed. Give the plan another name.");
             }
 
-            return new PlanFolder(folder, held, plan, PlanStatus.Open(folder, Shard.Whole));
+            var opened = new PlanFolder(folder, held, plan, PlanStatus.Open(folder, Shard.Whole));
+            opened.NoteEnded();
+            return opened;
         }
         catch
         {
@@ -79,11 +90,42 @@ public sealed class PlanFolder : IDisposable
     public string FolderOf(Trial trial) => Path.Combine(Folder, "trials", (trial ?? throw new ArgumentNullException(nameof(trial))).Id);
 
     /// <summary>
+    /// Prepares the next attempt at a trial, and notes on the disk that it is under way. It has no effect once the folder is released.
+    /// </summary>
+    /// <exception cref="IOException">A folder cannot be moved, or a file not be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">A file may not be written.</exception>
+    public void Begin(Trial trial)
+    {
+        lock (_gate)
+        {
+            if (!_isReleased)
+            {
+                SetAside(trial ?? throw new ArgumentNullException(nameof(trial)));
+                AttemptFile.Write(Folder, trial.Id, Status.NextAttempt(trial.Id)!.Value);
+            }
+        }
+    }
+
+    /// <summary>Notes how the attempt that is under way has ended. What the last attempt wrote is moved away.</summary>
+    /// <exception cref="IOException">A folder cannot be moved, or a file not be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">A file may not be written.</exception>
+    public void End(TrialResult result)
+    {
+        if ((result ?? throw new ArgumentNullException(nameof(result))).State == TrialState.Skipped)
+        {
+            SetAside(Trials.First(trial => trial.Id == result.Trial));
+        }
+
+        Status.Add(result);
+        AttemptFile.Delete(Folder);
+    }
+
+    /// <summary>
     /// Moves what an unfinished or failed attempt wrote to the folder unfinished: the game cannot continue it, because it does not take the
     /// same course again.
     /// </summary>
     /// <exception cref="IOException">The folder cannot be moved.</exception>
-    public void SetAside(Trial trial)
+    private void SetAside(Trial trial)
     {
         string folder = FolderOf(trial);
         if (!Directory.Exists(folder))
@@ -102,15 +144,43 @@ public sealed class PlanFolder : IDisposable
         Directory.Move(folder, free);
     }
 
-    /// <summary>Releases the folder.</summary>
-    public void Dispose() => _held.Dispose();
+    /// <summary>Releases the folder. An attempt that is under way does not count.</summary>
+    public void Dispose()
+    {
+        lock (_gate)
+        {
+            _isReleased = true;
+            try
+            {
+                AttemptFile.Delete(Folder);
+            }
+            catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+            {
+                // The attempt then counts as one that failed.
+                return;
+            }
+            finally
+            {
+                _held.Dispose();
+            }
+        }
+    }
+
+    private void NoteEnded()
+    {
+        if (AttemptFile.Read(Folder) is var (id, attempt) && Trials.Any(trial => trial.Id == id) && Status.NextAttempt(id) == attempt)
+        {
+            Ended = TrialResult.OfFailure(id, attempt, 0, EndedReason);
+            End(Ended);
+        }
+    }
 
     /// <summary>What the game cannot do of a plan that the simulated game can; null if it can all.</summary>
     private static string? ProblemOf(Plan plan)
     {
         PlanPlace? open = plan.Places.FirstOrDefault(place => place.Start is null);
         PlanCamera? rig = plan.Cameras.FirstOrDefault(camera => camera.RigFile is not null);
-        return open is not null ? $"the place '{open.Name}' needs x and y, or a path: in the game, places are not chosen."
+        return open is not null ? $"the place '{open.Name}' needs x and y, or a path: 'harvester plan resolve' chooses places for the game."
             : rig is not null ? $"the camera '{rig.Name}' has a rig, which plans in the game do not support."
             : null;
     }

@@ -7,7 +7,7 @@ namespace Harvester.Play.Plans;
 /// </summary>
 /// <param name="vehicles">The game's vehicles.</param>
 /// <param name="models">The game's models.</param>
-/// <param name="game">Puts the player into a vehicle.</param>
+/// <param name="game">Puts the player into a vehicle, and repairs it.</param>
 /// <param name="model">Model of a new vehicle.</param>
 public sealed class TrialCar(IVehicles vehicles, IModels models, ITrialGame game, int model)
 {
@@ -21,7 +21,7 @@ public sealed class TrialCar(IVehicles vehicles, IModels models, ITrialGame game
     /// <summary>The vehicle; 0 before there is one.</summary>
     public int Vehicle { get; private set; }
 
-    /// <summary>Works towards a player in a vehicle; to be called until it is so.</summary>
+    /// <summary>Works towards a player in a vehicle, which is repaired then; to be called until it is so.</summary>
     /// <returns>Whether the player sits in the vehicle.</returns>
     public bool Board()
     {
@@ -29,6 +29,7 @@ public sealed class TrialCar(IVehicles vehicles, IModels models, ITrialGame game
         if (boarded != 0)
         {
             Vehicle = boarded;
+            game.Repair(boarded);
             return true;
         }
 

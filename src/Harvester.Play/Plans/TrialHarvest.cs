@@ -24,6 +24,9 @@ public sealed class TrialHarvest(Harvest harvest, CameraMount mount, PlayerMessa
     public string? Fault => harvest.LastFault;
 
     /// <inheritdoc/>
+    public bool IsSpaceLow => harvest.IsSpaceLow;
+
+    /// <inheritdoc/>
     public bool Begin(string folder, HarvestOptions options, double verticalFovDegrees)
     {
         if (harvest.IsOn || harvest.IsBusy)

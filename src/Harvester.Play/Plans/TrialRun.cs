@@ -92,9 +92,11 @@ public sealed class TrialRun
             case TrialPhase.Writing:
                 if (!_world.Harvest.IsBusy)
                 {
+                    bool isSpaceLow = _hasFrames && _world.Harvest is { Fault: not null, IsSpaceLow: true };
+                    string? failure = isSpaceLow ? _world.Harvest.Fault : _failure ?? _world.Harvest.Fault;
                     Ending = new TrialEnding(
                         _hasFrames ? _world.Harvest.Captured : 0,
-                        _failure ?? _world.Harvest.Fault ?? (_world.Harvest.Captured > 0 ? null : "The harvest took no frame."));
+                        failure ?? (_world.Harvest.Captured > 0 ? null : "The harvest took no frame."), isSpaceLow);
                     Phase = TrialPhase.Over;
                 }
 

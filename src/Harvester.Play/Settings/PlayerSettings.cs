@@ -58,6 +58,9 @@ public sealed record PlayerSettings
     /// <summary>The plan to run; null without one.</summary>
     public required string? PlanFile { get; init; }
 
+    /// <summary>Whether the plan begins without the key.</summary>
+    public required bool StartsPlan { get; init; }
+
     /// <summary>The folder of the plans' sessions.</summary>
     public required string PlansFolder { get; init; }
 
@@ -111,6 +114,7 @@ public sealed record PlayerSettings
             SurveyFile = Path.Combine(folder, "roads.csv"),
             Bridge = BridgeSettings.Read(ini, Path.Combine(folder, "bridge"), PathOf),
             PlanFile = plan.Length > 0 ? PathOf(plan) : null,
+            StartsPlan = ini.Choice("Plan", "Start", Switch.Off, "On or Off") == Switch.On,
             PlansFolder = Path.Combine(folder, "plans"),
             FacesFolder = Path.Combine(folder, "spaces"),
             TakesPhotographs = ini.Choice("Signs", "Photographs", Switch.On, "On or Off") == Switch.On,

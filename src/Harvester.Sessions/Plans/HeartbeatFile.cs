@@ -22,9 +22,10 @@ public sealed class HeartbeatFile(string folder, string plan, Shard shard)
 #else
     private readonly int _process = Process.GetCurrentProcess().Id;
 #endif
-    private readonly string _path = Path.Combine(folder, Heartbeat.FileNameOf(shard));
+    private readonly string _name = Heartbeat.FileNameOf(shard);
     private readonly Stopwatch _sinceLast = new();
     private Task _writing = Task.CompletedTask;
+    private bool _isClean;
 
     /// <summary>Whether a sign of life is still being written.</summary>
     public bool IsBusy => !_writing.IsCompleted;
@@ -52,7 +53,14 @@ public sealed class HeartbeatFile(string folder, string plan, Shard shard)
         {
             try
             {
-                AtomicFile.Write(_path, text, isDurable: false);
+                if (!_isClean)
+                {
+                    // What a program left that was stopped while it wrote.
+                    AtomicFile.DeleteLeftovers(folder, name => name == _name);
+                    _isClean = true;
+                }
+
+                AtomicFile.Write(Path.Combine(folder, _name), text, isDurable: false);
             }
             catch (Exception e) when (e is IOException or UnauthorizedAccessException)
             {

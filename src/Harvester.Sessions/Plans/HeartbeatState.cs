@@ -12,6 +12,9 @@ public enum HeartbeatState
     /// <summary>It has ended, and every trial has its session.</summary>
     Finished,
 
-    /// <summary>It has ended, and a trial has no session.</summary>
+    /// <summary>It was stopped, or cannot go on; trials are left.</summary>
     Failed,
+
+    /// <summary>It has ended, and nothing is left to do, but a trial was skipped and has no session.</summary>
+    Incomplete,
 }

@@ -74,6 +74,30 @@ internal sealed class PixelShader
         }
     }
 
+    /// <summary>Works out where the pixels of a row look, and their depths, as <see cref="WantShadows"/> needs them.</summary>
+    /// <param name="row">The row, with its number.</param>
+    /// <param name="nearness">Near / depth of its pixels; 0 for the sky.</param>
+    public void BeginShadows(PixelRow row, ReadOnlySpan<float> nearness)
+    {
+        _directions.Begin(row);
+        nearness.CopyTo(row.Depths);
+        for (int column = 0; column < nearness.Length; column += PixelRow.Step)
+        {
+            (Vector256.Create(_near) / Vector256.Create(row.Depths, column)).CopyTo(row.Depths, column);
+        }
+    }
+
+    /// <summary>Asks for the shadows that may lie on pixels of a row that show one triangle.</summary>
+    public void WantShadows(in ScreenTriangle triangle, PixelRow row, int first, int length)
+    {
+        Vector3 normal = triangle.Normal;
+        float facing = Math.Max(0, Vector3.Dot(normal, _sun));
+        for (int column = first; facing > 0 && column < first + length; column += PixelRow.Step)
+        {
+            _shadows!.Want(_directions.At(row, column) * Vector256.Create(row.Depths, column), normal, facing);
+        }
+    }
+
     /// <summary>Colours pixels of a row that show the sky.</summary>
     public void ShadeSky(PixelRow row, int first, int length)
     {

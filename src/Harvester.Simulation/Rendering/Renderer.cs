@@ -28,6 +28,7 @@ public sealed class Renderer
     private (RenderCamera Camera, SampleGrid Grid)? _bentBefore;
 
     private readonly SceneShadows? _shadows;
+    private readonly ShadowRequests? _requests;
     private readonly MarkingLayer? _markings;
 
     /// <summary>Creates a renderer.</summary>
@@ -38,6 +39,7 @@ public sealed class Renderer
         if (detail == Detail.Full)
         {
             (_shadows, _markings) = (new SceneShadows(), new MarkingLayer());
+            _requests = new ShadowRequests(_shadows, _screen);
         }
     }
 
@@ -98,9 +100,9 @@ public sealed class Renderer
         FindInstances(scene, view);
         DrawInstances(view, bandCount);
 
-        _shadows?.Prepare(scene, camera);
         _markings?.Project(view, _tiles);
         var shader = new PixelShader(scene, view, _shadows, _markings);
+        _requests?.Draw(shader, scene, camera, _rows, _ids, _nearness);
         Parallel.For(0, bandCount, band =>
         {
             int top = band * DepthTiles.Size;
@@ -251,8 +253,7 @@ public sealed class Renderer
             for (int column = 0; column < width;)
             {
                 int id = ids[column];
-                int length = ids[column..].IndexOfAnyExcept(id);
-                length = length < 0 ? width - column : length;
+                int length = ShadowRequests.LengthOf(ids[column..]);
                 if (id == ScreenTriangles.Nothing)
                 {
                     handles.Slice(column, length).Clear();

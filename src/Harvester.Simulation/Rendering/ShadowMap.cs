@@ -8,7 +8,10 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>How far towards a light a scene reaches above each texel of a frame: what lies below is in shadow.</summary>
+/// <summary>
+/// How far towards a light a scene reaches above each texel of a frame: what lies below is in shadow. Only those tiles are drawn that are
+/// asked for; a texel's height does not depend on which others are.
+/// </summary>
 internal sealed class ShadowMap(int size)
 {
     private const int SideCount = 4;
@@ -22,6 +25,8 @@ internal sealed class ShadowMap(int size)
     private readonly List<FixedHeights> _kept = [];
     private readonly float[] _heights = new float[size * size];
     private readonly List<(int First, int Count)> _ranges = [];
+    private readonly ShadowTiles _wanted = new(size);
+    private readonly ShadowTiles _missing = new(size);
     private ShadowFrame _frame;
     private InstanceSet? _drawn;
     private Vector3 _across;
@@ -32,18 +37,11 @@ internal sealed class ShadowMap(int size)
     /// <summary>Heights with the moving instances.</summary>
     public ReadOnlySpan<float> Heights => _heights;
 
-    /// <summary>
-    /// Draws the instances that reach into a frame: the static ones only if the frame, the world or the static ones that are hidden are
-    /// others than before, then the moving ones.
-    /// </summary>
-    public void Draw(in ShadowFrame frame, RenderScene scene)
-    {
-        HashSet<int>? left = scene.Shadowless;
-        FixedHeightsOf(frame, scene.Static, left).CopyTo(_heights, 0);
-        Draw(scene.Dynamic, left, _heights);
-    }
+    /// <summary>The tiles that the next drawing must have.</summary>
+    public ShadowTiles Wanted => _wanted;
 
-    private float[] FixedHeightsOf(in ShadowFrame frame, InstanceSet world, HashSet<int>? left)
+    /// <summary>Chooses the frame that is drawn next, for places relative to an eye. No tile of it is wanted yet.</summary>
+    public void Aim(in ShadowFrame frame, InstanceSet world, Vector3D eye)
     {
         if (_drawn != world || _frame != frame)
         {
@@ -53,26 +51,34 @@ internal sealed class ShadowMap(int size)
                 _kept.RemoveRange(1, _kept.Count - 1);
             }
 
-            _kept.ForEach(static kept => kept.IsDrawn = false);
+            _kept.ForEach(static kept => kept.Drawn.Clear());
         }
 
-        HashSet<int> hidden = world.HandlesAmong(left);
-        FixedHeights? found = _kept.Find(kept => kept.IsDrawn && kept.Hidden.SetEquals(hidden));
-        if (found is null)
-        {
-            found = _kept.Find(static kept => !kept.IsDrawn) ?? (_kept.Count < MostKept ? new FixedHeights(size * size) : _kept[0]);
-            Array.Fill(found.Heights, float.NegativeInfinity);
-            Draw(world, left, found.Heights);
-            (found.IsDrawn, found.Hidden) = (true, hidden);
-        }
-
-        _kept.Remove(found);
-        _kept.Add(found);
-        return found.Heights;
+        _wanted.Clear();
+        LookFrom(eye);
     }
 
-    /// <summary>Prepares for places relative to an eye.</summary>
-    public void LookFrom(Vector3D eye)
+    /// <summary>
+    /// Draws the wanted tiles: the static instances only where they are not drawn since the frame, the world or the static ones that are
+    /// hidden became others, then the moving ones.
+    /// </summary>
+    public void Draw(RenderScene scene)
+    {
+        HashSet<int>? left = scene.Shadowless;
+        float[] still = FixedHeightsOf(scene.Static, left);
+        for (int row = 0; row < size; row++)
+        {
+            for (ulong columns = _wanted.ColumnsAt(row); columns != 0;)
+            {
+                (int from, int to) = _wanted.TakeStretch(ref columns);
+                still.AsSpan((row * size) + from, to - from).CopyTo(_heights.AsSpan((row * size) + from));
+            }
+        }
+
+        Draw(scene.Dynamic, left, _heights, _wanted);
+    }
+
+    private void LookFrom(Vector3D eye)
     {
         double scale = 1 / _frame.TexelMetres;
         (_across, _along, _light) = (Sky.ToSingle(_frame.Across * scale), Sky.ToSingle(_frame.Along * scale), Sky.ToSingle(_frame.Light));
@@ -80,6 +86,37 @@ internal sealed class ShadowMap(int size)
             (float)((_frame.Across.Dot(eye) - _frame.Left) * scale),
             (float)((_frame.Along.Dot(eye) - _frame.Bottom) * scale),
             (float)(_frame.Light.Dot(eye) - _frame.Zero));
+    }
+
+    private float[] FixedHeightsOf(InstanceSet world, HashSet<int>? left)
+    {
+        HashSet<int> hidden = world.HandlesAmong(left);
+        FixedHeights? found = _kept.Find(kept => kept.Hidden.SetEquals(hidden));
+        if (found is null)
+        {
+            found = _kept.Find(static kept => kept.Drawn.IsEmpty) ?? (_kept.Count < MostKept ? new FixedHeights(size) : _kept[0]);
+            found.Hidden = hidden;
+            found.Drawn.Clear();
+        }
+
+        if (_missing.TakeMissing(_wanted, found.Drawn))
+        {
+            for (int row = 0; row < size; row++)
+            {
+                for (ulong columns = _missing.ColumnsAt(row); columns != 0;)
+                {
+                    (int from, int to) = _missing.TakeStretch(ref columns);
+                    found.Heights.AsSpan((row * size) + from, to - from).Fill(float.NegativeInfinity);
+                }
+            }
+
+            Draw(world, left, found.Heights, _missing);
+            found.Drawn.Add(_missing);
+        }
+
+        _kept.Remove(found);
+        _kept.Add(found);
+        return found.Heights;
     }
 
     /// <summary>Places relative to the eye in the map's frame: texels across and along, and metres towards the light.</summary>
@@ -95,6 +132,19 @@ internal sealed class ShadowMap(int size)
         Vector256<float> last = Vector256.Create(size - 0.5f);
         return Vector256.GreaterThanOrEqual(inMap.X, first) & Vector256.GreaterThanOrEqual(inMap.Y, first)
             & Vector256.LessThan(inMap.X, last) & Vector256.LessThan(inMap.Y, last);
+    }
+
+    /// <summary>Asks for the tiles from which <see cref="Lit"/> reads; several threads may ask at once.</summary>
+    /// <param name="inMap">Places in the map's frame.</param>
+    /// <param name="isAsked">For which of them; those are within the map.</param>
+    public void Want(in WideVector inMap, Vector256<float> isAsked)
+    {
+        Vector256<int> texels = TexelsAt(
+            Vector256.Floor(inMap.X - Vector256.Create(0.5f)), Vector256.Floor(inMap.Y - Vector256.Create(0.5f)), size - 2);
+        for (uint lanes = isAsked.ExtractMostSignificantBits(); lanes != 0; lanes &= lanes - 1)
+        {
+            _wanted.AddAround(texels[BitOperations.TrailingZeroCount(lanes)]);
+        }
     }
 
     /// <summary>The fraction of light that reaches places within the map, from the four nearest texels.</summary>
@@ -142,7 +192,7 @@ internal sealed class ShadowMap(int size)
     private static Vector256<float> Reaches(Vector256<float> height, ReadOnlySpan<float> near, int corner) =>
         Vector256.GreaterThanOrEqual(height, Vector256.Create(near.Slice(corner * Lanes, Lanes)));
 
-    private void Draw(InstanceSet set, HashSet<int>? left, float[] heights)
+    private void Draw(InstanceSet set, HashSet<int>? left, float[] heights, ShadowTiles tiles)
     {
         Span<Plane> sides = stackalloc Plane[SideCount];
         _frame.WriteSides(sides);
@@ -159,53 +209,41 @@ internal sealed class ShadowMap(int size)
                 }
 
                 var toMap = new ClipTransform(fromWorld * Matrix4.ToWorld(instance.Pose));
+                if (!Reaches(instance.Mesh.Bounds, toMap, tiles))
+                {
+                    continue;
+                }
+
                 foreach (ref readonly MeshTriangle triangle in instance.Mesh.Given)
                 {
-                    Draw(toMap.Apply(triangle.A), toMap.Apply(triangle.B), toMap.Apply(triangle.C), heights);
+                    ShadowRasteriser.Draw(
+                        toMap.Apply(triangle.A), toMap.Apply(triangle.B), toMap.Apply(triangle.C), heights, size, tiles);
                 }
             }
         }
     }
 
-    /// <summary>Raises the texels whose centres a triangle covers.</summary>
-    private void Draw(Vector256<double> a, Vector256<double> b, Vector256<double> c, float[] heights)
+    /// <summary>Whether a box, and a texel around it, reaches into a tile.</summary>
+    private bool Reaches(in Bounds bounds, in ClipTransform toMap, ShadowTiles tiles)
     {
-        Vector256<double> min = Vector256.MinNative(a, Vector256.MinNative(b, c));
-        Vector256<double> max = Vector256.MaxNative(a, Vector256.MaxNative(b, c));
-        int left = (int)Math.Clamp(Math.Ceiling(min[0] - 0.5), 0, size);
-        int right = (int)Math.Clamp(Math.Ceiling(max[0] - 0.5), 0, size);
-        int bottom = (int)Math.Clamp(Math.Ceiling(min[1] - 0.5), 0, size);
-        int top = (int)Math.Clamp(Math.Ceiling(max[1] - 0.5), 0, size);
-        double doubleArea = ((b[0] - a[0]) * (c[1] - a[1])) - ((b[1] - a[1]) * (c[0] - a[0]));
-        if (left >= right || bottom >= top || doubleArea == 0)
-        {
-            return;
-        }
-
-        EdgeTriple edges = doubleArea > 0 ? new EdgeTriple(a, b, c) : new EdgeTriple(b, a, c);
-        Vector256<double> ab = b - a;
-        Vector256<double> ac = c - a;
-        double stepX = ((ab[2] * ac[1]) - (ac[2] * ab[1])) / doubleArea;
-        double stepY = ((ac[2] * ab[0]) - (ab[2] * ac[0])) / doubleArea;
-        for (int row = bottom; row < top; row++)
-        {
-            (int first, int last) = edges.ColumnsInside(row + 0.5, left, right);
-            double height = a[2] + (stepX * (first + 0.5 - a[0])) + (stepY * (row + 0.5 - a[1]));
-            Span<float> texels = heights.AsSpan((row * size) + first, Math.Max(0, last - first));
-            for (int i = 0; i < texels.Length; i++)
-            {
-                texels[i] = Math.Max(texels[i], (float)(height + (stepX * i)));
-            }
-        }
+        Vector3D half = (bounds.Max - bounds.Min) * 0.5;
+        Vector256<double> centre = toMap.Apply(bounds.Min + half);
+        Vector256<double> reach = Vector256.Abs(toMap.AlongX(half.X)) + Vector256.Abs(toMap.AlongY(half.Y))
+            + Vector256.Abs(toMap.AlongZ(half.Z)) + Vector256<double>.One;
+        Vector256<double> end = Vector256.Create((double)size);
+        Vector256<double> min = Vector256.Min(Vector256.Max(Vector256.Floor(centre - reach), Vector256<double>.Zero), end);
+        Vector256<double> max = Vector256.Min(Vector256.Max(Vector256.Ceiling(centre + reach), Vector256<double>.Zero), end);
+        return min[0] < max[0] && min[1] < max[1] && tiles.HasAnyIn((int)min[0], (int)min[1], (int)max[0], (int)max[1]);
     }
 
     /// <summary>Heights of the static instances of one world in one frame, without some of them.</summary>
-    private sealed class FixedHeights(int texels)
+    private sealed class FixedHeights(int size)
     {
-        public float[] Heights { get; } = new float[texels];
+        public float[] Heights { get; } = new float[size * size];
 
         public HashSet<int> Hidden { get; set; } = [];
 
-        public bool IsDrawn { get; set; }
+        /// <summary>The tiles in which they are drawn.</summary>
+        public ShadowTiles Drawn { get; } = new(size);
     }
 }

@@ -38,16 +38,15 @@ internal sealed class SkyView
     private readonly float[] _highestInRow = new float[Texels * Texels];
     private readonly float[] _highest = new float[Texels * Texels];
 
-    /// <summary>Draws what lies around a place.</summary>
-    public void Draw(Vector3D place, RenderScene scene)
+    /// <summary>Draws what lies around a place, for places relative to an eye.</summary>
+    public void Draw(Vector3D place, Vector3D eye, RenderScene scene)
     {
-        _map.Draw(ShadowFrame.Around(new Vector3D(0, 0, 1), place, TexelMetres, Texels), scene);
+        _map.Aim(ShadowFrame.Around(new Vector3D(0, 0, 1), place, TexelMetres, Texels), scene.Static, eye);
+        _map.Wanted.AddAll();
+        _map.Draw(scene);
         Spread(_map.Heights, _highestInRow, TapTexels);
         Spread(_highestInRow, _highest, TapTexels * Texels);
     }
-
-    /// <summary>Prepares for places relative to an eye.</summary>
-    public void LookFrom(Vector3D eye) => _map.LookFrom(eye);
 
     /// <summary>The fraction of the sky's light that reaches places on a surface.</summary>
     /// <param name="place">Places relative to the eye.</param>

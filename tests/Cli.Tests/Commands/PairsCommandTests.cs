@@ -80,6 +80,71 @@ public sealed class PairsCommandTests(HarvestedPairs harvested) : IClassFixture<
         Assert.All(whole, file => Assert.Equal(file.Value, File.ReadAllBytes(Path.Combine(Made, file.Key))));
     }
 
+    [Theory]
+    [InlineData("whole", true)]
+    [InlineData("byte", false)]
+    [InlineData("short", false)]
+    [InlineData("longer", false)]
+    public void Resumed_export_keeps_archives_that_are_whole(string state, bool isKept)
+    {
+        string[] command = ["pairs", harvested.Session, "--out", Made, "--format", "webdataset", "--resume"];
+        CliRun.Of(command).AssertDone();
+        Dictionary<string, byte[]> whole = Directory.GetFiles(Made).ToDictionary(file => Path.GetFileName(file), File.ReadAllBytes);
+        string archive = Path.Combine(Made, "pairs-000000.tar");
+        byte[] bytes = File.ReadAllBytes(archive);
+        bytes[bytes.Length / 2] ^= state == "byte" ? (byte)1 : (byte)0;
+        File.WriteAllBytes(archive, state == "short" ? bytes[..(bytes.Length / 2)] : state == "longer" ? [.. bytes, .. bytes] : bytes);
+        File.Copy(archive, Path.Combine(Made, "pairs-000001.tar"));
+        UnfinishedMark.Write(Made, CommandText.Of(command.Where(word => word != Made && word is not ("--out" or "--resume"))));
+        var longAgo = new DateTime(2001, 2, 3, 4, 5, 6, DateTimeKind.Utc);
+        File.SetLastWriteTimeUtc(archive, longAgo);
+        CliRun.Of(command).AssertDone();
+
+        Assert.Equal(isKept, File.GetLastWriteTimeUtc(archive) == longAgo);
+        Assert.Equal(whole.Keys.Order(), Directory.GetFiles(Made).Select(file => Path.GetFileName(file)).Order());
+        Assert.All(whole, file => Assert.Equal(file.Value, File.ReadAllBytes(Path.Combine(Made, file.Key))));
+    }
+
+    [Fact]
+    public void Resumed_export_keeps_pictures_that_are_whole()
+    {
+        string[] command = ["pairs", harvested.Session, "--out", Made, "--images", "copy", "--resume"];
+        CliRun.Of(command).AssertDone();
+        string[] pictures = Directory.GetFiles(Path.Combine(Made, "images", "00000000"));
+        var longAgo = new DateTime(2001, 2, 3, 4, 5, 6, DateTimeKind.Utc);
+        Array.ForEach(pictures, picture => File.SetLastWriteTimeUtc(picture, longAgo));
+        byte[] first = File.ReadAllBytes(pictures[0]);
+        File.WriteAllText(pictures[0], "half");
+        File.WriteAllText(Path.Combine(Made, "images", "00000000", "other.png"), "of a session that was changed");
+        Directory.CreateDirectory(Path.Combine(Made, "images", "00000077"));
+        UnfinishedMark.Write(Made, CommandText.Of(["pairs", harvested.Session, "--images", "copy"]));
+        CliRun.Of(command).AssertDone();
+
+        Assert.Equal(first, File.ReadAllBytes(pictures[0]));
+        Assert.All(pictures.Skip(1), picture => Assert.Equal(longAgo, File.GetLastWriteTimeUtc(picture)));
+        Assert.Equal(pictures.Order(), Directory.GetFiles(Path.Combine(Made, "images", "00000000")).Order());
+        Assert.Equal(4, Directory.GetDirectories(Path.Combine(Made, "images")).Length);
+    }
+
+    [Fact]
+    public void Resumed_export_follows_no_link()
+    {
+        if (OperatingSystem.IsWindows())
+        {
+            return;
+        }
+
+        string[] command = ["pairs", harvested.Session, "--out", Made, "--resume"];
+        string outside = Directory.CreateDirectory(_folder.PathOf("outside")).FullName;
+        File.WriteAllText(Path.Combine(outside, "mine"), "mine");
+        Directory.CreateDirectory(Path.Combine(Made, "images"));
+        Directory.CreateSymbolicLink(Path.Combine(Made, "images", "00000000"), outside);
+        UnfinishedMark.Write(Made, CommandText.Of(["pairs", harvested.Session]));
+
+        CliRun.Of(command).AssertFailed(ExitCode.InputOutput, "is a link");
+        Assert.Equal(["mine"], Directory.GetFiles(outside).Select(file => Path.GetFileName(file)));
+    }
+
     [Fact]
     public void Folder_with_other_files_is_left_alone()
     {

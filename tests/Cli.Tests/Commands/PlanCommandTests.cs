@@ -1,6 +1,7 @@
 using System.Text.Json.Nodes;
 using Harvester.Cli.Commands.Plans;
 using Harvester.Cli.Terminals;
+using Harvester.Cli.Tests.Repetition;
 using Harvester.Datasets.Sessions;
 using Json.Schema;
 
@@ -98,6 +99,29 @@ public sealed class PlanCommandTests : IDisposable
         CliRun.Of("plan", "run", PlanPath, "--out", divided, "--shard", "2/2").AssertDone();
 
         AssertSameFiles(Path.Combine(Out, "trials"), Path.Combine(divided, "trials"));
+    }
+
+    [Theory]
+    [InlineData("--detail", "full")]
+    [InlineData("--roads", "other")]
+    public void Resume_refuses_another_world(string option, string value)
+    {
+        // All trials are done, so that nothing is built.
+        File.WriteAllText(PlanPath, Small.Replace("\"clear\",\"rain\"", "\"clear\"", StringComparison.Ordinal));
+        string roads = _folder.PathOf("roads.csv");
+        string other = _folder.PathOf("other.csv");
+        File.WriteAllText(roads, WritingCommand.Roads);
+        File.WriteAllText(other, WritingCommand.Roads.Replace("200,30", "190,30", StringComparison.Ordinal));
+        Directory.CreateDirectory(Out);
+        File.WriteAllText(Path.Combine(Out, "plan-status.jsonl"), string.Concat(((string[])["a", "b"]).Select(place =>
+            $$"""{"trial":"{{place}}_clear_1200_c_001","state":"done","attempt":1,"frames":2}""" + "\n")));
+        File.Copy(PlanPath, Path.Combine(Out, "plan.json"));
+        string[] command = ["plan", "run", PlanPath, "--out", Out, "--resume"];
+        CliRun.Of([.. command, "--roads", roads]).AssertDone();
+
+        CliRun.Of(value == "other" ? [.. command, option, other] : [.. command, "--roads", roads, option, value])
+            .AssertFailed(ExitCode.Usage, "has results of other roads or of another detail");
+        CliRun.Of([.. command, "--roads", roads]).AssertDone();
     }
 
     [Fact]

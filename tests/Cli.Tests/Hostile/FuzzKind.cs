@@ -1,6 +1,7 @@
 using Harvester.Cli.Boxes;
 using Harvester.Cli.Commands;
 using Harvester.Cli.Faces;
+using Harvester.Cli.Plans;
 using Harvester.Cli.Relabelling;
 using Harvester.Cli.Sheets;
 using Harvester.Datasets.Diagnosis;
@@ -115,6 +116,8 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Dataset("culane", "culane", "list/train.txt"),
         Dataset("culane-truth", "culane", "list/train_gt.txt"),
         Dataset("imagefolder", "imagefolder", "data/train/metadata.jsonl"),
+        new("experiment", "plan.json", folder => PlanFile.Read(In(folder, "plan.json")), "plan check {0}/plan.json",
+            "plan show {0}/plan.json"),
         new("plan", "shard/.export/plan.json", MergeShards, Merge, "validate {0}/shard"),
         new("journal", "shard/.export/journal-1-of-2.jsonl", MergeShards, Merge),
         new("points", "points.csv", ReadPoints, Project),

@@ -69,6 +69,13 @@ internal static class FuzzTexts
             </NodeDictionary>
 
             """),
+        ("plan.json", """
+            {"name": "fuzz", "seed": 7, "places": [{"name": "a", "x": 1.5, "y": -2, "headingDegrees": 90, "metres": 50},
+             {"name": "b", "path": [[0, -40], [0, 40]], "seconds": 20}], "weathers": ["clear", "rain"], "hours": ["07:30", "12:00"],
+             "cameras": [{"name": "wide", "width": 64, "height": 48, "verticalFovDegrees": 90}], "repetitions": 2, "frames": 3, "hz": 5,
+             "speed": 10, "traffic": 0.5, "pedestrians": 1, "parked": 2, "masks": "rays"}
+
+            """),
         ("nodes.json", """
             [{"AreaId": 495, "Nodes": [
               {"Id": 0, "StreetName": "0", "IsValidForGps": true, "IsJunction": false, "IsFreeway": true, "IsGravelRoad": false,

@@ -25,9 +25,9 @@ internal sealed class CommandTrial
         }
 
         Folders.Copy(root, BeforeIn(folder));
-        Former = FolderContent.Of(root);
+        Former = ContentOf(root);
         Assert.Equal((ExitCode.Done, ""), EndingOf(Run(root)));
-        Expected = FolderContent.Of(root);
+        Expected = ContentOf(root);
     }
 
     public WritingCommand Command { get; }
@@ -44,6 +44,7 @@ internal sealed class CommandTrial
         Directory.CreateDirectory(inputs);
         File.WriteAllText(Path.Combine(inputs, "roads.csv"), WritingCommand.Roads);
         File.WriteAllText(Path.Combine(inputs, "places.csv"), WritingCommand.Places);
+        File.WriteAllText(Path.Combine(inputs, "plan.json"), WritingCommand.Plan);
         foreach (string words in WritingCommand.Inputs)
         {
             Assert.Equal((ExitCode.Done, ""), EndingOf(CliRun.Of(WritingCommand.WordsOf(words, inputs, ""))));
@@ -56,8 +57,11 @@ internal sealed class CommandTrial
     /// <summary>The folder before the command, in the folder of its trial.</summary>
     public static string BeforeIn(string folder) => Path.Combine(folder, "before");
 
+    /// <summary>The content of a folder without signs of life, of which each run has its own.</summary>
+    public static FolderContent ContentOf(string root) => FolderContent.Of(root).Without(name => name == "out/heartbeat.json");
+
     /// <summary>The content of a folder without what a stopped command may leave; it is gone after the next.</summary>
-    public static FolderContent ResultIn(string root) => FolderContent.Of(root).Without(name =>
+    public static FolderContent ResultIn(string root) => ContentOf(root).Without(name =>
         name.Contains(".partial", StringComparison.Ordinal) || name.Contains(".harvester-", StringComparison.Ordinal));
 
     /// <summary>Makes a folder what it is before the command.</summary>
@@ -88,7 +92,7 @@ internal sealed class CommandTrial
             return $"given again it ends with {again.ExitCode}: {again.Error.TrimEnd()}";
         }
 
-        FolderContent result = FolderContent.Of(root);
+        FolderContent result = ContentOf(root);
         return result.Equals(Expected) ? null : $"given again it has another result: {result.DifferenceFrom(Expected)}";
     }
 

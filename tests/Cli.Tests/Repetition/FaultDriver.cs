@@ -30,6 +30,7 @@ internal sealed partial class FaultDriver
         trial.Run(root);
         FaultInjector.End();
         _operations = [.. FaultInjector.Operations()
+            .Where(operation => !WritingCommand.IsTimed(operation.Path))
             .Where(operation => trial.Command.Only is not { } only || operation.Path.StartsWith(only, StringComparison.Ordinal))];
     }
 

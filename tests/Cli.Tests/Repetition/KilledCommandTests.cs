@@ -44,7 +44,7 @@ public sealed class KilledCommandTests : IDisposable
             command => command.Name, command => new CommandTrial(command, Inputs, Path.Combine(Trials, command.Name)));
     }
 
-    private static IEnumerable<WritingCommand> Commands => WritingCommand.All.Where(command => command.Only is null);
+    private static IEnumerable<WritingCommand> Commands => WritingCommand.Chosen.Where(command => command.Only is null);
 
     private string Inputs => _folder.PathOf("inputs");
 
@@ -145,7 +145,7 @@ public sealed class KilledCommandTests : IDisposable
 
     private static string StateOf(CommandTrial trial, string root)
     {
-        FolderContent all = FolderContent.Of(root);
+        FolderContent all = CommandTrial.ContentOf(root);
         return !Directory.Exists(root) || all.Equals(trial.Former) ? NotBegun
             : all.Equals(trial.Expected) ? Over
             : all.Without(static name => name.Contains(".harvester-lock", StringComparison.Ordinal)).Equals(trial.Former) ? Locked

@@ -6,6 +6,7 @@ namespace Harvester.Cli.Tests.Repetition;
 /// <param name="Before">Command lines that make what the folder holds before.</param>
 internal sealed record WritingCommand(string Name, string Words, params string[] Before)
 {
+    private const string Pairs = "--pair-weathers rain --pair-without nearest-vehicle --pair-ticks 60";
     private const string Small = "--size 64x48 --masks --seed 5 --roads {inputs}/roads.csv";
 
     /// <summary>Without the check of the camera, which takes a quarter of the time of so small a harvest and writes no file.</summary>
@@ -15,7 +16,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
     public bool Replaces => Before.Length == 1;
 
     /// <summary>Whether it builds a world, which takes longer than all else.</summary>
-    public bool BuildsWorld => Words.Split(' ')[0] is "harvest" or "drive" or "contact-sheet";
+    public bool BuildsWorld => Words.Split(' ')[0] is "harvest" or "drive" or "contact-sheet" or "plan";
 
     /// <summary>A straight road, the file roads.csv of the inputs: its world is built in a fraction of the time of a town.</summary>
     public static string Roads { get; } =
@@ -24,6 +25,12 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
 
     /// <summary>A list of places, the file places.csv of the inputs.</summary>
     public static string Places { get; } = "name,x,y\nNorth,0,150\n";
+
+    /// <summary>A plan of two trials, the file plan.json of the inputs.</summary>
+    public static string Plan { get; } = """
+        {"name":"two","places":[{"name":"a","x":0,"y":-50}],"weathers":["clear","rain"],"frames":2,
+        "cameras":[{"name":"c","width":64,"height":48}],"masks":"rays"}
+        """;
 
     /// <summary>
     /// How the paths of the files begin whose operations are the command's own, because another command has all others; null for all.
@@ -37,6 +44,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         $"harvest --out {{inputs}}/part-1 --frames 2 --shard 1/2 {Small}",
         $"harvest --out {{inputs}}/part-2 --frames 2 --shard 2/2 {Small}",
         "harvest --out {inputs}/people --frames 1 --pedestrians 5 --size 64x48 --masks --seed 2 --roads {inputs}/roads.csv",
+        $"harvest --out {{inputs}}/pairs --frames 2 {Pairs} {Small}",
         "export {inputs}/session --format coco --out {inputs}/coco-1 --shard 1/2",
         "export {inputs}/session --format coco --out {inputs}/coco-2 --shard 2/2",
     ];
@@ -51,6 +59,10 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("harvest-queue", $"harvest --out {{root}}/out --frames 5 --no-report --no-scenes {Unchecked}") { Only = "out/frames/" },
         new("harvest-overwrite", $"harvest --out {{root}}/out --frames 1 --no-report --overwrite {Unchecked}", Former),
         new("harvest-shard", $"harvest --out {{root}}/out --frames 2 --shard 2/2 {Unchecked}"),
+        new("harvest-pairs", $"harvest --out {{root}}/out --frames 2 --resume --no-report {Pairs} {Unchecked}"),
+        new("plan-run", "plan run {inputs}/plan.json --out {root}/out --resume --roads {inputs}/roads.csv"),
+        new("pairs", "pairs {inputs}/pairs --out {root}/out --images copy --resume"),
+        new("pairs-webdataset", "pairs {inputs}/pairs --out {root}/out --format webdataset --resume"),
         new("relabel", "relabel {inputs}/session --out {root}/out --resume --range 60"),
         new("relabel-overwrite", "relabel {inputs}/session --out {root}/out --range 60 --images copy --overwrite", Former),
         new("merge", "merge {inputs}/part-1 {inputs}/part-2 --out {root}/out --resume"),
@@ -83,11 +95,21 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("drive-overwrite", $"{Drive} --duration 2 --overwrite", $"{Drive} --duration 1"),
     ];
 
+    /// <summary>All commands, or those whose names HARVESTER_COMMANDS has, separated by spaces.</summary>
+    public static IReadOnlyList<WritingCommand> Chosen =>
+        Environment.GetEnvironmentVariable("HARVESTER_COMMANDS") is { Length: > 0 } names
+            ? [.. names.Split(' ').Select(name => All.Single(command => command.Name == name))]
+            : All;
+
     private static string Former => $"harvest --out {{root}}/out --frames 1 --size 80x60 --seed 6 --roads {{inputs}}/roads.csv";
 
     private static string Sheet => "contact-sheet --out {root}/sheet.png --roads {inputs}/roads.csv --size 64x48 --seconds 0";
 
     private static string Drive => $"drive --out {{root}}/out --traffic 0 --distance 3 --roads {{inputs}}/roads.csv";
+
+    /// <summary>Whether a file is written when a clock says so: a sign of life, which no result depends on.</summary>
+    /// <param name="path">The path below the root.</param>
+    public static bool IsTimed(string path) => path.StartsWith("out/heartbeat.json", StringComparison.Ordinal);
 
     /// <summary>The words of a command line, in folders.</summary>
     public static string[] WordsOf(string words, string inputs, string root) =>

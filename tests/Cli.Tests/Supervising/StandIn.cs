@@ -23,7 +23,11 @@ internal static class StandIn
 
     public static int Run(string folder, string behaviour, string[] more)
     {
-        File.AppendAllText(Path.Combine(folder, Starts), string.Join(' ', more) + "\n");
+        if (behaviour != "launched")
+        {
+            File.AppendAllText(Path.Combine(folder, Starts), string.Join(' ', more) + "\n");
+        }
+
         if (more.Contains("--resume") && !behaviour.EndsWith("-always", StringComparison.Ordinal))
         {
             Write(folder, "running", frames: 2);
@@ -36,6 +40,9 @@ internal static class StandIn
             "hangs" => Hang(folder),
             "crashes" or "crashes-always" => Crash(folder),
             "quits" => 0,
+            "skips" => Skip(folder),
+            "launches" => Launch(folder),
+            "launched" => Play(folder),
             "stalls" => BeatFor(folder, "running"),
             "lingers" => BeatFor(folder, "finished"),
             "claims-other-process" => BeatFor(folder, "running", process: 1),
@@ -58,6 +65,28 @@ internal static class StandIn
     {
         Write(folder, "running", frames: 1);
         return 9;
+    }
+
+    private static int Skip(string folder)
+    {
+        Write(folder, "incomplete", frames: 1);
+        return 4;
+    }
+
+    /// <summary>Starts a game that gives its first sign of life when this process is gone.</summary>
+    private static int Launch(string folder)
+    {
+        using var game = Process.Start("dotnet", [typeof(StandIn).Assembly.Location, "stand-in", folder, "launched"]);
+        return 0;
+    }
+
+    private static int Play(string folder)
+    {
+        Thread.Sleep(TimeSpan.FromSeconds(1));
+        Write(folder, "running", frames: 1);
+        Thread.Sleep(TimeSpan.FromSeconds(1));
+        Write(folder, "finished", frames: 1);
+        return 0;
     }
 
     private static int Rubbish(string folder)

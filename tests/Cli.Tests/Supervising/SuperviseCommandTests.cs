@@ -22,7 +22,6 @@ public sealed class SuperviseCommandTests : IDisposable
 
     [Theory]
     [InlineData("stalls", "it has been at frame 1 for 0.5 s", "--stall", "0.5")]
-    [InlineData("lingers", "its heartbeat says finished, but the process goes on", "--timeout", "1")]
     [InlineData("hangs", "no new heartbeat for 1 s", "--timeout", "1")]
     [InlineData("writes-rubbish", "no heartbeat within 1 s. The file cannot be used: It has more than", "--start-timeout", "1")]
     [Trait("Category", "Heavy")]
@@ -47,6 +46,50 @@ public sealed class SuperviseCommandTests : IDisposable
         Assert.Equal(ExitCode.HarvestFault, run.ExitCode);
         Assert.Equal(["", "--resume"], File.ReadAllLines(_folder.PathOf(StandIn.Starts))[..2]);
         Assert.Contains("Given up after 1 restarts without a new frame.", run.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    [Trait("Category", "Heavy")]
+    public void Program_that_goes_on_after_its_end_is_not_restarted()
+    {
+        CliRun run = Supervise("lingers", "--timeout", "1");
+
+        run.AssertDone();
+        Assert.Contains("has finished (it went on and was ended), frames: 1", run.Out, StringComparison.Ordinal);
+        Assert.Equal([""], File.ReadAllLines(_folder.PathOf(StandIn.Starts)));
+    }
+
+    [Fact]
+    [Trait("Category", "Heavy")]
+    public void Plan_with_skipped_trials_is_not_repeated()
+    {
+        CliRun run = Supervise("skips");
+
+        run.AssertFailed(ExitCode.HarvestFault, "trials were skipped");
+        Assert.Equal([""], File.ReadAllLines(_folder.PathOf(StandIn.Starts)));
+    }
+
+    [Theory]
+    [InlineData("--launcher")]
+    [InlineData("--launcher", "--any-process")]
+    [Trait("Category", "Heavy")]
+    public void Launcher_may_end_before_the_first_heartbeat(params string[] options)
+    {
+        CliRun run = Supervise("launches", options);
+
+        run.AssertDone();
+        Assert.Contains(", frames: 1", run.Out, StringComparison.Ordinal);
+        Assert.Equal([""], File.ReadAllLines(_folder.PathOf(StandIn.Starts)));
+    }
+
+    [Fact]
+    [Trait("Category", "Heavy")]
+    public void Launcher_whose_program_never_comes_is_restarted()
+    {
+        CliRun run = Supervise("quits", "--launcher", "--start-timeout", "1", "--max-restarts", "0");
+
+        Assert.Equal(ExitCode.HarvestFault, run.ExitCode);
+        Assert.Contains("no heartbeat within 1 s", run.Out, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -34,6 +34,9 @@ internal sealed class GameEntity
 
     public bool IsInvincible { get; set; }
 
+    /// <summary>How often it was repaired.</summary>
+    public int Repairs { get; set; }
+
     public bool EngineCanDegrade { get; set; } = true;
 
     public bool PetrolTankCanBeDamaged { get; set; } = true;

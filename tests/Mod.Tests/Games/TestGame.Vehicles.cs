@@ -40,6 +40,7 @@ internal sealed partial class TestGame
             Write(a[0], 0);
         });
         Do(Hash.SET_VEHICLE_ON_GROUND_PROPERLY, a => Entities[(int)a[0]].IsOnGround = true);
+        Do(Hash.SET_VEHICLE_FIXED, a => Entities[(int)a[0]].Repairs++);
         Do(Hash.SET_ENTITY_INVINCIBLE, a => Entities[(int)a[0]].IsInvincible = (bool)a[1]);
         Do(Hash.SET_VEHICLE_ENGINE_CAN_DEGRADE, a => Entities[(int)a[0]].EngineCanDegrade = (bool)a[1]);
         Do(Hash.SET_DISABLE_VEHICLE_PETROL_TANK_DAMAGE, a => Entities[(int)a[0]].PetrolTankCanBeDamaged = !(bool)a[1]);

@@ -78,7 +78,100 @@ public sealed class PlanDrivingTests : IDisposable
         Assert.Contains(_told, message => message.EndsWith(
             "attempt 3 of 3: The place did not load within 30 s. It is skipped.", StringComparison.Ordinal));
         Assert.Contains("1 trial done, skipped: a_clear_1200_camera_001, in", _told[^1], StringComparison.Ordinal);
-        Assert.Contains("\"state\":\"failed\"", Heartbeat(), StringComparison.Ordinal);
+        Assert.Contains("\"state\":\"incomplete\"", Heartbeat(), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Trial_that_ends_the_game_three_times_is_skipped()
+    {
+        for (int end = 1; end <= 3; end++)
+        {
+            PlanDriving plan = Driving(TwoTrials);
+            plan.Toggle();
+            Until(plan, () => plan.Line is not null);
+
+            // What remains when the game ends now: the file of the attempt, which a plan that is stopped in good order deletes.
+            string attempt = File.ReadAllText(Path.Combine(Output, "attempt.json"));
+            Assert.Equal($$"""{"trial":"a_clear_1200_camera_001","attempt":{{end}}}""" + "\n", attempt);
+            plan.Finish();
+            Until(plan, () => !plan.IsBusy);
+            Assert.False(File.Exists(Path.Combine(Output, "attempt.json")));
+            File.WriteAllText(Path.Combine(Output, "attempt.json"), attempt);
+        }
+
+        PlanDriving last = Driving(TwoTrials);
+        last.Toggle();
+        UntilOff(last);
+
+        Assert.Equal(
+            [TrialState.Failed, TrialState.Failed, TrialState.Skipped, TrialState.Done],
+            StatusLines().Select(line => TrialResult.Parse(line).State));
+        Assert.Contains(_told, message => message.EndsWith(
+            "a_clear_1200_camera_001, attempt 3 of 3: The game ended during the attempt. It is skipped.", StringComparison.Ordinal));
+        Assert.False(Directory.Exists(Path.Combine(Output, "trials", "a_clear_1200_camera_001")));
+        Assert.False(File.Exists(Path.Combine(Output, "attempt.json")));
+    }
+
+    [Theory]
+    [InlineData("")]
+    [InlineData("{\"trial\":\"other\",\"attempt\":1}")]
+    [InlineData("{\"trial\":\"a_clear_1200_camera_001\",\"attempt\":2}")]
+    public void File_of_another_attempt_is_ignored(string attempt)
+    {
+        Directory.CreateDirectory(Output);
+        File.WriteAllText(Path.Combine(Output, "attempt.json"), attempt);
+        PlanDriving plan = Driving(TwoTrials);
+        plan.Toggle();
+        UntilOff(plan);
+
+        Assert.Equal([TrialState.Done, TrialState.Done], StatusLines().Select(line => TrialResult.Parse(line).State));
+    }
+
+    [Fact]
+    public void Low_space_stops_the_plan_and_uses_up_no_attempt()
+    {
+        PlanDriving plan = Driving(TwoTrials);
+        plan.Toggle();
+        Until(plan, () => _world.IsOn);
+        _world.IsSpaceLow = true;
+        _world.Break("The disk is nearly full.");
+        UntilOff(plan);
+        Assert.EndsWith("The plan was stopped: The disk is nearly full. The same key continues it.", _told[^1], StringComparison.Ordinal);
+        Assert.Empty(StatusLines());
+
+        (_world.IsSpaceLow, _world.Fault) = (false, null);
+        plan.Toggle();
+        UntilOff(plan);
+
+        Assert.Equal([1, 1], StatusLines().Select(line => TrialResult.Parse(line).Attempt));
+    }
+
+    [Fact]
+    public void Each_attempt_begins_with_a_repaired_vehicle()
+    {
+        PlanDriving plan = Driving(TwoTrials);
+        plan.Toggle();
+        UntilOff(plan);
+
+        Assert.Equal([$"repair {TrialWorld.Car}", $"repair {TrialWorld.Car}"], _world.Done);
+    }
+
+    [Fact]
+    public void Plan_that_starts_by_itself_needs_no_key_and_starts_once()
+    {
+        string file = Path.Combine(_root, "plan.json");
+        File.WriteAllText(file, TwoTrials);
+        var plan = new PlanDriving(file, Path.Combine(_root, "plans"), _world.Surroundings, _messages) { StartsByItself = true };
+        Until(plan, () => plan.IsOn);
+        UntilOff(plan);
+        int told = _told.Count;
+        for (int tick = 0; tick < 100; tick++)
+        {
+            plan.Tick();
+        }
+
+        Assert.Equal(2, StatusLines().Length);
+        Assert.Equal((false, told), (plan.IsOn, _told.Count));
     }
 
     [Fact]
@@ -117,7 +210,7 @@ public sealed class PlanDrivingTests : IDisposable
 
     [Theory]
     [InlineData("""{"name":"p","places":[{"name":"a","spread":3}]}""",
-        "plan.json: the place 'a' needs x and y, or a path: in the game, places are not chosen.")]
+        "plan.json: the place 'a' needs x and y, or a path: 'harvester plan resolve' chooses places for the game.")]
     [InlineData("""{"name":"p","places":[{"name":"a","x":1,"y":2}],"cameras":[{"name":"c","rig":"r.json"}]}""",
         "plan.json: the camera 'c' has a rig, which plans in the game do not support.")]
     [InlineData("""{"name":"p","places":[{"name":"a","x":1,"y":2}],"weathers":["hot"]}""", "plan.json: weathers[0] must be one of")]

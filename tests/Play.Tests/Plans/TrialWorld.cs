@@ -101,6 +101,8 @@ internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels,
 
     public string? Fault { get; set; }
 
+    public bool IsSpaceLow { get; set; }
+
     public bool BeginsHarvests { get; set; } = true;
 
     public int OfPlayer => PlayersVehicle;
@@ -150,6 +152,8 @@ internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels,
         PlayersVehicle = vehicle;
         Situation = Situation with { IsInVehicle = true };
     }
+
+    public void Repair(int vehicle) => Done.Add($"repair {vehicle}");
 
     public void BeginLoading(Vector3D place) => IsLoading = true;
 

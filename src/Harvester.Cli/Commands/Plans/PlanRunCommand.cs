@@ -18,8 +18,8 @@ namespace Harvester.Cli.Commands.Plans;
 internal sealed class PlanRunCommand
 {
     private const string Notes =
-        "Every trial becomes a session in DIR/trials/ID. DIR also has a copy of the plan; plan-status.jsonl, a line for each attempt\n"
-        + "that has ended; and heartbeat.json, renewed at most once a second. A trial that fails is repeated; after three failures it\n"
+        "Every trial becomes a session in DIR/trials/ID. DIR also has a copy of the plan; world.json, which tells other roads and another\n"
+        + "detail apart; plan-status.jsonl, a line for each attempt that has ended; and heartbeat.json, renewed at most once a second. A trial that fails is repeated; after three failures it\n"
         + "is skipped, and the exit code is 4. Whatever stopped the command, --resume continues it, and the result has the bytes of a run\n"
         + "that was not stopped. With --shard I/N, every N-th trial is run; the shards may share DIR.\n\n"
         + "Examples:\n"
@@ -52,7 +52,7 @@ internal sealed class PlanRunCommand
         Shard shard = parsed.GetValue(ShardOf);
         PlanWorld world = World.Parse(parsed);
         Trial[] trials = [.. TrialList.Of(file.Plan, world.PlacesOf(file.Plan)).Where((_, index) => shard.Takes(index))];
-        using var output = PlanOutput.Open(folder, file.Text, shard, parsed.GetValue(Resume));
+        using var output = PlanOutput.Open(folder, file.Text, world.ToJson(), shard, parsed.GetValue(Resume));
         long images = trials.Where(trial => output.Status.NextAttempt(trial.Id) is not null)
             .Sum(trial => (long)PlanRun.ImagesOf(file, trial));
         if (images > int.MaxValue)
@@ -66,23 +66,25 @@ internal sealed class PlanRunCommand
         terminal.Out.Flush();
         var heartbeat = new HeartbeatFile(folder, file.Plan.Name, shard);
         var run = new PlanRun(terminal, file, world, output, heartbeat, CommandText.Of(parsed)) { Sync = parsed.GetValue(Sync) };
-        int code;
+        var end = HeartbeatState.Failed;
         try
         {
-            code = new JobProgress(terminal, (int)images, "images").Run(report => run.Run(trials, report, cancellation));
+            int code = new JobProgress(terminal, (int)images, "images").Run(report => run.Run(trials, report, cancellation));
+            code = code == ExitCode.Done ? Summarise(terminal, trials, output, folder) : code;
+            end = code == ExitCode.Done ? HeartbeatState.Finished
+                : code == ExitCode.HarvestFault ? HeartbeatState.Incomplete : HeartbeatState.Failed;
+            return code;
         }
         catch (OperationCanceledException)
         {
-            heartbeat.End(HeartbeatState.Failed, run.Frames);
-            heartbeat.Wait();
             terminal.WriteError("Stopped; all sessions are valid. To continue, give the same command with --resume.");
             return ExitCode.Cancelled;
         }
-
-        code = code == ExitCode.Done ? Summarise(terminal, trials, output, folder) : code;
-        heartbeat.End(code == ExitCode.Done ? HeartbeatState.Finished : HeartbeatState.Failed, run.Frames);
-        heartbeat.Wait();
-        return code;
+        finally
+        {
+            heartbeat.End(end, run.Frames);
+            heartbeat.Wait();
+        }
     }
 
     private static int Summarise(Terminal terminal, IReadOnlyList<Trial> trials, PlanOutput output, string folder)
