@@ -33,10 +33,12 @@ MARGIN_METRES = 0.02
 LEAST_SHARE_IN_BOXES = 0.95
 # Masks have ten pixels per metre; a pixel is 255 or 0.
 PIXELS_PER_METRE = 10
-# Classes of points in a session that lie on drivable ground, and beside it. Roads have gutters and narrow medians beside their lanes, and
-# run above and below others; walls stand on bridges.
-ROAD_CLASSES, OTHER_CLASSES = (1, 3), (4, 5, 6)
-LEAST_SHARE_ON_ROADS, MOST_OTHERS_ON_ROADS = 0.9, 0.1
+# Classes of points in a session that lie on roads, and beside them. The lanes, which the mask shows, have parking strips beside them; trees
+# and bridges reach over them.
+ROAD_CLASSES, OTHER_CLASSES = (1, 3), (2, 4, 5, 6)
+PARKING_METRES = 3
+LEAST_SHARE_ON_ROADS, LEAST_SHARE_NEAR_ROADS, MOST_OTHERS_ON_ROADS = 0.6, 0.97, 0.03
+AROUND = [(math.cos(angle * math.pi / 8), math.sin(angle * math.pi / 8)) for angle in range(16)]
 
 
 def matrix(quaternion):
@@ -183,11 +185,16 @@ class Mask:
         assert min(columns) >= 0 and min(rows) >= 0 and max(columns) < self.pixels.shape[1] and max(rows) < self.pixels.shape[0]
         return self.pixels[rows, columns] == 255
 
+    def has_near(self, places):
+        """Whether there is drivable ground beside positions, as far as a parking strip is wide."""
+        beside = [self.has(places[:, :2] + metres * np.array(side)) for side in AROUND for metres in range(PARKING_METRES + 1)]
+        return np.any(beside, axis=0)
+
 
 def check_maps(root, tables, session):
     """Every pose of the vehicle and every annotation lies on the map, every pose on drivable ground; so do points of roads, not others."""
     offsets, masks = offsets_of(root, tables), {}
-    poses, boxes, hits = {}, {}, {True: [], False: []}
+    poses, boxes, on_roads, near_roads, others = {}, {}, [], [], []
     sweeps = {}
     for label in labels_of(session) if session else []:
         for sweep in label.get("lidar", []):
@@ -206,17 +213,21 @@ def check_maps(root, tables, session):
             points = np.fromfile(os.path.join(session, file), np.dtype([("place", "<f4", 3), ("other", "u1", 10), ("class", "u1"), ("flag", "u1")]))
             places = (points["place"].astype(float) @ np.array(matrix(sensor["rotation"])).T + sensor["translation"])
             places = places @ np.array(matrix(pose["rotation"])).T + pose["translation"]
-            for is_road, classes in ((True, ROAD_CLASSES), (False, OTHER_CLASSES)):
-                chosen = places[np.isin(points["class"], classes)]
-                hits[is_road].extend(mask.has(chosen) if len(chosen) else [])
+            road = places[np.isin(points["class"], ROAD_CLASSES)]
+            on_roads.extend(mask.has(road))
+            near_roads.extend(mask.has_near(road))
+            others.extend(mask.has(places[np.isin(points["class"], OTHER_CLASSES)]))
     for scene, mask in masks.items():
         assert all(isinstance(metres, int) for metres in offsets[scene])
         assert mask.has(poses[scene]).all(), f"{tables['scene'][scene]['name']}: a pose of the vehicle is not on drivable ground"
         if scene in boxes:
             mask.has(boxes[scene])
-    shares = {kind: float(np.mean(found)) for kind, found in hits.items() if found}
-    assert shares.get(True, 1) >= LEAST_SHARE_ON_ROADS and shares.get(False, 0) <= MOST_OTHERS_ON_ROADS, shares
-    return shares
+    if not others:
+        return ""
+    on_road, near_road, other = (float(np.mean(found)) for found in (on_roads, near_roads, others))
+    shares = f"{on_road:.1%} of the points of roads, {near_road:.1%} with parking strips, {other:.2%} of other ground and walls"
+    assert on_road >= LEAST_SHARE_ON_ROADS and near_road >= LEAST_SHARE_NEAR_ROADS and other <= MOST_OTHERS_ON_ROADS, shares
+    return ", " + shares
 
 
 def check_session(root, tables, session):
@@ -306,7 +317,7 @@ def read(root, session=None):
     shares = check_maps(root, tables, session)
     return (f"nuscenes: {len(tables['scene'])} scenes, {len(tables['sample'])} samples, {len(tables['sample_annotation'])} annotations, "
             f"{within} of {counted} points in their boxes, {check_can_bus(root, tables)} CAN bus messages, "
-            f"on drivable ground are all poses, {shares.get(True, 0):.1%} of the points of roads and {shares.get(False, 0):.1%} of others"
+            f"on drivable ground are all {len(tables['ego_pose'])} poses{shares}"
             + (f", {check_session(root, tables, session)} projections as in the session" if session else ""))
 
 

@@ -88,7 +88,7 @@ internal sealed record HarvestPlan
             return Options.Rig is { } rig
                 ? $"{shard}{Counted.Of(Frames / rig.Cameras.Count, "moment")} of the rig {rig.Name}, "
                     + $"{Counted.Of(rig.Cameras.Count, "view")} and {Counted.Of(rig.Lidars.Count, "LiDAR")} each, "
-                    + FormattableString.Invariant($"about {RigBudget.SecondsPerMoment(rig, Options.Masks, Options.Depth):0.0##} s per moment")
+                    + FormattableString.Invariant($"about {RigBudget.SecondsPerMoment(rig, Options.Masks, Options.Depth):G2} s per moment")
                 : $"{shard}{Counted.Of(Frames, "frame")} of {Options.Image.Width} x {Options.Image.Height}";
         }
     }
