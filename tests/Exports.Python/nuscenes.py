@@ -38,6 +38,7 @@ PIXELS_PER_METRE = 10
 ROAD_CLASSES, OTHER_CLASSES = (1, 3), (2, 4, 5, 6)
 PARKING_METRES = 3
 LEAST_SHARE_ON_ROADS, LEAST_SHARE_NEAR_ROADS, MOST_OTHERS_ON_ROADS = 0.6, 0.97, 0.03
+POINT = np.dtype([("place", "<f4", 3), ("other", "u1", 10), ("class", "u1"), ("flag", "u1")])
 AROUND = [(math.cos(angle * math.pi / 8), math.sin(angle * math.pi / 8)) for angle in range(16)]
 
 
@@ -210,7 +211,7 @@ def check_maps(root, tables, session):
         mask = masks[scene]
         file = sweeps.get((data["timestamp"] - START, tables["sensor"][sensor["sensor_token"]]["channel"]))
         if file:
-            points = np.fromfile(os.path.join(session, file), np.dtype([("place", "<f4", 3), ("other", "u1", 10), ("class", "u1"), ("flag", "u1")]))
+            points = np.fromfile(os.path.join(session, file), POINT)
             places = (points["place"].astype(float) @ np.array(matrix(sensor["rotation"])).T + sensor["translation"])
             places = places @ np.array(matrix(pose["rotation"])).T + pose["translation"]
             road = places[np.isin(points["class"], ROAD_CLASSES)]

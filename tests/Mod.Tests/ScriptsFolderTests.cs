@@ -33,6 +33,7 @@ public sealed class ScriptsFolderTests
     {
         string install = File.ReadAllText(Path.Combine(Folder, "INSTALL.txt"));
 
-        Assert.All(Directory.EnumerateFileSystemEntries(Folder), file => Assert.Contains(Path.GetFileName(file), install, StringComparison.Ordinal));
+        Assert.All(Directory.EnumerateFileSystemEntries(Folder), file =>
+            Assert.Contains(Path.GetFileName(file), install, StringComparison.Ordinal));
     }
 }

@@ -5,7 +5,7 @@ namespace Harvester.Cli.Tests.Commands;
 
 /// <summary>
 /// The bytes of a session with a single camera, which rigs, depth and whatever else a harvest can be given must leave as they are. The
-/// digests were recorded on Linux x64. A change of the simulated world, of its drawing or of the labels that is meant gives others; record them
+/// digests were recorded on Linux x64. An intended change of the simulated world, of its drawing or of the labels gives others: record them
 /// then, with an entry in the changelog. On other systems the mathematical functions may round differently.
 /// </summary>
 public sealed class DefaultSessionTests : IDisposable

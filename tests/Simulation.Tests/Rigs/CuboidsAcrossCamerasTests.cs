@@ -36,24 +36,19 @@ public sealed class CuboidsAcrossCamerasTests(ITestOutputHelper output)
         int compared = 0;
         int sensitive = 0;
         double worst = 0;
-        foreach ((RigHarvest moment, RenderTarget[] pictures) in Moments())
+        foreach ((CapturedFrame frame, RenderTarget picture, CapturedFrame[] others) in Views())
         {
-            Dictionary<int, Cuboid>[] cuboids = [.. moment.Frames.Select(CuboidsByHandle)];
-            for (int view = 0; view < pictures.Length; view++)
+            Camera camera = frame.Label.Camera.ToCamera();
+            foreach ((int handle, Cuboid cuboid) in others.SelectMany(CuboidsByHandle))
             {
-                RenderTarget picture = pictures[view];
-                Camera camera = moment.Frames[view].Label.Camera.ToCamera();
-                foreach ((int handle, Cuboid cuboid) in cuboids.Where((_, other) => other != view).SelectMany(others => others))
+                if (Farthest(picture, camera, handle, cuboid) is { } pixels)
                 {
-                    if (Farthest(picture, camera, handle, cuboid) is { } pixels)
-                    {
-                        worst = Math.Max(worst, pixels);
-                        compared++;
+                    worst = Math.Max(worst, pixels);
+                    compared++;
 
-                        // A cuboid half a metre beside the object would be noticed.
-                        var moved = new Cuboid(cuboid.Centre + (camera.Pose.Axes.Right * 0.5), cuboid.HalfExtents, cuboid.Axes);
-                        sensitive += Farthest(picture, camera, handle, moved) > Pixels ? 1 : 0;
-                    }
+                    // A cuboid half a metre beside the object would be noticed.
+                    var moved = new Cuboid(cuboid.Centre + (camera.Pose.Axes.Right * 0.5), cuboid.HalfExtents, cuboid.Axes);
+                    sensitive += Farthest(picture, camera, handle, moved) > Pixels ? 1 : 0;
                 }
             }
         }
@@ -71,33 +66,27 @@ public sealed class CuboidsAcrossCamerasTests(ITestOutputHelper output)
         int required = 0;
         int open = 0;
         int absent = 0;
-        foreach ((RigHarvest moment, RenderTarget[] pictures) in Moments())
+        foreach ((CapturedFrame frame, RenderTarget picture, CapturedFrame[] others) in Views())
         {
-            Dictionary<int, Cuboid>[] cuboids = [.. moment.Frames.Select(CuboidsByHandle)];
-            for (int view = 0; view < pictures.Length; view++)
+            CameraLabel camera = frame.Label.Camera;
+            Dictionary<int, Cuboid> labelled = CuboidsByHandle(frame);
+            foreach ((int handle, Cuboid cuboid) in others.SelectMany(CuboidsByHandle))
             {
-                CameraLabel camera = moment.Frames[view].Label.Camera;
-                foreach ((int handle, Cuboid cuboid) in cuboids.Where((_, other) => other != view).SelectMany(others => others))
+                (int shown, int width, int height) = ShownOf(picture, handle);
+                string which = FormattableString.Invariant($"{handle} in {frame.Label.View}: {shown} pixels, {width} x {height}");
+                if (shown == 0)
                 {
-                    (int shown, int width, int height) = ShownOf(pictures[view], handle);
-                    bool isLabelled = cuboids[view].ContainsKey(handle);
-                    string which = FormattableString.Invariant(
-                        $"{handle} in {camera.Width}x{camera.Height} of view {view}: {shown} pixels, {width} x {height}");
-                    if (shown == 0)
-                    {
-                        absent++;
-                        Assert.False(isLabelled, which);
-                    }
-                    else if (shown >= LeastPixels && Math.Min(width, height) >= LeastSide
-                        && shown >= LeastShareShown * BoxArea(camera, cuboid))
-                    {
-                        required++;
-                        Assert.True(isLabelled, which);
-                    }
-                    else
-                    {
-                        open++;
-                    }
+                    absent++;
+                    Assert.False(labelled.ContainsKey(handle), which);
+                }
+                else if (shown >= LeastPixels && Math.Min(width, height) >= LeastSide && shown >= LeastShareShown * BoxArea(camera, cuboid))
+                {
+                    required++;
+                    Assert.True(labelled.ContainsKey(handle), which);
+                }
+                else
+                {
+                    open++;
                 }
             }
         }
@@ -108,8 +97,8 @@ public sealed class CuboidsAcrossCamerasTests(ITestOutputHelper output)
         Assert.InRange(open, 0, required);
     }
 
-    /// <summary>Moments of three cameras that see partly the same, with what the renderer draws for each.</summary>
-    private static IEnumerable<(RigHarvest Moment, RenderTarget[] Pictures)> Moments()
+    /// <summary>Views of three cameras that see partly the same: a label, what the renderer draws, and the other labels of the moment.</summary>
+    private static IEnumerable<(CapturedFrame Frame, RenderTarget Picture, CapturedFrame[] Others)> Views()
     {
         foreach (int seed in new[] { 3, 61, 62, 63 })
         {
@@ -122,15 +111,12 @@ public sealed class CuboidsAcrossCamerasTests(ITestOutputHelper output)
             ], []);
             var moment = new RigHarvest(rig, seed);
             moment.Game.Ports.Pause.Freeze();
-            var pictures = new List<RenderTarget>();
-            foreach (RigCamera camera in rig.Cameras)
+            foreach ((RigCamera camera, CapturedFrame frame) in rig.Cameras.Zip(moment.Frames))
             {
                 moment.Game.Ports.RigCamera!.Show(camera, rig.OnVehicle(camera.Mount));
                 moment.Game.Tick(1.0 / 60);
-                pictures.Add(moment.Game.Render(image));
+                yield return (frame, moment.Game.Render(image), [.. moment.Frames.Where(other => other != frame)]);
             }
-
-            yield return (moment, [.. pictures]);
         }
     }
 

@@ -43,7 +43,8 @@ public sealed class NuScenesCheckTests(SimulatedSession simulated) : CheckTests(
     }
 
     [Fact]
-    public void Lost_offsets_of_maps_are_found() => AssertLossIsFound(Tables + "map_offset.json", $"{Tables}map_offset.json: it is missing.");
+    public void Lost_offsets_of_maps_are_found() =>
+        AssertLossIsFound(Tables + "map_offset.json", $"{Tables}map_offset.json: it is missing.");
 
     [Fact]
     public void Pose_outside_its_map_is_found()

@@ -65,9 +65,13 @@ internal sealed class NuScenesGround
     }
 
     /// <summary>The drivable ground near the vehicle, as polygons, metres, world.</summary>
-    public IEnumerable<Vector2D[]> Near(FrameLabel label, Pose ego) => _roads is null
-        ? Lanes(label.Lanes?.Boundaries ?? []).Append(Below(ego))
-        : _roads.Near(new Vector2D(ego.Position.X, ego.Position.Y), RoadMetres);
+    /// <param name="label">The label.</param>
+    /// <param name="ego">The vehicle.</param>
+    /// <param name="isKey">Whether the moment is a sample: those between add nothing to the roads of a network.</param>
+    public IEnumerable<Vector2D[]> Near(FrameLabel label, Pose ego, bool isKey) => _roads is null
+            ? Lanes(label.Lanes?.Boundaries ?? []).Append(Below(ego))
+        : isKey ? _roads.Near(new Vector2D(ego.Position.X, ego.Position.Y), RoadMetres)
+        : [];
 
     /// <summary>The ground between the outermost boundaries of each direction. Boundary -1 is the far side of a median.</summary>
     private static IEnumerable<Vector2D[]> Lanes(IReadOnlyList<LaneLineView> boundaries)

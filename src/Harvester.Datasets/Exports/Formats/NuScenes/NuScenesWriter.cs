@@ -75,12 +75,13 @@ internal sealed class NuScenesWriter : IDatasetWriter
         NuScenesObject[] objects = [.. frame.Objects.Select(item => NuScenesObject.Of(item.Label)).OfType<NuScenesObject>()];
         output.Part(FramePart, new NuScenesPart(
             frame.RecordingIndex, label.Place ?? 0, moment, isKey, timestamp, frame.Split,
-            $"{label.Environment.Weather}, {label.Environment.TimeOfDay:hh\\:mm}", area, EgoOf(ego, rig), sensors, objects, counts).ToString());
+            $"{label.Environment.Weather}, {label.Environment.TimeOfDay:hh\\:mm}", area, EgoOf(ego, rig), sensors, objects,
+            counts).ToString());
         bool isFirst = label.Frame % rig.Cameras.Count == 0;
         NuScenesCanBus.Add(
             output, frame, area,
             isFirst ? EgoTrack.SamplesOf(label).Select(tick => NuScenesRide.Row(tick, at => TimestampOf(frame, at), rig.Origin)) : []);
-        NuScenesMap.Add(output, frame, area, isFirst && isKey ? ground.Near(label, ego) : []);
+        NuScenesMap.Add(output, frame, area, isFirst ? ground.Near(label, ego, isKey) : []);
         if (isKey)
         {
             output.Part(FormattableString.Invariant($"{KeyPrefix}{frame.RecordingIndex:D8} {label.Place ?? 0:D8}"), "");
@@ -104,12 +105,14 @@ internal sealed class NuScenesWriter : IDatasetWriter
     /// <summary>The name of a session at a place as a log.</summary>
     public static string LogOf(int recording, int place) => FormattableString.Invariant($"gta-{recording:D4}-{place:D4}");
 
+    private static string LogOf(ExportFrame frame) => LogOf(frame.RecordingIndex, frame.Label.Place ?? 0);
+
     private static long TimestampOf(ExportFrame frame, double timeSeconds) =>
         Start + (SessionStep * frame.RecordingIndex) + (long)Math.Round(timeSeconds * Microseconds);
 
     private static string PathOf(ExportFrame frame, bool isKey, string channel, long timestamp, string extension) =>
         FormattableString.Invariant(
-            $"{(isKey ? "samples" : "sweeps")}/{channel}/{LogOf(frame.RecordingIndex, frame.Label.Place ?? 0)}__{channel}__{timestamp}{extension}");
+            $"{(isKey ? "samples" : "sweeps")}/{channel}/{LogOf(frame)}__{channel}__{timestamp}{extension}");
 
     private static Pose PoseOf(EgoLabel ego) => new(ego.Position, ego.Axes ?? Axes.FromHeading(ego.HeadingDegrees));
 
