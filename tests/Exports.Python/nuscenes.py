@@ -1,9 +1,12 @@
-"""Reads nuScenes from its schema, without numpy and the devkit: links of all tables, chains, geometry, points in boxes."""
+"""Reads nuScenes from its schema, without the devkit: links of all tables, chains, geometry, points in boxes, map masks."""
 
 import json
 import math
 import os
 import struct
+
+import numpy as np
+from PIL import Image
 
 VERSION = "v1.0-gta"
 TABLES = {
@@ -23,9 +26,20 @@ TABLES = {
     "sensor": ["channel", "modality"],
     "visibility": ["level", "description"],
 }
+# The time at which every first session begins, microseconds.
+START = 1_577_836_800_000_000
 # A point on a surface may lie outside the box of its model by what the box is rounded to, and shapes such as riders exceed theirs.
 MARGIN_METRES = 0.02
 LEAST_SHARE_IN_BOXES = 0.95
+# Masks have ten pixels per metre; a pixel is 255 or 0.
+PIXELS_PER_METRE = 10
+# Classes of points in a session that lie on roads, and beside them. The lanes, which the mask shows, have parking strips beside them; trees
+# and bridges reach over them.
+ROAD_CLASSES, OTHER_CLASSES = (1, 3), (2, 4, 5, 6)
+PARKING_METRES = 3
+LEAST_SHARE_ON_ROADS, LEAST_SHARE_NEAR_ROADS, MOST_OTHERS_ON_ROADS = 0.6, 0.97, 0.03
+POINT = np.dtype([("place", "<f4", 3), ("other", "u1", 10), ("class", "u1"), ("flag", "u1")])
+AROUND = [(math.cos(angle * math.pi / 8), math.sin(angle * math.pi / 8)) for angle in range(16)]
 
 
 def matrix(quaternion):
@@ -145,31 +159,106 @@ def labels_of(session):
         return [json.loads(line) for line in file]
 
 
+def offsets_of(root, tables):
+    """What was added to x and y of the world, by scene."""
+    with open(os.path.join(root, VERSION, "map_offset.json"), encoding="utf-8") as file:
+        by_log = {record["log_token"]: record["offset"] for record in json.load(file)}
+    assert set(by_log) == set(tables["log"])
+    return {token: by_log[scene["log_token"]] for token, scene in tables["scene"].items()}
+
+
+class Mask:
+    """The mask of a scene, read as the devkit does: the origin is the lower left corner, and positions are rounded to pixels."""
+
+    def __init__(self, root, tables, scene):
+        log = tables["scene"][scene]["log_token"]
+        record, = (each for each in tables["map"].values() if log in each["log_tokens"])
+        Image.MAX_IMAGE_PIXELS = None
+        image = Image.open(os.path.join(root, record["filename"]))
+        assert image.mode == "L"
+        self.pixels = np.array(image)
+        assert set(np.unique(self.pixels)) <= {0, 255}
+
+    def has(self, places):
+        """Whether positions on the ground are drivable; each must be on the map."""
+        columns, rows = np.round(np.array(places)[:, :2].T * PIXELS_PER_METRE).astype(int)
+        rows = len(self.pixels) - rows
+        assert min(columns) >= 0 and min(rows) >= 0 and max(columns) < self.pixels.shape[1] and max(rows) < self.pixels.shape[0]
+        return self.pixels[rows, columns] == 255
+
+    def has_near(self, places):
+        """Whether there is drivable ground beside positions, as far as a parking strip is wide."""
+        beside = [self.has(places[:, :2] + metres * np.array(side)) for side in AROUND for metres in range(PARKING_METRES + 1)]
+        return np.any(beside, axis=0)
+
+
+def check_maps(root, tables, session):
+    """Every pose of the vehicle and every annotation lies on the map, every pose on drivable ground; so do points of roads, not others."""
+    offsets, masks = offsets_of(root, tables), {}
+    poses, boxes, on_roads, near_roads, others = {}, {}, [], [], []
+    sweeps = {}
+    for label in labels_of(session) if session else []:
+        for sweep in label.get("lidar", []):
+            sweeps[round(label["timeSeconds"] * 1e6), sweep["sensor"]] = sweep["file"]
+    for annotation in tables["sample_annotation"].values():
+        boxes.setdefault(tables["sample"][annotation["sample_token"]]["scene_token"], []).append(annotation["translation"])
+    for data in tables["sample_data"].values():
+        scene = tables["sample"][data["sample_token"]]["scene_token"]
+        pose, sensor = tables["ego_pose"][data["ego_pose_token"]], tables["calibrated_sensor"][data["calibrated_sensor_token"]]
+        poses.setdefault(scene, []).append(pose["translation"])
+        if scene not in masks:
+            masks[scene] = Mask(root, tables, scene)
+        mask = masks[scene]
+        file = sweeps.get((data["timestamp"] - START, tables["sensor"][sensor["sensor_token"]]["channel"]))
+        if file:
+            points = np.fromfile(os.path.join(session, file), POINT)
+            places = (points["place"].astype(float) @ np.array(matrix(sensor["rotation"])).T + sensor["translation"])
+            places = places @ np.array(matrix(pose["rotation"])).T + pose["translation"]
+            road = places[np.isin(points["class"], ROAD_CLASSES)]
+            on_roads.extend(mask.has(road))
+            near_roads.extend(mask.has_near(road))
+            others.extend(mask.has(places[np.isin(points["class"], OTHER_CLASSES)]))
+    for scene, mask in masks.items():
+        assert all(isinstance(metres, int) for metres in offsets[scene])
+        assert mask.has(poses[scene]).all(), f"{tables['scene'][scene]['name']}: a pose of the vehicle is not on drivable ground"
+        if scene in boxes:
+            mask.has(boxes[scene])
+    if not others:
+        return ""
+    on_road, near_road, other = (float(np.mean(found)) for found in (on_roads, near_roads, others))
+    shares = f"{on_road:.1%} of the points of roads, {near_road:.1%} with parking strips, {other:.2%} of other ground and walls"
+    assert on_road >= LEAST_SHARE_ON_ROADS and near_road >= LEAST_SHARE_NEAR_ROADS and other <= MOST_OTHERS_ON_ROADS, shares
+    return ", " + shares
+
+
 def check_session(root, tables, session):
     """Cuboids project into each camera as in the session, each has exactly the points of its id, and samples and sweeps are moments."""
     frames, corners = {}, [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
     for label in labels_of(session):
         frames[round(label["timeSeconds"] * 1e6), label["view"]] = label
-    start = 1_577_836_800_000_000
     boxes, projected, counted = {}, 0, 0
+    offsets = offsets_of(root, tables)
     for annotation in tables["sample_annotation"].values():
-        boxes.setdefault(annotation["sample_token"], {})[tuple(annotation["translation"])] = annotation
+        x, y = offsets[tables["sample"][annotation["sample_token"]]["scene_token"]]
+        place = annotation["translation"]
+        place = round(place[0] - x, 4), round(place[1] - y, 4), place[2]
+        boxes.setdefault(annotation["sample_token"], {})[place] = annotation
     for data in tables["sample_data"].values():
         sensor = tables["calibrated_sensor"][data["calibrated_sensor_token"]]
         pose, channel = tables["ego_pose"][data["ego_pose_token"]], tables["sensor"][sensor["sensor_token"]]["channel"]
         if not data["is_key_frame"]:
             continue
         if tables["sensor"][sensor["sensor_token"]]["modality"] == "lidar":
-            label = next(label for (time, _), label in frames.items() if time == data["timestamp"] - start and "lidar" in label)
+            label = next(label for (time, _), label in frames.items() if time == data["timestamp"] - START and "lidar" in label)
             with open(os.path.join(session, next(each["file"] for each in label["lidar"] if each["sensor"] == channel)), "rb") as file:
                 ids = [point[6] for point in struct.iter_unpack("<4f3H2B", file.read())]
-            views = [frame for (time, _), frame in frames.items() if time == data["timestamp"] - start]
+            views = [frame for (time, _), frame in frames.items() if time == data["timestamp"] - START]
             objects = {tuple(item["box3d"]["centre"]): item["id"] for frame in views for item in frame["objects"]}
             for place, box in boxes.get(data["sample_token"], {}).items():
                 assert box["num_lidar_pts"] == ids.count(objects[place]), box
                 counted += box["num_lidar_pts"]
             continue
-        label = frames[data["timestamp"] - start, channel]
+        label = frames[data["timestamp"] - START, channel]
         (fx, _, cx), (_, fy, cy), _ = sensor["camera_intrinsic"]
         for item in label["objects"]:
             box = boxes.get(data["sample_token"], {}).get(tuple(item["box3d"]["centre"]))
@@ -226,8 +315,10 @@ def read(root, session=None):
     with open(os.path.join(root, VERSION, "splits.json"), encoding="utf-8") as file:
         named = [name for scenes in json.load(file).values() for name in scenes]
     assert sorted(named) == sorted(scene["name"] for scene in tables["scene"].values())
+    shares = check_maps(root, tables, session)
     return (f"nuscenes: {len(tables['scene'])} scenes, {len(tables['sample'])} samples, {len(tables['sample_annotation'])} annotations, "
-            f"{within} of {counted} points in their boxes, {check_can_bus(root, tables)} CAN bus messages"
+            f"{within} of {counted} points in their boxes, {check_can_bus(root, tables)} CAN bus messages, "
+            f"on drivable ground are all {len(tables['ego_pose'])} poses{shares}"
             + (f", {check_session(root, tables, session)} projections as in the session" if session else ""))
 
 

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text.Json;
 using System.Windows.Forms;
 using GTA.Hosting;
@@ -132,6 +133,36 @@ public sealed class RigTests
 
         Assert.Contains(driver.Game.Notifications, told => told.Contains("'left' of the rig needs a verticalFovDegrees of at most 130",
             StringComparison.Ordinal));
+        Assert.False(Directory.Exists(driver.Output));
+    }
+
+    [Theory]
+    [InlineData("[-1,0,1]", "'left'")]
+    [InlineData("[0,0,1.8]", "'top'")]
+    public void Sensor_inside_the_vehicle_refuses_a_harvest(string place, string name)
+    {
+        // The body of the car is 2 m wide, 4 m long and 2 m high around its origin.
+        using ScriptDriver driver = Start(Rig.Replace(place, "[0.5,-1,0.3]", StringComparison.Ordinal));
+        driver.Press(Keys.J);
+
+        Assert.Contains(driver.Game.Notifications, told => told.Contains(
+            $"{name} of the rig 'pair' is inside the body of the vehicle. Move it outside.", StringComparison.Ordinal));
+        Assert.False(Directory.Exists(driver.Output));
+    }
+
+    [Fact]
+    public void Rig_beyond_the_budget_refuses_a_harvest_with_its_time()
+    {
+        // Two turns of 2,000,000 rays take 4,000 ticks, and each view at least two: 67 s at 60 ticks a second.
+        string beams = string.Join(',', Enumerable.Range(0, 100).Select(beam => (beam / 4m).ToString(CultureInfo.InvariantCulture)));
+        string lidar = "{\"name\":\"top\",\"position\":[0,0,1.8],\"beamsDegrees\":[" + beams + "],\"columns\":20000}";
+        string cameras = Rig[..Rig.IndexOf("{\"name\":\"top\"", StringComparison.Ordinal)];
+        string rig = cameras + lidar + "," + lidar.Replace("top", "low", StringComparison.Ordinal) + "]}";
+        using ScriptDriver driver = Start(rig);
+        driver.Press(Keys.J);
+
+        Assert.Contains(driver.Game.Notifications, told => told.Contains(
+            "A moment of the rig 'pair' takes about 67 s; at most 60 s are allowed.", StringComparison.Ordinal));
         Assert.False(Directory.Exists(driver.Output));
     }
 

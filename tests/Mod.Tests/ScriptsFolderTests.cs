@@ -10,11 +10,17 @@ public sealed class ScriptsFolderTests
     {
         Assert.Equal(
             [
-                "GtaDataHarvester-LICENSE.txt", "GtaDataHarvester.dll", "GtaDataHarvester.ini", "INSTALL.txt", "materials.csv",
-                "spaces_of_interest.csv",
+                "GtaDataHarvester-LICENSE.txt", "GtaDataHarvester-rigs", "GtaDataHarvester.dll", "GtaDataHarvester.ini", "INSTALL.txt",
+                "materials.csv", "spaces_of_interest.csv",
             ],
             Directory.EnumerateFileSystemEntries(Folder).Select(Path.GetFileName).Order(StringComparer.Ordinal));
     }
+
+    [Fact]
+    public void Example_rigs_are_in_the_folder() => Assert.Equal(
+        ["kitti.json", "nuscenes-half.json", "nuscenes.json", "stereo.json", "thesis.json"],
+        Directory.EnumerateFileSystemEntries(Path.Combine(Folder, "GtaDataHarvester-rigs")).Select(Path.GetFileName)
+            .Order(StringComparer.Ordinal));
 
     [Fact]
     public void Dll_in_the_folder_is_the_one_that_was_built()
@@ -27,6 +33,7 @@ public sealed class ScriptsFolderTests
     {
         string install = File.ReadAllText(Path.Combine(Folder, "INSTALL.txt"));
 
-        Assert.All(Directory.EnumerateFiles(Folder), file => Assert.Contains(Path.GetFileName(file), install, StringComparison.Ordinal));
+        Assert.All(Directory.EnumerateFileSystemEntries(Folder), file =>
+            Assert.Contains(Path.GetFileName(file), install, StringComparison.Ordinal));
     }
 }

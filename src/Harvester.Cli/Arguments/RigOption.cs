@@ -52,7 +52,7 @@ internal sealed class RigOption
             throw new UsageException("The --pair options cannot be used with --rig.");
         }
 
-        return Mounted(plan, Read(file.FullName));
+        return Mounted(plan, Read(file.FullName, plan.Options.Masks, plan.Options.Depth));
     }
 
     /// <summary>The plan with a rig: each moment then has a frame for each camera.</summary>
@@ -77,9 +77,12 @@ internal sealed class RigOption
     }
 
     /// <summary>Reads the file of a rig.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="masks">Whether its views have masks.</param>
+    /// <param name="depth">Whether its views have depth maps.</param>
     /// <exception cref="UsageException">The rig takes too long.</exception>
     /// <exception cref="DatasetFormatException">The file is not a rig.</exception>
-    public static Rig Read(string path)
+    public static Rig Read(string path, bool masks, bool depth)
     {
         Rig rig;
         try
@@ -91,9 +94,7 @@ internal sealed class RigOption
             throw new DatasetFormatException($"'{path}' is not a rig: {e.Message.TrimEnd('.')}.", e);
         }
 
-        double seconds = RigBudget.SecondsPerMoment(rig);
-        return seconds <= RigBudget.MaxSeconds ? rig : throw new UsageException(FormattableString.Invariant(
-            $"A moment of the rig '{rig.Name}' takes about {seconds:0} s; at most {RigBudget.MaxSeconds} s are allowed. ")
-            + "Give it fewer rays or smaller images.");
+        return RigBudget.ProblemOf(rig, RigBudget.SecondsPerMoment(rig, masks, depth)) is { } problem ? throw new UsageException(problem)
+            : rig;
     }
 }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Harvester.Capture.Harvesting;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Rigs;
 using Harvester.Sessions.Text;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;
@@ -86,7 +87,8 @@ internal sealed record HarvestPlan
             string shard = Options.Shard.Count > 1 ? $"shard {Options.Shard} of " : "";
             return Options.Rig is { } rig
                 ? $"{shard}{Counted.Of(Frames / rig.Cameras.Count, "moment")} of the rig {rig.Name}, "
-                    + $"{Counted.Of(rig.Cameras.Count, "view")} and {Counted.Of(rig.Lidars.Count, "LiDAR")} each"
+                    + $"{Counted.Of(rig.Cameras.Count, "view")} and {Counted.Of(rig.Lidars.Count, "LiDAR")} each, "
+                    + FormattableString.Invariant($"about {RigBudget.SecondsPerMoment(rig, Options.Masks, Options.Depth):G2} s per moment")
                 : $"{shard}{Counted.Of(Frames, "frame")} of {Options.Image.Width} x {Options.Image.Height}";
         }
     }

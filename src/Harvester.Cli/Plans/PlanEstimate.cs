@@ -40,7 +40,7 @@ internal sealed record PlanEstimate(long Frames, double Seconds, double Bytes)
         double points = rig?.Lidars.Sum(lidar => (double)lidar.Columns * lidar.BeamsDegrees.Count) ?? 0;
         double seconds = rig is null
             ? pixels.Sum(each => hasMasks ? SecondsOfMaskedFrame + (SecondsOfMaskedPixel * each) : SecondsOfFrame + (SecondsOfPixel * each))
-            : RigBudget.SecondsPerMoment(rig);
+            : RigBudget.SecondsPerMoment(rig, hasMasks);
         double bytes = pixels.Sum(each => BytesOfLabelAndScene + (BytesOfPixel * each) + (hasMasks ? BytesOfMaskPixel * each : 0))
             + (BytesOfPoint * points);
         return new((long)moments * pixels.Length, SecondsOfTrial + (moments * seconds), moments * bytes);

@@ -44,7 +44,8 @@ internal sealed record PlanFile(Plan Plan, string Text, IReadOnlyDictionary<stri
             {
                 try
                 {
-                    rigs.Add(camera.Name, RigOption.Read(Path.Combine(Path.GetDirectoryName(Path.GetFullPath(path))!, rig)));
+                    string beside = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(path))!, rig);
+                    rigs.Add(camera.Name, RigOption.Read(beside, reading.Plan!.Masks != PlanMasks.Off, depth: false));
                 }
                 catch (Exception e) when (e is DatasetFormatException or UsageException)
                 {

@@ -39,6 +39,9 @@ public sealed record AggregateSection
     /// <summary>Writes what follows from all parts; null if the section is written part by part.</summary>
     public Action<TextWriter, IEnumerable<string>>? WriteSummary { get; private init; }
 
+    /// <summary>Writes bytes that follow from all parts; null if the section is written part by part.</summary>
+    public Action<Stream, IEnumerable<string>>? WriteBinary { get; private init; }
+
     /// <summary>A fixed text.</summary>
     public static AggregateSection Literal(string text) => new(text, null, "", "", false);
 
@@ -62,4 +65,10 @@ public sealed record AggregateSection
     /// <param name="write">Writes the text; it gets the parts in the order of the frames, so that it can hold one at a time.</param>
     public static AggregateSection Summary(string part, Action<TextWriter, IEnumerable<string>> write) =>
         new("", part, "", "", false) { WriteSummary = write };
+
+    /// <summary>Bytes that follow from all parts, such as an image.</summary>
+    /// <param name="part">Name of the parts.</param>
+    /// <param name="write">Writes the bytes; it gets the parts in the order of the frames, so that it can hold one at a time.</param>
+    public static AggregateSection Binary(string part, Action<Stream, IEnumerable<string>> write) =>
+        new("", part, "", "", false) { WriteBinary = write };
 }

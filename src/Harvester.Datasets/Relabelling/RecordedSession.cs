@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
@@ -30,8 +29,7 @@ internal sealed class RecordedSession
         LookAhead = lookAhead is null ? LookAhead.Thesis : LookAhead.Parse(lookAhead)
             ?? throw new DatasetFormatException(
                 $"{SessionInfo.FileName}: settings.lookAhead must be metres, or seconds such as 1s, not '{lookAhead}'.");
-        LaneWidthMetres = Width(settings, "laneWidth", RoadGeometry.LaneWidth);
-        NarrowLaneWidthMetres = Width(settings, "narrowLaneWidth", RoadGeometry.NarrowLaneWidth);
+        (LaneWidthMetres, NarrowLaneWidthMetres) = LaneWidths.Of(settings);
     }
 
     /// <summary>The session.</summary>
@@ -117,15 +115,6 @@ internal sealed class RecordedSession
     {
         string name = FramePaths.Scene(label.Frame);
         return Named(Session, name, session => SceneParser.Read(session.PathOf(name), label));
-    }
-
-    private static double Width(JsonFields settings, string name, double usual)
-    {
-        string? text = settings.OptionalText(name);
-        return text is null ? usual
-            : double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double metres) && metres > 0
-                && double.IsFinite(metres) ? metres
-            : throw new DatasetFormatException($"{SessionInfo.FileName}: settings.{name} must be metres above 0, not '{text}'.");
     }
 
     private static ObjectClass ClassOf(string name) => JsonNames.TryRead(name, out ObjectClass kind)

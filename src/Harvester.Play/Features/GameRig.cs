@@ -4,7 +4,9 @@ using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Rigs;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Play.Features;
 
@@ -19,6 +21,13 @@ public static class GameRig
 
     /// <summary>The widest vertical field of view of a camera of the game, degrees.</summary>
     private const double MaxFovDegrees = 130;
+
+    /// <summary>Rays per tick that leave the game responsive, and ticks per second, as in docs/rigs.md.</summary>
+    private const double RaysPerTick = 1000;
+    private const double TicksPerSecond = 60;
+
+    /// <summary>Ticks of a view besides those that its picture may lag: to move the camera and to label.</summary>
+    private const int TicksOfView = 2;
 
     /// <summary>The options of a harvest with a rig.</summary>
     /// <exception cref="ArgumentNullException"><paramref name="options"/> is null.</exception>
@@ -39,7 +48,7 @@ public static class GameRig
         };
     }
 
-    /// <summary>Why options for a rig or for pairs cannot be used, as a message for the player; null if they can.</summary>
+    /// <summary>Why options for a rig, for pairs or for depth maps cannot be used, as a message for the player; null if they can.</summary>
     /// <exception cref="ArgumentNullException"><paramref name="options"/> is null.</exception>
     public static string? ProblemOf(HarvestOptions options)
     {
@@ -47,7 +56,33 @@ public static class GameRig
         return options.Rig is { } rig ? ProblemOf(options, rig)
             : options.Pairs.IsAny && !options.Freeze
                 ? "PairWeathers, PairHours and PairWithout need Mode = Freeze, because all pictures of a pair show one moment."
+            : options is { Depth: true, Freeze: false }
+                ? "Depth needs Mode = Freeze, because its rays are cast while the world stands still."
             : null;
+    }
+
+    /// <summary>An estimate of the seconds that one moment of a rig takes in the game, at 60 ticks per second.</summary>
+    /// <exception cref="ArgumentNullException"><paramref name="options"/> is null, or has no rig.</exception>
+    public static double SecondsPerMoment(HarvestOptions options)
+    {
+        Rig rig = options?.Rig ?? throw new ArgumentNullException(nameof(options));
+        double ticks = (rig.Cameras.Count * (double)(options.MaxPictureLagTicks + TicksOfView))
+            + (RigBudget.RaysPerMoment(rig, options.Masks, options.Depth) / RaysPerTick);
+        return ticks / TicksPerSecond;
+    }
+
+    /// <summary>The first sensor of a rig that is inside the body of its vehicle, as a message for the player; null if none is.</summary>
+    /// <param name="rig">The rig.</param>
+    /// <param name="ego">The vehicle.</param>
+    /// <param name="rays">Rays, which meet the vehicle.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="rig"/> is null.</exception>
+    public static string? BodyProblem(Rig rig, EgoState ego, IRayCaster rays)
+    {
+        _ = rig ?? throw new ArgumentNullException(nameof(rig));
+        return rig.Cameras.Select(camera => (camera.Name, camera.Mount)).Concat(rig.Lidars.Select(lidar => (lidar.Name, lidar.Mount)))
+            .Where(sensor => VehicleBody.Encloses(ego, rig.OnVehicle(sensor.Mount).Position, rays))
+            .Select(sensor => $"'{sensor.Name}' of the rig '{rig.Name}' is inside the body of the vehicle. Move it outside.")
+            .FirstOrDefault();
     }
 
     /// <summary>What of a rig the game cannot show, one sentence each.</summary>
@@ -77,5 +112,5 @@ public static class GameRig
         : options.Pairs.IsAny ? "Rig cannot be used together with PairWeathers, PairHours and PairWithout."
         : rig.Cameras.FirstOrDefault(camera => camera.VerticalFovDegrees > MaxFovDegrees) is { } wide ? FormattableString.Invariant(
             $"The camera '{wide.Name}' of the rig needs a verticalFovDegrees of at most {MaxFovDegrees}, the widest of the game.")
-        : null;
+        : RigBudget.ProblemOf(rig, SecondsPerMoment(options));
 }

@@ -227,6 +227,12 @@ public sealed class Harvest : ILastingFeature, IDisposable
             _mount.Mount();
         }
 
+        if (_mount.IsMounted && options.Rig is { } rig && GameRig.BodyProblem(rig, _game.World.ReadEgo(), _game.Rays) is { } inside)
+        {
+            _messages.Tell(inside);
+            return;
+        }
+
         if (_mount.IsMounted)
         {
             // Resuming reads the session, and a disk may have to spin up.
@@ -264,6 +270,8 @@ public sealed class Harvest : ILastingFeature, IDisposable
 
         if (_startedWith!.Rig is { } rig)
         {
+            _messages.Log(FormattableString.Invariant(
+                $"The rig '{rig.Name}' takes about {GameRig.SecondsPerMoment(_startedWith):0.0} s per moment at 60 ticks a second."));
             if (GameRig.AspectWarning(rig, _game.World.ReadCamera().WindowAspect) is { } warning)
             {
                 _messages.Tell(warning);

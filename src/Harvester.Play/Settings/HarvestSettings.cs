@@ -60,6 +60,7 @@ public static class HarvestSettings
                 _ => MaskMethod.Rays,
             },
             Semantics = semantics ? SemanticsMethod.Rays : null,
+            Depth = ini.Choice(Harvest, "Depth", Switch.Off, "On or Off") == Switch.On,
             Motion = ini.Choice(Harvest, "Motion", Switch.Off, "On or Off") == Switch.On,
             Pairs = PairsOf(ini),
             RayBudget = ini.Whole(Harvest, "Rays", fallback.RayBudget, 0, LabellingOptions.MaxRays),

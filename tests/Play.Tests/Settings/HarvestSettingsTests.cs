@@ -34,6 +34,7 @@ public sealed class HarvestSettingsTests
             Freeze = timeScale
             Masks = On
             Semantics = On
+            Depth = On
             Rays = 3000
             RayReach = 120.5
             OcclusionRays = 9
@@ -68,6 +69,7 @@ public sealed class HarvestSettingsTests
             FreezeBy = FreezeMethod.TimeScale,
             Masks = true,
             Semantics = SemanticsMethod.Rays,
+            Depth = true,
             RayBudget = 3000,
             RayReachMetres = 120.5,
             OcclusionSamples = 9,

@@ -2,6 +2,7 @@ using Harvester.Capture.Harvesting;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Rigs;
 using Harvester.Simulation.Rendering;
 using Xunit.Abstractions;
@@ -16,6 +17,18 @@ public sealed class CuboidsAcrossCamerasTests(ITestOutputHelper output)
     /// <summary>The requirement.</summary>
     private const double Pixels = 1;
 
+    /// <summary>The default options: a labelled object has a box of at least 16 square pixels with sides of at least 2.</summary>
+    private const int LeastPixels = 16;
+    private const int LeastSide = 2;
+
+    /// <summary>
+    /// An object is labelled if a ray has met it. If a tenth of its box shows it, some of the rays through the box meet it.
+    /// </summary>
+    private const double LeastShareShown = 0.1;
+
+    /// <summary>Fewer cases would prove little.</summary>
+    private const int LeastCompared = 20;
+
     [Fact]
     [Trait("Category", "Heavy")]
     public void Cuboid_of_one_camera_holds_what_another_shows()
@@ -23,6 +36,70 @@ public sealed class CuboidsAcrossCamerasTests(ITestOutputHelper output)
         int compared = 0;
         int sensitive = 0;
         double worst = 0;
+        foreach ((CapturedFrame frame, RenderTarget picture, CapturedFrame[] others) in Views())
+        {
+            Camera camera = frame.Label.Camera.ToCamera();
+            foreach ((int handle, Cuboid cuboid) in others.SelectMany(CuboidsByHandle))
+            {
+                if (Farthest(picture, camera, handle, cuboid) is { } pixels)
+                {
+                    worst = Math.Max(worst, pixels);
+                    compared++;
+
+                    // A cuboid half a metre beside the object would be noticed.
+                    var moved = new Cuboid(cuboid.Centre + (camera.Pose.Axes.Right * 0.5), cuboid.HalfExtents, cuboid.Axes);
+                    sensitive += Farthest(picture, camera, handle, moved) > Pixels ? 1 : 0;
+                }
+            }
+        }
+
+        output.WriteLine(FormattableString.Invariant($"{compared} cuboids, {sensitive} sensitive, at worst {worst:0.000} px"));
+        Assert.InRange(compared, LeastCompared, int.MaxValue);
+        Assert.InRange(sensitive, compared / 2, compared);
+        Assert.InRange(worst, 0, Pixels);
+    }
+
+    [Fact]
+    [Trait("Category", "Heavy")]
+    public void Object_that_two_cameras_show_is_labelled_in_both()
+    {
+        int required = 0;
+        int open = 0;
+        int absent = 0;
+        foreach ((CapturedFrame frame, RenderTarget picture, CapturedFrame[] others) in Views())
+        {
+            CameraLabel camera = frame.Label.Camera;
+            Dictionary<int, Cuboid> labelled = CuboidsByHandle(frame);
+            foreach ((int handle, Cuboid cuboid) in others.SelectMany(CuboidsByHandle))
+            {
+                (int shown, int width, int height) = ShownOf(picture, handle);
+                string which = FormattableString.Invariant($"{handle} in {frame.Label.View}: {shown} pixels, {width} x {height}");
+                if (shown == 0)
+                {
+                    absent++;
+                    Assert.False(labelled.ContainsKey(handle), which);
+                }
+                else if (shown >= LeastPixels && Math.Min(width, height) >= LeastSide && shown >= LeastShareShown * BoxArea(camera, cuboid))
+                {
+                    required++;
+                    Assert.True(labelled.ContainsKey(handle), which);
+                }
+                else
+                {
+                    open++;
+                }
+            }
+        }
+
+        output.WriteLine(FormattableString.Invariant($"{required} must be labelled, {absent} must not, {open} may be"));
+        Assert.InRange(required, LeastCompared, int.MaxValue);
+        Assert.InRange(absent, LeastCompared, int.MaxValue);
+        Assert.InRange(open, 0, required);
+    }
+
+    /// <summary>Views of three cameras that see partly the same: a label, what the renderer draws, and the other labels of the moment.</summary>
+    private static IEnumerable<(CapturedFrame Frame, RenderTarget Picture, CapturedFrame[] Others)> Views()
+    {
         foreach (int seed in new[] { 3, 61, 62, 63 })
         {
             var image = new ImageSize(800, 450);
@@ -34,35 +111,43 @@ public sealed class CuboidsAcrossCamerasTests(ITestOutputHelper output)
             ], []);
             var moment = new RigHarvest(rig, seed);
             moment.Game.Ports.Pause.Freeze();
-            Dictionary<int, Cuboid>[] cuboids = [.. moment.Frames.Select(CuboidsByHandle)];
-            for (int view = 0; view < rig.Cameras.Count; view++)
+            foreach ((RigCamera camera, CapturedFrame frame) in rig.Cameras.Zip(moment.Frames))
             {
-                moment.Game.Ports.RigCamera!.Show(rig.Cameras[view], rig.OnVehicle(rig.Cameras[view].Mount));
+                moment.Game.Ports.RigCamera!.Show(camera, rig.OnVehicle(camera.Mount));
                 moment.Game.Tick(1.0 / 60);
-                RenderTarget picture = moment.Game.Render(image);
-                Camera camera = moment.Frames[view].Label.Camera.ToCamera();
-                foreach (Dictionary<int, Cuboid> others in cuboids.Where((_, other) => other != view))
-                {
-                    foreach ((int handle, Cuboid cuboid) in others)
-                    {
-                        if (Farthest(picture, camera, handle, cuboid) is { } pixels)
-                        {
-                            worst = Math.Max(worst, pixels);
-                            compared++;
-
-                            // A cuboid half a metre beside the object would be noticed.
-                            var moved = new Cuboid(cuboid.Centre + (camera.Pose.Axes.Right * 0.5), cuboid.HalfExtents, cuboid.Axes);
-                            sensitive += Farthest(picture, camera, handle, moved) > Pixels ? 1 : 0;
-                        }
-                    }
-                }
+                yield return (frame, moment.Game.Render(image), [.. moment.Frames.Where(other => other != frame)]);
             }
         }
+    }
 
-        output.WriteLine(FormattableString.Invariant($"{compared} cuboids, {sensitive} sensitive, at worst {worst:0.000} px"));
-        Assert.InRange(compared, 20, int.MaxValue);
-        Assert.InRange(sensitive, compared / 2, compared);
-        Assert.InRange(worst, 0, Pixels);
+    /// <summary>Number of the pixels that show an object, and the sides of the box around them.</summary>
+    private static (int Pixels, int Width, int Height) ShownOf(RenderTarget picture, int handle)
+    {
+        int[] at = [.. Enumerable.Range(0, picture.Handles.Length).Where(pixel => picture.Handles[pixel] == handle)];
+        return at.Length == 0 ? (0, 0, 0)
+            : (at.Length, at.Max(pixel => pixel % picture.Width) - at.Min(pixel => pixel % picture.Width) + 1,
+                (at[^1] / picture.Width) - (at[0] / picture.Width) + 1);
+    }
+
+    /// <summary>Area of the box around a cuboid, cut at the image; infinite for a cuboid that is partly behind the camera.</summary>
+    private static double BoxArea(CameraLabel camera, Cuboid cuboid)
+    {
+        double left = double.PositiveInfinity, top = left, right = -left, bottom = -left;
+        for (int corner = 0; corner < Cuboid.CornerCount; corner++)
+        {
+            Vector3D there = cuboid.Corner(corner) - camera.Pose.Position;
+            double depth = there.Dot(camera.Pose.Axes.Forward);
+            if (depth < 0.1)
+            {
+                return double.PositiveInfinity;
+            }
+
+            double x = camera.Cx + (camera.Fx * there.Dot(camera.Pose.Axes.Right) / depth);
+            double y = camera.Cy - (camera.Fy * there.Dot(camera.Pose.Axes.Up) / depth);
+            (left, right, top, bottom) = (Math.Min(left, x), Math.Max(right, x), Math.Min(top, y), Math.Max(bottom, y));
+        }
+
+        return (Math.Min(right, camera.Width) - Math.Max(left, 0)) * (Math.Min(bottom, camera.Height) - Math.Max(top, 0));
     }
 
     private static Dictionary<int, Cuboid> CuboidsByHandle(CapturedFrame frame) => frame.Scene!.Ids

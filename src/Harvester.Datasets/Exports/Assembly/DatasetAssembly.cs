@@ -173,6 +173,13 @@ internal static class DatasetAssembly
                 continue;
             }
 
+            if (section.WriteBinary is { } writeBinary)
+            {
+                writer.Flush();
+                writeBinary(stream, parts.Read(section.Part!));
+                continue;
+            }
+
             if (section.WriteSummary is { } writeSummary)
             {
                 writeSummary(writer, parts.Read(section.Part!));

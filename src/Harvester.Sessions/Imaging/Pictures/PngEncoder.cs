@@ -90,6 +90,14 @@ public sealed class PngEncoder
         Write8(map, ColourTypeGrey, null, target);
     }
 
+    /// <summary>Writes a grey image of 8 bits per pixel that need not be in memory.</summary>
+    /// <param name="size">Its size.</param>
+    /// <param name="readRow">Fills a row, by its number from the top; the row has what it was last filled with.</param>
+    /// <param name="target">Receives the image.</param>
+    /// <exception cref="IOException">The stream cannot be written.</exception>
+    public void WriteGrey8(ImageSize size, Action<int, byte[]> readRow, Stream target) =>
+        Write(target, size, BitsOfColour, ColourTypeGrey, size.Width, readRow ?? throw new ArgumentNullException(nameof(readRow)));
+
     /// <summary>Writes a map of small numbers with a palette: 8 bits per pixel.</summary>
     /// <param name="map">The map.</param>
     /// <param name="palette">The colour of each number; at most 256.</param>

@@ -38,8 +38,20 @@ public sealed class NuScenesCheckTests(SimulatedSession simulated) : CheckTests(
     public void Lost_map_is_found()
     {
         Export();
-        Delete("maps/none.png");
-        Assert.Contains(Problems(), problem => problem.Contains("its file 'maps/none.png' is missing.", StringComparison.Ordinal));
+        Delete("maps/scene-2001.png");
+        Assert.Contains(Problems(), problem => problem.Contains("its file 'maps/scene-2001.png' is missing.", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void Lost_offsets_of_maps_are_found() =>
+        AssertLossIsFound(Tables + "map_offset.json", $"{Tables}map_offset.json: it is missing.");
+
+    [Fact]
+    public void Pose_outside_its_map_is_found()
+    {
+        Export();
+        Damage(Tables + "ego_pose.json", "\"translation\":\\[", "\"translation\":[-");
+        Assert.Contains(Problems(), problem => problem.EndsWith("it lies outside its map.", StringComparison.Ordinal));
     }
 
     [Fact]

@@ -1,4 +1,6 @@
 using System.Text.Json.Nodes;
+using Harvester.Datasets.Images;
+using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Datasets.Tests.Exports.NuScenes;
 
@@ -10,7 +12,8 @@ public sealed class NuScenesWriterTests : ExportTests
         JsonObject annotation = Annotations()[0];
 
         // The car of 2 m on each side is 11 m to the north and looks north: a quarter turn about z, whose w and z are cos and sin of 45.
-        Assert.Equal("[0,11,0]", annotation["translation"]!.ToJsonString());
+        // The map begins 120 m to the west and south of the vehicle, whose origin is at (0, -2): 100 m of roads, and 20 m more.
+        Assert.Equal("[120,133,0]", annotation["translation"]!.ToJsonString());
         Assert.Equal("[2,2,2]", annotation["size"]!.ToJsonString());
         Assert.Equal("[0.707106781,0,0,0.707106781]", annotation["rotation"]!.ToJsonString());
         Assert.Equal((0, 0), ((int)annotation["num_lidar_pts"]!, (int)annotation["num_radar_pts"]!));
@@ -49,6 +52,34 @@ public sealed class NuScenesWriterTests : ExportTests
         Assert.Equal([true, true, true], data.Select(each => (bool)each["is_key_frame"]!));
         Assert.All(data, each => Assert.True(File.Exists(Folder.PathOf($"out/{each["filename"]}"))));
         Assert.Equal("""{"gta_train":["scene-2001"]}""", File.ReadAllText(Folder.PathOf("out/v1.0-gta/splits.json")).Trim());
+    }
+
+    [Fact]
+    public void Offset_of_the_map_leads_back_to_the_world()
+    {
+        JsonObject[] annotations = Annotations();
+        JsonObject map = Assert.Single(Table("map_offset"));
+
+        Assert.Equal("[120,122]", map["offset"]!.ToJsonString());
+        Assert.Equal("[240,240]", map["size"]!.ToJsonString());
+        Assert.Equal((string)Table("map")[0]["filename"]!, (string)map["filename"]!);
+        Assert.Equal((string)Table("log")[0]["token"]!, (string)map["log_token"]!);
+        Assert.Equal(11, (double)annotations[0]["translation"]![1]! - (double)map["offset"]![1]!);
+    }
+
+    [Fact]
+    public void Without_roads_the_ground_below_the_vehicle_is_drivable()
+    {
+        Annotations();
+        InstanceMap mask = PngDecoder.ReadLabelMap(Folder.PathOf("out/maps/scene-2001.png"));
+
+        Assert.Equal((2400, 2400), (mask.Image.Width, mask.Image.Height));
+
+        // The vehicle stands at (120, 120): 3 m by 6 m around it are columns 1185 to 1215 and rows 1170 to 1230.
+        Assert.Equal(255, mask.Ids[(1200 * 2400) + 1200]);
+        Assert.Equal(255, mask.Ids[(1172 * 2400) + 1187]);
+        Assert.Equal(0, mask.Ids[(1160 * 2400) + 1200]);
+        Assert.Equal(0, mask.Ids[(1200 * 2400) + 1220]);
     }
 
     private JsonObject[] Annotations()

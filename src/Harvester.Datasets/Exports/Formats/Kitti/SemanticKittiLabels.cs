@@ -35,19 +35,36 @@ internal static class SemanticKittiLabels
         [SemanticClass.Sign] = 81,
     };
 
+    /// <summary>The classes of objects that move: SemanticKITTI has none for a two-wheeler without its rider.</summary>
+    private static readonly Dictionary<SemanticClass, uint> MovingIds = new()
+    {
+        [SemanticClass.Car] = 252,
+        [SemanticClass.Bicycle] = 253,
+        [SemanticClass.Pedestrian] = 254,
+        [SemanticClass.Motorcycle] = 255,
+        [SemanticClass.Bus] = 257,
+        [SemanticClass.Truck] = 258,
+        [SemanticClass.Trailer] = 259,
+    };
+
     /// <summary>Numbers that a label can have as its class.</summary>
-    public static IReadOnlyCollection<uint> Classes { get; } = [.. Ids.Values, OtherObject];
+    public static IReadOnlyCollection<uint> Classes { get; } = [.. Ids.Values, .. MovingIds.Values, OtherObject];
 
     /// <summary>The class of a label.</summary>
     public static uint ClassOf(uint label) => label & ((1u << InstanceShift) - 1);
 
     /// <summary>Writes the labels of points, four bytes each.</summary>
-    public static void Write(Stream stream, IEnumerable<LidarPoint> points)
+    /// <param name="stream">Receives the labels.</param>
+    /// <param name="points">The points.</param>
+    /// <param name="moving">The ids of the objects that move.</param>
+    public static void Write(Stream stream, IEnumerable<LidarPoint> points, IReadOnlySet<int> moving)
     {
         using var writer = new BinaryWriter(stream, Encoding.UTF8, leaveOpen: true);
         foreach (LidarPoint point in points)
         {
-            writer.Write(((uint)point.ObjectId << InstanceShift) | Ids.GetValueOrDefault(point.Class, OtherObject));
+            uint id = moving.Contains(point.ObjectId) && MovingIds.TryGetValue(point.Class, out uint mover) ? mover
+                : Ids.GetValueOrDefault(point.Class, OtherObject);
+            writer.Write(((uint)point.ObjectId << InstanceShift) | id);
         }
     }
 }

@@ -45,14 +45,14 @@ internal static class NuScenesCanBus
     /// <param name="kind">Kind of its messages.</param>
     public static string PathOf(int scene, string kind) => $"{Folder}/{NuScenesScene.NameOf(scene)}_{kind}.json";
 
-    /// <summary>Adds the ego's motion up to a moment, with the first view of the moment.</summary>
+    /// <summary>Adds the ego's motion up to a moment.</summary>
     /// <param name="output">Takes the part.</param>
     /// <param name="frame">The frame.</param>
-    /// <param name="timestampOf">Gives the time in microseconds of a game time.</param>
-    /// <param name="origin">The point of the vehicle that is taken for its position, in the frame of its model.</param>
-    public static void Add(FrameOutput output, ExportFrame frame, Func<double, long> timestampOf, Vector3D origin) => output.Part(
+    /// <param name="area">The part of the world around it.</param>
+    /// <param name="rows">A row for each tick; none except for the first view.</param>
+    public static void Add(FrameOutput output, ExportFrame frame, NuScenesArea area, IEnumerable<string> rows) => output.Part(
         FormattableString.Invariant($"{PartPrefix}{frame.RecordingIndex:D8} {frame.Label.Place ?? 0:D8}"),
-        string.Join(';', EgoTrack.SamplesOf(frame.Label).Select(sample => NuScenesRide.Row(sample, timestampOf, origin))));
+        string.Join(NuScenesRide.Separator, rows.Prepend(area.ToString())));
 
     /// <summary>The files of all scenes.</summary>
     /// <param name="parts">The names of all parts.</param>

@@ -67,6 +67,13 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
         Collect(problems, ["sample_data", "map"], (_, record) =>
             dataset.Has(record.Text("filename")) ? null : $"its file '{record.Text("filename")}' is missing.");
         Collect(problems, ["sample_annotation"], (_, record) => AnnotationProblem(record));
+        Collect(problems, ["ego_pose", "sample_annotation"], (_, record) =>
+            record.Numbers("translation", 3).Take(2).All(metres => metres >= 0) ? null : "it lies outside its map.");
+        if (!dataset.Has(FileOf(NuScenesMap.Offsets)))
+        {
+            problems.Add(new SessionProblem(FileOf(NuScenesMap.Offsets), null, "it is missing."));
+        }
+
         problems.AddRange(_tables["scene"].Values.SelectMany(scene => NuScenesCanBusCheck.Problems(dataset, scene.Text("name"))));
         if (SplitProblem() is { } split)
         {

@@ -3,12 +3,16 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using Harvester.Datasets.Json;
+using Harvester.Geometry;
 
 namespace Harvester.Datasets.Exports.Formats.NuScenes;
 
 /// <summary>The tables of a scene's samples and of the data of its sensors.</summary>
 internal static class NuScenesDataTables
 {
+    private const int MetreDecimals = 4;
+
     /// <summary>The samples.</summary>
     public static IEnumerable<Action<Utf8JsonWriter>> Samples(NuScenesScene scene) => scene.Keys.Select((moment, index) =>
         (Action<Utf8JsonWriter>)(json =>
@@ -28,7 +32,7 @@ internal static class NuScenesDataTables
         {
             json.WriteString("token", scene.PoseTokenOf(sensor.Channel, frame.Moment));
             json.WriteNumber("timestamp", frame.Timestamp);
-            WriteFields(json, frame.Ego);
+            WriteFields(json, frame.Ego, scene.Area.Offset);
         });
 
     /// <summary>The files of the sensors; those of each sensor form a chain.</summary>
@@ -57,12 +61,23 @@ internal static class NuScenesDataTables
         });
 
     /// <summary>Writes the fields of an object of JSON into the object that is being written.</summary>
-    public static void WriteFields(Utf8JsonWriter json, string text)
+    /// <param name="json">The writer.</param>
+    /// <param name="text">The object.</param>
+    /// <param name="offset">What is added to its translation, metres.</param>
+    public static void WriteFields(Utf8JsonWriter json, string text, Vector3D offset = default)
     {
         using JsonDocument document = JsonDocument.Parse(text);
         foreach (JsonProperty field in document.RootElement.EnumerateObject())
         {
-            field.WriteTo(json);
+            if (field.Name == "translation" && offset != default)
+            {
+                double[] place = new JsonFields(document.RootElement).Numbers(field.Name, 3);
+                json.Numbers(field.Name, [place[0] + offset.X, place[1] + offset.Y, place[2] + offset.Z], MetreDecimals);
+            }
+            else
+            {
+                field.WriteTo(json);
+            }
         }
     }
 }

@@ -44,7 +44,7 @@ internal static class NuScenesObjectTables
                 }
 
                 json.WriteEndArray();
-                NuScenesDataTables.WriteFields(json, item.Box);
+                NuScenesDataTables.WriteFields(json, item.Box, scene.Area.Offset);
                 json.Link("prev", index > 0 ? scene.AnnotationTokenOf(item.Id, chain[index - 1]) : null);
                 json.Link("next", index + 1 < chain.Length ? scene.AnnotationTokenOf(item.Id, chain[index + 1]) : null);
                 json.WriteNumber("num_lidar_pts", seen.Points);

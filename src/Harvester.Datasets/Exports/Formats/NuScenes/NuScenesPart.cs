@@ -14,6 +14,7 @@ namespace Harvester.Datasets.Exports.Formats.NuScenes;
 /// <param name="Timestamp">Time, microseconds.</param>
 /// <param name="Split">The split of the session.</param>
 /// <param name="Description">What the scene shows.</param>
+/// <param name="Area">The part of the world around the vehicle.</param>
 /// <param name="Ego">The fields translation and rotation of ego_pose, as JSON.</param>
 /// <param name="Sensors">Its camera, and with the first view the LiDARs.</param>
 /// <param name="Objects">The objects in its image.</param>
@@ -26,6 +27,7 @@ internal sealed record NuScenesPart(
     long Timestamp,
     string Split,
     string Description,
+    NuScenesArea Area,
     string Ego,
     IReadOnlyList<NuScenesSensor> Sensors,
     IReadOnlyList<NuScenesObject> Objects,
@@ -42,6 +44,7 @@ internal sealed record NuScenesPart(
         json.WriteNumber("timestamp", Timestamp);
         json.WriteString("split", Split);
         json.WriteString("description", Description);
+        json.WriteString("area", Area.ToString());
         json.WritePropertyName("ego");
         json.WriteRawValue(Ego);
         json.WriteStartArray("sensors");
@@ -82,6 +85,7 @@ internal sealed record NuScenesPart(
             document.RootElement.GetProperty("timestamp").GetInt64(),
             part.Text("split"),
             part.Text("description"),
+            NuScenesArea.Parse(part.Text("area")),
             part.RawText("ego"),
             [.. part.List("sensors").Select(NuScenesSensor.Read)],
             [.. part.List("objects").Select(NuScenesObject.Read)],

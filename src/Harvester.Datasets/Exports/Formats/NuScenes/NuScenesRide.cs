@@ -12,6 +12,9 @@ namespace Harvester.Datasets.Exports.Formats.NuScenes;
 /// <param name="All">Every tick that is known, in order.</param>
 internal sealed record NuScenesRide(IReadOnlyList<NuScenesMoment> All)
 {
+    /// <summary>Separates the area and the rows of a part.</summary>
+    public const char Separator = ';';
+
     /// <summary>Distance between the points of a route, metres.</summary>
     private const double RouteStep = 1;
 
@@ -36,16 +39,18 @@ internal sealed record NuScenesRide(IReadOnlyList<NuScenesMoment> All)
             .Prepend(timestampOf(sample.TimeSeconds).ToString(CultureInfo.InvariantCulture)));
     }
 
-    /// <summary>Reads the parts of a scene: rows, separated by semicolons.</summary>
+    /// <summary>Reads the parts of a scene, each an area and rows. Positions are moved into the global frame of the scene.</summary>
     public static NuScenesRide Read(IEnumerable<string> lines)
     {
         var samples = new List<MotionSample>();
         var places = new List<(long Timestamp, Vector3D Place)>();
-        foreach (string[] words in lines.SelectMany(line => line.Split(';')).Select(row => row.Split(' ')))
+        string[][] parts = [.. lines.Select(line => line.Split(Separator))];
+        Vector3D offset = NuScenesArea.Of(parts.Select(part => NuScenesArea.Parse(part[0]))).Offset;
+        foreach (string[] words in parts.SelectMany(part => part.Skip(1)).Select(row => row.Split(' ')))
         {
             double[] row = Numbers.Parse(words.Skip(1))!;
             samples.Add(new MotionSample(row[0], At(row, 1), At(row, 7), At(row, 10), At(row, 13), MotionOf(row)));
-            places.Add((long.Parse(words[0], CultureInfo.InvariantCulture), At(row, 4)));
+            places.Add((long.Parse(words[0], CultureInfo.InvariantCulture), At(row, 4) + offset));
         }
 
         return new NuScenesRide([.. EgoTrack.Of(samples).Zip(places, (reading, place) =>

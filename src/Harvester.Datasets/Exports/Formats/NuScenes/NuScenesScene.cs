@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 
@@ -15,6 +16,7 @@ internal sealed record NuScenesScene(int Number, IReadOnlyList<NuScenesPart> Fra
 
     private ILookup<int, NuScenesPart>? _byMoment;
     private int[]? _keys;
+    private NuScenesArea? _area;
 
     /// <summary>Its session.</summary>
     public int Recording => Frames[0].Recording;
@@ -28,23 +30,29 @@ internal sealed record NuScenesScene(int Number, IReadOnlyList<NuScenesPart> Fra
     /// <summary>Its token.</summary>
     public string Token => NuScenesToken.Of("scene", Number);
 
-    /// <summary>The token of its log.</summary>
-    public string LogToken => LogTokenOf(Recording);
+    /// <summary>The token of its log: each scene has one, because its global frame and its map are its own.</summary>
+    public string LogToken => NuScenesToken.Of("log", Number);
+
+    /// <summary>What its map shows. The lower left corner is the origin of its global frame.</summary>
+    public NuScenesArea Area => _area ??= NuScenesArea.Of(Frames.Select(frame => frame.Area));
 
     /// <summary>Its moments that are samples, in order.</summary>
-    public IReadOnlyList<int> Keys => _keys ??= [.. Frames.Where(frame => frame.IsKey).Select(frame => frame.Moment).Distinct()];
+    public IReadOnlyList<int> Keys => KeyMoments;
+
+    private int[] KeyMoments => _keys ??= [.. Frames.Where(frame => frame.IsKey).Select(frame => frame.Moment).Distinct().Order()];
 
     /// <summary>The frames of a moment.</summary>
     public IEnumerable<NuScenesPart> Of(int moment) => (_byMoment ??= Frames.ToLookup(frame => frame.Moment))[moment];
-
-    /// <summary>The token of a log.</summary>
-    public static string LogTokenOf(int recording) => NuScenesToken.Of("log", recording);
 
     /// <summary>The token of a sample.</summary>
     public string SampleTokenOf(int moment) => NuScenesToken.Of("sample", Number, moment);
 
     /// <summary>The sample to which the data of a moment belong: the next one, or the last if none follows.</summary>
-    public int SampleOf(int moment) => Keys.Any(key => key >= moment) ? Keys.First(key => key >= moment) : Keys[^1];
+    public int SampleOf(int moment)
+    {
+        int found = Array.BinarySearch(KeyMoments, moment);
+        return KeyMoments[Math.Min(found < 0 ? ~found : found, KeyMoments.Length - 1)];
+    }
 
     /// <summary>The token of an instance.</summary>
     public string InstanceTokenOf(int id) => NuScenesToken.Of("instance", Number, id);

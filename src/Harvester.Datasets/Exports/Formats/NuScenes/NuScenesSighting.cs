@@ -9,13 +9,8 @@ namespace Harvester.Datasets.Exports.Formats.NuScenes;
 /// <param name="Points">Number of LiDAR points on it.</param>
 internal sealed record NuScenesSighting(NuScenesObject Object, double VisibleFraction, int Points)
 {
-    /// <summary>
-    /// Speed from which an object counts as moving, m/s: slower than walking, faster than the sway of a person who stands.
-    /// </summary>
-    private const double MovingSpeed = 0.2;
-
     /// <summary>Whether it moves.</summary>
-    public bool IsMoving => Object.Speed > MovingSpeed;
+    public bool IsMoving => MovingObjects.IsMoving(Object.Speed);
 
     /// <summary>Puts together what the views show.</summary>
     public static NuScenesSighting Of(IEnumerable<NuScenesObject> views, int points)

@@ -117,32 +117,26 @@ internal static class NuScenesTables
     };
 
     private static IEnumerable<Action<Utf8JsonWriter>> Logs(IEnumerable<NuScenesScene> scenes) =>
-        scenes.Select(scene => scene.Recording).Distinct().Select(recording => (Action<Utf8JsonWriter>)(json =>
+        scenes.Select(scene => (Action<Utf8JsonWriter>)(json =>
         {
-            json.WriteString("token", NuScenesScene.LogTokenOf(recording));
-            json.WriteString("logfile", NuScenesWriter.LogOf(recording));
+            string log = NuScenesWriter.LogOf(scene.Recording, scene.Frames[0].Place);
+            json.WriteString("token", scene.LogToken);
+            json.WriteString("logfile", log);
             json.WriteString("vehicle", "gta");
             json.WriteString("date_captured", Date);
-            json.WriteString("location", "los-santos");
+            json.WriteString("location", log);
         }));
 
-    private static IEnumerable<Action<Utf8JsonWriter>> Maps(IEnumerable<NuScenesScene> scenes)
-    {
-        int[] recordings = [.. scenes.Select(scene => scene.Recording).Distinct()];
-        yield return json =>
+    private static IEnumerable<Action<Utf8JsonWriter>> Maps(IEnumerable<NuScenesScene> scenes) =>
+        scenes.Select(scene => (Action<Utf8JsonWriter>)(json =>
         {
-            json.WriteString("token", NuScenesToken.Of("map", 0));
+            json.WriteString("token", NuScenesToken.Of("map", scene.Number));
             json.WriteString("category", "semantic_prior");
-            json.WriteString("filename", NuScenesWriter.Map);
+            json.WriteString("filename", NuScenesMap.PathOf(scene.Name));
             json.WriteStartArray("log_tokens");
-            foreach (int recording in recordings)
-            {
-                json.WriteStringValue(NuScenesScene.LogTokenOf(recording));
-            }
-
+            json.WriteStringValue(scene.LogToken);
             json.WriteEndArray();
-        };
-    }
+        }));
 
     private static IEnumerable<Action<Utf8JsonWriter>> Sensors(IEnumerable<NuScenesScene> scenes) =>
         scenes.SelectMany(scene => scene.Frames).SelectMany(frame => frame.Sensors)

@@ -4,10 +4,9 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using Harvester.Datasets.Json;
+using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
-using Harvester.Geometry.PixelMaps;
-using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Lidar;
 using Harvester.Sessions.Rigs;
@@ -19,9 +18,6 @@ internal sealed class NuScenesWriter : IDatasetWriter
 {
     /// <summary>Name of the version, which is the folder of the tables.</summary>
     public const string Version = "v1.0-gta";
-
-    /// <summary>The file of a log's map mask.</summary>
-    public const string Map = "maps/none.png";
 
     /// <summary>Samples per second, as in nuScenes.</summary>
     private const double KeyRateHz = 2;
@@ -43,7 +39,7 @@ internal sealed class NuScenesWriter : IDatasetWriter
     private const int QuaternionDecimals = 9;
     private const float MaxIntensity = 255;
 
-    private readonly PngEncoder _png = new();
+    private NuScenesGround? _ground;
 
     public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
@@ -73,15 +69,19 @@ internal sealed class NuScenesWriter : IDatasetWriter
             }
         }
 
+        NuScenesGround ground = GroundOf(frame.Session);
+        Pose ego = PoseOf(label.Ego);
+        NuScenesArea area = NuScenesArea.Around(ego.Position, ground.MarginMetres);
         NuScenesObject[] objects = [.. frame.Objects.Select(item => NuScenesObject.Of(item.Label)).OfType<NuScenesObject>()];
         output.Part(FramePart, new NuScenesPart(
             frame.RecordingIndex, label.Place ?? 0, moment, isKey, timestamp, frame.Split,
-            $"{label.Environment.Weather}, {label.Environment.TimeOfDay:hh\\:mm}", EgoOf(label, rig), sensors, objects, counts).ToString());
-        if (label.Frame % rig.Cameras.Count == 0)
-        {
-            NuScenesCanBus.Add(output, frame, seconds => TimestampOf(frame, seconds), rig.Origin);
-        }
-
+            $"{label.Environment.Weather}, {label.Environment.TimeOfDay:hh\\:mm}", area, EgoOf(ego, rig), sensors, objects,
+            counts).ToString());
+        bool isFirst = label.Frame % rig.Cameras.Count == 0;
+        NuScenesCanBus.Add(
+            output, frame, area,
+            isFirst ? EgoTrack.SamplesOf(label).Select(tick => NuScenesRide.Row(tick, at => TimestampOf(frame, at), rig.Origin)) : []);
+        NuScenesMap.Add(output, frame, area, isFirst ? ground.Near(label, ego, isKey) : []);
         if (isKey)
         {
             output.Part(FormattableString.Invariant($"{KeyPrefix}{frame.RecordingIndex:D8} {label.Place ?? 0:D8}"), "");
@@ -96,19 +96,23 @@ internal sealed class NuScenesWriter : IDatasetWriter
             $"{Version}/{table.Key}.json",
             [AggregateSection.Summary(FramePart, (writer, lines) => NuScenesTables.Write(writer, table.Value(NuScenesScene.All(lines))))])),
         new AggregateFile($"{Version}/splits.json", [AggregateSection.Summary(FramePart, NuScenesTables.WriteSplits)]),
+        new AggregateFile(
+            $"{Version}/{NuScenesMap.Offsets}.json", [AggregateSection.Summary(FramePart, NuScenesMap.WriteOffsets)]),
         .. NuScenesCanBus.Files(parts.Keys, place => parts.ContainsKey(KeyPrefix + place)),
-        new AggregateFile(Map, [AggregateSection.Container(FramePart, (stream, _) => WriteMap(stream))]),
+        .. NuScenesMap.Files(parts.Keys, place => parts.ContainsKey(KeyPrefix + place)),
     ];
 
-    /// <summary>The name of a session as a log.</summary>
-    public static string LogOf(int recording) => FormattableString.Invariant($"gta-{recording:D4}");
+    /// <summary>The name of a session at a place as a log.</summary>
+    public static string LogOf(int recording, int place) => FormattableString.Invariant($"gta-{recording:D4}-{place:D4}");
+
+    private static string LogOf(ExportFrame frame) => LogOf(frame.RecordingIndex, frame.Label.Place ?? 0);
 
     private static long TimestampOf(ExportFrame frame, double timeSeconds) =>
         Start + (SessionStep * frame.RecordingIndex) + (long)Math.Round(timeSeconds * Microseconds);
 
     private static string PathOf(ExportFrame frame, bool isKey, string channel, long timestamp, string extension) =>
         FormattableString.Invariant(
-            $"{(isKey ? "samples" : "sweeps")}/{channel}/{LogOf(frame.RecordingIndex)}__{channel}__{timestamp}{extension}");
+            $"{(isKey ? "samples" : "sweeps")}/{channel}/{LogOf(frame)}__{channel}__{timestamp}{extension}");
 
     private static Pose PoseOf(EgoLabel ego) => new(ego.Position, ego.Axes ?? Axes.FromHeading(ego.HeadingDegrees));
 
@@ -126,9 +130,11 @@ internal sealed class NuScenesWriter : IDatasetWriter
         return new Rig("single", Vector3D.Zero, [only], []);
     }
 
-    private static string EgoOf(FrameLabel label, Rig rig) => JsonLine.Of(json =>
+    private NuScenesGround GroundOf(SessionReader session) =>
+        _ground is { } ground && ground.Session == session ? ground : _ground = NuScenesGround.Of(session);
+
+    private static string EgoOf(Pose pose, Rig rig) => JsonLine.Of(json =>
     {
-        Pose pose = PoseOf(label.Ego);
         Vector3D origin = pose.ToWorld(rig.Origin);
         Rotation rotation = Rotation.OfBody(pose.Axes);
         json.WriteStartObject();
@@ -153,7 +159,4 @@ internal sealed class NuScenesWriter : IDatasetWriter
             writer.Write(rings[Math.Min(point.Beam, rings.Length - 1)]);
         }
     }
-
-    /// <summary>A mask of one pixel without foreground: the sessions have no map of drivable ground.</summary>
-    private void WriteMap(Stream stream) => _png.WriteGrey8(new InstanceMap(new ImageSize(1, 1)), stream);
 }

@@ -72,6 +72,7 @@ internal sealed class PointCloudWriter(PointCloudKind kind) : IDatasetWriter
             writer.Write(point.Beam);
             writer.Write(point.ObjectId);
             writer.Write((byte)point.Class);
+            writer.Write((byte)(point.IsInterpolated ? 1 : 0));
         }
     }
 }
