@@ -31,6 +31,7 @@ internal static class ReportCommand
 
     private const int MaxFrames = 10_000;
     private const double DefaultMinScore = 0.5;
+    private const double MaxScore = 1e6;
 
     /// <summary>The overlap of 0.75 among COCO's.</summary>
     private const int Overlap75 = 5;
@@ -59,7 +60,7 @@ internal static class ReportCommand
         };
         Option<double?> minScore = ValueParsers.Optional<double>(
             "--min-score", "N", "Count and draw predictions with this score or a higher one; precision and recall use all [default: 0.5]",
-            ValueParsers.Number, "a number, e.g. 0.5");
+            text => ValueParsers.Number(text) is { } score && Math.Abs(score) <= MaxScore ? score : null, "a number, e.g. 0.5");
         var command = new Command("report", "Show a session as one self-contained HTML page.")
         {
             folder, output, frames, still, link, predictions, minScore,

@@ -1,5 +1,7 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
+using Harvester.Datasets.Files;
 using Harvester.Geometry;
 
 namespace Harvester.Datasets.Comparison;
@@ -8,6 +10,9 @@ namespace Harvester.Datasets.Comparison;
 /// <param name="name">Name for people; any text.</param>
 public sealed class DatasetProfile(string name)
 {
+    /// <summary>No size, distance or angle of an image is as large.</summary>
+    private const double MaxMagnitude = 1e9;
+
     private readonly Dictionary<ComparedQuantity, ValueSketch> _values =
         ComparedQuantity.All.ToDictionary(quantity => quantity, _ => new ValueSketch());
 
@@ -32,6 +37,7 @@ public sealed class DatasetProfile(string name)
     /// <summary>The distribution of a quantity; empty if the dataset lacks it.</summary>
     public ValueSketch Of(ComparedQuantity quantity) => _values[quantity];
 
+    /// <exception cref="DatasetFormatException">A number is impossible, or there are too many classes.</exception>
     internal void Add(ComparedObject item)
     {
         Classes.Add(item.Class);
@@ -41,9 +47,9 @@ public sealed class DatasetProfile(string name)
             KittiTypes.Add(type);
         }
 
-        Of(ComparedQuantity.BoxHeight).Add(item.Box.Height);
-        Of(ComparedQuantity.BoxWidth).Add(item.Box.Width);
-        Of(ComparedQuantity.BoxArea).Add(item.Box.Area);
+        Add(ComparedQuantity.BoxHeight, item.Box.Height);
+        Add(ComparedQuantity.BoxWidth, item.Box.Width);
+        Add(ComparedQuantity.BoxArea, item.Box.Area);
         Add(ComparedQuantity.Distance, item.DistanceMetres);
         Add(ComparedQuantity.Truncation, item.TruncatedFraction);
         Add(ComparedQuantity.Occlusion, item.OccludedFraction);
@@ -54,9 +60,17 @@ public sealed class DatasetProfile(string name)
 
     private void Add(ComparedQuantity quantity, double? value)
     {
-        if (value is { } known)
+        if (value is not { } known)
         {
-            Of(quantity).Add(known);
+            return;
         }
+
+        if (!(Math.Abs(known) <= MaxMagnitude))
+        {
+            throw new DatasetFormatException(FormattableString.Invariant(
+                $"{Name}: {quantity.Title.ToLowerInvariant()} of a label is {known}; {MaxMagnitude} is the limit."));
+        }
+
+        Of(quantity).Add(known);
     }
 }

@@ -21,6 +21,9 @@ internal sealed class KittiPredictions : IPredictions
     private const int Left = 3;
     private const int Score = 14;
 
+    /// <summary>No pixel, metre or score is as large.</summary>
+    private const double MaxMagnitude = 1e9;
+
     private readonly string _folder;
     private readonly ExportOptions _options;
     private readonly SortedDictionary<int, string> _files;
@@ -127,9 +130,9 @@ internal sealed class KittiPredictions : IPredictions
             throw problem($"type '{words[0]}' is unknown. Types are {string.Join(", ", KittiClasses.Types)} and {KittiClasses.DontCare}.");
         }
 
-        if (Numbers.Parse(words.Skip(1)) is not { } numbers)
+        if (Numbers.Parse(words.Skip(1)) is not { } numbers || Array.Exists(numbers, number => Math.Abs(number) > MaxMagnitude))
         {
-            throw problem("a column after the type is not a finite number.");
+            throw problem("a column after the type is not a number from -1e9 to 1e9.");
         }
 
         (double left, double top, double right, double bottom) =

@@ -4,6 +4,7 @@ using Harvester.Cli.Faces;
 using Harvester.Cli.Plans;
 using Harvester.Cli.Relabelling;
 using Harvester.Cli.Sheets;
+using Harvester.Datasets.Comparison;
 using Harvester.Datasets.Diagnosis;
 using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Exports.Formats;
@@ -57,7 +58,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             Export("csv"), "doctor {0}/session"),
         new("labels", "session/labels.jsonl", ReadLabels, [
             "validate {0}/session", "stats {0}/session", "report {0}/session --out {0}/out.html", "report {0}/session --still 0 --out "
-                + "{0}/out.png", Relabel, "masks import {0}/session {0}/maps",
+                + "{0}/out.png", "compare {0}/session {0}/session --out {0}/out.html", Relabel, "masks import {0}/session {0}/maps",
             .. DatasetFormats.All.Select(format => Export(format.Name)),
         ]),
         new("joints", "people/labels.jsonl", ReadPeople, "validate {0}/people", "stats {0}/people", "report {0}/people --out {0}/out.html",
@@ -118,6 +119,9 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Dataset("imagefolder", "imagefolder", "data/train/metadata.jsonl"),
         new("experiment", "plan.json", folder => PlanFile.Read(In(folder, "plan.json")), "plan check {0}/plan.json",
             "plan show {0}/plan.json"),
+        Compared("kitti-compared", "kitti/training/label_2/000000.txt", ComparedKitti.Open, "--kitti {0}/kitti"),
+        Compared("nuscenes-compared", "nuscenes/v1.0-gta/sample_annotation.json", ComparedNuScenes.Open, "--nuscenes {0}/nuscenes"),
+        Compared("calibration-compared", "nuscenes/v1.0-gta/calibrated_sensor.json", ComparedNuScenes.Open, "--nuscenes {0}/nuscenes"),
         new("plan", "shard/.export/plan.json", MergeShards, Merge, "validate {0}/shard"),
         new("journal", "shard/.export/journal-1-of-2.jsonl", MergeShards, Merge),
         new("points", "points.csv", ReadPoints, Project),
@@ -163,6 +167,10 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
 
     private static FuzzKind Dataset(string name, string dataset, string file) => new(
         name, $"{dataset}/{file}", folder => DatasetValidator.Validate(In(folder, dataset)), $"validate {{0}}/{dataset}");
+
+    private static FuzzKind Compared(string name, string file, Func<string, IComparedDataset> open, string other) => new(
+        name, file, folder => open(In(folder, file.Split('/')[0])).Read(static _ => { }, CancellationToken.None),
+        $"compare {{0}}/session {other} --out {{0}}/out.html");
 
     private static FuzzKind Roads(string name, string file, params string[] more) => new(
         name, file, folder => RoadImporter.Import(In(folder, file)),

@@ -39,6 +39,7 @@ public sealed class ComparedDatasetTests(SimulatedSession session) : IDisposable
     [Theory]
     [InlineData("Car 0 0 0 1 1 2 2 1 1 1 1 1 1", "line 1: it has 14 columns instead of 15")]
     [InlineData("Car 0 0 0 1 1 2 2 1 1 1 1 1 x 0", "line 1: a column after the type is not a finite number")]
+    [InlineData("Car 0 0 0 1 1 1e200 1e200 1 1 1 1 1 1 0", "of a label is 1E+200; 1000000000 is the limit")]
     [InlineData("Car 0 0 0 3 1 2 2 1 1 1 1 1 1 0", "line 1: right or bottom is less than left or top")]
     public void Bad_KITTI_label_is_refused_with_its_line(string text, string message)
     {

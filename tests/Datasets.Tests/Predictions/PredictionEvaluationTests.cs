@@ -95,7 +95,8 @@ public sealed class PredictionEvaluationTests : IDisposable
     [Theory]
     [InlineData("Car -1 -1 -10 1 1 2 2 -1 -1 -1 -1000 -1000 -1000 -10", "it has 15 columns instead of 16; the last is the score")]
     [InlineData("Bus -1 -1 -10 1 1 2 2 -1 -1 -1 -1000 -1000 -1000 -10 1", "type 'Bus' is unknown")]
-    [InlineData("Car -1 -1 -10 1 1 2 2 -1 -1 -1 -1000 -1000 -1000 -10 NaN", "not a finite number")]
+    [InlineData("Car -1 -1 -10 1 1 2 2 -1 -1 -1 -1000 -1000 -1000 -10 NaN", "is not a number from -1e9 to 1e9")]
+    [InlineData("Car -1 -1 -10 1 1 1e10 2 -1 -1 -1 -1000 -1000 -1000 -10 1", "is not a number from -1e9 to 1e9")]
     [InlineData("Car -1 -1 -10 2 1 1 2 -1 -1 -1 -1000 -1000 -1000 -10 1", "right or bottom is less than left or top")]
     public void Bad_KITTI_results_are_refused_with_file_and_line(string line, string message)
     {
