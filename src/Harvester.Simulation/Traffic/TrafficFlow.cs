@@ -51,6 +51,9 @@ internal sealed class TrafficFlow
     /// <summary>Whether the ego has to stop at a line ahead.</summary>
     public bool MustEgoGiveWay { get; private set; }
 
+    /// <summary>How often the ego was put elsewhere, at a dead end or when stuck.</summary>
+    public int EgoReplacements { get; private set; }
+
     private Vehicle Ego => _vehicles[0];
 
     /// <summary>Whether a condition on a vehicle and a position holds for one of the vehicles near the position.</summary>
@@ -64,6 +67,14 @@ internal sealed class TrafficFlow
         _egoCar.Reset(position, headingDegrees);
         _index.Move(Ego, before, Ego.Pose.Position);
     }
+
+    /// <summary>Whether the ego touches another vehicle.</summary>
+    public bool TouchesVehicle() =>
+        _index.AnyNear(Ego.Pose.Position, Ego, static (other, ego) => other != ego && ego.Footprint.Overlaps(other.Footprint));
+
+    /// <summary>Whether the ego touches something that stands beside the road, such as a parked vehicle.</summary>
+    public bool TouchesObstacle() =>
+        _obstacles.AnyNear(Ego.Pose.Position, Ego, static (other, ego) => ego.Footprint.Overlaps(other));
 
     public void Tick(double seconds, double timeSeconds, BodyIndex<Walker> walkersOnRoad)
     {
@@ -132,7 +143,7 @@ internal sealed class TrafficFlow
     private void Replace(Vehicle vehicle)
     {
         _rightOfWay.ReleaseAll(vehicle);
-        _placing.Replace(vehicle, place => !IsTaken(vehicle, place));
+        EgoReplacements += _placing.Replace(vehicle, place => !IsTaken(vehicle, place)) && vehicle == Ego ? 1 : 0;
         if (vehicle == Ego && _egoCar.IsLoose)
         {
             _egoCar.Loosen();
