@@ -50,6 +50,10 @@ internal sealed class ServeCommand
         ValueParsers.Number("--traffic", "F", "Factor on the number of vehicles and pedestrians", value =>
             value is >= 0 and <= 10, "a number from 0 to 10"), 1);
 
+    private Option<double?> TrafficRadius { get; } = ValueParsers.Optional<double>(
+        "--traffic-radius", "M", "Move vehicles and pedestrians only within this distance of the car, metres, to save time [default: all]",
+        text => ValueParsers.Number(text) is >= 50 and <= 10_000 and var metres ? metres : null, "a number from 50 to 10000");
+
     private Option<string> WeatherName { get; } = new("--weather")
     {
         Description = "Weather: " + string.Join(", ", WeatherNames.All),
@@ -90,7 +94,7 @@ internal sealed class ServeCommand
     {
         var command = new Command("serve", "Serve the simulated game to a driving program over the live bridge.");
         Bridge.AddTo(command);
-        foreach (Option option in new Option[] { Seed, Roads, Near, Traffic, WeatherName, Size, Hz, Duration, Unassisted, LockStep, Once }.Concat(
+        foreach (Option option in new Option[] { Seed, Roads, Near, Traffic, TrafficRadius, WeatherName, Size, Hz, Duration, Unassisted, LockStep, Once }.Concat(
             Controller.All))
         {
             command.Options.Add(option);
@@ -168,6 +172,7 @@ internal sealed class ServeCommand
             Near = parsed.GetValue(Near),
             TrafficDensity = parsed.GetValue(Traffic),
             PedestrianDensity = parsed.GetValue(Traffic),
+            TrafficRadiusMetres = parsed.GetValue(TrafficRadius),
             Weather = WeatherNames.IsKnown(weather)
                 ? weather
                 : throw new UsageException($"--weather takes one of {string.Join(", ", WeatherNames.All)}, not '{weather}'."),

@@ -51,6 +51,9 @@ internal sealed class TrafficFlow
     /// <summary>Whether the ego has to stop at a line ahead.</summary>
     public bool MustEgoGiveWay { get; private set; }
 
+    /// <summary>Vehicles farther than this from the ego do not move, metres; null to move all.</summary>
+    public double? Radius { get; init; }
+
     /// <summary>How often the ego was put elsewhere, at a dead end or when stuck.</summary>
     public int EgoReplacements { get; private set; }
 
@@ -81,6 +84,11 @@ internal sealed class TrafficFlow
         _occupation.Refresh(_vehicles);
         foreach (Vehicle vehicle in _vehicles)
         {
+            if (Radius is { } radius && Horizontal.SquaredDistance(vehicle.Pose.Position, Ego.Pose.Position) > radius * radius)
+            {
+                continue;
+            }
+
             double distanceToStop = _rightOfWay.DistanceToStop(vehicle, timeSeconds);
             double acceleration = Driver.Acceleration(vehicle, _occupation, distanceToStop, walkersOnRoad);
             Vector3D before = vehicle.Pose.Position;

@@ -99,7 +99,10 @@ internal sealed class SimulatedWorld
         _motion = new MotionMeter(Ego, Car);
         _traffic = new TrafficFlow(
             site.Lanes, site.Signals, _vehicles, Car, parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max)),
-                placing);
+                placing)
+        {
+            Radius = options.TrafficRadiusMetres,
+        };
         _walking = new WalkerFlow(_walkers, site.Walkways);
 
         Scenery scenery = new(options.Seed, site, catalogue, handles);
@@ -208,7 +211,7 @@ internal sealed class SimulatedWorld
             double step = seconds / steps;
             _motion.Begin();
             _traffic.Tick(step, TimeSeconds, _walking.OnRoad());
-            _walking.Tick(step, _traffic);
+            _walking.Tick(step, _traffic, Ego.Pose.Position, _traffic.Radius);
             _motion.End(step);
             TimeSeconds += step;
             _watch?.Tick(TimeSeconds);

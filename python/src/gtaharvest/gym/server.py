@@ -45,13 +45,18 @@ class GameServer:
             self.close()
             raise
 
+    def close_gently(self) -> None:
+        """Waits a second for a game that ends by itself, as when its client has disconnected."""
+        try:
+            self._process.wait(1)
+        except subprocess.TimeoutExpired:
+            pass
+
     def close(self) -> None:
         """Ends the game. Further calls do nothing."""
         if self._process.poll() is None:
-            try:
-                # The client has disconnected; the game ends by itself.
-                self._process.wait(1)
-            except subprocess.TimeoutExpired:
+            self.close_gently()
+            if self._process.poll() is None:
                 self._process.terminate()
                 try:
                     self._process.wait(5)
