@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Text;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;

@@ -27,7 +27,7 @@ _INDICATOR_LOW = np.array([-np.pi if name == "angle" else 0 if name.startswith("
 _INDICATOR_HIGH = np.array([np.pi if name == "angle" else 100 if name.startswith("dist") else 20 for name in INDICATOR_NAMES], np.float32)
 
 
-class DrivingEnv(Env):  # type: ignore[misc]
+class DrivingEnv(Env):
     """A car in the simulated game, or in GTA V. The same seed and actions give the same observations in the simulated game."""
 
     metadata = {"render_modes": ["rgb_array"], "render_fps": 10}
@@ -145,7 +145,7 @@ class DrivingEnv(Env):  # type: ignore[misc]
         _, rules = self._ready()
         before = self._frame
         try:
-            self._take(before["timeSeconds"] + self._step_seconds / 2)
+            self._take(before["timeSeconds"] + self._step_seconds / 2, self._has_image)
         except BridgeError as problem:
             raise self._lost(problem) from None
         terms = self._reward.terms(before, self._frame)
@@ -192,12 +192,12 @@ class DrivingEnv(Env):  # type: ignore[misc]
         if self._restarts:
             town = {"town": int(options["town"])} if "town" in options else {}
             link.send({"type": "restart", "seed": episode, **town, "image": self._has_image and not after})
-            self._take(None)
+            self._take(None, self._has_image and not after)
         else:
             after.insert(0, {"type": "pause", "paused": True})
         if after:
             link.send(*after, {"type": "requestFrame", "image": self._has_image})
-            self._take(None)
+            self._take(None, self._has_image)
 
     def _connected(self) -> BridgeLink:
         if self._link is None:
@@ -207,7 +207,7 @@ class DrivingEnv(Env):  # type: ignore[misc]
             self._link = BridgeLink(host, port, self._token, self._patience)
         return self._link
 
-    def _take(self, at_least: Optional[float]) -> None:
+    def _take(self, at_least: Optional[float], has_image: bool) -> None:
         """Takes the next frame; one of before a time, which a game in real time may still have sent, is passed over."""
         assert self._link is not None
         until = time.monotonic() + self._patience
@@ -218,7 +218,7 @@ class DrivingEnv(Env):  # type: ignore[misc]
             if time.monotonic() > until:
                 raise GameHungError(f"The game has sent no frame of the end of the step for {self._patience:g} s.")
         self._frame = frame
-        self._picture = self._decoded(png) if self._has_image else None
+        self._picture = self._decoded(png) if has_image else None
 
     def _decoded(self, png: bytes) -> Array:
         try:

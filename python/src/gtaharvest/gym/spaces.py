@@ -149,9 +149,8 @@ class PlainEnv:
     def __enter__(self) -> Any:
         return self
 
-    def __exit__(self, *_: Any) -> bool:
+    def __exit__(self, *_: Any) -> None:
         self.close()
-        return False
 
 
 Env: Any = PlainEnv if gymnasium_module is None else gymnasium_module.Env
