@@ -79,7 +79,8 @@ def test_town_weather_and_place_can_be_set(env: gym.DrivingEnv) -> None:
     _, moved = env.reset(seed=4, options={"position": (x, y, z), "headingDegrees": info["frame"]["headingDegrees"]})
     assert wet["frame"]["position"] == info["frame"]["position"] != elsewhere["frame"]["position"]
     assert usual["image"].mean() > 1.5 * rainy["image"].mean()
-    assert moved["frame"]["position"][:2] == pytest.approx([x, y], abs=1e-3)
+    # The origin of a car on a slope is not exactly above the point of the road on which it was put.
+    assert moved["frame"]["position"][:2] == pytest.approx([x, y], abs=0.1)
 
 
 def test_indicators_drive_the_car() -> None:

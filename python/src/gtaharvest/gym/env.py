@@ -42,6 +42,7 @@ class DrivingEnv(Env):
         size: Tuple[int, int] = (280, 210),
         town: int = 1,
         traffic: float = 1.0,
+        traffic_radius: Optional[float] = 200.0,
         weather: str = "clear",
         assisted: bool = False,
         serve_options: Sequence[str] = (),
@@ -56,10 +57,11 @@ class DrivingEnv(Env):
         """observation: `image`, `state` or `both`. action: `controls` (steering, throttle, brake) or `indicators` (thirteen, by which the
         game's controller drives). step_seconds: game time of a step. size: width and height of the images.
 
-        Without an address, a game is started at the first reset, with town, traffic, weather, and, if assisted, with its built-in driver
-        in junctions; serve_options are further options of harvester serve, and harvester the command that runs it. With an address, a
-        running game is used. restarts: whether it can be restarted, as by serve --lockstep; GTA V cannot. patience: seconds of real time
-        to wait for an answer; start_patience: for the start of a game.
+        Without an address, a game is started at the first reset, with a town (its seed), traffic (a factor on the number of vehicles and
+        pedestrians, of which those within traffic_radius metres of the car move, or all if it is None), weather, and, if assisted, with
+        its built-in driver in junctions; serve_options are further options of harvester serve, and harvester the command that runs
+        it. With an address, a running game is used. restarts: whether it can be restarted, as by serve --lockstep; GTA V cannot. patience:
+        seconds of real time to wait for an answer; start_patience: for the start of a game.
         """
         if observation not in _OBSERVATIONS:
             raise ValueError(f"observation is one of {', '.join(_OBSERVATIONS)}, not '{observation}'.")
@@ -77,7 +79,7 @@ class DrivingEnv(Env):
         self._reward = reward
         self._ending = ending
         self._size = size
-        self._options = _serve_options(size, town, traffic, weather, assisted, serve_options)
+        self._options = _serve_options(size, town, traffic, traffic_radius, weather, assisted, serve_options)
         self._harvester = harvester
         self._address = address
         self._token = token
@@ -91,7 +93,8 @@ class DrivingEnv(Env):
         self._picture: Optional[Array] = None
         image = Box(0, 255, (size[1], size[0], 3), np.uint8)
         state = Box(STATE_LOW, STATE_HIGH, dtype=np.float32)
-        self.observation_space = Dict({"image": image, "state": state}) if observation == "both" else image if self._has_image else state
+        self.observation_space = (
+            Dict({"image": image, "state": state}) if observation == "both" else image if self._has_image else state)
         self.action_space = (
             Box(np.array([-1, 0, 0], np.float32), np.ones(3, np.float32), dtype=np.float32) if self._by_controls
             else Box(_INDICATOR_LOW, _INDICATOR_HIGH, dtype=np.float32))
@@ -246,7 +249,8 @@ class DrivingEnv(Env):
 
 
 def _serve_options(
-    size: Tuple[int, int], town: int, traffic: float, weather: str, assisted: bool, further: Sequence[str]
+    size: Tuple[int, int], town: int, traffic: float, radius: Optional[float], weather: str, assisted: bool, further: Sequence[str]
 ) -> List[str]:
-    options = ["--size", f"{size[0]}x{size[1]}", "--seed", str(town), "--traffic", f"{traffic:g}", "--weather", weather]
+    near = [] if radius is None else ["--traffic-radius", f"{radius:g}"]
+    options = [*near, "--size", f"{size[0]}x{size[1]}", "--seed", str(town), "--traffic", f"{traffic:g}", "--weather", weather]
     return [*options, *([] if assisted else ["--unassisted"]), *further]

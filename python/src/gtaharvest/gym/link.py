@@ -44,8 +44,8 @@ class BridgeLink:
                 raise GameRefusedError(f"{self._place} does not answer with a hello; is it the bridge of a game?")
             if hello.get("version") != PROTOCOL_VERSION:
                 raise VersionError(
-                    f"The game at {self._place} speaks version {hello.get('version')} of the bridge, this package version {PROTOCOL_VERSION}; "
-                    "install matching versions.")
+                    f"The game at {self._place} speaks version {hello.get('version')} of the bridge, this package version "
+                    f"{PROTOCOL_VERSION}; install matching versions.")
         except BaseException:
             self.close()
             raise
@@ -72,7 +72,8 @@ class BridgeLink:
         until = time.monotonic() + self._patience
         header_length, payload_length = _LENGTHS.unpack(self._read(_LENGTHS.size, until))
         if header_length > _LONGEST or payload_length > _LONGEST:
-            raise GameRefusedError(f"{self._place} announces a message of {header_length + payload_length} bytes; is it the bridge of a game?")
+            raise GameRefusedError(
+                f"{self._place} announces a message of {header_length + payload_length} bytes; is it the bridge of a game?")
         text = self._read(header_length, until)
         payload = self._read(payload_length, until)
         try:
@@ -109,7 +110,8 @@ class BridgeLink:
                 data = self._socket.recv(max(count - len(self._unread), 65_536))
             except socket.timeout:
                 raise GameHungError(
-                    f"The game at {self._place} has not answered for {self._patience:g} s; it hangs, or is slower than the patience.") from None
+                    f"The game at {self._place} has not answered for {self._patience:g} s; it hangs, or is slower than the patience."
+                ) from None
             except OSError as problem:
                 raise self._ended(problem) from None
             if not data:

@@ -36,7 +36,8 @@ class GameServer:
                 command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=self._faults, text=True, encoding="utf-8")
         except OSError as problem:
             self._faults.close()
-            raise GameStartError(f"Cannot start '{command[0]}': {problem}. Set {HARVESTER_VARIABLE} to the command that runs harvester.") from None
+            raise GameStartError(
+                f"Cannot start '{command[0]}': {problem}. Set {HARVESTER_VARIABLE} to the command that runs harvester.") from None
         lines: queue.Queue[Optional[str]] = queue.Queue()
         threading.Thread(target=self._read, args=(lines,), daemon=True, name="harvester serve").start()
         try:
@@ -98,5 +99,6 @@ def _command(harvester: Union[None, str, Sequence[str]]) -> List[str]:
     if harvester is None:
         harvester = os.environ.get(HARVESTER_VARIABLE) or shutil.which("harvester")
     if not harvester:
-        raise GameStartError(f"harvester is not on the PATH. Set {HARVESTER_VARIABLE} to the command that runs it, or name a port to connect to.")
+        raise GameStartError(
+            f"harvester is not on the PATH. Set {HARVESTER_VARIABLE} to the command that runs it, or name an address to connect to.")
     return shlex.split(harvester, posix=os.name != "nt") if isinstance(harvester, str) else list(harvester)
