@@ -45,7 +45,7 @@ internal sealed class BridgeOptions
     /// <exception cref="Datasets.Files.OccupiedFolderException">The folder has files that are not a bridge's.</exception>
     /// <exception cref="UsageException">The address is invalid, or needs a token.</exception>
     /// <exception cref="IOException">The folder cannot be created, or the address or port is not available.</exception>
-    public IDrivingBridge Open(ParseResult parsed, DrivingOptions driving, out string place)
+    public IAwaitableBridge Open(ParseResult parsed, DrivingOptions driving, out string place)
     {
         if (parsed.GetValue(_folder) is { } folder)
         {
@@ -61,7 +61,7 @@ internal sealed class BridgeOptions
         }
 
         SocketBridge bridge = SocketBridges.Open(
-            new IPEndPoint(parsedAddress, parsed.GetValue(_port)), parsed.GetValue(_token), driving.Picture);
+            new IPEndPoint(parsedAddress, parsed.GetValue(_port)), parsed.GetValue(_token), driving.Picture, canRestart: driving.IsLockStep);
         place = bridge.EndPoint.ToString();
         return bridge;
     }

@@ -28,10 +28,12 @@ internal sealed class ServeCommand
 {
     private const string Notes =
         "docs/bridge.md describes the protocol; examples/ has two clients in Python. The game runs in real time; a client that requests\n"
-        + "single steps gets them as fast as the machine allows.\n\n"
+        + "single steps gets them as fast as the machine allows. With --lockstep it stands still but for these steps, and the same seed and\n"
+        + "messages give the same frames; docs/gym.md describes a Gymnasium environment over it.\n\n"
         + "Examples:\n"
         + "  harvester serve\n"
         + "  harvester serve --seed 7 --traffic 0 --port 5000 --duration 600\n"
+        + "  harvester serve --lockstep --unassisted --port 0\n"
         + "  harvester serve --folder shared --roads nodes.zip --near 0,-1000";
 
     private BridgeOptions Bridge { get; } = new();
@@ -47,6 +49,10 @@ internal sealed class ServeCommand
     private Option<double> Traffic { get; } = WithDefault(
         ValueParsers.Number("--traffic", "F", "Factor on the number of vehicles and pedestrians", value =>
             value is >= 0 and <= 10, "a number from 0 to 10"), 1);
+
+    private Option<double?> TrafficRadius { get; } = ValueParsers.Optional<double>(
+        "--traffic-radius", "M", "Move vehicles and pedestrians only within this distance of the car, metres, to save time [default: all]",
+        text => ValueParsers.Number(text) is >= 50 and <= 10_000 and var metres ? metres : null, "a number from 50 to 10000");
 
     private Option<string> WeatherName { get; } = new("--weather")
     {
@@ -72,13 +78,23 @@ internal sealed class ServeCommand
         Description = "Let the program drive through junctions too, where the indicators are undefined [default: the built-in driver does]",
     };
 
+    private Option<bool> LockStep { get; } = new("--lockstep")
+    {
+        Description = "Advance the world only by the steps that the program requests, and let it restart the game with other seeds",
+    };
+
+    private Option<bool> Once { get; } = new("--once")
+    {
+        Description = "Stop when the first program has disconnected, or if none connects within a minute",
+    };
+
     public static Command Create(Terminal terminal) => new ServeCommand().Build(terminal);
 
     private Command Build(Terminal terminal)
     {
         var command = new Command("serve", "Serve the simulated game to a driving program over the live bridge.");
         Bridge.AddTo(command);
-        foreach (Option option in new Option[] { Seed, Roads, Near, Traffic, WeatherName, Size, Hz, Duration, Unassisted }.Concat(
+        foreach (Option option in new Option[] { Seed, Roads, Near, Traffic, TrafficRadius, WeatherName, Size, Hz, Duration, Unassisted, LockStep, Once }.Concat(
             Controller.All))
         {
             command.Options.Add(option);
@@ -92,44 +108,83 @@ internal sealed class ServeCommand
     private int Run(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
     {
         ControllerPlan controller = Controller.Parse(parsed) with { LookAheadMetres = 0 };
-        SimulatedGame simulated = Build(parsed);
-        var roads = new FixedRoads(simulated.Roads, "simulation");
-        var options = new DrivingOptions { Picture = parsed.GetValue(Size), RateHz = parsed.GetValue(Hz) };
-        using IDrivingBridge bridge = Bridge.Open(parsed, options, out string place);
+        SimulationOptions world = WorldOf(parsed);
+        SimulatedGame first = Build(world);
+        bool isLockStep = parsed.GetValue(LockStep);
+        var options = new DrivingOptions
+        {
+            Picture = parsed.GetValue(Size),
+            RateHz = parsed.GetValue(Hz),
+            IsLockStep = isLockStep,
+        };
+        using IAwaitableBridge bridge = Bridge.Open(parsed, options, out string place);
         terminal.Out.WriteLine($"Serving at {place}");
         terminal.Out.Flush();
-        using var game = new GameEndpoint(simulated, roads, options, bridge, controller.New, !parsed.GetValue(Unassisted));
-        DrivingStatus status = new ServedGame(simulated, game) { Connections = new ConnectionLog(bridge, terminal) }.Run(
-            parsed.GetValue(Duration) ?? double.PositiveInfinity, cancellation);
-        string frames = Counted.Of(status.Frames, "frame");
-        double seconds = simulated.Ports.World.TimeSeconds;
-        terminal.Out.WriteLine(FormattableString.Invariant($"{frames}, {game.Metres:0} m driven in {seconds:0.0} s"));
-        if (status.Ending is { } fault)
+        Func<bool> isDone = parsed.GetValue(Once) ? new OneClient(bridge).IsGone : static () => false;
+        var connections = new ConnectionLog(bridge, terminal);
+        double duration = parsed.GetValue(Duration) ?? double.PositiveInfinity;
+        (long Frames, double Metres, double Seconds, string? Fault) served;
+        if (isLockStep)
+        {
+            var serving = new LockStepGame(bridge, restart => restart is null ? first : Build(Restarted(world, restart)), Connect)
+            {
+                Connections = connections,
+                IsDone = isDone,
+            };
+            string? ending = serving.Run(duration, cancellation);
+            served = (serving.Frames, serving.Metres, serving.Seconds, ending);
+        }
+        else
+        {
+            using GameEndpoint game = Connect(first);
+            DrivingStatus status = new ServedGame(first, game) { Connections = connections, IsDone = isDone }.Run(duration, cancellation);
+            served = (status.Frames, game.Metres, first.Ports.World.TimeSeconds, status.Ending);
+        }
+
+        terminal.Out.WriteLine(
+            FormattableString.Invariant($"{Counted.Of(served.Frames, "frame")}, {served.Metres:0} m driven in {served.Seconds:0.0} s"));
+        if (served.Fault is { } fault)
         {
             throw new GameFaultException(fault);
         }
 
         return cancellation.IsCancellationRequested ? ExitCode.Cancelled : ExitCode.Done;
+
+        GameEndpoint Connect(SimulatedGame game) => new(
+            game, new FixedRoads(game.Roads, "simulation"), options, bridge, controller.New, !parsed.GetValue(Unassisted));
     }
 
-    private SimulatedGame Build(ParseResult parsed)
+    /// <summary>The world of a restart: its seed decides traffic, people, route and start, in the town of the command line.</summary>
+    private static SimulationOptions Restarted(SimulationOptions world, RestartMessage restart) => world with
+    {
+        Seed = restart.Town ?? world.Seed,
+        TrafficSeed = restart.Seed,
+        StartSeed = restart.Seed,
+    };
+
+    private SimulationOptions WorldOf(ParseResult parsed)
     {
         string weather = parsed.GetRequiredValue(WeatherName);
-        ImageSize size = parsed.GetValue(Size);
+        return new SimulationOptions
+        {
+            Seed = parsed.GetValue(Seed),
+            Roads = parsed.GetValue(Roads) is { } roads ? RoadImporter.Import(roads.FullName).Network : null,
+            Near = parsed.GetValue(Near),
+            TrafficDensity = parsed.GetValue(Traffic),
+            PedestrianDensity = parsed.GetValue(Traffic),
+            TrafficRadiusMetres = parsed.GetValue(TrafficRadius),
+            Weather = WeatherNames.IsKnown(weather)
+                ? weather
+                : throw new UsageException($"--weather takes one of {string.Join(", ", WeatherNames.All)}, not '{weather}'."),
+            WindowAspect = parsed.GetValue(Size).Aspect,
+        };
+    }
+
+    private static SimulatedGame Build(SimulationOptions options)
+    {
         try
         {
-            return new SimulatedGame(new SimulationOptions
-            {
-                Seed = parsed.GetValue(Seed),
-                Roads = parsed.GetValue(Roads) is { } roads ? RoadImporter.Import(roads.FullName).Network : null,
-                Near = parsed.GetValue(Near),
-                TrafficDensity = parsed.GetValue(Traffic),
-                PedestrianDensity = parsed.GetValue(Traffic),
-                Weather = WeatherNames.IsKnown(weather)
-                    ? weather
-                    : throw new UsageException($"--weather takes one of {string.Join(", ", WeatherNames.All)}, not '{weather}'."),
-                WindowAspect = size.Aspect,
-            });
+            return new SimulatedGame(options);
         }
         catch (ArgumentException e)
         {

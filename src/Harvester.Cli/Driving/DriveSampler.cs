@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Evaluation.Figures;
-using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Game;
 
@@ -40,28 +39,11 @@ internal sealed class DriveSampler(SimulatedGame game)
             Speed = ego.Velocity.Length,
             IsByController = isByController,
             IsTeleported = isTeleported,
-            Lane = LaneOf(ego, body),
+            Lane = TrueLane.Of(game.Truth, ego).Placement,
             Touching = [.. game.Ports.World.ReadEntities(ego.Pose.Position, ContactRange)
                 .Where(entity => VehicleClasses.AreVehicles(entity.Class)
                     && body.Overlaps(GroundBox.Of(entity.Pose, entity.ModelMin, entity.ModelMax)))
                 .Select(entity => entity.Handle)],
         });
-    }
-
-    private LanePlacement? LaneOf(EgoState ego, GroundBox body)
-    {
-        Vector3D centre = ego.Pose.ToWorld((ego.ModelMin + ego.ModelMax) * 0.5);
-        return game.Truth.Locate(centre, ego.Pose.Axes.Forward) switch
-        {
-            { IsInJunction: true } => null,
-            { } at => new LanePlacement(
-                at.Road,
-                at.Lane,
-                at.Lanes,
-                at.LaneWidth,
-                at.RightOfLaneCentre,
-                (body.HalfWidth * Math.Cos(at.AngleToRoad)) + (body.HalfLength * Math.Abs(Math.Sin(at.AngleToRoad)))),
-            null => new LanePlacement(-1, null, 0, 0, 0, body.HalfWidth),
-        };
     }
 }

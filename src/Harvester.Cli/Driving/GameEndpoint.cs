@@ -28,11 +28,12 @@ internal sealed class GameEndpoint : IDisposable
         SimulatedGame game, IRoads roads, DrivingOptions options, IDrivingBridge bridge, Func<IController> newController, bool isAssisted)
     {
         _game = game;
-        _assisted = isAssisted ? new AssistedCar(game, roads, () => _session!.Status.IsClientAlive) : null;
+        _assisted = isAssisted ? new AssistedCar(game, roads, () => _session!.IsClientAlive) : null;
         GamePorts ports = game.Ports with { Roads = roads, Car = _assisted ?? game.Ports.Car };
 
         // The image of the simulated game never lags.
-        _session = new DrivingSession(options with { SettleTicks = 0 }, ports, bridge, newController);
+        _session = new DrivingSession(options with { SettleTicks = 0 }, ports, bridge, newController, () => TruthReader.Of(game, !IsByClient));
+        _ = game.Conduct;
         _before = (game.Ports.World.ReadEgo(), game.Ports.World.TimeSeconds);
     }
 
@@ -44,6 +45,12 @@ internal sealed class GameEndpoint : IDisposable
 
     /// <summary>Whether the world runs only until the end of a step that the client requested.</summary>
     public bool IsStepping => _session.IsStepping;
+
+    /// <summary>Whether commands of the client wait for the next tick.</summary>
+    public bool HasCommands => _session.HasCommands;
+
+    /// <summary>The restart that the client asks for, which takes a new game and endpoint; null for none.</summary>
+    public RestartMessage? Restart => _session.Restart;
 
     /// <summary>Whether the client drives, not the built-in driver.</summary>
     public bool IsByClient => _assisted?.IsByClient ?? true;
@@ -79,7 +86,8 @@ internal sealed class GameEndpoint : IDisposable
     }
 
     /// <summary>Sends a frame as soon as possible, as if the client had requested it.</summary>
-    public void RequestFrame() => _session.AskForFrame();
+    /// <param name="hasPicture">Whether with an image.</param>
+    public void RequestFrame(bool hasPicture = true) => _session.AskForFrame(hasPicture);
 
     public void Dispose() => _session.Dispose();
 }

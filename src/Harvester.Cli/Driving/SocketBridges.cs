@@ -13,7 +13,7 @@ internal static class SocketBridges
     /// <summary>Opens a bridge that listens on an address.</summary>
     /// <exception cref="UsageException">The address is reachable from other machines, and there is no token.</exception>
     /// <exception cref="IOException">The address or port is not available.</exception>
-    public static SocketBridge Open(IPEndPoint at, string? token, ImageSize picture)
+    public static SocketBridge Open(IPEndPoint at, string? token, ImageSize picture, bool canRestart = false)
     {
         if (!IPAddress.IsLoopback(at.Address) && string.IsNullOrEmpty(token))
         {
@@ -22,7 +22,7 @@ internal static class SocketBridges
 
         try
         {
-            return new SocketBridge(new SocketBridgeOptions(at.Address, at.Port, token), picture);
+            return new SocketBridge(new SocketBridgeOptions(at.Address, at.Port, token) { CanRestart = canRestart }, picture);
         }
         catch (SocketException e)
         {

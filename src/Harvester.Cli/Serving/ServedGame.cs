@@ -17,12 +17,16 @@ internal sealed class ServedGame(SimulatedGame game, GameEndpoint bridged)
     /// <summary>Logs connections, once per tick; null for no log.</summary>
     public ConnectionLog? Connections { get; init; }
 
+    /// <summary>Whether serving ends now.</summary>
+    public Func<bool> IsDone { get; init; } = static () => false;
+
     /// <summary>Serves for a number of seconds of game time, or until a fault or cancellation.</summary>
     public DrivingStatus Run(double seconds, CancellationToken cancellation)
     {
         WallPace pace = new(TickSeconds, TimeProvider.System);
         DrivingStatus status = bridged.Listen();
-        while (game.Ports.World.TimeSeconds < seconds && !cancellation.IsCancellationRequested && !status.IsOver)
+        while (game.Ports.World.TimeSeconds < seconds && !cancellation.IsCancellationRequested && !status.IsOver
+            && !IsDone())
         {
             pace.Wait(game.IsFrozen, isHurried: bridged.IsStepping, cancellation);
             status = bridged.Tick(TickSeconds);

@@ -131,6 +131,11 @@ internal sealed class BridgeClient : IDisposable
 
     private void Hear(ClientMessage word)
     {
+        if (word is RestartMessage && !_reception.Options.CanRestart)
+        {
+            throw new BridgeException("this game cannot be restarted; the simulated game can, if served with --lockstep.");
+        }
+
         _credit.Hear(word);
         _reception.Outbox.Wake();
         if (!_reception.Inbox.TryPut(this, word))

@@ -30,4 +30,10 @@ public sealed record BridgeState(
     /// frame.
     /// </summary>
     public bool IsAskedFor { get; init; }
+
+    /// <summary>Whether an image belongs to the frame; a client may ask for frames without.</summary>
+    public bool HasPicture { get; init; } = true;
+
+    /// <summary>What only a simulated game knows; null in GTA V.</summary>
+    public DrivingTruth? Truth { get; init; }
 }

@@ -1,4 +1,4 @@
-using System.Collections.Generic;
+using System;
 using System.Text;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
@@ -49,6 +49,7 @@ internal static class BridgeText
             .Key("lanesKnown").Boolean(state.AreLanesKnown);
         AppendIndicators(json.Key("indicators"), state.Indicators);
         AppendIndicators(json.Key("torcsEquivalent"), state.TorcsEquivalent);
+        AppendTruth(json, state.Truth);
         json.EndObject();
         return Encoding.UTF8.GetBytes(json.ToString());
     }
@@ -61,16 +62,45 @@ internal static class BridgeText
         return Encoding.UTF8.GetBytes(json.ToString());
     }
 
-    private static void AppendIndicators(JsonText json, LaneIndicators indicators)
+    private static void AppendTruth(JsonText json, DrivingTruth? truth)
     {
-        json.BeginArray();
-        foreach (double value in (IEnumerable<double>)IndicatorOrder.Values(indicators))
+        json.Key("drivenMetres").Number(truth?.DrivenMetres, Decimals)
+            .Key("collision").String(truth?.Collision);
+        AppendNumbers(json.Key("collisions"), truth is null ? null : Array.ConvertAll([.. truth.Collisions], static n => (double)n));
+        json.Key("outsideLanes").Boolean(truth?.IsOutsideLanes)
+            .Key("laneOffsetMetres").Number(truth?.LaneOffsetMetres, Decimals)
+            .Key("laneAngleRadians").Number(truth?.LaneAngleRadians, Decimals)
+            .Key("redLightsRun").Integer(truth?.RedLightsRun)
+            .Key("stopSignsRun").Integer(truth?.StopSignsRun)
+            .Key("repositioned").Integer(truth?.Repositioned)
+            .Key("route").String(truth?.Route)
+            .Key("routeMetres").Number(truth?.RouteMetres, Decimals)
+            .Key("light").String(truth?.Light)
+            .Key("stopSign").Boolean(truth?.HasStopSign);
+        AppendNumbers(
+            json.Key("appliedControls"), truth?.Applied is { } applied ? [applied.Steering, applied.Throttle, applied.Brake] : null);
+        json.Key("builtInDriver").Boolean(truth?.IsByBuiltInDriver);
+    }
+
+    private static void AppendNumbers(JsonText json, double[]? numbers)
+    {
+        if (numbers is null)
         {
-            json.Number(value, Decimals);
+            json.Null();
+            return;
+        }
+
+        json.BeginArray();
+        foreach (double number in numbers)
+        {
+            json.Number(number, Decimals);
         }
 
         json.EndArray();
     }
+
+    private static void AppendIndicators(JsonText json, LaneIndicators indicators) =>
+        AppendNumbers(json, [.. IndicatorOrder.Values(indicators)]);
 
     private static void Append(StringBuilder text, double value)
     {

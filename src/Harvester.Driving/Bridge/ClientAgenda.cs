@@ -19,13 +19,21 @@ internal sealed class ClientAgenda(IDrivingBridge bridge, Action<string> report)
     private readonly Queue<ClientMessage> _commands = new();
     private ClientMessage? _newest;
     private int _resetsWaiting;
+    private bool _isRestartWaiting;
 
-    /// <summary>Takes the messages that the bridge has received.</summary>
+    /// <summary>Whether commands wait.</summary>
+    public bool HasCommands => _commands.Count > 0;
+
+    /// <summary>
+    /// Takes the messages that the bridge has received, up to a restart: what comes after that is meant for the drive that follows.
+    /// </summary>
     /// <returns>Whether the client has disconnected or been replaced; nothing of the earlier client is left then.</returns>
     public bool Receive()
     {
         bool isClientGone = false;
-        for (int taken = 0; taken < MaxMessagesPerTick && bridge.TryReceive(out ClientMessage? message); taken++)
+        for (int taken = 0;
+            !_isRestartWaiting && taken < MaxMessagesPerTick && bridge.TryReceive(out ClientMessage? message);
+            taken++)
         {
             if (message is ClientGoneMessage)
             {
@@ -82,5 +90,7 @@ internal sealed class ClientAgenda(IDrivingBridge bridge, Action<string> report)
             _newest = null;
             _resetsWaiting++;
         }
+
+        _isRestartWaiting |= command is RestartMessage;
     }
 }

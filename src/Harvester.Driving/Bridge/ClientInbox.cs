@@ -1,11 +1,13 @@
+using System;
 using System.Collections.Generic;
 using System.Diagnostics.CodeAnalysis;
+using System.Threading;
 
 namespace Harvester.Driving.Bridge;
 
 /// <summary>
-/// Messages of the current client, until the game takes them: commands in order; of controls and indicators only the newest. A reset voids
-/// controls and indicators received before it. Sender and message are stored under one lock with the current client, so once a client has
+/// Messages of the current client, until the game takes them: commands in order; of controls and indicators only the newest. A reset or
+/// restart voids controls and indicators received before it. Sender and message are stored under one lock with the current client, so once a client has
 /// disconnected or been replaced, none of its messages is handed out, and a <see cref="ClientGoneMessage"/> precedes all that follows.
 /// </summary>
 /// <typeparam name="TClient">Clients, compared by reference.</typeparam>
@@ -79,6 +81,7 @@ internal sealed class ClientInbox<TClient>
             if (message is ControlsMessage or IndicatorsMessage)
             {
                 _newest = message;
+                Monitor.PulseAll(_gate);
                 return true;
             }
 
@@ -88,10 +91,12 @@ internal sealed class ClientInbox<TClient>
             }
 
             _commands.Enqueue(message);
-            if (message is ResetMessage)
+            if (message is ResetMessage or RestartMessage)
             {
                 _newest = null;
             }
+
+            Monitor.PulseAll(_gate);
 
             return true;
         }
@@ -121,6 +126,19 @@ internal sealed class ClientInbox<TClient>
         }
     }
 
+    /// <summary>Waits until there is a message to take.</summary>
+    /// <param name="patience">Maximum time to wait.</param>
+    /// <returns>Whether there is one.</returns>
+    public bool Await(TimeSpan patience)
+    {
+        lock (_gate)
+        {
+            return HasMessage || (Monitor.Wait(_gate, patience) && HasMessage);
+        }
+    }
+
+    private bool HasMessage => _isClientGone || _commands.Count > 0 || _newest is not null;
+
     private TClient? Seat(TClient? client)
     {
         if (_client == client)
@@ -133,6 +151,7 @@ internal sealed class ClientInbox<TClient>
         _isClientGone |= earlier is not null;
         _commands.Clear();
         _newest = null;
+        Monitor.PulseAll(_gate);
         return earlier;
     }
 }

@@ -29,10 +29,13 @@ public static class ClientMessageParser
             "environment" => new EnvironmentMessage(
                 fields.Has("weather") ? WeatherOf(fields) : null, fields.Has("timeOfDay") ? TimeOf(fields) : null),
             "pause" => new PauseMessage(fields.Boolean("paused")),
-            "step" => new StepMessage(SecondsOf(fields)),
-            "requestFrame" => new RequestFrameMessage(),
+            "step" => new StepMessage(SecondsOf(fields), HasPicture(fields)),
+            "requestFrame" => new RequestFrameMessage(HasPicture(fields)),
+            "restart" => new RestartMessage(
+                SeedOf(fields, "seed"), fields.Has("town") ? SeedOf(fields, "town") : null, HasPicture(fields)),
             _ => throw new BridgeException(
-                $"type {ClientText.Quoted(type)} is not one of controls, indicators, reset, environment, pause, step, requestFrame."),
+                $"type {ClientText.Quoted(type)} is not one of controls, indicators, reset, environment, pause, step, requestFrame, "
+                    + "restart."),
         };
     }
 
@@ -47,6 +50,16 @@ public static class ClientMessageParser
     }
 
     private static long? FrameOf(JsonFields fields) => fields.Has("frame") ? FrameOf(fields.Number("frame")) : null;
+
+    private static bool HasPicture(JsonFields fields) => !fields.Has("image") || fields.Boolean("image");
+
+    private static int SeedOf(JsonFields fields, string name)
+    {
+        double number = fields.Number(name);
+        return number >= 0 && number <= int.MaxValue && Math.Floor(number) == number
+            ? (int)number
+            : throw new BridgeException(FormattableString.Invariant($"field {name} must be a whole number from 0 to {int.MaxValue}."));
+    }
 
     private static Vector3D PositionOf(JsonFields fields)
     {

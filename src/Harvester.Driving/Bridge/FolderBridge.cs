@@ -15,7 +15,7 @@ namespace Harvester.Driving.Bridge;
 /// appears complete. A thread of its own does all disk work. A folder does not show who writes or whether anybody still does: a client
 /// counts as disconnected after a time without new files, and a hello begins a new one.
 /// </summary>
-public sealed class FolderBridge : IDrivingBridge
+public sealed class FolderBridge : IAwaitableBridge
 {
     /// <summary>
     /// Default time without a sign of life after which a client counts as disconnected, seconds: enough for a learner between two steps.
@@ -93,6 +93,9 @@ public sealed class FolderBridge : IDrivingBridge
 
     /// <inheritdoc/>
     public bool TryReceive([NotNullWhen(true)] out ClientMessage? message) => _inbox.TryTake(out message);
+
+    /// <inheritdoc/>
+    public bool AwaitMessage(TimeSpan patience) => _inbox.Await(patience);
 
     /// <summary>Ends the bridge's thread; the last files stay in the folder.</summary>
     public void Dispose()

@@ -15,6 +15,9 @@ namespace Harvester.Driving.Bridge;
 internal sealed class FrameFiles(string folder) : IDisposable
 {
     private const string State = "state.txt";
+
+    /// <summary>Stands in state.txt for the name of the image if there is none.</summary>
+    private const string NoPicture = "none";
     private const int PicturesKept = 10;
 
     /// <summary>If this many cannot be deleted, writing more would fill the disk.</summary>
@@ -55,7 +58,11 @@ internal sealed class FrameFiles(string folder) : IDisposable
     public void Put(BridgeState state, PixelBuffer picture)
     {
         _png.SetLength(0);
-        _encoder.Write(picture, _png);
+        if (state.HasPicture)
+        {
+            _encoder.Write(picture, _png);
+        }
+
         _waiting = state;
         _isPictureWritten = false;
     }
@@ -71,8 +78,8 @@ internal sealed class FrameFiles(string folder) : IDisposable
             return;
         }
 
-        string name = FormattableString.Invariant($"frame_{state.Frame:00000000}.png");
-        if (!_isPictureWritten)
+        string name = state.HasPicture ? FormattableString.Invariant($"frame_{state.Frame:00000000}.png") : NoPicture;
+        if (!_isPictureWritten && state.HasPicture)
         {
             WritePicture(name);
         }

@@ -29,7 +29,11 @@ internal sealed class FrameOutbox(ImageSize size)
 
         lock (_gate)
         {
-            Buffer.BlockCopy(picture.Bytes, 0, _waiting.Bytes, 0, picture.Bytes.Length);
+            if (state.HasPicture)
+            {
+                Buffer.BlockCopy(picture.Bytes, 0, _waiting.Bytes, 0, picture.Bytes.Length);
+            }
+
             _state = _state is { IsAskedFor: true } ? state with { IsAskedFor = true } : state;
             Monitor.PulseAll(_gate);
         }

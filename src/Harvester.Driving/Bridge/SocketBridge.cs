@@ -15,7 +15,7 @@ namespace Harvester.Driving.Bridge;
 /// its own do all the waiting. A client that sends invalid messages or does not receive a frame is disconnected. A client is sent the
 /// newest frame when it has answered the last one.
 /// </summary>
-public sealed class SocketBridge : IDrivingBridge
+public sealed class SocketBridge : IAwaitableBridge
 {
     private readonly TcpListener _listener;
     private readonly SocketReception _reception;
@@ -67,6 +67,9 @@ public sealed class SocketBridge : IDrivingBridge
 
     /// <inheritdoc/>
     public bool TryReceive([NotNullWhen(true)] out ClientMessage? message) => _reception.Inbox.TryTake(out message);
+
+    /// <inheritdoc/>
+    public bool AwaitMessage(TimeSpan patience) => _reception.Inbox.Await(patience);
 
     /// <summary>
     /// Closes all connections, stops listening and ends the threads. Waits for a frame in transmission, at most
@@ -130,7 +133,11 @@ public sealed class SocketBridge : IDrivingBridge
                 && client is not null)
             {
                 png.SetLength(0);
-                encoder.Write(picture, png);
+                if (state.HasPicture)
+                {
+                    encoder.Write(picture, png);
+                }
+
                 client.Send(BridgeText.Header(state), new ArraySegment<byte>(png.GetBuffer(), 0, (int)png.Length));
             }
 

@@ -28,4 +28,7 @@ public sealed record SocketBridgeOptions(IPAddress Address, int Port, string? To
     /// Maximum number of connections that have not sent a hello yet; at least 1. The one that has waited longest makes room for another.
     /// </summary>
     public int MaxPending { get; init; } = 16;
+
+    /// <summary>Whether the game can be restarted; a client that asks another for it is disconnected, with the reason.</summary>
+    public bool CanRestart { get; init; }
 }

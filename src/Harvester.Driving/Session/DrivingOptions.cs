@@ -42,6 +42,12 @@ public sealed record DrivingOptions
             : throw new ArgumentOutOfRangeException(nameof(SettleTicks), value, "Ticks are 0 or more.");
     }
 
+    /// <summary>
+    /// Whether the world stands still but for the steps that the client requests, from the beginning on, so that the same messages lead to
+    /// the same frames. The caller advances the world only while <see cref="DrivingSession.IsStepping"/> is true.
+    /// </summary>
+    public bool IsLockStep { get; init; }
+
     private static double Positive(double value, string name) =>
         value > 0 && !double.IsInfinity(value) ? value
             : throw new ArgumentOutOfRangeException(name, value, $"{name} must be greater than 0.");

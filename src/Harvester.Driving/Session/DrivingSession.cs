@@ -18,6 +18,7 @@ public sealed class DrivingSession : IDisposable
     private readonly IDrivenCar _car;
     private readonly IDrivingBridge _bridge;
     private readonly Func<IController> _newController;
+    private readonly bool _isLockStep;
     private readonly SilenceWatch _watch;
     private readonly DrivingView _view;
     private readonly WorldPace _pace;
@@ -35,9 +36,11 @@ public sealed class DrivingSession : IDisposable
     /// <param name="newController">
     /// Creates the controller that turns a client's indicators into controls; called again after each reset.
     /// </param>
-    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <param name="readTruth">Reads what only a simulated game knows; null in GTA V.</param>
+    /// <exception cref="ArgumentNullException">An argument is null, except <paramref name="readTruth"/>.</exception>
     /// <exception cref="ArgumentException">The game has no car that can be driven.</exception>
-    public DrivingSession(DrivingOptions options, GamePorts game, IDrivingBridge bridge, Func<IController> newController)
+    public DrivingSession(
+        DrivingOptions options, GamePorts game, IDrivingBridge bridge, Func<IController> newController, Func<DrivingTruth>? readTruth = null)
     {
         if (options is null)
         {
@@ -51,8 +54,9 @@ public sealed class DrivingSession : IDisposable
         _newController = newController ?? throw new ArgumentNullException(nameof(newController));
         _controller = newController();
         _watch = new SilenceWatch(new WorldClock(game.World), options.PatienceSeconds);
-        _view = new DrivingView(game, options.Picture);
-        _pace = new WorldPace(game.Pause, options.SettleTicks);
+        _view = new DrivingView(game, options.Picture) { ReadTruth = readTruth };
+        _isLockStep = options.IsLockStep;
+        _pace = new WorldPace(game.Pause, options.SettleTicks, options.IsLockStep);
         _frames = new FramePublisher(options, bridge, _view, _pace);
     }
 
@@ -68,10 +72,21 @@ public sealed class DrivingSession : IDisposable
     /// <summary>Whether the world is running only until the end of a step that the client requested.</summary>
     public bool IsStepping => _pace.IsStepping;
 
+    /// <summary>Whether a client has sent controls recently; otherwise the car brakes.</summary>
+    public bool IsClientAlive => _watch.IsClientAlive;
+
+    /// <summary>Whether commands of the client wait for the next tick.</summary>
+    public bool HasCommands => _agenda.HasCommands;
+
+    /// <summary>
+    /// The restart that the client asks for; null for none. It takes a new game and a new drive: this one does nothing more.
+    /// </summary>
+    public RestartMessage? Restart { get; private set; }
+
     /// <summary>Does the work of one tick. After the end of the drive it does nothing.</summary>
     public DrivingStatus Tick()
     {
-        if (_ending is null)
+        if (_ending is null && Restart is null)
         {
             Try(Drive);
         }
@@ -93,7 +108,8 @@ public sealed class DrivingSession : IDisposable
     /// <summary>
     /// Sends a frame as soon as possible, as if the client had requested it: for a world that is paused until a client drives.
     /// </summary>
-    public void AskForFrame() => _frames.Ask();
+    /// <param name="hasPicture">Whether with an image.</param>
+    public void AskForFrame(bool hasPicture = true) => _frames.Ask(hasPicture);
 
     /// <summary>Ends the drive and resumes the world. Further calls do nothing.</summary>
     public void Stop()
@@ -120,7 +136,12 @@ public sealed class DrivingSession : IDisposable
         _pace.Tick(_nowSeconds);
         Receive();
         DrivingControls controls = _watch.Controls;
-        _car.Drive(controls);
+        if (!_isLockStep || _pace.IsStepping)
+        {
+            // In lock-step, once for each tick of the world, whenever the client's messages arrive.
+            _car.Drive(controls);
+        }
+
         Problem = _frames.PublishIfTime() ?? Problem;
         ReadProblem();
         Status = new DrivingStatus(_frames.Frames, _watch.IsClientAlive, controls, _view.AreLanesKnown, null);
@@ -133,7 +154,7 @@ public sealed class DrivingSession : IDisposable
             LoseClient();
         }
 
-        while (!_frames.IsStepOpen && _agenda.TryTakeCommand(out ClientMessage? command))
+        while (!_frames.IsStepOpen && Restart is null && _agenda.TryTakeCommand(out ClientMessage? command))
         {
             Obey(command);
         }
@@ -188,10 +209,13 @@ public sealed class DrivingSession : IDisposable
                 break;
             case StepMessage step:
                 _pace.Step(_nowSeconds, step.Seconds);
-                _frames.AskAtEndOfStep();
+                _frames.AskAtEndOfStep(step.HasPicture);
                 break;
-            case RequestFrameMessage:
-                _frames.Ask();
+            case RequestFrameMessage request:
+                _frames.Ask(request.HasPicture);
+                break;
+            case RestartMessage restart when _isLockStep:
+                Restart = restart;
                 break;
             default:
                 Problem = $"{command.GetType().Name} is not a driving command.";
@@ -224,7 +248,7 @@ public sealed class DrivingSession : IDisposable
     {
         _ending = ending;
         Status = new DrivingStatus(_frames.Frames, false, DrivingControls.Stop, false, ending);
-        Try(_pace.GoOn);
+        Try(_pace.Resume);
     }
 
     private void Try(Action work)

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
@@ -37,11 +38,17 @@ internal sealed class DrivingView
     /// <summary>Whether the lanes were known when the last image was taken.</summary>
     public bool AreLanesKnown { get; private set; }
 
+    /// <summary>Reads what only a simulated game knows; null in GTA V.</summary>
+    public Func<DrivingTruth>? ReadTruth { get; init; }
+
     /// <summary>Takes image and state of this tick.</summary>
+    /// <param name="frame">Number of the frame.</param>
+    /// <param name="hasPicture">Whether an image is wanted.</param>
+    /// <param name="refusal">Why the image cannot be used; null if it can.</param>
     /// <returns>Null if the image cannot be used.</returns>
-    public BridgeState? Take(long frame, out string? refusal)
+    public BridgeState? Take(long frame, bool hasPicture, out string? refusal)
     {
-        refusal = _game.Screen.Grab(Picture).Refusal;
+        refusal = hasPicture ? _game.Screen.Grab(Picture).Refusal : null;
         if (refusal is not null)
         {
             return null;
@@ -62,6 +69,8 @@ internal sealed class DrivingView
             _isFast)
         {
             AreLanesKnown = AreLanesKnown,
+            HasPicture = hasPicture,
+            Truth = ReadTruth?.Invoke(),
         };
     }
 

@@ -16,6 +16,7 @@ internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge brid
     private readonly FrameSchedule _schedule = new(options.RateHz);
     private bool _isAskedFor;
     private bool _isMissed;
+    private bool _hasPicture = true;
     private double _nowSeconds;
     private double _tickSeconds;
     private int _quietTicks;
@@ -39,13 +40,27 @@ internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge brid
     }
 
     /// <summary>Requests a frame as soon as possible.</summary>
-    public void Ask() => _isAskedFor = true;
+    /// <param name="hasPicture">Whether with an image.</param>
+    public void Ask(bool hasPicture)
+    {
+        _hasPicture = hasPicture || (_isAskedFor && _hasPicture);
+        _isAskedFor = true;
+    }
 
     /// <summary>Requests a frame at the end of the step that begins now.</summary>
-    public void AskAtEndOfStep() => IsStepOpen = true;
+    /// <param name="hasPicture">Whether with an image.</param>
+    public void AskAtEndOfStep(bool hasPicture)
+    {
+        _hasPicture = hasPicture || (_isAskedFor && _hasPicture);
+        IsStepOpen = true;
+    }
 
     /// <summary>Forgets all requests.</summary>
-    public void Forget() => IsStepOpen = _isAskedFor = _isMissed = false;
+    public void Forget()
+    {
+        IsStepOpen = _isAskedFor = _isMissed = false;
+        _hasPicture = true;
+    }
 
     /// <summary>Publishes a frame if one is due.</summary>
     /// <returns>Why no frame was published although one is due; otherwise null.</returns>
@@ -69,7 +84,7 @@ internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge brid
     {
         bool isStepOver = IsStepOpen;
         IsStepOpen = false;
-        if (view.Take(Frames, out string? refusal) is not { } state)
+        if (view.Take(Frames, _hasPicture, out string? refusal) is not { } state)
         {
             // Commands are still executed, or the client could not resume the world; the frame is sent as soon as there is an image.
             _isAskedFor |= isStepOver;
@@ -80,6 +95,7 @@ internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge brid
         bridge.Publish(state with { IsAskedFor = _isAskedFor || isStepOver }, view.Picture);
         Frames++;
         _isAskedFor = _isMissed = false;
+        _hasPicture = true;
         return null;
     }
 }

@@ -7,7 +7,8 @@ namespace Harvester.Driving.Session;
 /// </summary>
 /// <param name="pause">Freezes and resumes the game.</param>
 /// <param name="settleTicks">Ticks after a pause until the image shows the paused world.</param>
-internal sealed class WorldPace(IPause pause, int settleTicks)
+/// <param name="isLockStep">Whether the world is paused at the beginning, and whenever no step is under way.</param>
+internal sealed class WorldPace(IPause pause, int settleTicks, bool isLockStep)
 {
     /// <summary>Tolerance at the end of a step, seconds, for a world whose time is a sum of rounded ticks.</summary>
     private const double Rounding = 1e-6;
@@ -33,21 +34,23 @@ internal sealed class WorldPace(IPause pause, int settleTicks)
         pause.Freeze();
     }
 
-    /// <summary>Resumes the world, if it was paused here.</summary>
+    /// <summary>Resumes the world, if it was paused here. In lock-step it only ends a step.</summary>
     public void GoOn()
     {
-        _stepEndSeconds = null;
-        if (IsPaused)
+        if (isLockStep)
         {
-            IsPaused = false;
-            pause.Unfreeze();
+            Pause();
+        }
+        else
+        {
+            Resume();
         }
     }
 
     /// <summary>Runs the world for a time and pauses it then.</summary>
     public void Step(double nowSeconds, double seconds)
     {
-        GoOn();
+        Resume();
         _stepEndSeconds = nowSeconds + seconds - Rounding;
     }
 
@@ -56,9 +59,20 @@ internal sealed class WorldPace(IPause pause, int settleTicks)
     {
         _stillTicks = IsPaused && nowSeconds == _lastSeconds ? _stillTicks + 1 : 0;
         _lastSeconds = nowSeconds;
-        if (nowSeconds >= _stepEndSeconds)
+        if (nowSeconds >= _stepEndSeconds || (isLockStep && !IsPaused && !IsStepping))
         {
             Pause();
+        }
+    }
+
+    /// <summary>Gives the world back, as at the end of a drive.</summary>
+    public void Resume()
+    {
+        _stepEndSeconds = null;
+        if (IsPaused)
+        {
+            IsPaused = false;
+            pause.Unfreeze();
         }
     }
 }

@@ -16,6 +16,7 @@ using Harvester.Simulation.Quirks;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;
 using Harvester.Simulation.Streets;
+using Harvester.Simulation.Traffic;
 using Harvester.Simulation.World;
 
 namespace Harvester.Simulation.Game;
@@ -102,6 +103,9 @@ public sealed class SimulatedGame
     /// way. Its built-in driver knows; an external driver does not.
     /// </summary>
     public bool NeedsOwnDriver => _world.NeedsOwnDriver;
+
+    /// <summary>How the ego has driven since this was first read, or since it came to the place, and where its route leads.</summary>
+    public EgoConduct Conduct => _world.Conduct;
 
     /// <summary>
     /// The camera's pose on the car: by default 2 m ahead of its origin and 0.4 m above it. A change takes effect in the next tick.

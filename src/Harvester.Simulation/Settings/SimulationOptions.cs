@@ -22,8 +22,19 @@ public sealed record SimulationOptions
     /// <summary>Where the ego starts, metres, world x and y; null for the middle of the roads.</summary>
     public Vector2D? Near { get; init; }
 
+    /// <summary>
+    /// Seed of a random start of the ego on the built roads, from which it can drive on for ever; null to start near <see cref="Near"/>.
+    /// </summary>
+    public int? StartSeed { get; init; }
+
     /// <summary>Roads farther than this from the start are not built, metres; the ego does not leave the others.</summary>
     public double RadiusMetres { get; init; } = 400;
+
+    /// <summary>
+    /// Vehicles and people farther than this from the ego stand still until it comes nearer, metres; null to move all. Much of the time
+    /// goes into those that are far away.
+    /// </summary>
+    public double? TrafficRadiusMetres { get; init; }
 
     /// <summary>Positions of traffic lights and street lamps, in place of generated ones; null to generate them.</summary>
     public IReadOnlyList<PropPlacement>? Props { get; init; }

@@ -68,6 +68,28 @@ internal sealed class Placing
         return (path, Math.Clamp(LanePlace.Of(path, near, path.Length / 2).Distance, least, path.Length - least));
     }
 
+    /// <summary>A random start of the ego on lanes from which it can drive on for ever, each metre of them equally likely.</summary>
+    /// <param name="seed">Random seed.</param>
+    /// <exception cref="ArgumentException">No lane is long enough.</exception>
+    public (LanePath Path, double Distance) RandomStartOfEgo(int seed)
+    {
+        LanePath[] paths = [.. _paths.Where(path => path.GoesOn && path.Road is { IsUnpaved: false })];
+        double left = new Random(seed).NextDouble() * paths.Sum(Usable);
+        foreach (LanePath path in paths)
+        {
+            if (left < Usable(path))
+            {
+                return (path, EndRoom + left);
+            }
+
+            left -= Usable(path);
+        }
+
+        return StartOfEgo(Vector3D.Zero);
+
+        static double Usable(LanePath path) => path.Length - (2 * EndRoom);
+    }
+
     /// <summary>Places the ego, which other vehicles are later not placed near.</summary>
     public void PutEgo(Vehicle ego, (LanePath Path, double Distance) start)
     {

@@ -51,6 +51,12 @@ internal sealed class TrafficFlow
     /// <summary>Whether the ego has to stop at a line ahead.</summary>
     public bool MustEgoGiveWay { get; private set; }
 
+    /// <summary>Vehicles farther than this from the ego do not move, metres; null to move all.</summary>
+    public double? Radius { get; init; }
+
+    /// <summary>How often the ego was put elsewhere, at a dead end or when stuck.</summary>
+    public int EgoReplacements { get; private set; }
+
     private Vehicle Ego => _vehicles[0];
 
     /// <summary>Whether a condition on a vehicle and a position holds for one of the vehicles near the position.</summary>
@@ -65,11 +71,24 @@ internal sealed class TrafficFlow
         _index.Move(Ego, before, Ego.Pose.Position);
     }
 
+    /// <summary>Whether the ego touches another vehicle.</summary>
+    public bool TouchesVehicle() =>
+        _index.AnyNear(Ego.Pose.Position, Ego, static (other, ego) => other != ego && ego.Footprint.Overlaps(other.Footprint));
+
+    /// <summary>Whether the ego touches something that stands beside the road, such as a parked vehicle.</summary>
+    public bool TouchesObstacle() =>
+        _obstacles.AnyNear(Ego.Pose.Position, Ego, static (other, ego) => ego.Footprint.Overlaps(other));
+
     public void Tick(double seconds, double timeSeconds, BodyIndex<Walker> walkersOnRoad)
     {
         _occupation.Refresh(_vehicles);
         foreach (Vehicle vehicle in _vehicles)
         {
+            if (Radius is { } radius && Horizontal.SquaredDistance(vehicle.Pose.Position, Ego.Pose.Position) > radius * radius)
+            {
+                continue;
+            }
+
             double distanceToStop = _rightOfWay.DistanceToStop(vehicle, timeSeconds);
             double acceleration = Driver.Acceleration(vehicle, _occupation, distanceToStop, walkersOnRoad);
             Vector3D before = vehicle.Pose.Position;
@@ -132,7 +151,7 @@ internal sealed class TrafficFlow
     private void Replace(Vehicle vehicle)
     {
         _rightOfWay.ReleaseAll(vehicle);
-        _placing.Replace(vehicle, place => !IsTaken(vehicle, place));
+        EgoReplacements += _placing.Replace(vehicle, place => !IsTaken(vehicle, place)) && vehicle == Ego ? 1 : 0;
         if (vehicle == Ego && _egoCar.IsLoose)
         {
             _egoCar.Loosen();

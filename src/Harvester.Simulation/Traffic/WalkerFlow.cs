@@ -35,12 +35,19 @@ internal sealed class WalkerFlow
         return _onRoad;
     }
 
-    public void Tick(double seconds, TrafficFlow traffic)
+    /// <summary>Moves all, or those within a distance of a position.</summary>
+    public void Tick(double seconds, TrafficFlow traffic, Vector3D place, double? radius)
     {
         Func<Walkway, double, Walkway?> opposite = Opposite;
         Func<Vector3D, bool> isSafe = place => IsSafe(place, traffic);
+        double squared = radius * radius ?? double.PositiveInfinity;
         foreach (Walker walker in _walkers)
         {
+            if (Horizontal.SquaredDistance(walker.Pose.Position, place) > squared)
+            {
+                continue;
+            }
+
             walker.Tick(seconds, opposite, isSafe);
         }
     }

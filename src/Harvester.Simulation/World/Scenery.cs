@@ -112,6 +112,9 @@ internal sealed class Scenery
         _lamps.Add(pose.ToWorld(ModelCatalogue.StreetLampHead));
     }
 
+    /// <summary>The arms of junctions that have a stop sign.</summary>
+    public HashSet<(Junction Junction, RoadArm Arm)> StopArms { get; } = [];
+
     /// <summary>
     /// Adds stop signs where streets meet without lights, and a yield sign where a street with one lane each way continues.
     /// </summary>
@@ -129,6 +132,10 @@ internal sealed class Scenery
                 if (!_index.IsOnAnother(arm.Road, foot, besideKerb))
                 {
                     AddSign(_catalogue[goesStraightOn ? YieldSign : StopSign], foot, -arm.Outward);
+                    if (!goesStraightOn)
+                    {
+                        StopArms.Add((junction, arm));
+                    }
                 }
             }
         }

@@ -39,6 +39,8 @@ internal sealed class SimulatedWorld
     private readonly SignalProps _signalProps;
     private readonly IReadOnlyList<Vector3D> _lamps;
     private readonly MotionMeter _motion;
+    private readonly Func<EgoWatch> _newWatch;
+    private EgoWatch? _watch;
 
     public SimulatedWorld(SimulationOptions options)
         : this(options, new HandleCounter(), 0, 0)
@@ -72,7 +74,8 @@ internal sealed class SimulatedWorld
         Population population = new(seed, catalogue, handles);
         Placing placing = new(site.Lanes, seed);
         int? visit = options.IsWarm ? place : null;
-        (LanePath Path, double Distance) startOfEgo = placing.StartOfEgo(start, visit);
+        (LanePath Path, double Distance) startOfEgo = options.StartSeed is { } startSeed ? placing.RandomStartOfEgo(startSeed)
+            : placing.StartOfEgo(start, visit);
         Vector3D? busy = options.IsWarm ? startOfEgo.Path.Line.PositionAt(startOfEgo.Distance) : null;
         double parkedDensity = options.ParkedDensity ?? options.TrafficDensity;
         List<Prop> parked = population.Park(site.Walkways, site.Index, busy, parkedDensity);
@@ -96,7 +99,10 @@ internal sealed class SimulatedWorld
         _motion = new MotionMeter(Ego, Car);
         _traffic = new TrafficFlow(
             site.Lanes, site.Signals, _vehicles, Car, parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max)),
-                placing);
+                placing)
+        {
+            Radius = options.TrafficRadiusMetres,
+        };
         _walking = new WalkerFlow(_walkers, site.Walkways);
 
         Scenery scenery = new(options.Seed, site, catalogue, handles);
@@ -116,6 +122,7 @@ internal sealed class SimulatedWorld
             _signalProps.AddGiven(props.Where(prop => prop.Name.StartsWith("prop_traffic", StringComparison.Ordinal)), catalogue);
         }
 
+        _newWatch = () => new EgoWatch(Ego, Car, _traffic, _walkers, site.Signals, scenery.StopArms);
         _lamps = scenery.Lamps;
         _entities = [.. parked, .. scenery.Props.Where(prop => prop.Handle != 0)];
         Scene = new RenderScene([
@@ -181,7 +188,14 @@ internal sealed class SimulatedWorld
     public bool IsDark { get; set; }
 
     /// <summary>Places the ego at a position, at rest.</summary>
-    public void ResetEgo(Vector3D position, double headingDegrees) => _traffic.ResetEgo(position, headingDegrees);
+    public void ResetEgo(Vector3D position, double headingDegrees)
+    {
+        _traffic.ResetEgo(position, headingDegrees);
+        _watch?.Jump();
+    }
+
+    /// <summary>How the ego has driven since the first call.</summary>
+    public EgoConduct Conduct => (_watch ??= _newWatch()).At(TimeSeconds);
 
     /// <summary>The overridden traffic lights by handle.</summary>
     public Dictionary<int, SignalState> DrivenLights => _signalProps.Driven;
@@ -197,9 +211,10 @@ internal sealed class SimulatedWorld
             double step = seconds / steps;
             _motion.Begin();
             _traffic.Tick(step, TimeSeconds, _walking.OnRoad());
-            _walking.Tick(step, _traffic);
+            _walking.Tick(step, _traffic, Ego.Pose.Position, _traffic.Radius);
             _motion.End(step);
             TimeSeconds += step;
+            _watch?.Tick(TimeSeconds);
         }
 
         Car.EndTick();

@@ -1,0 +1,22 @@
+"""Drives in the simulated game, or in GTA V, as an environment of Gymnasium. docs/gym.md of the project describes it.
+
+The package gymnasium is not needed. If it is installed, the environment is a gymnasium.Env with its spaces, registered as
+`gtaharvest/Driving-v0`.
+"""
+
+from .env import DrivingEnv
+from .errors import BridgeError, GameEndedError, GameHungError, GameRefusedError, GameStartError, VersionError
+from .link import PROTOCOL_VERSION, BridgeLink
+from .rewards import Reward
+from .rules import Ending
+from .server import GameServer
+from .spaces import Box, Dict, gymnasium_module
+from .state import STATE_NAMES
+from .vector import SideBySide
+
+__all__ = [
+    "Box", "BridgeError", "BridgeLink", "Dict", "DrivingEnv", "Ending", "GameEndedError", "GameHungError", "GameRefusedError", "GameServer",
+    "GameStartError", "PROTOCOL_VERSION", "Reward", "STATE_NAMES", "SideBySide", "VersionError"]
+
+if gymnasium_module is not None:
+    gymnasium_module.register(id="gtaharvest/Driving-v0", entry_point="gtaharvest.gym:DrivingEnv")

@@ -1,0 +1,23 @@
+using System;
+using System.Diagnostics;
+using Harvester.Driving.Bridge;
+
+namespace Harvester.Cli.Serving;
+
+/// <summary>Notices when the first client of a bridge has disconnected, or when none has come.</summary>
+internal sealed class OneClient(IDrivingBridge bridge)
+{
+    /// <summary>Time for the client to connect: a program that has started the game and died never does.</summary>
+    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(60);
+
+    private readonly Stopwatch _waiting = Stopwatch.StartNew();
+    private bool _hasCome;
+
+    /// <summary>Whether the client has gone, or none has connected within a minute.</summary>
+    public bool IsGone()
+    {
+        bool isHere = bridge.Client is not null;
+        _hasCome |= isHere;
+        return !isHere && (_hasCome || _waiting.Elapsed > Patience);
+    }
+}

@@ -1,0 +1,12 @@
+using System;
+
+namespace Harvester.Driving.Bridge;
+
+/// <summary>A bridge whose messages can be waited for, for a game that does nothing without them.</summary>
+public interface IAwaitableBridge : IDrivingBridge
+{
+    /// <summary>Waits until <see cref="IDrivingBridge.TryReceive"/> has a message.</summary>
+    /// <param name="patience">Maximum time to wait, 0 or more.</param>
+    /// <returns>Whether there is a message.</returns>
+    bool AwaitMessage(TimeSpan patience);
+}
