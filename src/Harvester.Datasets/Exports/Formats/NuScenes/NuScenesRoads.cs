@@ -8,8 +8,8 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Datasets.Exports.Formats.NuScenes;
 
 /// <summary>
-/// The drivable ground of a road network, as polygons: the lanes and shoulders of each road without a wide median, and the junctions between
-/// them.
+/// The drivable ground of a road network, as polygons: the lanes and shoulders of each road without a wide median, and the junctions
+/// between them.
 /// </summary>
 internal sealed class NuScenesRoads
 {
