@@ -97,7 +97,7 @@ public sealed class CuboidsAcrossCamerasTests(ITestOutputHelper output)
         Assert.InRange(open, 0, required);
     }
 
-    /// <summary>Views of three cameras that see partly the same: a label, what the renderer draws, and the other labels of the moment.</summary>
+    /// <summary>Views of cameras that see partly the same: the frame, what the renderer draws, the other frames of the moment.</summary>
     private static IEnumerable<(CapturedFrame Frame, RenderTarget Picture, CapturedFrame[] Others)> Views()
     {
         foreach (int seed in new[] { 3, 61, 62, 63 })

@@ -4,7 +4,6 @@ using System.IO;
 using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
-using Harvester.Geometry;
 
 namespace Harvester.Datasets.Exports.Formats.NuScenes;
 

@@ -22,7 +22,9 @@ internal sealed class NuScenesGround
     /// <summary>Room for the shape of an object at the end of the labelling range, metres.</summary>
     private const double ObjectRoom = 20;
 
-    /// <summary>Half the length and half the width of the ground below a vehicle whose road is not known, metres.</summary>
+    /// <summary>
+    /// Half the length and half the width of the ground below the vehicle, metres: it drives there, whatever is known of roads.
+    /// </summary>
     private static readonly Vector2D Footprint = new(3, 1.5);
 
     private readonly NuScenesRoads? _roads;
@@ -68,10 +70,13 @@ internal sealed class NuScenesGround
     /// <param name="label">The label.</param>
     /// <param name="ego">The vehicle.</param>
     /// <param name="isKey">Whether the moment is a sample: those between add nothing to the roads of a network.</param>
-    public IEnumerable<Vector2D[]> Near(FrameLabel label, Pose ego, bool isKey) => _roads is null
-            ? Lanes(label.Lanes?.Boundaries ?? []).Append(Below(ego))
-        : isKey ? _roads.Near(new Vector2D(ego.Position.X, ego.Position.Y), RoadMetres)
-        : [];
+    public IEnumerable<Vector2D[]> Near(FrameLabel label, Pose ego, bool isKey)
+    {
+        IEnumerable<Vector2D[]> known = _roads is null ? Lanes(label.Lanes?.Boundaries ?? [])
+            : isKey ? _roads.Near(new Vector2D(ego.Position.X, ego.Position.Y), RoadMetres)
+            : [];
+        return known.Append(Below(ego));
+    }
 
     /// <summary>The ground between the outermost boundaries of each direction. Boundary -1 is the far side of a median.</summary>
     private static IEnumerable<Vector2D[]> Lanes(IReadOnlyList<LaneLineView> boundaries)

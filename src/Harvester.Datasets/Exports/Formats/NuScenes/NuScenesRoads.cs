@@ -8,12 +8,17 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Datasets.Exports.Formats.NuScenes;
 
 /// <summary>
-/// The drivable ground of a road network, as polygons: the lanes of each road without a wide median, and the junctions between them.
+/// The drivable ground of a road network, as polygons: the lanes and shoulders of each road without a wide median, and the junctions
+/// between them.
 /// </summary>
 internal sealed class NuScenesRoads
 {
     /// <summary>Length of the pieces of a road, metres: the edge of a bend of 30 m radius is drawn to 7 cm.</summary>
     private const double PieceMetres = 4;
+
+    /// <summary>Paved ground beside the lanes, metres: the hard shoulder of a highway, and the edge of any other road.</summary>
+    private const double HardShoulder = 2.5;
+    private const double Edge = 0.4;
 
     /// <summary>Least width of a median that is not driven on, metres: narrower ones are painted.</summary>
     private const double NarrowestIsland = 1.5;
@@ -97,7 +102,10 @@ internal sealed class NuScenesRoads
     {
         double? right = OuterEdge(link, isForward: true);
         double? left = OuterEdge(link, isForward: false);
-        return (-(left ?? right!.Value), right ?? left!.Value);
+        RoadLink road = _network.Links[link];
+        bool isHighway = (_network.Nodes[road.From].Flags & _network.Nodes[road.To].Flags & RoadNodeFlags.Highway) != 0;
+        double shoulder = isHighway ? HardShoulder : Edge;
+        return (-(left ?? right!.Value) - shoulder, (right ?? left!.Value) + shoulder);
     }
 
     /// <summary>Distance of the right edge of a direction from the line, metres; null without lanes in that direction.</summary>
