@@ -153,7 +153,7 @@ public sealed class PlanDrivingTests : IDisposable
         plan.Toggle();
         UntilOff(plan);
 
-        Assert.Equal([$"repair {TrialWorld.Car}", $"repair {TrialWorld.Car}"], _world.Done);
+        Assert.Equal([TrialWorld.Car, TrialWorld.Car], _world.Repaired);
     }
 
     [Fact]

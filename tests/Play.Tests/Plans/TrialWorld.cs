@@ -53,6 +53,9 @@ internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels,
     /// <summary>What was done to the game, in order.</summary>
     public List<string> Done { get; } = [];
 
+    /// <summary>The vehicles that were repaired, in order.</summary>
+    public List<int> Repaired { get; } = [];
+
     public GameSituation Situation { get; set; } = new() { IsInVehicle = true };
 
     /// <summary>Corrects the situation as the game would.</summary>
@@ -153,7 +156,7 @@ internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels,
         Situation = Situation with { IsInVehicle = true };
     }
 
-    public void Repair(int vehicle) => Done.Add($"repair {vehicle}");
+    public void Repair(int vehicle) => Repaired.Add(vehicle);
 
     public void BeginLoading(Vector3D place) => IsLoading = true;
 
