@@ -20,9 +20,9 @@ internal static class ViewCommand
     private const int MaxPort = 65535;
 
     private const string Notes =
-        "The page is that of 'harvester report', with all frames, masks, depth maps and LiDAR points, read from the session as needed. A\n"
-        + "session that is still being written is followed. The server listens on 127.0.0.1 only, reads only, and answers only requests with\n"
-        + "the random token in the address that it prints. Ctrl+C ends it.\n\n"
+        "The page is that of 'harvester report', with all frames, masks, depth maps and LiDAR points, read from the session as\n"
+        + "needed. A session that is still being written is followed. The server listens on 127.0.0.1 only, reads only, and answers only\n"
+        + "requests with the random token in the address that it prints. Ctrl+C ends it.\n\n"
         + "Examples:\n"
         + "  harvester view out\n"
         + "  harvester view monday tuesday --port 8080 --no-open";

@@ -2,7 +2,6 @@ using System.Collections.Generic;
 using System.Text.Json;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
-using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Reports;

@@ -1,6 +1,5 @@
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;

@@ -13,5 +13,9 @@ internal readonly record struct OverviewObject(ushort Id, float DistanceMetres, 
 {
     /// <summary>Takes the numbers from a label.</summary>
     public static OverviewObject Of(ObjectLabel item) => new(
-        (ushort)item.Id, (float)item.DistanceMetres, (float)item.TruncatedFraction, (float)(item.OccludedFraction ?? double.NaN), item.Box2D);
+        (ushort)item.Id,
+        (float)item.DistanceMetres,
+        (float)item.TruncatedFraction,
+        (float)(item.OccludedFraction ?? double.NaN),
+        item.Box2D);
 }

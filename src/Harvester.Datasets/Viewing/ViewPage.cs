@@ -15,7 +15,8 @@ internal static class ViewPage
     public static string Write(Stream stream, SessionView view)
     {
         IReadOnlyList<string> scripts = ReportPage.ScriptsOfViewer;
-        ReportPage.Write(stream, $"{view.Name}: session", scripts, page => page.Json("data", json => WriteData(json, view)), isServed: true);
+        ReportPage.Write(
+            stream, $"{view.Name}: session", scripts, page => page.Json("data", json => WriteData(json, view)), isServed: true);
         return PagePolicy.Of(ReportPage.Style, ReportPage.Code(scripts));
     }
 
