@@ -22,13 +22,11 @@ internal sealed class CocoPredictions : IPredictions
 
     private const int BoxNumbers = 4;
 
-    private readonly IReadOnlyList<DatasetClass> _classes;
     private readonly PredictedBox[] _boxes;
     private readonly int[] _starts;
 
     private CocoPredictions(IReadOnlyList<DatasetClass> classes, PredictedBox[] boxes, int[] starts)
     {
-        _classes = classes;
         _boxes = boxes;
         _starts = starts;
         Classes = [.. classes.Select(kind => new PredictedClass(kind.Name, kind.Kind))];

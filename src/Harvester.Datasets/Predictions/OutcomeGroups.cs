@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Linq;
 using Harvester.Datasets.Detections;
 using Harvester.Datasets.Exports.Formats.Kitti;
-using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Predictions;
 

@@ -61,7 +61,7 @@ public sealed class ComparedDatasetTests(SimulatedSession session) : IDisposable
     }
 
     [Fact]
-    public void Session_and_its_own_KITTI_export_have_the_same_distributions()
+    public void Session_and_its_KITTI_export_have_equal_distributions()
     {
         Export("kitti");
 
@@ -73,11 +73,11 @@ public sealed class ComparedDatasetTests(SimulatedSession session) : IDisposable
         Assert.InRange(comparison.WassersteinOf(ComparedQuantity.Distance)!.Value, 0, 2);
         Assert.InRange(comparison.WassersteinOf(ComparedQuantity.Orientation)!.Value, 0, 6);
         Assert.InRange(DatasetComparison.Between(comparison.First.Classes, comparison.Second.Classes)!.Value.TotalVariation, 0, 0.1);
-        Assert.Equal(comparison.First.Frames, ImageBrightness.Of(Read2(ComparedKitti.Open(_folder)).Images).Count());
+        Assert.Equal(comparison.First.Frames, ImageBrightness.Of(Kept(ComparedKitti.Open(_folder)).Images).Count());
     }
 
     [Fact]
-    public void Session_and_its_own_nuScenes_export_have_the_same_distributions()
+    public void Session_and_its_nuScenes_export_have_equal_distributions()
     {
         Export("nuscenes");
 
@@ -104,7 +104,7 @@ public sealed class ComparedDatasetTests(SimulatedSession session) : IDisposable
 
     private static DatasetProfile Read(IComparedDataset dataset) => dataset.Read(_ => { }, CancellationToken.None);
 
-    private static IComparedDataset Read2(IComparedDataset dataset)
+    private static IComparedDataset Kept(IComparedDataset dataset)
     {
         Read(dataset);
         return dataset;

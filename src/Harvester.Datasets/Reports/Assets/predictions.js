@@ -10,6 +10,9 @@ if (evaluation) {
   state.shown.delete("box"); // Its colours are those of classes.
 }
 
+/** KITTI's types begin with a capital. */
+const isHidden = name => state.hidden.has(name) || state.hidden.has(name.toLowerCase());
+
 /** The predictions of the frame and the objects that they miss, told apart by colour and by style of line. */
 function drawPredictions() {
   if (!evaluation) return [];
@@ -18,7 +21,7 @@ function drawPredictions() {
   byId("outcomes-here").textContent = `This frame: ${counted("matched")} matched, ${frame.missed.length} missed, ${counted("false")} false.`;
   if (!state.shown.has("predictions")) return [];
   return [...frame.missed.map(box => ({ ...box, outcome: "missed" })), ...frame.boxes]
-    .filter(({ class: place }) => !state.hidden.has(evaluation.classes[place].name)).map(drawPrediction);
+    .filter(({ class: place }) => !isHidden(evaluation.classes[place].name)).map(drawPrediction);
 }
 
 function drawPrediction({ box: [left, top, right, bottom], class: place, score, outcome, object }) {
@@ -80,7 +83,7 @@ function showEvaluation() {
       element("ol", { class: "worst" }, ...evaluation.worst.map(entry => element("li", {}, ...worstLink(entry)))))),
     element("p", { class: "hint" }, `AP and AR are COCO's: precision at 101 recalls, averaged over overlaps of 0.5 to 0.95, with all predictions. Matched, missed and false positives are counted at overlap 0.5 for scores of ${minScore} or more. Curves: solid at overlap 0.5, dashed at 0.75.`),
     element("div", { class: "panels" }, ...seen.filter(kind => kind.objects).map(curves)),
-    element("div", { class: "panels" }, held("by-class"), held("by-size"), held("by-distance"), held("by-occlusion"), held("figures")));
+    element("div", { class: "panels counts" }, held("by-class"), held("by-size"), held("by-distance"), held("by-occlusion"), held("figures")));
   table("precisions", ["Class", "Objects", "AP", "AP50", "AP75", "AP small", "AP medium", "AP large", "AR100"], seen.map(kind => {
     const mark = element("i");
     mark.style.background = kind.colour;
