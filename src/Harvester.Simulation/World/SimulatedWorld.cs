@@ -39,8 +39,7 @@ internal sealed class SimulatedWorld
     private readonly SignalProps _signalProps;
     private readonly IReadOnlyList<Vector3D> _lamps;
     private readonly MotionMeter _motion;
-    private readonly Func<EgoWatch> _newWatch;
-    private EgoWatch? _watch;
+    private readonly Lazy<EgoWatch> _watch;
 
     public SimulatedWorld(SimulationOptions options)
         : this(options, new HandleCounter(), 0, 0)
@@ -122,7 +121,7 @@ internal sealed class SimulatedWorld
             _signalProps.AddGiven(props.Where(prop => prop.Name.StartsWith("prop_traffic", StringComparison.Ordinal)), catalogue);
         }
 
-        _newWatch = () => new EgoWatch(Ego, Car, _traffic, _walkers, site.Signals, scenery.StopArms);
+        _watch = new Lazy<EgoWatch>(() => new EgoWatch(Ego, Car, _traffic, _walkers, site.Signals, scenery.StopArms));
         _lamps = scenery.Lamps;
         _entities = [.. parked, .. scenery.Props.Where(prop => prop.Handle != 0)];
         Scene = new RenderScene([
@@ -191,11 +190,13 @@ internal sealed class SimulatedWorld
     public void ResetEgo(Vector3D position, double headingDegrees)
     {
         _traffic.ResetEgo(position, headingDegrees);
-        _watch?.Jump();
+        Watch?.Jump();
     }
 
     /// <summary>How the ego has driven since the first call.</summary>
-    public EgoConduct Conduct => (_watch ??= _newWatch()).At(TimeSeconds);
+    public EgoConduct Conduct => _watch.Value.At(TimeSeconds);
+
+    private EgoWatch? Watch => _watch.IsValueCreated ? _watch.Value : null;
 
     /// <summary>The overridden traffic lights by handle.</summary>
     public Dictionary<int, SignalState> DrivenLights => _signalProps.Driven;
@@ -214,7 +215,7 @@ internal sealed class SimulatedWorld
             _walking.Tick(step, _traffic, Ego.Pose.Position, _traffic.Radius);
             _motion.End(step);
             TimeSeconds += step;
-            _watch?.Tick(TimeSeconds);
+            Watch?.Tick(TimeSeconds);
         }
 
         Car.EndTick();
