@@ -39,7 +39,7 @@ internal sealed class SimulatedWorld
     private readonly SignalProps _signalProps;
     private readonly IReadOnlyList<Vector3D> _lamps;
     private readonly MotionMeter _motion;
-    private readonly Lazy<EgoWatch> _watch;
+    private readonly Func<EgoWatch> _newWatch;
 
     public SimulatedWorld(SimulationOptions options)
         : this(options, new HandleCounter(), 0, 0)
@@ -98,10 +98,7 @@ internal sealed class SimulatedWorld
         _motion = new MotionMeter(Ego, Car);
         _traffic = new TrafficFlow(
             site.Lanes, site.Signals, _vehicles, Car, parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max)),
-                placing)
-        {
-            Radius = options.TrafficRadiusMetres,
-        };
+                placing) { Radius = options.TrafficRadiusMetres };
         _walking = new WalkerFlow(_walkers, site.Walkways);
 
         Scenery scenery = new(options.Seed, site, catalogue, handles);
@@ -121,7 +118,7 @@ internal sealed class SimulatedWorld
             _signalProps.AddGiven(props.Where(prop => prop.Name.StartsWith("prop_traffic", StringComparison.Ordinal)), catalogue);
         }
 
-        _watch = new Lazy<EgoWatch>(() => new EgoWatch(Ego, Car, _traffic, _walkers, site.Signals, scenery.StopArms));
+        _newWatch = () => new EgoWatch(Ego, Car, _traffic, _walkers, site.Signals, scenery.StopArms);
         _lamps = scenery.Lamps;
         _entities = [.. parked, .. scenery.Props.Where(prop => prop.Handle != 0)];
         Scene = new RenderScene([
@@ -187,16 +184,10 @@ internal sealed class SimulatedWorld
     public bool IsDark { get; set; }
 
     /// <summary>Places the ego at a position, at rest.</summary>
-    public void ResetEgo(Vector3D position, double headingDegrees)
-    {
-        _traffic.ResetEgo(position, headingDegrees);
-        Watch?.Jump();
-    }
+    public void ResetEgo(Vector3D position, double headingDegrees) => _traffic.ResetEgo(position, headingDegrees);
 
     /// <summary>How the ego has driven since the first call.</summary>
-    public EgoConduct Conduct => _watch.Value.At(TimeSeconds);
-
-    private EgoWatch? Watch => _watch.IsValueCreated ? _watch.Value : null;
+    public EgoConduct Conduct => (_traffic.Watch ??= _newWatch()).At(TimeSeconds);
 
     /// <summary>The overridden traffic lights by handle.</summary>
     public Dictionary<int, SignalState> DrivenLights => _signalProps.Driven;
@@ -215,7 +206,6 @@ internal sealed class SimulatedWorld
             _walking.Tick(step, _traffic, Ego.Pose.Position, _traffic.Radius);
             _motion.End(step);
             TimeSeconds += step;
-            Watch?.Tick(TimeSeconds);
         }
 
         Car.EndTick();
