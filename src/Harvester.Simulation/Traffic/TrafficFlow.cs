@@ -54,6 +54,9 @@ internal sealed class TrafficFlow
     /// <summary>Vehicles farther than this from the ego do not move, metres; null to move all.</summary>
     public double? Radius { get; init; }
 
+    /// <summary>Watches how the ego drives; null for nobody.</summary>
+    public EgoWatch? Watch { get; set; }
+
     /// <summary>How often the ego was put elsewhere, at a dead end or when stuck.</summary>
     public int EgoReplacements { get; private set; }
 
@@ -69,6 +72,7 @@ internal sealed class TrafficFlow
         _rightOfWay.ReleaseAll(Ego);
         _egoCar.Reset(position, headingDegrees);
         _index.Move(Ego, before, Ego.Pose.Position);
+        Watch?.Jump();
     }
 
     /// <summary>Whether the ego touches another vehicle.</summary>
@@ -118,6 +122,8 @@ internal sealed class TrafficFlow
             _rightOfWay.ReleasePassed(vehicle);
             _index.Move(vehicle, before, vehicle.Pose.Position);
         }
+
+        Watch?.Tick(timeSeconds + seconds);
     }
 
     private void Advance(Vehicle vehicle, double acceleration, double seconds, BodyIndex<Walker> walkersOnRoad)

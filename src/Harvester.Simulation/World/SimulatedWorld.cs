@@ -40,7 +40,6 @@ internal sealed class SimulatedWorld
     private readonly IReadOnlyList<Vector3D> _lamps;
     private readonly MotionMeter _motion;
     private readonly Func<EgoWatch> _newWatch;
-    private EgoWatch? _watch;
 
     public SimulatedWorld(SimulationOptions options)
         : this(options, new HandleCounter(), 0, 0)
@@ -99,10 +98,7 @@ internal sealed class SimulatedWorld
         _motion = new MotionMeter(Ego, Car);
         _traffic = new TrafficFlow(
             site.Lanes, site.Signals, _vehicles, Car, parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max)),
-                placing)
-        {
-            Radius = options.TrafficRadiusMetres,
-        };
+                placing) { Radius = options.TrafficRadiusMetres };
         _walking = new WalkerFlow(_walkers, site.Walkways);
 
         Scenery scenery = new(options.Seed, site, catalogue, handles);
@@ -188,14 +184,10 @@ internal sealed class SimulatedWorld
     public bool IsDark { get; set; }
 
     /// <summary>Places the ego at a position, at rest.</summary>
-    public void ResetEgo(Vector3D position, double headingDegrees)
-    {
-        _traffic.ResetEgo(position, headingDegrees);
-        _watch?.Jump();
-    }
+    public void ResetEgo(Vector3D position, double headingDegrees) => _traffic.ResetEgo(position, headingDegrees);
 
     /// <summary>How the ego has driven since the first call.</summary>
-    public EgoConduct Conduct => (_watch ??= _newWatch()).At(TimeSeconds);
+    public EgoConduct Conduct => (_traffic.Watch ??= _newWatch()).At(TimeSeconds);
 
     /// <summary>The overridden traffic lights by handle.</summary>
     public Dictionary<int, SignalState> DrivenLights => _signalProps.Driven;
@@ -214,7 +206,6 @@ internal sealed class SimulatedWorld
             _walking.Tick(step, _traffic, Ego.Pose.Position, _traffic.Radius);
             _motion.End(step);
             TimeSeconds += step;
-            _watch?.Tick(TimeSeconds);
         }
 
         Car.EndTick();

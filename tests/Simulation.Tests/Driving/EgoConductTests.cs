@@ -51,30 +51,39 @@ public sealed class EgoConductTests
     }
 
     [Fact]
-    public void Red_light_counts_for_a_program_that_runs_it()
+    [Trait("Category", "Heavy")]
+    public void Light_that_a_program_passes_counts_only_if_it_is_red()
     {
-        SimulatedGame game = Find(conduct => conduct is { Light: LightState.Red, MetresToTurn: > 2 and < 15 }, standing: true);
-        Drive(game, 8, Ahead);
+        HashSet<LightState> passed = [];
+        for (int start = 1; start < 20 && passed.Count < 2; start++)
+        {
+            SimulatedGame game = Find(conduct => conduct is { Light: LightState.Red or LightState.Green, MetresToTurn: > 2 and < 8 }, start);
+            LightState before = LightState.Unknown;
+            for (int tick = 0; tick < 200 && game.Conduct.MetresToTurn > 0; tick++)
+            {
+                before = game.Conduct.Light ?? before;
+                Drive(game, Tick, new DrivingControls(0, 1, 0));
+            }
 
-        Assert.Equal((1, 0), (game.Conduct.RedLightsRun, game.Conduct.StopSignsRun));
-    }
+            // A light that changes while the car passes it may be of either colour.
+            if (before is LightState.Red or LightState.Green)
+            {
+                Assert.Equal(before == LightState.Red ? 1 : 0, game.Conduct.RedLightsRun);
+                Assert.Null(game.Conduct.Light);
+                passed.Add(before);
+            }
+        }
 
-    [Fact]
-    public void Green_light_may_be_passed()
-    {
-        SimulatedGame game = Find(conduct => conduct is { Light: LightState.Green, MetresToTurn: > 2 and < 8 }, standing: false);
-        Drive(game, 2, Ahead);
-
-        Assert.Equal(0, game.Conduct.RedLightsRun);
-        Assert.Null(game.Conduct.Light);
+        Assert.Equal(2, passed.Count);
     }
 
     [Theory]
+    [Trait("Category", "Heavy")]
     [InlineData(0, 1)]
     [InlineData(3, 0)]
     public void Stop_sign_counts_unless_the_car_has_stopped(double secondsOfBraking, int run)
     {
-        SimulatedGame game = Find(conduct => conduct is { HasStopSign: true, MetresToTurn: > 7 and < 9 }, standing: false);
+        SimulatedGame game = Find(conduct => conduct is { HasStopSign: true, MetresToTurn: > 7 and < 9 }, 1);
         Drive(game, secondsOfBraking, DrivingControls.Stop);
         Drive(game, 8, Ahead);
 
@@ -82,9 +91,10 @@ public sealed class EgoConductTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Built_in_driver_runs_no_red_light_and_hits_nobody()
     {
-        SimulatedGame game = new(new SimulationOptions { Seed = 4, TrafficDensity = 0.5, PedestrianDensity = 0 });
+        SimulatedGame game = new(new SimulationOptions { Seed = 1, TrafficDensity = 0.5, PedestrianDensity = 0 });
         _ = game.Conduct;
         bool hasSeenRed = false;
         for (int i = 0; i < 3000; i++)
@@ -99,9 +109,10 @@ public sealed class EgoConductTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Announced_turns_are_those_that_the_car_takes()
     {
-        SimulatedGame game = new(new SimulationOptions { Seed = 5, TrafficDensity = 0, PedestrianDensity = 0 });
+        SimulatedGame game = new(new SimulationOptions { Seed = 1, TrafficDensity = 0, PedestrianDensity = 0 });
         _ = game.Conduct;
         HashSet<RouteTurn> seen = [];
         for (int junctions = 0; junctions < 25; junctions++)
@@ -162,18 +173,17 @@ public sealed class EgoConductTests
             .ToDictionary(entity => entity.Handle, entity => entity.Pose.Position);
     }
 
-    /// <summary>A game in which the built-in driver has come to a place that a condition describes, and stands or drives there.</summary>
-    private static SimulatedGame Find(Func<EgoConduct, bool> condition, bool standing)
+    /// <summary>A game in which the built-in driver has driven to a place that a condition describes.</summary>
+    private static SimulatedGame Find(Func<EgoConduct, bool> condition, int firstStart)
     {
-        for (int seed = 1; seed < 10; seed++)
+        for (int start = firstStart; start < firstStart + 10; start++)
         {
             SimulatedGame game = new(
-                new SimulationOptions { Seed = seed, StartSeed = seed, TrafficDensity = 0, ParkedDensity = 0, PedestrianDensity = 0 });
+                new SimulationOptions { Seed = 1, StartSeed = start, TrafficDensity = 0, ParkedDensity = 0, PedestrianDensity = 0 });
             _ = game.Conduct;
             for (int tick = 0; tick < 4000; tick++)
             {
-                double speed = game.Ports.World.ReadEgo().Velocity.Length;
-                if (condition(game.Conduct) && (standing ? speed == 0 : speed > 2))
+                if (condition(game.Conduct) && game.Ports.World.ReadEgo().Velocity.Length > 1)
                 {
                     return game;
                 }
