@@ -94,9 +94,8 @@ public sealed class TrialRun
                 {
                     bool isSpaceLow = _hasFrames && _world.Harvest is { Fault: not null, IsSpaceLow: true };
                     string? failure = isSpaceLow ? _world.Harvest.Fault : _failure ?? _world.Harvest.Fault;
-                    Ending = new TrialEnding(
-                        _hasFrames ? _world.Harvest.Captured : 0,
-                        failure ?? (_world.Harvest.Captured > 0 ? null : "The harvest took no frame."), isSpaceLow);
+                    failure ??= _world.Harvest.Captured > 0 ? null : "The harvest took no frame.";
+                    Ending = new TrialEnding(_hasFrames ? _world.Harvest.Captured : 0, failure, isSpaceLow);
                     Phase = TrialPhase.Over;
                 }
 

@@ -19,9 +19,10 @@ internal sealed class PlanRunCommand
 {
     private const string Notes =
         "Every trial becomes a session in DIR/trials/ID. DIR also has a copy of the plan; world.json, which tells other roads and another\n"
-        + "detail apart; plan-status.jsonl, a line for each attempt that has ended; and heartbeat.json, renewed at most once a second. A trial that fails is repeated; after three failures it\n"
-        + "is skipped, and the exit code is 4. Whatever stopped the command, --resume continues it, and the result has the bytes of a run\n"
-        + "that was not stopped. With --shard I/N, every N-th trial is run; the shards may share DIR.\n\n"
+        + "detail apart; plan-status.jsonl, a line for each attempt that has ended; and heartbeat.json, renewed at most once a second.\n"
+        + "A trial that fails is repeated; after three failures it is skipped, and the exit code is 4. Whatever stopped the command,\n"
+        + "--resume continues it, and the result has the bytes of a run that was not stopped. With --shard I/N, every N-th trial is run;\n"
+        + "the shards may share DIR.\n\n"
         + "Examples:\n"
         + "  harvester plan run plan.json --out experiment\n"
         + "  harvester plan run plan.json --out experiment --resume\n"
