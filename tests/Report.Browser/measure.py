@@ -33,31 +33,31 @@ def enlarge(source: pathlib.Path, target: pathlib.Path, frames: int):
 
 def measure(session: pathlib.Path):
     from serving import viewer
-    begun = time.monotonic()
+    size = (session / "labels.jsonl").stat().st_size
+    print(f"{state_count(session)} frames, {size / 1e9:.2f} GB of labels", flush=True)
     with pages.browser() as driver, viewer(session) as address:
         served = time.monotonic()
         driver.get(address)
         page = pages.Page(driver, address)
         opening = page.script("return performance.getEntriesByName('first frame')[0].startTime")
+        print(f"from the request of the page to its first frame: {opening / 1000:.2f} s", flush=True)
         state = lambda: json.loads(urllib.request.urlopen(address + "state").read())
         while not state()["isIndexed"]:
             time.sleep(0.01)
-        indexed = time.monotonic()
+        print(f"all lines are indexed at most {time.monotonic() - served:.2f} s after the address was printed", flush=True)
         times = []
         for _ in range(STEPS):
-            times.append(page.script("const begun = performance.now(); await step(1); await new Promise(requestAnimationFrame); return performance.now() - begun"))
+            times.append(page.script("const begun = performance.now(); await step(1); return performance.now() - begun"))
             time.sleep(PAUSE_SECONDS)
+        print(f"next frame: median {statistics.median(times):.0f} ms, 95 % within {sorted(times)[int(0.95 * STEPS)]:.0f} ms; "
+              f"load {os.getloadavg()[0]:.1f}", flush=True)
         while state()["read"] < state()["frames"]:
             time.sleep(0.5)
-        read = time.monotonic()
+        print(f"all labels are read {time.monotonic() - served:.0f} s after the address was printed", flush=True)
         page.wait(lambda: page.script("return source.known === source.count"))
         filtering = page.script("const begun = performance.now(); state.farthest = 30; refilter(); return performance.now() - begun")
         heap = page.script("return performance.memory.usedJSHeapSize")
-    size = (session / "labels.jsonl").stat().st_size
-    print(f"{state_count(session)} frames, {size / 1e9:.2f} GB of labels; load {os.getloadavg()[0]:.1f}")
-    print(f"page to first frame: {opening / 1000:.2f} s; lines indexed at most {indexed - served:.2f} s after the address was printed")
-    print(f"next frame: median {statistics.median(times):.0f} ms, 95 % within {sorted(times)[int(0.95 * STEPS)]:.0f} ms")
-    print(f"all labels read after {read - begun:.0f} s; then a change of filters takes {filtering:.0f} ms; heap {heap / 1e6:.0f} MB")
+        print(f"a change of filters takes {filtering:.0f} ms; heap of the page {heap / 1e6:.0f} MB", flush=True)
 
 
 def state_count(session):

@@ -167,6 +167,9 @@ async function begin() {
   if (state.frame) drawAll();
 }
 
+const redrawGrowth = 1.2; // What depends on all frames is drawn anew for so many more, so that a page that still reads stays responsive.
+let drawnKnown = 0;
+
 /** Takes over that more frames are known. */
 async function grow({ problems, problem }) {
   byId("slider").max = source.count - 1;
@@ -174,8 +177,13 @@ async function grow({ problems, problem }) {
     data.note, source.known < source.count ? `${source.known} of ${source.count} frames are read for filters, plots and statistics.` : "",
     problem ? `${problems} lines cannot be read. ${problem}` : ""].filter(text => text !== "").join(" ");
   if (!isBegun && source.count > 0) await begin();
+  if (!state.frame || (source.known < source.count && source.known < drawnKnown * redrawGrowth)) return;
+  drawnKnown = source.known;
   countMatches(matchCounts.length);
-  if (state.frame) { drawAll(); showViews(); drawGround(); drawThumbnails(); }
+  drawAll();
+  showViews();
+  drawGround();
+  drawThumbnails();
 }
 
 /** Takes over statistics and events of the frames that are known. */
