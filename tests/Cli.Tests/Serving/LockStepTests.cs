@@ -154,7 +154,8 @@ public sealed class LockStepTests
     {
         IPEndPoint at = new(IPAddress.Loopback, FreePort.Find());
         Task<CliRun> serve = CliRun.BesideAsync(
-            CancellationToken.None, "serve", "--lockstep", "--once", "--port", at.Port.ToString(CultureInfo.InvariantCulture), "--traffic", "0", "--size", "80x60");
+            CancellationToken.None, "serve", "--lockstep", "--once", "--port", at.Port.ToString(CultureInfo.InvariantCulture),
+            "--traffic", "0", "--size", "80x60");
         using (SocketClient client = Connect(at, serve))
         {
             client.Send("""{"type":"restart","seed":2}""");
@@ -232,7 +233,8 @@ public sealed class LockStepTests
                 _bridge,
                 restart => new SimulatedGame(World with { TrafficSeed = restart?.Seed, StartSeed = restart?.Seed }),
                 game => new GameEndpoint(
-                    game, new FixedRoads(game.Roads, "simulation"), options, _bridge, static () => new DeepDrivingController(), isAssisted));
+                    game, new FixedRoads(game.Roads, "simulation"), options, _bridge, static () => new DeepDrivingController(),
+                    isAssisted));
             _serving = Task.Factory.StartNew(
                 () => game.Run(double.PositiveInfinity, _stopping.Token), CancellationToken.None, TaskCreationOptions.LongRunning,
                 TaskScheduler.Default);
