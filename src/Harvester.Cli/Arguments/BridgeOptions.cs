@@ -61,7 +61,10 @@ internal sealed class BridgeOptions
         }
 
         SocketBridge bridge = SocketBridges.Open(
-            new IPEndPoint(parsedAddress, parsed.GetValue(_port)), parsed.GetValue(_token), driving.Picture, canRestart: driving.IsLockStep);
+            new IPEndPoint(parsedAddress, parsed.GetValue(_port)),
+            parsed.GetValue(_token),
+            driving.Picture,
+            canRestart: driving.IsLockStep);
         place = bridge.EndPoint.ToString();
         return bridge;
     }

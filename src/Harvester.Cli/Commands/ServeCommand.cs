@@ -28,8 +28,8 @@ internal sealed class ServeCommand
 {
     private const string Notes =
         "docs/bridge.md describes the protocol; examples/ has two clients in Python. The game runs in real time; a client that requests\n"
-        + "single steps gets them as fast as the machine allows. With --lockstep it stands still but for these steps, and the same seed and\n"
-        + "messages give the same frames; docs/gym.md describes a Gymnasium environment over it.\n\n"
+        + "single steps gets them as fast as the machine allows. With --lockstep it stands still but for these steps, and the same seed\n"
+        + "and messages give the same frames; docs/gym.md describes a Gymnasium environment over it.\n\n"
         + "Examples:\n"
         + "  harvester serve\n"
         + "  harvester serve --seed 7 --traffic 0 --port 5000 --duration 600\n"
@@ -94,8 +94,9 @@ internal sealed class ServeCommand
     {
         var command = new Command("serve", "Serve the simulated game to a driving program over the live bridge.");
         Bridge.AddTo(command);
-        foreach (Option option in new Option[] { Seed, Roads, Near, Traffic, TrafficRadius, WeatherName, Size, Hz, Duration, Unassisted, LockStep, Once }.Concat(
-            Controller.All))
+        Option[] own =
+            [Seed, Roads, Near, Traffic, TrafficRadius, WeatherName, Size, Hz, Duration, Unassisted, LockStep, Once];
+        foreach (Option option in own.Concat(Controller.All))
         {
             command.Options.Add(option);
         }

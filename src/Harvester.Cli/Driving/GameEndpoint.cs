@@ -32,7 +32,8 @@ internal sealed class GameEndpoint : IDisposable
         GamePorts ports = game.Ports with { Roads = roads, Car = _assisted ?? game.Ports.Car };
 
         // The image of the simulated game never lags.
-        _session = new DrivingSession(options with { SettleTicks = 0 }, ports, bridge, newController, () => TruthReader.Of(game, !IsByClient));
+        _session = new DrivingSession(
+            options with { SettleTicks = 0 }, ports, bridge, newController, () => TruthReader.Of(game, !IsByClient));
         _ = game.Conduct;
         _before = (game.Ports.World.ReadEgo(), game.Ports.World.TimeSeconds);
     }

@@ -7,8 +7,9 @@ namespace Harvester.Driving.Bridge;
 
 /// <summary>
 /// Messages of the current client, until the game takes them: commands in order; of controls and indicators only the newest. A reset or
-/// restart voids controls and indicators received before it. Sender and message are stored under one lock with the current client, so once a client has
-/// disconnected or been replaced, none of its messages is handed out, and a <see cref="ClientGoneMessage"/> precedes all that follows.
+/// restart voids controls and indicators received before it. Sender and message are stored under one lock with the current client, so once
+/// a client has disconnected or been replaced, none of its messages is handed out, and a <see cref="ClientGoneMessage"/> precedes all that
+/// follows.
 /// </summary>
 /// <typeparam name="TClient">Clients, compared by reference.</typeparam>
 internal sealed class ClientInbox<TClient>

@@ -36,7 +36,8 @@ internal sealed class FrameCredit
 
     /// <summary>
     /// Takes note of a message. It answers the frame that it names and all before it, or every frame sent if it names none. A step, a
-    /// request and a restart answer nothing: they lead to the frame that they ask for, and an answer would add one that the client does not wait for.
+    /// request and a restart answer nothing: they lead to the frame that they ask for, and an answer would add one that the client does not
+    /// wait for.
     /// </summary>
     public void Hear(ClientMessage word)
     {

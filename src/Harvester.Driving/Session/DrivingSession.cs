@@ -40,7 +40,11 @@ public sealed class DrivingSession : IDisposable
     /// <exception cref="ArgumentNullException">An argument is null, except <paramref name="readTruth"/>.</exception>
     /// <exception cref="ArgumentException">The game has no car that can be driven.</exception>
     public DrivingSession(
-        DrivingOptions options, GamePorts game, IDrivingBridge bridge, Func<IController> newController, Func<DrivingTruth>? readTruth = null)
+        DrivingOptions options,
+        GamePorts game,
+        IDrivingBridge bridge,
+        Func<IController> newController,
+        Func<DrivingTruth>? readTruth = null)
     {
         if (options is null)
         {

@@ -18,7 +18,7 @@ internal sealed class EgoWatch(
     Vehicle ego, EgoCar car, TrafficFlow traffic, IReadOnlyList<Walker> walkers, Signals signals,
     IReadOnlySet<(Junction Junction, RoadArm Arm)> stopArms)
 {
-    /// <summary>Within this distance of the end of its lane, metres from the car's origin, a car that stands has stopped at the line.</summary>
+    /// <summary>A car that stands within this distance of the end of its lane, metres from its origin, has stopped there.</summary>
     private const double StopRange = 10;
     private const double StandingSpeed = 0.3;
 

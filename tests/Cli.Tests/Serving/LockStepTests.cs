@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Net;
 using System.Text;
 using System.Text.Json;
@@ -149,11 +150,12 @@ public sealed class LockStepTests
     }
 
     [Fact]
-    public void Game_for_one_client_ends_with_it()
+    public async Task Game_for_one_client_ends_with_it()
     {
         IPEndPoint at = new(IPAddress.Loopback, FreePort.Find());
         Task<CliRun> serve = CliRun.BesideAsync(
-            CancellationToken.None, "serve", "--lockstep", "--once", "--port", $"{at.Port}", "--traffic", "0", "--size", "80x60");
+            CancellationToken.None, "serve", "--lockstep", "--once", "--port", at.Port.ToString(CultureInfo.InvariantCulture),
+            "--traffic", "0", "--size", "80x60");
         using (SocketClient client = Connect(at, serve))
         {
             client.Send("""{"type":"restart","seed":2}""");
@@ -162,8 +164,8 @@ public sealed class LockStepTests
             client.Receive();
         }
 
-        Assert.True(serve.Wait(TimeSpan.FromSeconds(30)), "The game goes on without its client.");
-        Assert.EndsWith("2 frames, 0 m driven in 0.1 s\n", serve.Result.Out, StringComparison.Ordinal);
+        CliRun run = await serve.WaitAsync(TimeSpan.FromSeconds(60));
+        Assert.EndsWith("2 frames, 0 m driven in 0.1 s\n", run.Out, StringComparison.Ordinal);
     }
 
     private static double TimeOf(SocketClient client) => client.Receive().Header.GetProperty("timeSeconds").GetDouble();
@@ -231,7 +233,8 @@ public sealed class LockStepTests
                 _bridge,
                 restart => new SimulatedGame(World with { TrafficSeed = restart?.Seed, StartSeed = restart?.Seed }),
                 game => new GameEndpoint(
-                    game, new FixedRoads(game.Roads, "simulation"), options, _bridge, static () => new DeepDrivingController(), isAssisted));
+                    game, new FixedRoads(game.Roads, "simulation"), options, _bridge, static () => new DeepDrivingController(),
+                    isAssisted));
             _serving = Task.Factory.StartNew(
                 () => game.Run(double.PositiveInfinity, _stopping.Token), CancellationToken.None, TaskCreationOptions.LongRunning,
                 TaskScheduler.Default);

@@ -57,7 +57,8 @@ public sealed class EgoConductTests
         HashSet<LightState> passed = [];
         for (int start = 1; start < 20 && passed.Count < 2; start++)
         {
-            SimulatedGame game = Find(conduct => conduct is { Light: LightState.Red or LightState.Green, MetresToTurn: > 2 and < 8 }, start);
+            SimulatedGame game = Find(
+                conduct => conduct is { Light: LightState.Red or LightState.Green, MetresToTurn: > 2 and < 8 }, start);
             LightState before = LightState.Unknown;
             for (int tick = 0; tick < 200 && game.Conduct.MetresToTurn > 0; tick++)
             {
