@@ -43,8 +43,8 @@ public sealed class SessionViewTests : IDisposable
         _session.Lines[2]["frame"] = 9;
         using var view = new SessionView(_session.Open());
 
-        // Frames 0, 5 and 9.
-        Assert.Equal([0, 1, 1, 2, 2, 3], new[] { 0, 1, 5, 6, 9, 10 }.Select(view.IndexOf));
+        int[] asked = [0, 1, 5, 6, 9, 10]; // Of frames 0, 5 and 9.
+        Assert.Equal([0, 1, 1, 2, 2, 3], asked.Select(view.IndexOf));
     }
 
     [Fact]

@@ -144,7 +144,8 @@ public sealed class EgoConductTests
     [Fact]
     public void Random_starts_differ_and_repeat()
     {
-        Vector3D[] places = [.. new[] { 1, 2, 1 }.Select(seed => new SimulatedGame(
+        int[] seeds = [1, 2, 1];
+        Vector3D[] places = [.. seeds.Select(seed => new SimulatedGame(
             new SimulationOptions { StartSeed = seed, TrafficDensity = 0, PedestrianDensity = 0 }).Ports.World.ReadEgo().Pose.Position)];
 
         Assert.True((places[0] - places[1]).Length > 20);
