@@ -130,7 +130,8 @@ internal sealed class CocoPredictions : IPredictions
             int category = fields.Integer("category_id");
             double[] box = fields.Numbers("bbox", BoxNumbers);
             double score = fields.Number("score");
-            string? problem = image < 0 || image >= images ? $"image_id {image} is unknown; the images of the session are 0 to {images - 1}."
+            string? problem = image < 0 || image >= images
+                ? $"image_id {image} is unknown; the images of the session are 0 to {images - 1}."
                 : !places.ContainsKey(category)
                     ? $"category_id {category} is unknown; the categories are {string.Join(", ", places.Keys)} (docs/exports/coco.md)."
                 : box[2] < 0 || box[3] < 0 ? $"bbox is x, y, width, height; width and height are {box[2]} and {box[3]}, less than 0."

@@ -1,4 +1,3 @@
-using Harvester.Datasets.Detections;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Predictions;
 using Harvester.Sessions.Scenes;
