@@ -36,7 +36,8 @@ public sealed class CompareCommandTests : IDisposable
     {
         string session = Session("day");
 
-        byte[][] pages = [.. new[] { "one", "two" }.Select(name =>
+        string[] names = ["one", "two"];
+        byte[][] pages = [.. names.Select(name =>
         {
             CliRun.Of("compare", session, session, "--out", _folder.PathOf($"{name}.html")).AssertDone();
             return File.ReadAllBytes(_folder.PathOf($"{name}.html"));
