@@ -6,7 +6,7 @@ using Harvester.Viewer;
 
 namespace Harvester.Cli.Tests.Viewing;
 
-public sealed class ViewServerTests : IAsyncLifetime
+public sealed class ViewServerTests : IAsyncLifetime, IDisposable
 {
     private readonly TemporaryFolder _folder = new();
     private readonly HttpClient _client = new();
@@ -20,9 +20,10 @@ public sealed class ViewServerTests : IAsyncLifetime
         _server = await ViewServer.StartAsync([_view], port: 0);
     }
 
-    public async Task DisposeAsync()
+    public async Task DisposeAsync() => await _server.DisposeAsync();
+
+    public void Dispose()
     {
-        await _server.DisposeAsync();
         _view.Dispose();
         _client.Dispose();
         _folder.Dispose();
