@@ -28,13 +28,13 @@ public sealed class ViewCommandTests
     }
 
     [Fact]
-    public void Stopped_viewer_has_printed_its_address()
+    public async Task Stopped_viewer_has_printed_its_address()
     {
         using var folder = new TemporaryFolder();
         SharedHarvest.CopyTo(folder.PathOf("session"), "--frames", "1", "--size", "80x60", "--no-report");
         using var stopping = new CancellationTokenSource(TimeSpan.FromSeconds(2));
 
-        CliRun run = CliRun.StartAsync("", stopping.Token, "view", folder.PathOf("session"), "--no-open").GetAwaiter().GetResult();
+        CliRun run = await CliRun.StartAsync("", stopping.Token, "view", folder.PathOf("session"), "--no-open");
 
         Assert.Equal(ExitCode.Cancelled, run.ExitCode);
         Assert.Matches(@"^http://127\.0\.0\.1:\d+/[0-9a-f]{48}/0/\n$", run.Out);

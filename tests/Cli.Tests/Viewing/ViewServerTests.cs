@@ -1,5 +1,4 @@
 using System.Net;
-using System.Net.Http;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Viewing;
 using Harvester.Viewer;

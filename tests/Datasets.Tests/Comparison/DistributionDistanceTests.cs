@@ -1,4 +1,3 @@
-using FsCheck;
 using Harvester.Datasets.Comparison;
 using Harvester.TestSupport;
 

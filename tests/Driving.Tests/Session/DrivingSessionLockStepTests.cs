@@ -1,6 +1,5 @@
 using Harvester.Driving.Bridge;
 using Harvester.Driving.Session;
-using Harvester.TestSupport;
 
 namespace Harvester.Driving.Tests.Session;
 
