@@ -96,9 +96,11 @@ internal sealed class SimulatedWorld
         }
 
         _motion = new MotionMeter(Ego, Car);
-        _traffic = new TrafficFlow(
-            site.Lanes, site.Signals, _vehicles, Car, parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max)),
-                placing) { Radius = options.TrafficRadiusMetres };
+        IEnumerable<Footprint> obstacles = parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max));
+        _traffic = new TrafficFlow(site.Lanes, site.Signals, _vehicles, Car, obstacles, placing)
+        {
+            Radius = options.TrafficRadiusMetres,
+        };
         _walking = new WalkerFlow(_walkers, site.Walkways);
 
         Scenery scenery = new(options.Seed, site, catalogue, handles);
