@@ -114,16 +114,16 @@ def test_game_ends_with_its_environment() -> None:
     assert process.returncode == 0
 
 
-def test_hung_game_is_told() -> None:
+def test_hung_game_is_told_and_ended() -> None:
     with create(observation="state", patience=1) as own:
         own.reset(seed=1)
         pid = own._server._process.pid
         os.kill(pid, signal.SIGSTOP)
-        try:
-            with pytest.raises(gym.GameHungError):
-                own.step([0, 0, 0])
-        finally:
-            os.kill(pid, signal.SIGCONT)
+        with pytest.raises(gym.GameHungError):
+            own.step([0, 0, 0])
+        # The environment ends the game that it has started.
+        with pytest.raises(ProcessLookupError):
+            os.kill(pid, 0)
 
 
 @pytest.mark.skipif(spaces.gymnasium_module is not None, reason="gymnasium checks itself")
