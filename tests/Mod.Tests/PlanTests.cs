@@ -1,3 +1,4 @@
+using System.Text.Json;
 using System.Windows.Forms;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
@@ -29,6 +30,25 @@ public sealed class PlanTests
         Assert.EndsWith(
             "The plan play is over: 1 trial done, none skipped, in " + Path.Combine(driver.Output, "plans", "play") + ".",
             driver.Game.Notifications[^1], StringComparison.Ordinal);
+        AssertGivenBack(driver.Game);
+    }
+
+    [Fact]
+    public void Trial_with_a_rig_has_its_views_and_points()
+    {
+        using var driver = new ScriptDriver(Ini);
+        HarvestTests.Street(driver.Game);
+        File.WriteAllText(Path.Combine(driver.Folder, "pair.json"), RigTests.Rig);
+        Run(driver, Text.Replace(
+            """{"name":"small","width":64,"height":48,"verticalFovDegrees":45}""", """{"name":"pair","rig":"pair.json"}""",
+            StringComparison.Ordinal));
+
+        string session = Path.Combine(driver.Output, "plans", "play", "trials", "street_foggy_0730_pair_001");
+        JsonElement[] labels = [.. File.ReadAllLines(Path.Combine(session, "labels.jsonl"))
+            .Select(line => JsonDocument.Parse(line).RootElement)];
+        Assert.Equal(["ahead", "left", "ahead", "left"], labels.Select(label => label.GetProperty("view").GetString()));
+        Assert.Equal(70, labels[1].GetProperty("camera").GetProperty("verticalFovDegrees").GetDouble(), 3);
+        Assert.Single(labels[0].GetProperty("lidar").EnumerateArray());
         AssertGivenBack(driver.Game);
     }
 
@@ -133,10 +153,10 @@ public sealed class PlanTests
     }
 
     /// <summary>Runs the plan to its end, or until a message says that it cannot be run.</summary>
-    internal static void Run(ScriptDriver driver)
+    internal static void Run(ScriptDriver driver, string plan = Text)
     {
         int before = driver.Game.Notifications.Count;
-        Start(driver);
+        Start(driver, plan);
         Until(driver, () => driver.Game.Notifications.Skip(before).Any(message =>
             message.Contains("The plan play is over", StringComparison.Ordinal)
             || message.Contains(" failed: ", StringComparison.Ordinal) || message.Contains(" stopped: ", StringComparison.Ordinal)
@@ -144,9 +164,9 @@ public sealed class PlanTests
         driver.WaitForDisk();
     }
 
-    private static void Start(ScriptDriver driver)
+    private static void Start(ScriptDriver driver, string plan = Text)
     {
-        File.WriteAllText(Path.Combine(driver.Folder, "plan.json"), Text);
+        File.WriteAllText(Path.Combine(driver.Folder, "plan.json"), plan);
         driver.Press(Keys.Decimal);
     }
 

@@ -16,7 +16,8 @@ public sealed class RigTests
     // Freezing, two views that each stand still for the four ticks that a picture may lag, and rays: fewer than 40 ticks.
     private const int TicksOfAMoment = 40;
 
-    private const string Rig =
+    /// <summary>Two cameras and a LiDAR.</summary>
+    public const string Rig =
         """
         {"name":"pair","cameras":[
         {"name":"ahead","position":[0,2,0.5],"verticalFovDegrees":50,"width":64,"height":48},

@@ -127,6 +127,13 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
 
         if (_heartbeat is null)
         {
+            if (ProblemOf(folder) is { } problem)
+            {
+                Stop();
+                _messages.Tell($"The plan cannot run: {problem}");
+                return;
+            }
+
             _heartbeat = new HeartbeatFile(folder.Folder, folder.Plan.Name, Shard.Whole);
             if (folder.Ended is { } ended)
             {
@@ -140,7 +147,7 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
         }
         else if (_trial is { } trial)
         {
-            _run = new TrialRun(_world, folder.Plan, trial, folder.FolderOf(trial));
+            _run = new TrialRun(_world, folder.Plan, trial, folder.FolderOf(trial), folder.RigOf(trial));
         }
         else if (folder.Next is { } next)
         {
@@ -206,6 +213,11 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
             Note(folder, ending);
         }
     }
+
+    /// <summary>Why the settings do not suit the plan; null if they do.</summary>
+    private string? ProblemOf(PlanFolder folder) => folder.Trials
+        .Select(trial => GameRig.ProblemOf(TrialOptions.Of(_world.Options, folder.Plan, trial, folder.RigOf(trial))))
+        .FirstOrDefault(problem => problem is not null);
 
     private void Note(PlanFolder folder, TrialEnding ending)
     {

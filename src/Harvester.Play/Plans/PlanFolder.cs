@@ -4,25 +4,28 @@ using System.IO;
 using System.Linq;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Plans;
+using Harvester.Sessions.Rigs;
 
 namespace Harvester.Play.Plans;
 
 /// <summary>
-/// The folder of a plan's output in the game, locked: a copy of the plan, the status of its trials, and their sessions. While an attempt is
+/// The folder of a plan's output in the game, locked: a copy of the plan and its rigs, the status of its trials, and their sessions. While an attempt is
 /// under way, a file names it: if the file is there when the folder is opened, the game has ended during the attempt.
 /// </summary>
 public sealed class PlanFolder : IDisposable
 {
     private const string Copy = "plan.json";
+    private const string Rigs = "rigs";
     private const string EndedReason = "The game ended during the attempt.";
     private const int MaxCharacters = 16 << 20;
     private readonly WriterLock _held;
+    private readonly IReadOnlyDictionary<string, PlanRig> _rigs;
     private readonly object _gate = new();
     private bool _isReleased;
 
-    private PlanFolder(string folder, WriterLock held, Plan plan, PlanStatus status)
+    private PlanFolder(string folder, WriterLock held, Plan plan, IReadOnlyDictionary<string, PlanRig> rigs, PlanStatus status)
     {
-        (Folder, _held, Plan, Status) = (folder, held, plan, status);
+        (Folder, _held, Plan, _rigs, Status) = (folder, held, plan, rigs, status);
         Trials = TrialList.Of(plan, plan.Places);
     }
 
@@ -62,20 +65,22 @@ public sealed class PlanFolder : IDisposable
         }
 
         Plan plan = reading.Plan!;
+        Dictionary<string, PlanRig> rigs = RigsOf(plan, file);
         string folder = Path.Combine(root, plan.Name);
         Directory.CreateDirectory(root);
         WriterLock held = WriterLock.Take(folder);
         try
         {
             Directory.CreateDirectory(Path.Combine(folder, "trials"));
-            string copy = Path.Combine(folder, Copy);
-            if (!AtomicFile.TryWriteNew(copy, text) && ReadText(copy) != text)
+            Directory.CreateDirectory(Path.Combine(folder, Rigs));
+            if (new[] { (Copy, text) }.Concat(rigs.Select(rig => (Path.Combine(Rigs, rig.Key + ".json"), rig.Value.Text)))
+                .Any(input => !Keep(Path.Combine(folder, input.Item1), input.Item2)))
             {
                 throw new FormatException(
                     $"'{folder}' has results of another plan, or of this one before it was changed. Give the plan another name.");
             }
 
-            var opened = new PlanFolder(folder, held, plan, PlanStatus.Open(folder, Shard.Whole));
+            var opened = new PlanFolder(folder, held, plan, rigs, PlanStatus.Open(folder, Shard.Whole));
             opened.NoteEnded();
             return opened;
         }
@@ -88,6 +93,10 @@ public sealed class PlanFolder : IDisposable
 
     /// <summary>The folder of a trial's session.</summary>
     public string FolderOf(Trial trial) => Path.Combine(Folder, "trials", (trial ?? throw new ArgumentNullException(nameof(trial))).Id);
+
+    /// <summary>The rig of a trial's camera; null for a single camera.</summary>
+    public Rig? RigOf(Trial trial) =>
+        _rigs.TryGetValue((trial ?? throw new ArgumentNullException(nameof(trial))).Camera.Name, out PlanRig rig) ? rig.Rig : null;
 
     /// <summary>
     /// Prepares the next attempt at a trial, and notes on the disk that it is under way. It has no effect once the folder is released.
@@ -179,11 +188,34 @@ public sealed class PlanFolder : IDisposable
     private static string? ProblemOf(Plan plan)
     {
         PlanPlace? open = plan.Places.FirstOrDefault(place => place.Start is null);
-        PlanCamera? rig = plan.Cameras.FirstOrDefault(camera => camera.RigFile is not null);
-        return open is not null ? $"the place '{open.Name}' needs x and y, or a path: 'harvester plan resolve' chooses places for the game."
-            : rig is not null ? $"the camera '{rig.Name}' has a rig, which plans in the game do not support."
-            : null;
+        return open is null ? null
+            : $"the place '{open.Name}' needs x and y, or a path: 'harvester plan resolve' chooses places for the game.";
     }
+
+    /// <summary>The rigs by the name of their camera, from files beside the plan.</summary>
+    private static Dictionary<string, PlanRig> RigsOf(Plan plan, string file)
+    {
+        var rigs = new Dictionary<string, PlanRig>(StringComparer.Ordinal);
+        foreach (PlanCamera camera in plan.Cameras.Where(camera => camera.RigFile is not null))
+        {
+            try
+            {
+                string text = ReadText(Path.Combine(Path.GetDirectoryName(Path.GetFullPath(file))!, camera.RigFile!));
+                rigs.Add(camera.Name, new PlanRig(RigParser.Parse(text), text));
+            }
+            catch (Exception e) when (e is FormatException or IOException or UnauthorizedAccessException)
+            {
+                throw new FormatException(
+                    $"{Path.GetFileName(file)}: the rig {camera.RigFile} of the camera '{camera.Name}' cannot be used: {e.Message}", e);
+            }
+        }
+
+        return rigs;
+    }
+
+    /// <summary>Writes a file, or compares the one that is there.</summary>
+    /// <returns>Whether the file has the text.</returns>
+    private static bool Keep(string path, string text) => AtomicFile.TryWriteNew(path, text) || ReadText(path) == text;
 
     private static string ReadText(string file)
     {

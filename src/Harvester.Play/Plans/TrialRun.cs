@@ -1,8 +1,8 @@
 using System;
-using Harvester.Capture.Harvesting;
 using Harvester.Driving.Controllers;
 using Harvester.Geometry;
 using Harvester.Sessions.Plans;
+using Harvester.Sessions.Rigs;
 
 namespace Harvester.Play.Plans;
 
@@ -34,6 +34,7 @@ public sealed class TrialRun
     private readonly Plan _plan;
     private readonly Trial _trial;
     private readonly string _folder;
+    private readonly Rig? _rig;
     private readonly PathFollower? _follower;
     private MishapWatch _watch = new();
     private double _phaseBegan;
@@ -48,13 +49,15 @@ public sealed class TrialRun
     /// <param name="plan">The plan.</param>
     /// <param name="trial">The trial.</param>
     /// <param name="folder">The folder of its session, which must not exist.</param>
+    /// <param name="rig">The rig of the trial's camera; null for a single camera.</param>
     /// <exception cref="ArgumentException">The place of the trial has no position.</exception>
-    public TrialRun(TrialSurroundings world, Plan plan, Trial trial, string folder)
+    public TrialRun(TrialSurroundings world, Plan plan, Trial trial, string folder, Rig? rig)
     {
         _world = world ?? throw new ArgumentNullException(nameof(world));
         _plan = plan ?? throw new ArgumentNullException(nameof(plan));
         _trial = trial ?? throw new ArgumentNullException(nameof(trial));
         _folder = folder;
+        _rig = rig;
         Vector2D start = trial.Place.Start
             ?? throw new ArgumentException("The place of a trial is chosen before it begins.", nameof(trial));
         _start = new Vector3D(start.X, start.Y, 0);
@@ -181,7 +184,7 @@ public sealed class TrialRun
         }
 
         _world.Controls.SetTimeOfDay(_trial.Hour);
-        if (!_world.Harvest.Begin(_folder, OptionsOf(_world.Options), _trial.Camera.VerticalFovDegrees))
+        if (!_world.Harvest.Begin(_folder, TrialOptions.Of(_world.Options, _plan, _trial, _rig), _trial.Camera.VerticalFovDegrees))
         {
             Stop("The harvest did not begin; the message before this one says why.");
             return;
@@ -287,14 +290,4 @@ public sealed class TrialRun
         _world.Harvest.End();
         _world.Grip.GiveBack();
     }
-
-    private HarvestOptions OptionsOf(HarvestOptions options) => options with
-    {
-        Rig = null,
-        Image = _trial.Camera.Image,
-        RateHz = _plan.Hz,
-        MaxFrames = _plan.FramesAt(_trial.Place),
-        Masks = _plan.Masks != PlanMasks.Off || options.Semantics is not null,
-        MaskMethod = _plan.Masks == PlanMasks.Coded ? Capture.Labelling.MaskMethod.Coded : Capture.Labelling.MaskMethod.Rays,
-    };
 }

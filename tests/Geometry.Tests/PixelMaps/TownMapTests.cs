@@ -39,14 +39,17 @@ public sealed class TownMapTests
     [InlineData(1920, 1080, HeldOutSeeds, 0.005)]
     public void Run_fifty_town_scenes_agree_with_the_exhaustive_maps(int width, int height, int firstSeed, double maxRayFraction)
     {
-        var scores = new MapScores();
-        for (int number = 0; number < 50; number++)
+        var maps = ParallelEnumerable.Range(0, 50).AsOrdered().Select(number =>
         {
             var scene = new TownScene(firstSeed + number, TownScene.ObjectsOf(number), new ImageSize(width, height));
             AdaptivePixelMapper mapper = MapRun.Of(scene, scene.Targets(), new PixelMapOptions());
             mapper.Run();
-            AdaptivePixelMap map = mapper.Finish();
-            scores.Add(scene.ExhaustiveMap(), map.Map, map.RaysCast);
+            return (Exhaustive: scene.ExhaustiveMap(), Adaptive: mapper.Finish());
+        });
+        var scores = new MapScores();
+        foreach ((InstanceMap exhaustive, AdaptivePixelMap adaptive) in maps)
+        {
+            scores.Add(exhaustive, adaptive.Map, adaptive.RaysCast);
         }
 
         AssertAsDemanded(scores, maxRayFraction);

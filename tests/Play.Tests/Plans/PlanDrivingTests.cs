@@ -11,6 +11,11 @@ public sealed class PlanDrivingTests : IDisposable
         {"name":"two","places":[{"name":"a","x":0,"y":0,"headingDegrees":0}],"weathers":["clear","rain"],"frames":3,"hz":2}
         """;
 
+    private const string WithRig = """
+        {"name":"two","places":[{"name":"a","x":0,"y":0,"headingDegrees":0}],"frames":3,"hz":2,
+        "cameras":[{"name":"pair","rig":"rigs/pair.json"}]}
+        """;
+
     private static readonly TimeSpan HangingAfter = TimeSpan.FromMinutes(1);
     private readonly string _root = Directory.CreateTempSubdirectory("plan-driving").FullName;
     private readonly List<string> _told = [];
@@ -212,7 +217,7 @@ public sealed class PlanDrivingTests : IDisposable
     [InlineData("""{"name":"p","places":[{"name":"a","spread":3}]}""",
         "plan.json: the place 'a' needs x and y, or a path: 'harvester plan resolve' chooses places for the game.")]
     [InlineData("""{"name":"p","places":[{"name":"a","x":1,"y":2}],"cameras":[{"name":"c","rig":"r.json"}]}""",
-        "plan.json: the camera 'c' has a rig, which plans in the game do not support.")]
+        "plan.json: the rig r.json of the camera 'c' cannot be used: ")]
     [InlineData("""{"name":"p","places":[{"name":"a","x":1,"y":2}],"weathers":["hot"]}""", "plan.json: weathers[0] must be one of")]
     public void Plan_that_the_game_cannot_run_is_told(string text, string problem)
     {
@@ -221,6 +226,46 @@ public sealed class PlanDrivingTests : IDisposable
         UntilOff(plan);
 
         Assert.Contains($"The plan cannot run: {problem}", Assert.Single(_told), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Trial_with_a_rig_takes_moments_with_all_its_cameras()
+    {
+        WriteRig("left");
+        PlanDriving plan = Driving(WithRig);
+        plan.Toggle();
+        UntilOff(plan);
+
+        Assert.Equal(["left", "right"], _world.HarvestedWith!.Rig!.Cameras.Select(camera => camera.Name));
+        Assert.Equal("""{"trial":"a_clear_1200_pair_001","state":"done","attempt":1,"frames":6}""", Assert.Single(StatusLines()));
+    }
+
+    [Fact]
+    public void Changed_rig_of_a_plan_is_refused()
+    {
+        WriteRig("left");
+        PlanDriving first = Driving(WithRig);
+        first.Toggle();
+        UntilOff(first);
+        WriteRig("front");
+        PlanDriving second = Driving(WithRig);
+        second.Toggle();
+        UntilOff(second);
+
+        Assert.Contains("has results of another plan", _told[^1], StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Settings_that_do_not_suit_a_rig_are_told_at_once()
+    {
+        _world.Freezes = false;
+        WriteRig("left");
+        PlanDriving plan = Driving(WithRig);
+        plan.Toggle();
+        UntilOff(plan);
+
+        Assert.Contains("The plan cannot run: Rig needs Mode = Freeze", Assert.Single(_told), StringComparison.Ordinal);
+        Assert.Empty(StatusLines());
     }
 
     [Fact]
@@ -252,6 +297,16 @@ public sealed class PlanDrivingTests : IDisposable
         string file = Path.Combine(_root, "plan.json");
         File.WriteAllText(file, text);
         return new PlanDriving(file, Path.Combine(_root, "plans"), _world.Surroundings, _messages);
+    }
+
+    private void WriteRig(string first)
+    {
+        Directory.CreateDirectory(Path.Combine(_root, "rigs"));
+        File.WriteAllText(Path.Combine(_root, "rigs", "pair.json"), $$"""
+            {"name":"pair","cameras":[
+            {"name":"{{first}}","position":[0,2,1],"verticalFovDegrees":50,"width":64,"height":48},
+            {"name":"right","position":[1,0,1],"yawDegrees":-90,"verticalFovDegrees":50,"width":64,"height":48}]}
+            """);
     }
 
     private string[] StatusLines()

@@ -295,7 +295,7 @@ public sealed class TrialRunTests : IDisposable
     {
         Plan plan = PlanParser.Read(text).Plan!;
         Trial trial = TrialList.Of(plan, plan.Places)[0];
-        return new TrialRun(_world.Surroundings, plan, trial, Path.Combine(_root, trial.Id));
+        return new TrialRun(_world.Surroundings, plan, trial, Path.Combine(_root, trial.Id), rig: null);
     }
 
     private void Tick(TrialRun run, int count)

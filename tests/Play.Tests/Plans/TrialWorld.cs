@@ -39,7 +39,7 @@ internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels,
         Settling = new PictureSettling(this, _clock),
         Harvest = this,
         Clock = _clock,
-        Options = new HarvestOptions { Rig = Rig },
+        Options = new HarvestOptions { Rig = Rig, Freeze = Freezes },
         Log = Logged.Add,
     };
 
@@ -47,6 +47,9 @@ internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels,
 
     /// <summary>The rig of the settings.</summary>
     public Rig? Rig { get; set; }
+
+    /// <summary>Whether the settings freeze the world for a frame.</summary>
+    public bool Freezes { get; set; } = true;
 
     public List<string> Logged { get; } = [];
 

@@ -13,6 +13,9 @@ public sealed class KittiLeaningTests : ExportTests
     /// <summary>Pixels have two decimals; metres have three, which at 8 m and a focal length of 30 pixels is less.</summary>
     private const double RoundingPixels = 0.02;
 
+    /// <summary>Of a corner at 0.9 m and a focal length of 30 pixels, half a millimetre is 0.016 pixels.</summary>
+    private const double RoundingPixelsNear = 0.05;
+
     private static readonly ExportOptions Cuboids = new() { Boxes = BoxKind.Cuboid };
 
     [Theory]
@@ -29,6 +32,19 @@ public sealed class KittiLeaningTests : ExportTests
         Assert.InRange(Math.Abs(written.XMin + written.XMax - truth.XMin - truth.XMax) / 2, 0, RoundingPixels);
         Assert.InRange(Math.Abs(written.YMin + written.YMax - truth.YMin - truth.YMax) / 2, 0, RoundingPixels);
         Assert.Empty(DatasetValidator.Validate(Folder.PathOf("out")).Problems);
+    }
+
+    [Theory]
+    [InlineData(5)]
+    [InlineData(-5)]
+    public void Upright_box_of_a_car_before_the_camera_stays_there(double degrees)
+    {
+        Box2D truth = PitchCar(degrees, metresAhead: 4);
+        Folder.Export("kitti", Session.Open(), Cuboids);
+
+        Box2D written = Written();
+        Assert.InRange(Math.Abs(written.XMin + written.XMax - truth.XMin - truth.XMax) / 2, 0, RoundingPixelsNear);
+        Assert.InRange(Math.Abs(written.YMin + written.YMax - truth.YMin - truth.YMax) / 2, 0, RoundingPixelsNear);
     }
 
     [Fact]
@@ -66,7 +82,7 @@ public sealed class KittiLeaningTests : ExportTests
     /// Puts a car of 2 x 6 x 2 m before the camera, pitched, and returns its box in KITTI's pixels: u = 39.5 + 30 x / z, v = 29.5 + 30 y /
     /// z.
     /// </summary>
-    private Box2D PitchCar(double degrees)
+    private Box2D PitchCar(double degrees, double metresAhead = 8)
     {
         (double sin, double cos) = Math.SinCos(degrees * Math.PI / 180);
         var corners = new List<Vector2D>();
@@ -76,7 +92,7 @@ public sealed class KittiLeaningTests : ExportTests
             {
                 foreach (int up in (int[])[-1, 1])
                 {
-                    double north = 8 + (cos * forward) - (sin * up);
+                    double north = metresAhead + (cos * forward) - (sin * up);
                     double height = -0.5 + (sin * forward) + (cos * up);
                     corners.Add(new Vector2D(39.5 + (30 * (1 + right) / north), 29.5 - (30 * height / north)));
                 }
@@ -87,7 +103,7 @@ public sealed class KittiLeaningTests : ExportTests
         JsonObject car = Session.Car(0);
         car["box3d"] = new JsonObject
         {
-            ["centre"] = new JsonArray(1, 8, -0.5),
+            ["centre"] = new JsonArray(1, metresAhead, -0.5),
             ["halfExtents"] = new JsonArray(1, 3, 1),
             ["right"] = new JsonArray(1, 0, 0),
             ["forward"] = new JsonArray(0, cos, sin),

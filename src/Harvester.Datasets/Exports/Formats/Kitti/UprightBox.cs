@@ -13,7 +13,7 @@ namespace Harvester.Datasets.Exports.Formats.Kitti;
 /// </summary>
 internal sealed record UprightBox
 {
-    private const int MaxSteps = 20;
+    private const int MaxSteps = 40;
     private const int Corners = 8;
 
     /// <summary>A thousandth of the last decimal of KITTI's pixels.</summary>
@@ -74,21 +74,30 @@ internal sealed record UprightBox
             return box;
         }
 
-        Box2D? seen = box.Seen(camera);
+        UprightProjection? seen = box.Seen(camera);
+        double damping = 1;
         for (int step = 0; step < MaxSteps && seen is { } now; step++)
         {
-            Vector2D miss = CentreOf(aim) - CentreOf(now);
+            Vector2D miss = CentreOf(aim.Box) - CentreOf(now.Box);
             if (miss.Length < MinStepPixels)
             {
                 break;
             }
 
-            double depth = box.Location.Z;
-            box = box with { Location = box.Location + new Vector3D(miss.X * depth / camera.Fx, miss.Y * depth / camera.Fy, 0) };
-            seen = box.Seen(camera);
+            var shift = new Vector3D(miss.X / now.PixelsPerMetre.X, miss.Y / now.PixelsPerMetre.Y, 0);
+            UprightBox next = box with { Location = box.Location + (shift * damping) };
+            if (next.Seen(camera) is { } better && (CentreOf(aim.Box) - CentreOf(better.Box)).Length < miss.Length)
+            {
+                (box, seen, damping) = (next, better, 1);
+            }
+            else
+            {
+                damping /= 2;
+            }
         }
 
-        return seen is { } placed ? box with { MissPixels = MissOf(placed, aim), MovedMetres = (box.Location - upright.Location).Length }
+        return seen is { } placed
+            ? box with { MissPixels = MissOf(placed.Box, aim.Box), MovedMetres = (box.Location - upright.Location).Length }
             : upright;
     }
 
@@ -102,17 +111,24 @@ internal sealed record UprightBox
     /// <summary>From conventions.md's camera frame (x right, y forward, z up) to KITTI's.</summary>
     private static Vector3D InKitti(Vector3D local) => new(local.X, -local.Z, local.Y);
 
-    private static Box2D? Projection(Vector3D[] corners, CameraLabel camera)
+    private static UprightProjection? Projection(Vector3D[] corners, CameraLabel camera)
     {
         if (corners.Min(corner => corner.Z) < MinDepthMetres)
         {
             return null;
         }
 
-        double[] u = [.. corners.Select(corner => camera.Cx + (camera.Fx * corner.X / corner.Z))];
-        double[] v = [.. corners.Select(corner => camera.Cy + (camera.Fy * corner.Y / corner.Z))];
-        return new Box2D(u.Min(), v.Min(), u.Max(), v.Max());
+        double U(Vector3D corner) => camera.Cx + (camera.Fx * corner.X / corner.Z);
+        double V(Vector3D corner) => camera.Cy + (camera.Fy * corner.Y / corner.Z);
+        (Vector3D left, Vector3D right) = (corners.MinBy(U), corners.MaxBy(U));
+        (Vector3D top, Vector3D bottom) = (corners.MinBy(V), corners.MaxBy(V));
+        return new UprightProjection(
+            new Box2D(U(left), V(top), U(right), V(bottom)),
+            new Vector2D(
+                camera.Fx * ((1 / left.Z) + (1 / right.Z)) / 2,
+                camera.Fy * ((1 / top.Z) + (1 / bottom.Z)) / 2));
     }
 
-    private Box2D? Seen(CameraLabel camera) => Projection(KittiCorners.Of(Location, Height, Width, Length, RotationY), camera);
+    private UprightProjection? Seen(CameraLabel camera) =>
+        Projection(KittiCorners.Of(Location, Height, Width, Length, RotationY), camera);
 }
