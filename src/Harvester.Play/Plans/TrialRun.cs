@@ -1,4 +1,5 @@
 using System;
+using Harvester.Capture.Harvesting;
 using Harvester.Driving.Controllers;
 using Harvester.Geometry;
 using Harvester.Sessions.Plans;
@@ -34,7 +35,7 @@ public sealed class TrialRun
     private readonly Plan _plan;
     private readonly Trial _trial;
     private readonly string _folder;
-    private readonly Rig? _rig;
+    private readonly HarvestOptions _options;
     private readonly PathFollower? _follower;
     private MishapWatch _watch = new();
     private double _phaseBegan;
@@ -57,7 +58,7 @@ public sealed class TrialRun
         _plan = plan ?? throw new ArgumentNullException(nameof(plan));
         _trial = trial ?? throw new ArgumentNullException(nameof(trial));
         _folder = folder;
-        _rig = rig;
+        _options = TrialOptions.Of(world.Options, plan, trial, rig);
         Vector2D start = trial.Place.Start
             ?? throw new ArgumentException("The place of a trial is chosen before it begins.", nameof(trial));
         _start = new Vector3D(start.X, start.Y, 0);
@@ -184,7 +185,7 @@ public sealed class TrialRun
         }
 
         _world.Controls.SetTimeOfDay(_trial.Hour);
-        if (!_world.Harvest.Begin(_folder, TrialOptions.Of(_world.Options, _plan, _trial, _rig), _trial.Camera.VerticalFovDegrees))
+        if (!_world.Harvest.Begin(_folder, _options, _trial.Camera.VerticalFovDegrees))
         {
             Stop("The harvest did not begin; the message before this one says why.");
             return;
@@ -207,7 +208,7 @@ public sealed class TrialRun
             return;
         }
 
-        if ((_follower?.IsAtEnd ?? false) || _metres >= _trial.Place.Metres || _world.Harvest.Captured >= _plan.FramesAt(_trial.Place))
+        if ((_follower?.IsAtEnd ?? false) || _metres >= _trial.Place.Metres || _world.Harvest.Captured >= _options.MaxFrames)
         {
             Leave();
             return;
