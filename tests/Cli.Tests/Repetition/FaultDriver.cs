@@ -31,7 +31,8 @@ internal sealed partial class FaultDriver
         FaultInjector.End();
         _operations = [.. FaultInjector.Operations()
             .Where(operation => !WritingCommand.IsTimed(operation.Path))
-            .Where(operation => trial.Command.Only is not { } only || operation.Path.StartsWith(only, StringComparison.Ordinal))];
+            .Where(operation => trial.Command.Only is not { } only
+                || only.Any(start => operation.Path.StartsWith(start, StringComparison.Ordinal)))];
     }
 
     /// <summary>Runs the commands whose names come from standard input, one a line, with all their faults.</summary>

@@ -44,7 +44,7 @@ public sealed class KilledCommandTests : IDisposable
             command => command.Name, command => new CommandTrial(command, Inputs, Path.Combine(Trials, command.Name)));
     }
 
-    private static IEnumerable<WritingCommand> Commands => WritingCommand.Chosen.Where(command => command.Only is null);
+    private static IEnumerable<WritingCommand> Commands => WritingCommand.Chosen.Where(command => command.IsKilled);
 
     private string Inputs => _folder.PathOf("inputs");
 

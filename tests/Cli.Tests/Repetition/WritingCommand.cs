@@ -35,7 +35,10 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
     /// <summary>
     /// How the paths of the files begin whose operations are the command's own, because another command has all others; null for all.
     /// </summary>
-    public string? Only { get; private init; }
+    public IReadOnlyList<string>? Only { get; private init; }
+
+    /// <summary>Whether it is killed at random moments; those with operations of their own only are not, unless this is set.</summary>
+    public bool IsKilled { get => field || Only is null; private init; }
 
     /// <summary>Command lines that make the inputs of all commands.</summary>
     public static IReadOnlyList<string> Inputs { get; } =
@@ -53,14 +56,22 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
     [
         new("harvest", $"harvest --out {{root}}/out --frames 2 {Small}"),
         new("harvest-resume", $"harvest --out {{root}}/out --resume --frames 3 --no-report {Unchecked}"),
-        new("harvest-town", "harvest --out {root}/out --frames 1 --size 64x48 --seed 5 --no-report") { Only = "out/scenes/roads.csv" },
+        new("harvest-town", "harvest --out {root}/out --frames 1 --size 64x48 --seed 5 --no-report") { Only = ["out/scenes/roads.csv"] },
 
         // Of five frames, some have their pictures drawn while others are written.
-        new("harvest-queue", $"harvest --out {{root}}/out --frames 5 --no-report --no-scenes {Unchecked}") { Only = "out/frames/" },
+        new("harvest-queue", $"harvest --out {{root}}/out --frames 5 --no-report --no-scenes {Unchecked}") { Only = ["out/frames/"] },
         new("harvest-overwrite", $"harvest --out {{root}}/out --frames 1 --no-report --overwrite {Unchecked}", Former),
-        new("harvest-shard", $"harvest --out {{root}}/out --frames 2 --shard 2/2 {Unchecked}"),
-        new("harvest-pairs", $"harvest --out {{root}}/out --frames 2 --resume --no-report {Pairs} {Unchecked}"),
-        new("plan-run", "plan run {inputs}/plan.json --out {root}/out --resume --roads {inputs}/roads.csv"),
+        new("harvest-shard", $"harvest --out {{root}}/out --frames 2 --shard 2/2 {Unchecked}")
+        {
+            Only = ["out/session.json", "out/labels.jsonl"],
+            IsKilled = true,
+        },
+        new("harvest-pairs", $"harvest --out {{root}}/out --frames 1 --resume --no-report {Pairs} {Unchecked}"),
+        new("plan-run", "plan run {inputs}/plan.json --out {root}/out --resume --roads {inputs}/roads.csv")
+        {
+            Only = ["out/plan", "out/world.json"],
+            IsKilled = true,
+        },
         new("pairs", "pairs {inputs}/pairs --out {root}/out --images copy --resume"),
         new("pairs-webdataset", "pairs {inputs}/pairs --out {root}/out --format webdataset --resume"),
         new("relabel", "relabel {inputs}/session --out {root}/out --resume --range 60"),
