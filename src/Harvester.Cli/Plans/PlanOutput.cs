@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Harvester.Cli.Terminals;
@@ -109,6 +110,18 @@ internal sealed class PlanOutput : IDisposable
     /// <summary>Whether a trial has a complete session, which a command that was stopped then may not have noted.</summary>
     public bool IsComplete(Trial trial) =>
         File.Exists(Path.Combine(FolderOf(trial), SessionInfo.FileName)) && UnfinishedMark.CommandIn(FolderOf(trial)) is null;
+
+    /// <summary>Deletes the locks of trials' sessions that a run which was stopped has left.</summary>
+    /// <param name="trials">Trials that only this run writes.</param>
+    public void DeleteLeftLocks(IEnumerable<Trial> trials)
+    {
+        string folder = Path.Combine(Folder, Trials);
+        string[] names = Directory.Exists(folder) ? [.. Directory.EnumerateFiles(folder).Select(file => Path.GetFileName(file))] : [];
+        foreach (Trial trial in trials.Where(trial => names.Any(name => WriterLock.IsOf(name, trial.Id))))
+        {
+            WriterLock.Take(FolderOf(trial)).Dispose();
+        }
+    }
 
     /// <summary>Deletes what a failed attempt wrote.</summary>
     public void Discard(Trial trial)

@@ -41,8 +41,9 @@ internal sealed class PlanRun(
     /// <param name="cancellation">Stops between two ticks.</param>
     /// <returns>The exit code.</returns>
     /// <exception cref="IOException">A file cannot be written.</exception>
-    public int Run(IEnumerable<Trial> trials, Action<int> report, CancellationToken cancellation)
+    public int Run(IReadOnlyList<Trial> trials, Action<int> report, CancellationToken cancellation)
     {
+        output.DeleteLeftLocks(trials);
         foreach (Trial trial in trials.Where(trial => output.Status.NextAttempt(trial.Id) is not null))
         {
             int before = _frames;

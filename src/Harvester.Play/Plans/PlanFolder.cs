@@ -9,8 +9,8 @@ using Harvester.Sessions.Rigs;
 namespace Harvester.Play.Plans;
 
 /// <summary>
-/// The folder of a plan's output in the game, locked: a copy of the plan and its rigs, the status of its trials, and their sessions. While an attempt is
-/// under way, a file names it: if the file is there when the folder is opened, the game has ended during the attempt.
+/// The folder of a plan's output in the game, locked: a copy of the plan and its rigs, the status of its trials, and their sessions. While
+/// an attempt is under way, a file names it: if the file is there when the folder is opened, the game has ended during the attempt.
 /// </summary>
 public sealed class PlanFolder : IDisposable
 {

@@ -69,7 +69,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("harvest-pairs", $"harvest --out {{root}}/out --frames 1 --resume --no-report {Pairs} {Unchecked}"),
         new("plan-run", "plan run {inputs}/plan.json --out {root}/out --resume --roads {inputs}/roads.csv")
         {
-            Only = ["out/plan", "out/world.json"],
+            Only = ["out/plan", "out/world.json", "out/trials/."],
             IsKilled = true,
         },
         new("pairs", "pairs {inputs}/pairs --out {root}/out --images copy --resume"),
