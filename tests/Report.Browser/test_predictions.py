@@ -19,6 +19,9 @@ def expected():
     return frames
 
 
+PIXELS = 1  # Both sides are rounded to whole pixels.
+
+
 def boxes(page, kind):
     return sorted(page.script(
         "return [...document.querySelectorAll(`.prediction.${arguments[0]}`)].map(e => "
@@ -27,7 +30,7 @@ def boxes(page, kind):
 
 def near(shown, wanted):
     return len(shown) == len(wanted) and all(
-        abs(one - other) <= 1 for box, target in zip(shown, sorted(wanted)) for one, other in zip(box, target))
+        abs(one - other) <= PIXELS for box, target in zip(shown, sorted(wanted)) for one, other in zip(box, target))
 
 
 def test_found_missed_and_false_boxes_are_told_apart(open_page, expected):

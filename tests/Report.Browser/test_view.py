@@ -20,6 +20,11 @@ from png import grey
 from serving import viewer
 from test_report import CONTROLS, FRAME, area
 
+# Points are stored in single precision, and the labels that place them have four decimals.
+RANGE_METRES = 0.001
+GROUND_METRES = 0.05
+POINT_PIXELS = 0.05
+
 
 def status(address, **headers):
     try:
@@ -194,7 +199,7 @@ def test_points_have_their_range_and_place(view, labels, view_number):
     for index in range(0, sweep["points"], 97):
         u, v, x, y, distance = values[5 * index:5 * index + 5]
         local = struct.unpack_from("<3f", raw, 24 * index)
-        assert distance == pytest.approx(sum(part * part for part in local) ** 0.5, abs=1e-3)
+        assert distance == pytest.approx(sum(part * part for part in local) ** 0.5, abs=RANGE_METRES)
         on_car = [part + shift for part, shift in zip(local, offset)]
         world = [ego["position"][axis] + sum(on_car[part] * ego[name][axis] for part, name in enumerate(("right", "forward", "up")))
                  for axis in range(3)]
@@ -202,14 +207,14 @@ def test_points_have_their_range_and_place(view, labels, view_number):
         level = [part / math.hypot(*ego["forward"][:2]) for part in ego["forward"][:2]]
         from_ego = [a - b for a, b in zip(world, ego["position"])]
         ground = (from_ego[0] * level[1] - from_ego[1] * level[0], -(from_ego[0] * level[0] + from_ego[1] * level[1]))
-        assert (x, y) == pytest.approx(ground, abs=0.05)
+        assert (x, y) == pytest.approx(ground, abs=GROUND_METRES)
         away = [a - b for a, b in zip(world, camera["position"])]
         right, ahead, up = (sum(a * b for a, b in zip(away, camera[name])) for name in ("right", "forward", "up"))
         pixel = (camera["cx"] + camera["fx"] * right / ahead, camera["cy"] - camera["fy"] * up / ahead)
         # Of points near the border, rounding decides.
         if ahead > 0.5 and 1 < pixel[0] < camera["width"] - 1 and 1 < pixel[1] < camera["height"] - 1:
             seen += 1
-            assert (u, v) == pytest.approx(pixel, abs=0.05)
+            assert (u, v) == pytest.approx(pixel, abs=POINT_PIXELS)
         elif ahead < 0 or not (-1 < pixel[0] < camera["width"] + 1 and -1 < pixel[1] < camera["height"] + 1):
             assert u is None and v is None  # NaN, which JSON does not have.
     assert seen > 10

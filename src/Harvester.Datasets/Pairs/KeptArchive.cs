@@ -15,7 +15,7 @@ internal sealed class KeptArchive : IDisposable
 
     private KeptArchive(string file) => _stream = InputFile.OpenRead(file);
 
-    /// <summary>Opens an archive; null if there is none.</summary>
+    /// <summary>Opens an archive, or returns null if the file does not exist.</summary>
     /// <exception cref="IOException">It cannot be read.</exception>
     public static KeptArchive? Open(string file) =>
         File.Exists(file) && new FileInfo(file).LinkTarget is null ? new KeptArchive(file) : null;

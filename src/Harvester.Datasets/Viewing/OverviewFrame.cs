@@ -12,7 +12,7 @@ namespace Harvester.Datasets.Viewing;
 /// <param name="View">Number of the camera in the rig, from 1; 0 without one.</param>
 /// <param name="Values">
 /// Time, speed, position x and y, heading, yaw rate, acceleration, steering, throttle, brake, then the indicators in the order of their
-/// table; NaN where there is none.
+/// table; NaN for what is not known.
 /// </param>
 /// <param name="Objects">The objects.</param>
 internal sealed record OverviewFrame(int Frame, int Moment, int View, float[] Values, OverviewObject[] Objects)

@@ -148,7 +148,7 @@ public sealed class SessionView : IDisposable
         return SeenPoints.Of(_session, _info, label, SweepsOf(index, label));
     }
 
-    /// <summary>The place of a frame, or of the one after it that exists; the number of frames if there is none.</summary>
+    /// <summary>The place of a frame, or of the next one that exists; the number of frames after the last.</summary>
     /// <param name="frame">Number of the frame.</param>
     /// <exception cref="DatasetFormatException">A line cannot be read.</exception>
     public int IndexOf(int frame)

@@ -16,7 +16,7 @@ internal sealed class FrameFiles(string folder) : IDisposable
 {
     private const string State = "state.txt";
 
-    /// <summary>Stands in state.txt for the name of the image if there is none.</summary>
+    /// <summary>What state.txt has in place of the name of an image when a frame has no image.</summary>
     private const string NoPicture = "none";
     private const int PicturesKept = 10;
 

@@ -11,6 +11,17 @@ namespace Harvester.Datasets.Tests.Comparison;
 [Collection(SimulatedSession.Collection)]
 public sealed class ComparedDatasetTests(SimulatedSession session) : IDisposable
 {
+    /// <summary>
+    /// Few objects decide: the exports move boxes that lean by centimetres and leave out objects without visible pixels, and nuScenes has
+    /// no signs and lights and counts hidden objects. A mistake in a frame, an axis or a unit gives tens of metres or 90 degrees.
+    /// </summary>
+    private const double MetresToKitti = 2;
+    private const double DegreesToKitti = 6;
+    private const double ClassesToKitti = 0.1;
+    private const double MetresToNuScenes = 6;
+    private const double DegreesToNuScenes = 15;
+    private const double ClassesToNuScenes = 0.15;
+
     private readonly string _folder = Directory.CreateTempSubdirectory("harvester-test-").FullName;
 
     public void Dispose() => Directory.Delete(_folder, recursive: true);
@@ -60,32 +71,32 @@ public sealed class ComparedDatasetTests(SimulatedSession session) : IDisposable
     }
 
     [Fact]
-    public void Session_and_its_KITTI_export_have_equal_distributions()
+    public void Session_and_its_KITTI_export_have_close_distributions()
     {
         Export("kitti");
 
         var comparison = new DatasetComparison(Read(ComparedSession.InKittiTerms(session.Open())), Read(ComparedKitti.Open(_folder)));
 
         Assert.Equal(comparison.First.Frames, comparison.Second.Frames);
-
-        // The export moves boxes that lean by centimetres, and leaves out objects without visible pixels.
-        Assert.InRange(comparison.WassersteinOf(ComparedQuantity.Distance)!.Value, 0, 2);
-        Assert.InRange(comparison.WassersteinOf(ComparedQuantity.Orientation)!.Value, 0, 6);
-        Assert.InRange(DatasetComparison.Between(comparison.First.Classes, comparison.Second.Classes)!.Value.TotalVariation, 0, 0.1);
+        Assert.InRange(comparison.WassersteinOf(ComparedQuantity.Distance)!.Value, 0, MetresToKitti);
+        Assert.InRange(comparison.WassersteinOf(ComparedQuantity.Orientation)!.Value, 0, DegreesToKitti);
+        Assert.InRange(
+            DatasetComparison.Between(comparison.First.Classes, comparison.Second.Classes)!.Value.TotalVariation, 0, ClassesToKitti);
         Assert.Equal(comparison.First.Frames, ImageBrightness.Of(Kept(ComparedKitti.Open(_folder)).Images).Count());
     }
 
     [Fact]
-    public void Session_and_its_nuScenes_export_have_equal_distributions()
+    public void Session_and_its_nuScenes_export_have_close_distributions()
     {
         Export("nuscenes");
 
         var comparison = new DatasetComparison(Read(ComparedSession.InNuScenesTerms(session.Open())), Read(ComparedNuScenes.Open(_folder)));
 
         Assert.InRange(comparison.Second.Frames, 1, comparison.First.Frames);
-        Assert.InRange(comparison.WassersteinOf(ComparedQuantity.Distance)!.Value, 0, 6);
-        Assert.InRange(comparison.WassersteinOf(ComparedQuantity.Orientation)!.Value, 0, 15);
-        Assert.InRange(DatasetComparison.Between(comparison.First.Classes, comparison.Second.Classes)!.Value.TotalVariation, 0, 0.15);
+        Assert.InRange(comparison.WassersteinOf(ComparedQuantity.Distance)!.Value, 0, MetresToNuScenes);
+        Assert.InRange(comparison.WassersteinOf(ComparedQuantity.Orientation)!.Value, 0, DegreesToNuScenes);
+        Assert.InRange(
+            DatasetComparison.Between(comparison.First.Classes, comparison.Second.Classes)!.Value.TotalVariation, 0, ClassesToNuScenes);
     }
 
     [Fact]

@@ -211,7 +211,7 @@ class DrivingEnv(Env):
         return self._link
 
     def _take(self, at_least: Optional[float], has_image: bool) -> None:
-        """Takes the next frame; one of before a time, which a game in real time may still have sent, is passed over."""
+        """Takes the next frame. A game in real time may have sent frames from before `at_least` seconds; these are skipped."""
         assert self._link is not None
         until = time.monotonic() + self._patience
         while True:
