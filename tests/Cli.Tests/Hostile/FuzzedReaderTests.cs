@@ -12,7 +12,7 @@ namespace Harvester.Cli.Tests.Hostile;
 [Trait("Category", "Heavy")]
 public sealed class FuzzedReaderTests(FuzzReaderCorpus corpus, ITestOutputHelper output) : IClassFixture<FuzzReaderCorpus>
 {
-    private const int DefaultCases = 10_000;
+    private const int DefaultCases = 3_000;
     private const int DefaultSeed = 20260101;
 
     public static TheoryData<string> Kinds => FuzzKind.Names;

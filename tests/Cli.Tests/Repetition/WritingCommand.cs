@@ -66,7 +66,11 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
             Only = ["out/session.json", "out/labels.jsonl"],
             IsKilled = true,
         },
-        new("harvest-pairs", $"harvest --out {{root}}/out --frames 1 --resume --no-report {Pairs} {Unchecked}"),
+        new("harvest-pairs", $"harvest --out {{root}}/out --frames 1 --resume --no-report {Pairs} {Unchecked}")
+        {
+            Only = ["out/pairs", "out/session.json", "out/labels.jsonl"],
+            IsKilled = true,
+        },
         new("plan-run", "plan run {inputs}/plan.json --out {root}/out --resume --roads {inputs}/roads.csv")
         {
             Only = ["out/plan", "out/world.json", "out/trials/."],
