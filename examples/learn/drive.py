@@ -1,0 +1,107 @@
+"""Lets a network drive through the bridge, and judges the drive by the truth of the game: drive.py MODEL [--kilometres K].
+
+The network sees the images of harvester serve --lockstep, and answers with indicators, by which the game's Stanley controller drives; or,
+if it is a policy, with steering and pedals. Nothing of the truth reaches it. In junctions the built-in driver takes over.
+"""
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+from pathlib import Path
+from typing import Any, Dict, List
+
+import torch
+
+from gtaharvest.gym import BridgeError, DrivingEnv, Ending
+
+from drivers import Driver, load_driver
+from filmstrip import FilmStrip
+from judge import Judge
+from sets import TRAINING_WEATHERS
+
+FIRST_TOWN = 301
+STANDING_SECONDS = 120
+SHOWN_METRES = 100
+
+
+def drive(
+    driver: Driver, env: DrivingEnv, town: int, weather: str, time_of_day: str, metres: float, seconds: float, strip: FilmStrip
+) -> Dict[str, Any]:
+    """Drives in a town until the driver has driven so far outside junctions; returns the figures. Adds an image to the film strip."""
+    observation, info = env.reset(seed=town, options={"town": town, "weather": weather, "timeOfDay": time_of_day})
+    judge, ended, shown, reason = Judge(info["frame"]), False, False, "metres"
+    begun = info["frame"]["timeSeconds"]
+    while not ended and judge.driver_metres < metres and info["frame"]["timeSeconds"] - begun < seconds:
+        answer = driver.answer(observation, info["frame"])
+        if not shown and judge.driver_metres > SHOWN_METRES and not info["frame"]["builtInDriver"]:
+            strip.add(observation, info["frame"], answer if driver.action == "indicators" else None)
+            shown = True
+        observation, _, terminated, truncated, info = env.step(answer)
+        judge.take(info["frame"])
+        ended = terminated or truncated
+        reason = str(info["ending"]) if ended else reason
+    return {"town": town, "weather": weather, "time": time_of_day, "ending": reason if ended or judge.driver_metres >= metres else "seconds",
+            "seconds": round(info["frame"]["timeSeconds"] - begun, 1), **judge.figures()}
+
+
+def total_of(episodes: List[Dict[str, Any]]) -> Dict[str, Any]:
+    """The sums over all episodes, and the departures per kilometre."""
+    metres = sum(episode["driverMetres"] for episode in episodes)
+    departures = sum(len(episode["departures"]) for episode in episodes)
+    collisions = {kind: sum(episode["collisions"][kind] for episode in episodes) for kind in episodes[0]["collisions"]}
+    squares = sum(episode["rmsOffsetMetres"] ** 2 * episode["driverMetres"] for episode in episodes)
+    return {"driverMetres": round(metres, 1), "departures": departures, "departuresPerKilometre": round(departures / max(metres, 1) * 1000, 3),
+            "collisions": collisions, "rmsOffsetMetres": round((squares / max(metres, 1)) ** 0.5, 3)}
+
+
+def main() -> int:
+    """Runs the command line."""
+    parser = argparse.ArgumentParser(description="Lets a network drive in towns that it has not seen, and judges the drive.")
+    parser.add_argument("model", type=Path, help="file of train.py or imitate.py")
+    parser.add_argument("--kilometres", type=float, default=5, help="distance outside junctions, over all towns; default: 5")
+    parser.add_argument("--towns", type=int, default=10, help="number of towns; default: 10")
+    parser.add_argument("--first-town", type=int, default=FIRST_TOWN, help=f"seed of the first; default: {FIRST_TOWN}")
+    parser.add_argument("--weathers", nargs="+", default=list(TRAINING_WEATHERS), help="weathers, in turn; default: those of the training")
+    parser.add_argument("--traffic", type=float, default=0.5, help="factor on the number of vehicles; default: 0.5")
+    parser.add_argument("--seconds", type=float, default=600, help="time limit for each town, seconds of the game; default: 600")
+    parser.add_argument("--roads", help="road network of the game in place of towns, with --near")
+    parser.add_argument("--near", help="start on the road network, as X,Y")
+    parser.add_argument("--out", type=Path, help="file for the figures; default: the model's name with .drive.json")
+    parser.add_argument("--strip", type=Path, help="image to write a film strip to, with an image of each town")
+    parser.add_argument("--harvester", help="command that runs harvester; default: GTAHARVEST_HARVESTER, or harvester")
+    options = parser.parse_args()
+    torch.set_num_threads(1)
+    roads = ["--roads", options.roads] if options.roads else []
+    near = [f"--near={options.near}"] if options.near else []
+    out = options.out or options.model.with_suffix(".drive.json")
+    episodes: List[Dict[str, Any]] = []
+    strip = FilmStrip()
+    try:
+        driver = load_driver(options.model)
+        ending = Ending(collision=False, outside_seconds=None, seconds=None, standing_seconds=STANDING_SECONDS)
+        with DrivingEnv(
+                "image", driver.action, ending=ending, traffic=options.traffic, assisted=True, harvester=options.harvester,
+                serve_options=["--controller", "stanley", *roads, *near]) as env:
+            for number in range(options.towns):
+                weather = options.weathers[number % len(options.weathers)]
+                episodes.append(drive(
+                    driver, env, options.first_town + number, weather, f"{(8 + 5 * number) % 24:02}:30",
+                    options.kilometres * 1000 / options.towns, options.seconds, strip))
+                print(json.dumps({**episodes[-1], "departures": len(episodes[-1]["departures"])}), flush=True)
+    except (BridgeError, OSError) as problem:
+        print(f"drive.py: {problem}", file=sys.stderr)
+        return 1
+    total = total_of(episodes)
+    part = out.with_suffix(".part")
+    part.write_text(json.dumps({"model": options.model.name, "total": total, "episodes": episodes}, indent=1) + "\n", encoding="utf-8")
+    os.replace(part, out)
+    if options.strip:
+        strip.write(options.strip)
+    print(json.dumps(total))
+    return 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
