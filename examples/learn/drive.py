@@ -14,7 +14,7 @@ from typing import Any, Dict, List
 
 import torch
 
-from gtaharvest.gym import BridgeError, DrivingEnv, Ending
+from gtaharvest.gym import BridgeError, DrivingEnv, Ending, poisson_interval
 
 from drivers import Driver, load_driver
 from filmstrip import FilmStrip
@@ -31,7 +31,7 @@ def drive(
 ) -> Dict[str, Any]:
     """Drives in a town until the driver has driven so far outside junctions; returns the figures. Adds an image to the film strip."""
     observation, info = env.reset(seed=town, options={"town": town, "weather": weather, "timeOfDay": time_of_day})
-    judge, ended, shown, reason = Judge(info["frame"]), False, False, "metres"
+    judge, ended, shown, reason = Judge(info["frame"], metres), False, False, "metres"
     begun = info["frame"]["timeSeconds"]
     while not ended and judge.driver_metres < metres and info["frame"]["timeSeconds"] - begun < seconds:
         answer = driver.answer(observation, info["frame"])
@@ -47,13 +47,14 @@ def drive(
 
 
 def total_of(episodes: List[Dict[str, Any]]) -> Dict[str, Any]:
-    """The sums over all episodes, and the departures per kilometre."""
+    """The sums over all episodes, the departures per kilometre with their interval of 95 %, and the mean score."""
     metres = sum(episode["driverMetres"] for episode in episodes)
     departures = sum(len(episode["departures"]) for episode in episodes)
     collisions = {kind: sum(episode["collisions"][kind] for episode in episodes) for kind in episodes[0]["collisions"]}
     squares = sum(episode["rmsOffsetMetres"] ** 2 * episode["driverMetres"] for episode in episodes)
     return {"driverMetres": round(metres, 1), "departures": departures, "departuresPerKilometre": round(departures / max(metres, 1) * 1000, 3),
-            "collisions": collisions, "rmsOffsetMetres": round((squares / max(metres, 1)) ** 0.5, 3)}
+            "interval": [round(bound / max(metres, 1) * 1000, 3) for bound in poisson_interval(departures)],
+            "score": round(sum(episode["score"] for episode in episodes) / len(episodes), 1), "collisions": collisions, "rmsOffsetMetres": round((squares / max(metres, 1)) ** 0.5, 3)}
 
 
 def main() -> int:

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 from typing import List
 
@@ -38,6 +39,8 @@ def main() -> int:
     parser.add_argument("data", type=Path, help="folder for the sessions")
     parser.add_argument("sets", nargs="*", help=f"sets to harvest: {', '.join(SETS)}; all without --roads but roads")
     parser.add_argument("--roads", help="road network of the game, for the set roads")
+    parser.add_argument("--sessions", type=int, help="harvest only the first sessions of each set")
+    parser.add_argument("--frames", type=int, help="harvest at most so many frames of each session")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="sessions at a time; default: one for each processor")
     parser.add_argument(
         "--harvester", default=os.environ.get("GTAHARVEST_HARVESTER", "harvester"),
@@ -49,7 +52,8 @@ def main() -> int:
     if "roads" in options.sets and not options.roads:
         parser.error("the set roads needs --roads")
     names = options.sets or [name for name in SETS if name != "roads" or options.roads]
-    plans = [plan for name in names for plan in SETS[name]]
+    plans = [
+        replace(plan, frames=min(plan.frames, options.frames or plan.frames)) for name in names for plan in SETS[name][:options.sessions]]
     left = [plan for plan in plans if not is_whole(options.data / plan.name)]
     total, done = sum(plan.frames for plan in left), 0
     print(f"{len(plans)} sessions, of which {len(plans) - len(left)} are done; {total} frames to harvest", flush=True)

@@ -73,11 +73,11 @@ class DrivePlan:
         """The name of its folder."""
         return str(self.seed)
 
-    def options(self) -> List[str]:
-        """The options of harvester drive, without its folders."""
+    def options(self, metres: int) -> List[str]:
+        """The options of harvester drive for a distance, without its folders."""
         return [
             "--seed", str(self.seed), "--weather", self.weather, "--time", self.time, "--controller", "stanley", "--perturb",
-            "--traffic", "0.5", "--distance", "1500", "--duration", "240", "--size", SIZE]
+            "--traffic", "0.5", "--distance", str(metres), "--duration", "240", "--size", SIZE]
 
 
 DRIVES = [
