@@ -15,6 +15,7 @@ public sealed class ProcessTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [PosixTheory]
+    [Trait("Category", "Heavy")]
     [InlineData("TERM", 143)]
     [InlineData("INT", 130)]
     public void Signal_ends_a_command_with_its_exit_code(string signal, int code)

@@ -18,6 +18,7 @@ public sealed class HidingTests
     internal static IReadOnlyList<Hash> OwnNatives { get; } = [Hash.IS_ENTITY_VISIBLE, Hash.SET_ENTITY_VISIBLE, Hash.DRAW_POLY];
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Everything_is_shown_after_an_abort_at_any_tick()
     {
         int hidden = 0;

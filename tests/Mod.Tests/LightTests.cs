@@ -27,6 +27,7 @@ public sealed class LightTests
     private const int LightsCycleMilliseconds = 20_000;
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Lights_driven_by_the_mod_match_the_picture_and_are_restored()
     {
         var shown = new Dictionary<long, Dictionary<int, int>>();

@@ -64,6 +64,7 @@ public sealed class CompareCommandTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Session_is_compared_with_KITTI_labels()
     {
         string session = Session("day");

@@ -30,6 +30,7 @@ public sealed class DriveOverBridgeTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public async Task Client_and_game_in_separate_processes_drive_and_exit_cleanly()
     {
         string at = FreePlace();
@@ -46,6 +47,7 @@ public sealed class DriveOverBridgeTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public async Task Folder_client_started_after_the_first_frame_drives_the_game()
     {
         string shared = _folder.PathOf("shared");

@@ -7,6 +7,7 @@ public sealed class HarvestDetailTests : IDisposable
     private readonly TemporaryFolder _folder = new();
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Labels_and_masks_do_not_depend_on_detail()
     {
         string plain = Harvest("plain");

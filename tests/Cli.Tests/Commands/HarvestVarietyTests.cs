@@ -15,6 +15,7 @@ public sealed class HarvestVarietyTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Places_lie_apart_and_number_their_frames()
     {
         Harvest("--frames", "8", "--places", "4").AssertDone();

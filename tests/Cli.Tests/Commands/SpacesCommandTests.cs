@@ -183,6 +183,7 @@ public sealed class SpacesCommandTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Harvest_with_spaces_prefers_the_files_rows()
     {
         string session = _folder.PathOf("session");

@@ -13,6 +13,7 @@ public sealed class TwoWritersTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Second_writer_is_refused_until_the_first_is_killed()
     {
         using Process first = Start("100000");

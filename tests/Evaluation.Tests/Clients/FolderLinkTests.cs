@@ -111,6 +111,7 @@ public sealed class FolderLinkTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Deleted_folder_is_reported_after_limited_retries()
     {
         using FolderLink link = new(_folder);

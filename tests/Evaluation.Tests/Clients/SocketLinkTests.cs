@@ -72,6 +72,7 @@ public sealed class SocketLinkTests
     public void Receive_of_an_impossible_length_reports_it() => AssertFails([0x7f, 0, 0, 0, 0, 0, 0, 0], "a message of 2130706432 bytes");
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Receive_of_an_incomplete_message_gives_up()
     {
         using FakeGame game = new();

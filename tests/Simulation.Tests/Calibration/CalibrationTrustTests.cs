@@ -49,6 +49,7 @@ public sealed class CalibrationTrustTests(ITestOutputHelper output)
     }
 
     [Theory]
+    [Trait("Category", "Heavy")]
     [InlineData(0.1, 0)]
     [InlineData(0.2, -0.15)]
     [InlineData(-0.12, 0.18)]

@@ -43,6 +43,7 @@ public sealed class EgoManoeuvreTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Lively_ego_does_everything_and_spreads_over_its_lane()
     {
         HashSet<Manoeuvre> seen = [];

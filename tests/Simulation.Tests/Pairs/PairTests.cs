@@ -118,6 +118,7 @@ public sealed class PairTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Sky_that_does_not_settle_in_time_is_dropped()
     {
         SimulationOptions slow = Town with { Quirks = new GameQuirks { SlowSkyTicks = 60 } };

@@ -32,6 +32,7 @@ public sealed class VisibleBoxTests(ITestOutputHelper output)
     private const double MaxOffset = 0.02;
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Box_is_around_the_visible_pixels() => Judge(800, 600, [17], maxRayFraction: 0.0125);
 
     [Theory]

@@ -14,6 +14,7 @@ public sealed class HarvestWithQuirksTests
     private const double Range = 60;
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Step_with_all_quirks_keeps_only_frames_that_match_labels() => Harvest(lag: 3, frames: 40);
 
     [Theory]
