@@ -123,7 +123,8 @@ internal sealed class ServeCommand
             RateHz = parsed.GetValue(Hz),
             IsLockStep = isLockStep,
         };
-        using DriveRecording? recording = Record.Parse(parsed, options.Picture, isLockStep, [.. RecordedSettings(parsed, world)]) is { } record
+        RecordPlan? plan = Record.Parse(parsed, options.Picture, isLockStep, [.. RecordedSettings(parsed, world)]);
+        using DriveRecording? recording = plan is { } record
             ? new DriveRecording(terminal, record, CommandText.Of(parsed), parsed.GetValue(Overwrite))
             : null;
         using IAwaitableBridge bridge = Bridge.Open(parsed, options, out string place);

@@ -81,7 +81,8 @@ internal sealed class DriveRecording : IDisposable
         }
 
         string sessions = _plan.IsNumbered ? $" in {Counted.Of(_sessions, "session")}" : "";
-        _terminal.Out.WriteLine($"recorded {Counted.Of(_recordings.Sum(recording => recording.Frames), "frame")}{sessions}  {_plan.Folder}");
+        string frames = Counted.Of(_recordings.Sum(recording => recording.Frames), "frame");
+        _terminal.Out.WriteLine($"recorded {frames}{sessions}  {_plan.Folder}");
     }
 
     /// <summary>Finishes all sessions.</summary>

@@ -50,7 +50,10 @@ internal sealed class RemoteDrive(
     /// <exception cref="IOException">No client has driven for too long.</exception>
     public void Run(double metres, double seconds, bool isRealTime, CancellationToken cancellation)
     {
-        using GameEndpoint bridged = new(game, roads, new DrivingOptions(), bridge, newController, isAssisted: true) { Recording = Recording };
+        using GameEndpoint bridged = new(game, roads, new DrivingOptions(), bridge, newController, isAssisted: true)
+        {
+            Recording = Recording,
+        };
         _silence.Restart();
         WaitForClient(bridged, cancellation);
         WallPace pace = new(TickSeconds, TimeProvider.System);
