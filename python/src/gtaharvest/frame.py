@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, Mapping, Optional, Tuple,
 
 from .arrays import ObjectArrays
 from .camera import Array, Camera
+from .drive import Drive
 from .errors import LabelError, MissingPictureError, PictureError
 from .lanes import Lanes
 from .motion import motion_rows
@@ -248,6 +249,11 @@ class Frame:
         what is unknown.
         """
         return _checked(self._source, lambda: motion_rows(self.raw["motion"]) if "motion" in self.raw else None)
+
+    @functools.cached_property
+    def drive(self) -> Optional[Drive]:
+        """The action that belongs to the frame; None unless the session is a recorded drive."""
+        return _checked(self._source, lambda: Drive.from_json(self.raw["drive"]) if "drive" in self.raw else None)
 
     @property
     def view(self) -> View:

@@ -31,7 +31,7 @@ public sealed class CapturedFrame : IDisposable
     }
 
     /// <summary>Its label, one line of labels.jsonl.</summary>
-    public FrameLabel Label { get; }
+    public FrameLabel Label { get; private set; }
 
     /// <summary>Its image; not to be used after disposing.</summary>
     public PixelBuffer Picture { get; }
@@ -53,6 +53,9 @@ public sealed class CapturedFrame : IDisposable
 
     /// <summary>The scene from which its labels were made; null if scenes are not recorded.</summary>
     public RecordedScene? Scene { get; init; }
+
+    /// <summary>Adds to the label what is known only later: the action that answered the frame, and the motion up to the frame.</summary>
+    public void Attach(DriveLabel drive, IReadOnlyList<MotionSample> motion) => Label = Label with { Drive = drive, Motion = motion };
 
     /// <inheritdoc />
     public void Dispose()

@@ -13,11 +13,13 @@ using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads;
 using Harvester.Driving.Controllers;
+using Harvester.Driving.Session;
 using Harvester.Evaluation.Clients;
 using Harvester.Evaluation.Figures;
 using Harvester.Evaluation.Noise;
 using Harvester.Evaluation.Reports;
 using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Text;
 
@@ -86,6 +88,15 @@ internal sealed class DriveCommand
             value is > 0 and <= 40, "a number greater than 0 and at most 40"),
         new ControllerPlan { Kind = ControllerKind.Stanley }.LookAheadMetres);
 
+    private MomentOptions Moment { get; } = new();
+    private RecordOptions Record { get; } = new("the drive as a session in this folder; one for each start if there are several");
+    private Option<ImageSize> Size { get; } = WithDefault(CameraOptions.SizeOfHarvest(), new DrivingOptions().Picture);
+
+    private Option<bool> Perturb { get; } = new("--perturb")
+    {
+        Description = "Push the steering aside now and then, seeded; recorded is what the controller answers, without the push",
+    };
+
     private DriveBridgeOptions Bridge { get; } = new();
 
     public static Command Create(Terminal terminal) => new DriveCommand().Build(terminal);
@@ -94,9 +105,10 @@ internal sealed class DriveCommand
     {
         var command = new Command("drive", "Drive the simulated car by the lane indicators and evaluate the drive.")
         {
-            Out, Overwrite, Seed, Roads, Near, Distance, Duration, Traffic, Speed, Noise, LookAhead,
+            Out, Overwrite, Seed, Roads, Near, Distance, Duration, Traffic, Speed, Noise, LookAhead, Size, Perturb,
         };
-        foreach (Option option in Controller.All.Concat(Bridge.All))
+        Moment.AddTo(command);
+        foreach (Option option in Controller.All.Concat(Record.All).Concat(Bridge.All))
         {
             command.Options.Add(option);
         }
@@ -111,6 +123,9 @@ internal sealed class DriveCommand
         string? folder = parsed.GetValue(Out);
         BridgePlan bridge = Bridge.Parse(parsed, folder);
         DrivePlan plan = PlanOf(parsed) with { Bridge = bridge.Kind == BridgeName.Direct ? null : bridge };
+        RecordPlan? recorded = Record.Parse(parsed, parsed.GetValue(Size), plan.Starts.Count > 1, [.. RecordedSettings(parsed, plan)]);
+        CheckRecording(parsed, plan, bridge, recorded);
+        plan = plan with { PictureSize = recorded?.Size };
         if (bridge.Role == DriveRole.Client)
         {
             return RunClient(terminal, plan, bridge, cancellation);
@@ -124,7 +139,9 @@ internal sealed class DriveCommand
         using FolderLock held = FolderLock.Take(folder);
         var output = new DriveFolder(folder, CommandText.Of(parsed), parsed.GetValue(Overwrite));
         int metres = (int)Math.Ceiling(plan.Metres * Math.Max(1, plan.Starts.Count));
-        var drives = new SimulatedDrives(plan, terminal.Out);
+        using DriveRecording? recording = recorded is null ? null
+            : new DriveRecording(terminal, recorded, CommandText.Of(parsed), parsed.GetValue(Overwrite));
+        var drives = new SimulatedDrives(plan, terminal.Out) { Recording = recording };
         ExceptionDispatchInfo? fault = new JobProgress(terminal, metres, "m").Run(report => FaultOf(drives, report, cancellation));
         DriveRecord record = DriveRecord.Of(
             SettingsOf(parsed, plan), drives.Samples, isWhole: fault is null && !cancellation.IsCancellationRequested);
@@ -148,6 +165,7 @@ internal sealed class DriveCommand
             terminal.Out.WriteLine(FormattableString.Invariant($"Stopped after {record.Figures.Metres:0} of {metres} m."));
         }
 
+        recording?.Finish();
         terminal.Out.WriteLine($"report  {Path.Combine(folder, DriveReport.FileName)}");
         fault?.Throw();
         return cancellation.IsCancellationRequested ? ExitCode.Cancelled : ExitCode.Done;
@@ -196,6 +214,10 @@ internal sealed class DriveCommand
             Metres = parsed.GetValue(Distance),
             Seconds = parsed.GetValue(Duration),
             Noise = parsed.GetValue(Noise) ? NoiseLevels.Published : null,
+            IsDisturbed = parsed.GetValue(Perturb),
+            Weather = Moment.Weather(parsed),
+            TimeOfDay = Moment.TimeOfDay(parsed),
+            DayOfYear = Moment.DayOfYear(parsed),
         };
     }
 
@@ -227,6 +249,48 @@ internal sealed class DriveCommand
         }
 
         return settings;
+    }
+
+    private void CheckRecording(ParseResult parsed, DrivePlan plan, BridgePlan bridge, RecordPlan? record)
+    {
+        if (record is null && parsed.GetResult(Size) is { Implicit: false })
+        {
+            throw new UsageException("--size needs --record.");
+        }
+
+        if (record is not null && bridge.Role == DriveRole.Client)
+        {
+            throw new UsageException("--record belongs to the side of the game, not to --role client.");
+        }
+
+        if (plan.IsDisturbed && plan.Bridge is not null)
+        {
+            throw new UsageException("--perturb needs a drive without a bridge.");
+        }
+
+        if (record is not null && parsed.GetValue(Out) is { } folder && Path.GetFullPath(folder) == Path.GetFullPath(record.Folder))
+        {
+            throw new UsageException("--record and --out name the same folder; give the session one of its own.");
+        }
+
+        ImageSize sent = new DrivingOptions().Picture;
+        if (record is not null && plan.Bridge is not null && record.Size.Width * sent.Height != record.Size.Height * sent.Width)
+        {
+            throw new UsageException("--size with --bridge must have the shape of the images on the bridge, 4 to 3.");
+        }
+    }
+
+    private IEnumerable<KeyValuePair<string, string>> RecordedSettings(ParseResult parsed, DrivePlan plan)
+    {
+        yield return new("weather", plan.Weather);
+        yield return new("dayOfYear", plan.DayOfYear.ToString(CultureInfo.InvariantCulture));
+        yield return new("timeOfDay", plan.TimeOfDay.ToString(@"hh\:mm", CultureInfo.InvariantCulture));
+        foreach (KeyValuePair<string, string> setting in SettingsOf(parsed, plan).Where(setting => setting.Key != "seed"))
+        {
+            yield return setting;
+        }
+
+        yield return new("perturb", plan.IsDisturbed ? "on" : "off");
     }
 
     private static Vector2D ParsePlace(string text) => ValueParsers.Numbers(text, 2) is { } n

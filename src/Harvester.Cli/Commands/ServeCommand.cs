@@ -1,5 +1,7 @@
 using System;
+using System.Collections.Generic;
 using System.CommandLine;
+using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Threading;
@@ -88,6 +90,9 @@ internal sealed class ServeCommand
         Description = "Stop when the first program has disconnected, or if none connects within a minute",
     };
 
+    private RecordOptions Record { get; } = new("the drive as a session in this folder; with --lockstep, one for each restart");
+    private Option<bool> Overwrite { get; } = new("--overwrite") { Description = "Replace an existing session in the folder of --record" };
+
     public static Command Create(Terminal terminal) => new ServeCommand().Build(terminal);
 
     private Command Build(Terminal terminal)
@@ -96,7 +101,7 @@ internal sealed class ServeCommand
         Bridge.AddTo(command);
         Option[] own =
             [Seed, Roads, Near, Traffic, TrafficRadius, WeatherName, Size, Hz, Duration, Unassisted, LockStep, Once];
-        foreach (Option option in own.Concat(Controller.All))
+        foreach (Option option in own.Concat(Controller.All).Concat(Record.All).Append(Overwrite))
         {
             command.Options.Add(option);
         }
@@ -118,6 +123,10 @@ internal sealed class ServeCommand
             RateHz = parsed.GetValue(Hz),
             IsLockStep = isLockStep,
         };
+        RecordPlan? plan = Record.Parse(parsed, options.Picture, isLockStep, [.. RecordedSettings(parsed, world)]);
+        using DriveRecording? recording = plan is { } record
+            ? new DriveRecording(terminal, record, CommandText.Of(parsed), parsed.GetValue(Overwrite))
+            : null;
         using IAwaitableBridge bridge = Bridge.Open(parsed, options, out string place);
         terminal.Out.WriteLine($"Serving at {place}");
         terminal.Out.Flush();
@@ -144,6 +153,7 @@ internal sealed class ServeCommand
 
         terminal.Out.WriteLine(
             FormattableString.Invariant($"{Counted.Of(served.Frames, "frame")}, {served.Metres:0} m driven in {served.Seconds:0.0} s"));
+        recording?.Finish();
         if (served.Fault is { } fault)
         {
             throw new GameFaultException(fault);
@@ -151,8 +161,14 @@ internal sealed class ServeCommand
 
         return cancellation.IsCancellationRequested ? ExitCode.Cancelled : ExitCode.Done;
 
-        GameEndpoint Connect(SimulatedGame game) => new(
-            game, new FixedRoads(game.Roads, "simulation"), options, bridge, controller.New, !parsed.GetValue(Unassisted));
+        GameEndpoint Connect(SimulatedGame game)
+        {
+            FixedRoads roads = new(game.Roads, "simulation");
+            return new GameEndpoint(game, roads, options, bridge, controller.New, !parsed.GetValue(Unassisted))
+            {
+                Recording = recording?.Of(game, roads, world.Seed),
+            };
+        }
     }
 
     /// <summary>The world of a restart: its seed decides traffic, people, route and start, in the town of the command line.</summary>
@@ -179,6 +195,16 @@ internal sealed class ServeCommand
                 : throw new UsageException($"--weather takes one of {string.Join(", ", WeatherNames.All)}, not '{weather}'."),
             WindowAspect = parsed.GetValue(Size).Aspect,
         };
+    }
+
+    private IEnumerable<KeyValuePair<string, string>> RecordedSettings(ParseResult parsed, SimulationOptions world)
+    {
+        yield return new("weather", world.Weather);
+        yield return new("roads", parsed.GetValue(Roads)?.Name ?? "town");
+        yield return new("traffic", world.TrafficDensity.ToString(CultureInfo.InvariantCulture));
+        yield return new("pedestrians", world.PedestrianDensity.ToString(CultureInfo.InvariantCulture));
+        yield return new("bridge", parsed.GetValue(LockStep) ? "lockstep" : "realTime");
+        yield return new("assisted", parsed.GetValue(Unassisted) ? "off" : "on");
     }
 
     private static SimulatedGame Build(SimulationOptions options)

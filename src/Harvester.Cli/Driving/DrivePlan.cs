@@ -1,8 +1,11 @@
+using System;
 using System.Collections.Generic;
 using Harvester.Driving.Controllers;
 using Harvester.Evaluation.Noise;
 using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Roads;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Cli.Driving;
 
@@ -32,6 +35,21 @@ internal sealed record DrivePlan
 
     /// <summary>Noise of the indicators; null for none.</summary>
     public NoiseLevels? Noise { get; init; }
+
+    /// <summary>Whether the steering is disturbed now and then.</summary>
+    public bool IsDisturbed { get; init; }
+
+    /// <summary>Size of the recorded images, pixels; null if nothing is recorded.</summary>
+    public ImageSize? PictureSize { get; init; }
+
+    /// <summary>The weather.</summary>
+    public string Weather { get; init; } = "clear";
+
+    /// <summary>The time of day at the start.</summary>
+    public TimeSpan TimeOfDay { get; init; } = TimeSpan.FromHours(12);
+
+    /// <summary>The day of the year, from 1.</summary>
+    public int DayOfYear { get; init; } = new SimulationOptions().DayOfYear;
 
     /// <summary>The bridge between game and controller; null for none.</summary>
     public BridgePlan? Bridge { get; init; }

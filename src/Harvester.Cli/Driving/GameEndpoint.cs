@@ -4,6 +4,7 @@ using Harvester.Driving.Bridge;
 using Harvester.Driving.Controllers;
 using Harvester.Driving.Session;
 using Harvester.Evaluation.Figures;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Game;
 
@@ -38,6 +39,17 @@ internal sealed class GameEndpoint : IDisposable
         _before = (game.Ports.World.ReadEgo(), game.Ports.World.TimeSeconds);
     }
 
+    /// <summary>Records the drive; null for none. It is finished with the endpoint.</summary>
+    public GameRecording? Recording
+    {
+        get;
+        init
+        {
+            field = value;
+            value?.IsByBuiltInDriver = () => !IsByClient;
+        }
+    }
+
     /// <summary>Status of the driving session.</summary>
     public DrivingStatus Status => _session.Status;
 
@@ -60,9 +72,22 @@ internal sealed class GameEndpoint : IDisposable
     public double Metres { get; private set; }
 
     /// <summary>Handles messages of the client without advancing the world.</summary>
+    /// <exception cref="System.IO.IOException">The recording cannot be written.</exception>
     public DrivingStatus Listen()
     {
+        long answers = _session.Answers;
+        long frames = _session.Status.Frames;
         DrivingStatus status = _session.Tick();
+        if (_session.Answers != answers)
+        {
+            Recording?.Answer(status.Controls, _session.AnsweredIndicators, _session.AnsweredFrame);
+        }
+
+        if (status.Frames != frames)
+        {
+            Recording?.Look(status.Frames - 1);
+        }
+
         _before = (_game.Ports.World.ReadEgo(), _game.Ports.World.TimeSeconds);
         return status;
     }
@@ -71,6 +96,11 @@ internal sealed class GameEndpoint : IDisposable
     public DrivingStatus Tick(double seconds)
     {
         _game.Tick(seconds);
+        if (_game.Ports.World.TimeSeconds != _before.Seconds)
+        {
+            Recording?.Tick(!IsByClient ? DriverKind.BuiltIn : _session.IsClientAlive ? DriverKind.Client : DriverKind.None);
+        }
+
         EgoState now = _game.Ports.World.ReadEgo();
         double metres = (now.Pose.Position - _before.Ego.Pose.Position).Length;
         if (Relocation.Is(metres, _before.Ego.Velocity.Length, now.Velocity.Length, _game.Ports.World.TimeSeconds - _before.Seconds))
@@ -90,5 +120,9 @@ internal sealed class GameEndpoint : IDisposable
     /// <param name="hasPicture">Whether with an image.</param>
     public void RequestFrame(bool hasPicture = true) => _session.AskForFrame(hasPicture);
 
-    public void Dispose() => _session.Dispose();
+    public void Dispose()
+    {
+        _session.Dispose();
+        Recording?.Dispose();
+    }
 }

@@ -5,8 +5,10 @@ using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Controllers;
 using Harvester.Evaluation.Figures;
+using Harvester.Evaluation.Noise;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Game;
 
@@ -29,12 +31,19 @@ internal sealed class LocalDrive(SimulatedGame game, IRoads roads, Func<IControl
     private Handover _handover = new();
     private IController _controller = newController();
 
+    /// <summary>Records the drive; null for none.</summary>
+    public GameRecording? Recording { get; init; }
+
+    /// <summary>Disturbs the steering now and then; null for none.</summary>
+    public SteeringDisturbance? Disturbance { get; init; }
+
     /// <summary>Drives until the distance (metres) or the time limit (seconds of game time) is reached.</summary>
     public IReadOnlyList<DriveSample> Run(double metres, double seconds, Action<double> report, CancellationToken cancellation)
     {
         IDrivenCar car = game.Ports.Car!;
         DrivingControls controls = DrivingControls.Stop;
         bool isByController = false;
+        Recording?.IsByBuiltInDriver = () => !isByController;
         for (int tick = 0; _sampler.Metres < metres && game.Ports.World.TimeSeconds < seconds
             && !cancellation.IsCancellationRequested; tick++)
         {
@@ -43,14 +52,21 @@ internal sealed class LocalDrive(SimulatedGame game, IRoads roads, Func<IControl
                 LaneObservation? seen = Look(game.Ports.World.ReadEgo());
                 isByController = _handover.Decide(seen, game.NeedsOwnDriver);
                 controls = _controller.Drive(StateOf(seen));
+                if (Recording?.Look() ?? false)
+                {
+                    Recording.Answer(controls);
+                }
             }
 
+            double push = 0;
             if (isByController)
             {
-                car.Drive(controls);
+                push = Disturbance?.Next(game.Ports.World.ReadEgo().Velocity.Length, TickSeconds) ?? 0;
+                car.Drive(push == 0 ? controls : new DrivingControls(controls.Steering + push, controls.Throttle, controls.Brake));
             }
 
             game.Tick(TickSeconds);
+            Recording?.Tick(isByController ? DriverKind.Controller : DriverKind.BuiltIn, push != 0);
             if (tick % TicksPerControl == TicksPerControl - 1)
             {
                 _sampler.Take(isByController);

@@ -35,6 +35,9 @@ internal sealed class RemoteDrive(
     private readonly Stopwatch _silence = new();
     private double _lastClientSeconds;
 
+    /// <summary>Records the drive; null for none.</summary>
+    public GameRecording? Recording { get; init; }
+
     /// <summary>The samples until now.</summary>
     public IReadOnlyList<DriveSample> Samples => _sampler.Samples;
 
@@ -47,7 +50,10 @@ internal sealed class RemoteDrive(
     /// <exception cref="IOException">No client has driven for too long.</exception>
     public void Run(double metres, double seconds, bool isRealTime, CancellationToken cancellation)
     {
-        using GameEndpoint bridged = new(game, roads, new DrivingOptions(), bridge, newController, isAssisted: true);
+        using GameEndpoint bridged = new(game, roads, new DrivingOptions(), bridge, newController, isAssisted: true)
+        {
+            Recording = Recording,
+        };
         _silence.Restart();
         WaitForClient(bridged, cancellation);
         WallPace pace = new(TickSeconds, TimeProvider.System);

@@ -21,6 +21,9 @@ namespace Harvester.Cli.Driving;
 /// <param name="messages">Receives a line with the address at which the drive waits for a client.</param>
 internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
 {
+    /// <summary>Records the drive; null for none.</summary>
+    public GameRecording? Recording { get; init; }
+
     /// <summary>Game time per answer of a client in this process: ten frames per second.</summary>
     private const double StepSeconds = 0.1;
 
@@ -47,7 +50,7 @@ internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
     {
         bool isAlone = plan.Role == DriveRole.Both;
         using IDrivingBridge bridge = Open(isAlone);
-        RemoteDrive drive = new(game, roads, bridge, newControllerAtCar, plan.Patience);
+        RemoteDrive drive = new(game, roads, bridge, newControllerAtCar, plan.Patience) { Recording = Recording };
         try
         {
             Run(drive, bridge, newController, metres, seconds, cancellation);

@@ -23,6 +23,9 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
     private readonly List<DriveSample> _samples = [];
     private FixedRoads? _roads;
 
+    /// <summary>Records the drives; null for none.</summary>
+    public DriveRecording? Recording { get; init; }
+
     /// <summary>The samples until now, also after a fault.</summary>
     public IReadOnlyList<DriveSample> Samples => _samples;
 
@@ -40,15 +43,20 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
             int seed = plan.Seed + i;
             double before = i * plan.Metres;
             SimulatedGame game = Build(plan.Starts.Count > 0 ? plan.Starts[i] : null, seed);
+            using GameRecording? recording = Recording?.Of(game, RoadsOf(game), seed);
             if (plan.Bridge is { } bridge)
             {
-                new RemoteDrives(bridge, messages).Run(
+                new RemoteDrives(bridge, messages) { Recording = recording }.Run(
                     game, RoadsOf(game), () =>
                         ControllerOf(seed), () => ControllerAtCar(seed), plan.Metres, plan.Seconds, _samples, cancellation);
             }
             else
             {
-                _samples.AddRange(new LocalDrive(game, RoadsOf(game), () => ControllerOf(seed))
+                _samples.AddRange(new LocalDrive(game, RoadsOf(game), () => ControllerOf(seed, recording))
+                {
+                    Recording = recording,
+                    Disturbance = plan.IsDisturbed ? new SteeringDisturbance(seed, plan.Controller.Car) : null,
+                }
                     .Run(plan.Metres, plan.Seconds, metres => report((int)(before + metres)), cancellation));
             }
         }
@@ -60,7 +68,11 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
         : _roads ??= new FixedRoads(game.Roads, "roadFile", LookAhead.OfMetres(plan.Controller.LookAheadMetres));
 
     /// <summary>A new controller of the plan, with its noise.</summary>
-    public IController ControllerOf(int seed) => Noisy(plan.Controller.New(), seed);
+    public IController ControllerOf(int seed, GameRecording? recording = null)
+    {
+        IController controller = plan.Controller.New();
+        return Noisy(recording?.Watch(controller) ?? controller, seed);
+    }
 
     /// <summary>As <see cref="ControllerOf"/>, for indicators with the angle at the car.</summary>
     private IController ControllerAtCar(int seed) => Noisy((plan.Controller with { LookAheadMetres = 0 }).New(), seed);
@@ -78,8 +90,11 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
                 Seed = seed,
                 Roads = plan.Roads,
                 Near = start,
-                WindowAspect = plan.Bridge is null ? 1 : new DrivingOptions().Picture.Aspect,
+                WindowAspect = plan.PictureSize?.Aspect ?? (plan.Bridge is null ? 1 : new DrivingOptions().Picture.Aspect),
                 TrafficDensity = plan.TrafficDensity,
+                Weather = plan.Weather,
+                TimeOfDay = plan.TimeOfDay,
+                DayOfYear = plan.DayOfYear,
                 PedestrianDensity = 0,
             });
         }

@@ -63,6 +63,7 @@ public static class FrameLabelParser
             View = frame.OptionalText("view"),
             Lidar = frame.Has("lidar") ? [.. frame.List("lidar").Select(ReadSweep)] : [],
             Motion = MotionParser.Parse(frame),
+            Drive = DriveParser.Parse(frame),
             Pairs = frame.Has("pairs") ? [.. frame.List("pairs").Select(ReadPair)] : [],
             Place = frame.Has("place") ? frame.Integer("place") : null,
             PlaceFrame = frame.Has("placeFrame") ? frame.Integer("placeFrame") : null,

@@ -42,6 +42,7 @@ internal sealed class FrameCheck(SessionReader session, SessionInfo? info, bool 
             .. line.Source.Findings,
             .. label.Lanes is { } lanes ? LanesCheck.Problems(lanes) : [],
             .. MotionCheck.Problems(label),
+            .. DriveCheck.Problems(label),
             .. IgnoreRegionCheck.Problems(label),
             .. label.Objects.SelectMany(item => ObjectCheck.Problems(item, label)),
         ];

@@ -10,7 +10,11 @@ namespace Harvester.Datasets.Validation;
 internal sealed class SequenceCheck
 {
     private readonly Dictionary<int, (ObjectClass Class, string Model)> _objects = [];
+    /// <summary>Times are written with six decimals, seconds.</summary>
+    private const double TimeTolerance = 1e-6;
+
     private int _lastFrame = -1;
+    private double _ticksEnd;
     private double _lastTime;
     private long _lastGameFrame;
 
@@ -31,6 +35,12 @@ internal sealed class SequenceCheck
                 + "it may decrease only if gameFrame does too, after a restart of the game.";
         }
 
+        if (_ticksEnd > label.TimeSeconds && label.GameFrame > _lastGameFrame)
+        {
+            yield return "the ticks of the previous frame's drive do not end before this frame.";
+        }
+
+        _ticksEnd = label.Drive is { Ticks: [.., var end] } ? end.TimeSeconds - TimeTolerance : 0;
         (_lastFrame, _lastTime, _lastGameFrame) = (label.Frame, label.TimeSeconds, label.GameFrame);
         var seen = new HashSet<int>();
         foreach (ObjectLabel item in label.Objects)

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Bridge;
 using Harvester.Driving.Controllers;
@@ -78,6 +79,15 @@ public sealed class DrivingSession : IDisposable
 
     /// <summary>Whether a client has sent controls recently; otherwise the car brakes.</summary>
     public bool IsClientAlive => _watch.IsClientAlive;
+
+    /// <summary>Number of controls and indicators that were received and that drive the car.</summary>
+    public long Answers { get; private set; }
+
+    /// <summary>Number of the frame that the last of them answered; null if the client did not say, or sent none.</summary>
+    public long? AnsweredFrame { get; private set; }
+
+    /// <summary>The indicators that the last of them brought; null if it brought controls.</summary>
+    public IReadOnlyList<double>? AnsweredIndicators { get; private set; }
 
     /// <summary>Whether commands of the client wait for the next tick.</summary>
     public bool HasCommands => _agenda.HasCommands;
@@ -180,18 +190,27 @@ public sealed class DrivingSession : IDisposable
         if (message is ControlsMessage controls)
         {
             _watch.Hear(controls.Controls);
+            Count(controls.Frame, null);
         }
         else if (message is IndicatorsMessage indicators)
         {
             try
             {
                 _watch.Hear(_controller.Drive(_view.StateOf(IndicatorOrder.FromValues(indicators.Values))));
+                Count(indicators.Frame, indicators.Values);
             }
             catch (ArgumentException exception)
             {
                 Problem = exception.Message;
             }
         }
+    }
+
+    private void Count(long? answered, IReadOnlyList<double>? indicators)
+    {
+        Answers++;
+        AnsweredFrame = answered;
+        AnsweredIndicators = indicators;
     }
 
     private void Obey(ClientMessage command)

@@ -98,6 +98,9 @@ public sealed record FrameLabel(
     /// </summary>
     public IReadOnlyList<MotionSample>? Motion { get; init; }
 
+    /// <summary>The action that belongs to the frame; null unless the session is a recorded drive.</summary>
+    public DriveLabel? Drive { get; init; }
+
     /// <summary>Further pictures of the moment in other weathers, at other hours and without objects; empty if there are none.</summary>
     public IReadOnlyList<PairLabel> Pairs { get; init; } = [];
 

@@ -66,6 +66,7 @@ public static class JsonLabelWriter
         Append(json.Key("camera"), frame.Camera);
         Append(json.Key("ego"), frame.Ego);
         MotionJson.Append(json, frame.Motion);
+        DriveJson.Append(json, frame.Drive);
         Append(json.Key("environment"), frame.Environment);
         json.Key("objects").BeginArray();
         foreach (ObjectLabel label in frame.Objects)

@@ -29,7 +29,10 @@ internal sealed class CsvDatasetCheck
     private const int MaxFieldCharacters = 1 << 16;
 
     private static readonly string[] Texts =
-        ["split", "image", "weather", "time_of_day", "class", "model", "name", "mutcd", "light_state", "has_rider", "reason"];
+    [
+        "split", "image", "weather", "time_of_day", "class", "model", "name", "mutcd", "light_state", "has_rider", "reason", "driver",
+        "route",
+    ];
 
     private readonly DatasetContent _dataset;
     private readonly HashSet<string> _classes;
@@ -47,7 +50,10 @@ internal sealed class CsvDatasetCheck
         var check = new CsvDatasetCheck(dataset);
         return check.TableProblems(Frames, CsvDatasetWriter.FrameColumns, check.FrameProblem)
             .Concat(check.TableProblems(Objects, CsvDatasetWriter.ObjectColumns, check.ObjectProblem))
-            .Concat(check.TableProblems(Regions, CsvDatasetWriter.RegionColumns, check.RegionProblem));
+            .Concat(check.TableProblems(Regions, CsvDatasetWriter.RegionColumns, check.RegionProblem))
+            .Concat(dataset.Has(CsvDriveTable.FileName)
+                ? check.TableProblems(CsvDriveTable.FileName, CsvDriveTable.Columns, check.DriveProblem)
+                : []);
     }
 
     private IEnumerable<SessionProblem> TableProblems(string name, string[] columns, Func<Dictionary<string, string>, string?> problemOf)
@@ -148,6 +154,15 @@ internal sealed class CsvDatasetCheck
                 ? $"its box2d does not lie in the image of {size.Width} x {size.Height}, or has no area."
             : Number(row["distance_metres"]) < 0 ? "distance_metres is below 0." : null;
     }
+
+    private string? DriveProblem(Dictionary<string, string> row) =>
+        !_sizes.ContainsKey(row["frame"]) ? $"frame {row["frame"]} is not in {Frames}."
+            : !_dataset.Has(row["image"]) ? $"its image '{row["image"]}' is missing."
+            : Array.Exists(["steering", "applied_steering"], name => Math.Abs(Number(row[name])) > 1) ? "steering is not -1 to 1."
+            : Array.Exists(
+                ["throttle", "brake", "applied_throttle", "applied_brake", "disturbed", "lanes_known"],
+                name => Number(row[name]) is < 0 or > 1) ? "a pedal or flag is not 0 to 1."
+            : null;
 
     /// <summary>Unknown values are empty fields.</summary>
     private static bool IsNumber(string text) => text.Length == 0 || Numbers.Parse([text]) is not null;

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
@@ -13,7 +14,8 @@ using Harvester.Sessions.Text;
 namespace Harvester.Datasets.Exports.Formats.Csv;
 
 /// <summary>
-/// Writes the CSV tables frames.csv, objects.csv and ignore_regions.csv (RFC 4180 with LF), and the images. See docs/exports/csv.md.
+/// Writes the CSV tables frames.csv, objects.csv and ignore_regions.csv (RFC 4180 with LF), for recorded drives drive.csv, and the images.
+/// See docs/exports/csv.md.
 /// </summary>
 internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
 {
@@ -52,6 +54,11 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
         string image = $"images/{frame.Name}{frame.ImageExtension}";
         output.Image(image, frame);
         output.Part("frames", Line(FrameFields(frame, image)));
+        if (frame.Label.Drive is { } drive)
+        {
+            output.Part(CsvDriveTable.Part, Line(CsvDriveTable.Fields(frame, drive, image)));
+        }
+
         Dictionary<int, double?> visible = VisibleFractions(frame.LabelText);
         foreach (ExportObject item in frame.Objects)
         {
@@ -73,6 +80,11 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
     [
+        .. parts.ContainsKey(CsvDriveTable.Part)
+            ? [new AggregateFile(
+                CsvDriveTable.FileName,
+                [AggregateSection.Literal(Line(CsvDriveTable.Columns) + "\n"), AggregateSection.Lines(CsvDriveTable.Part)])]
+            : Array.Empty<AggregateFile>(),
         new("frames.csv", [AggregateSection.Literal(Line(FrameColumns) + "\n"), AggregateSection.Lines("frames")]),
         new("ignore_regions.csv", [AggregateSection.Literal(Line(RegionColumns) + "\n"), AggregateSection.Lines("regions")]),
         new("objects.csv", [AggregateSection.Literal(Line(ObjectColumns) + "\n"), AggregateSection.Lines("objects")]),

@@ -1,0 +1,44 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using Harvester.Cli.Driving;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Cli.Arguments;
+
+/// <summary>--record and --record-every.</summary>
+internal sealed class RecordOptions
+{
+    /// <summary>Controls are decided in this period, seconds of game time; frames are recorded where they are.</summary>
+    private const double PeriodSeconds = 0.1;
+    private const double Rounding = 1e-9;
+
+    private readonly Option<string?> _folder;
+    private readonly Option<double> _every = ValueParsers.Number(
+        "--record-every", "S", "Game time from one recorded frame to the next, seconds", IsPeriod, "a multiple of 0.1, at most 60");
+
+    /// <summary>Creates the options.</summary>
+    /// <param name="what">What is recorded: the words after "Record".</param>
+    public RecordOptions(string what)
+    {
+        _folder = new Option<string?>("--record") { Description = $"Record {what}", HelpName = "DIR" };
+        _every.DefaultValueFactory = _ => 2 * PeriodSeconds;
+    }
+
+    /// <summary>The options.</summary>
+    public IEnumerable<Option> All => [_folder, _every];
+
+    /// <summary>The plan that the options describe; null if nothing is recorded.</summary>
+    /// <param name="parsed">The command line.</param>
+    /// <param name="size">Size of the images, pixels.</param>
+    /// <param name="isNumbered">Whether there may be several drives, each with a session.</param>
+    /// <param name="settings">Settings of the drive for session.json.</param>
+    public RecordPlan? Parse(ParseResult parsed, ImageSize size, bool isNumbered, IReadOnlyList<KeyValuePair<string, string>> settings) =>
+        parsed.GetValue(_folder) is { } folder
+            ? new RecordPlan(folder, parsed.GetValue(_every), size) { IsNumbered = isNumbered, Settings = settings }
+            : null;
+
+    private static bool IsPeriod(double seconds) =>
+        seconds is > 0 and <= 60 && Math.Abs(Math.Round(seconds / PeriodSeconds) - (seconds / PeriodSeconds)) < Rounding
+            && seconds > PeriodSeconds / 2;
+}

@@ -1,0 +1,17 @@
+using Harvester.Capture.Ports;
+using Harvester.Driving.Controllers;
+
+namespace Harvester.Cli.Driving;
+
+/// <summary>A controller whose input is kept, as it is behind the noise of the indicators.</summary>
+internal sealed class WatchedController(IController controller) : IController
+{
+    /// <summary>The last input; null before the first.</summary>
+    public DrivingState? Input { get; private set; }
+
+    public DrivingControls Drive(DrivingState state)
+    {
+        Input = state;
+        return controller.Drive(state);
+    }
+}

@@ -1,0 +1,123 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Capture.Faults;
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Ports;
+using Harvester.Driving.Bridge;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Driving.Recording;
+
+/// <summary>
+/// Records a drive as a session: frames with their labels, and for each frame the action that answered it. The world moves between the
+/// calls; a frame shows the world as it is when <see cref="Look"/> takes it. Nothing is thrown to the caller after construction; a fault of
+/// a port or of the sink ends the recording.
+/// </summary>
+public sealed class DriveRecorder : IDisposable
+{
+    private readonly HarvestSession _session;
+    private readonly HeldSink _held;
+    private readonly IWorld _world;
+    private readonly Func<DrivingTruth>? _readTruth;
+    private readonly InertialSensor _inertia = new();
+    private readonly MotionRecorder _motion;
+    private IReadOnlyList<MotionSample> _motionToFrame = [];
+    private OpenAction? _action;
+
+    /// <summary>Creates a recorder. The game is not used before the first frame.</summary>
+    /// <param name="options">A live harvest with a known picture lag, without masks; its rate limits that of the frames.</param>
+    /// <param name="game">The game.</param>
+    /// <param name="sink">Receives the frames; the caller disposes it.</param>
+    /// <param name="readTruth">Reads what only a simulated game knows; null in GTA V.</param>
+    /// <exception cref="ArgumentNullException">An argument is null, except <paramref name="readTruth"/>.</exception>
+    public DriveRecorder(HarvestOptions options, GamePorts game, IFrameSink sink, Func<DrivingTruth>? readTruth)
+    {
+        _world = (game ?? throw new ArgumentNullException(nameof(game))).World;
+        _readTruth = readTruth;
+        _motion = new MotionRecorder(_world);
+        _held = new HeldSink(sink ?? throw new ArgumentNullException(nameof(sink)), Complete);
+        _session = new HarvestSession(options, game, _held);
+    }
+
+    /// <summary>Options of a recording.</summary>
+    /// <param name="rateHz">Maximum number of frames per second of game time; greater than 0.</param>
+    public static HarvestOptions Options(double rateHz) => new()
+    {
+        RateHz = rateHz,
+        Freeze = false,
+        LiveLag = new PictureLag(0, 0),
+        ProbeLag = false,
+        MaxCalibrationErrorPixels = null,
+        MaxPictureLagTicks = 0,
+        Motion = true,
+        Scenes = false,
+    };
+
+    /// <summary>Why the recording ended early; null if it did not.</summary>
+    public CaptureFault? Failure => _session.Failure;
+
+    /// <summary>Number of frames taken.</summary>
+    public int Frames => _held.Received;
+
+    /// <summary>Takes a frame of the world as it is now, if the rate allows one.</summary>
+    /// <param name="bridgeFrame">Number of the frame on the live bridge that shows the same; null without a bridge.</param>
+    /// <returns>Whether a frame was taken.</returns>
+    public bool Look(long? bridgeFrame = null)
+    {
+        int before = _held.Received;
+        _session.Step();
+        if (_held.Received == before)
+        {
+            return false;
+        }
+
+        EgoState ego = _world.ReadEgo();
+        double now = _world.TimeSeconds;
+        if (before == 0)
+        {
+            _inertia.Measure(ego, now);
+        }
+
+        IReadOnlyList<MotionSample> motion = _motion.TakeBefore(now);
+        _motionToFrame = before == 0 ? [] : motion;
+        _action = new OpenAction(now, ego.Velocity.Length, bridgeFrame)
+        {
+            Inertia = (_inertia.Acceleration, _inertia.AngularRate),
+            Truth = _readTruth?.Invoke(),
+        };
+        return true;
+    }
+
+    /// <summary>Records what a controller or client answered to the newest frame; later answers are ignored until the next frame.</summary>
+    /// <param name="controls">The controls, without disturbance.</param>
+    /// <param name="indicators">The thirteen indicators by which they were found, scaled to TORCS; null if there were none.</param>
+    /// <param name="bridgeFrame">Number of the answered frame on the live bridge; null if unknown.</param>
+    public void Answer(DrivingControls controls, IReadOnlyList<double>? indicators, long? bridgeFrame = null) =>
+        _action?.Answer(controls, indicators, bridgeFrame, _world.TimeSeconds);
+
+    /// <summary>Records a tick in which the world has moved.</summary>
+    /// <param name="driver">Who drove in it.</param>
+    /// <param name="isDisturbed">Whether the steering was disturbed in it.</param>
+    public void Tick(DriverKind driver, bool isDisturbed = false)
+    {
+        EgoState ego = _world.ReadEgo();
+        _motion.Record();
+        _inertia.Measure(ego, _world.TimeSeconds);
+        _action?.Add(
+            new DriveTick(_world.TimeSeconds, ego.Velocity.Length, driver)
+            {
+                Acceleration = _inertia.Acceleration,
+                AngularRate = _inertia.AngularRate,
+                Applied = ego.Motion is { Steering: { } steering, Throttle: { } throttle, Brake: { } brake }
+                    ? new DriveControls(steering, throttle, brake)
+                    : null,
+            },
+            isDisturbed);
+    }
+
+    /// <summary>Ends the recording and closes the sink.</summary>
+    public void Dispose() => _session.Dispose();
+
+    private void Complete(CapturedFrame frame) => frame.Attach(_action!.Label(), _motionToFrame);
+}
