@@ -6,7 +6,6 @@ using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
-using Harvester.Driving.Bridge;
 using Harvester.Driving.Controllers;
 using Harvester.Driving.Recording;
 using Harvester.Sessions.Labels;

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
@@ -70,7 +69,7 @@ internal static class DriveParser
         return new DriveControls(controls.Number("steering"), controls.Number("throttle"), controls.Number("brake"));
     }
 
-    private static IReadOnlyList<double>? IndicatorsOf(JsonFields drive)
+    private static double[]? IndicatorsOf(JsonFields drive)
     {
         const string name = "indicators";
         return drive.Has(name) ? drive.Numbers(name, Geometry.Lanes.IndicatorTable.Count) : null;
