@@ -15,11 +15,12 @@ using Harvester.Datasets.Roads;
 using Harvester.Driving.Controllers;
 using Harvester.Driving.Session;
 using Harvester.Evaluation.Clients;
-using Harvester.Evaluation.Figures;
 using Harvester.Evaluation.Noise;
 using Harvester.Evaluation.Reports;
+using Harvester.Evaluation.Scores;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Roads;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Text;
 
@@ -38,7 +39,9 @@ internal sealed class DriveCommand
         + "  harvester drive --controller deepdriving --noise --distance 3000 --out drive\n"
         + "  harvester drive --bridge socket --role game --out drive    # in one terminal\n"
         + "  harvester drive --bridge socket --role client              # in another\n"
-        + "  harvester drive --roads nodes.zip --near=-500,1000 --near=0,2700 --out drive";
+        + "  harvester drive --roads nodes.zip --near=-500,1000 --near=0,2700 --out drive\n"
+        + "  harvester drive --seeds 701-720 --jobs 2 --distance 2000 --out drive\n"
+        + "  harvester drive --roads nodes.zip --places 20 --duration 900 --out drive";
 
     private Option<string?> Out { get; } =
         new("--out") { Description = "Folder to write drive.json and report.html to", HelpName = "DIR" };
@@ -47,6 +50,13 @@ internal sealed class DriveCommand
 
     private Option<int> Seed { get; } = WithDefault(
         ValueParsers.Integer("--seed", "N", "Random seed", 0, int.MaxValue), 1);
+
+    private Option<SeedRange?> Seeds { get; } = ValueParsers.Optional<SeedRange>(
+        "--seeds",
+        "A-B",
+        "Drive with each of these seeds instead of one, from each start: a town and traffic for each",
+        SeedRange.Parse,
+        "two seeds, the smaller one first, at most 1000 in all, e.g. 701-720");
 
     private Option<FileInfo?> Roads { get; } = new("--roads")
     {
@@ -60,6 +70,16 @@ internal sealed class DriveCommand
         HelpName = "X,Y",
         DefaultValueFactory = _ => [],
     };
+
+    private Option<int?> Places { get; } = ValueParsers.Optional<int>(
+        "--places",
+        "N",
+        "Start at N places drawn from the seed, uniformly along the roads of --roads, instead of --near",
+        text => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int n) && n is > 0 and <= 1000 ? n : null,
+        "a whole number from 1 to 1000");
+
+    private Option<int> Jobs { get; } = WithDefault(
+        ValueParsers.Integer("--jobs", "N", "Number of drives at the same time; changes nothing in the result", 1, 256), 1);
 
     private Option<double> Distance { get; } = WithDefault(
         Positive("--distance", "M", "Distance to drive from each start, metres"), 1000);
@@ -105,7 +125,7 @@ internal sealed class DriveCommand
     {
         var command = new Command("drive", "Drive the simulated car by the lane indicators and evaluate the drive.")
         {
-            Out, Overwrite, Seed, Roads, Near, Distance, Duration, Traffic, Speed, Noise, LookAhead, Size, Perturb,
+            Out, Overwrite, Seed, Seeds, Roads, Near, Places, Jobs, Distance, Duration, Traffic, Speed, Noise, LookAhead, Size, Perturb,
         };
         Moment.AddTo(command);
         foreach (Option option in Controller.All.Concat(Record.All).Concat(Bridge.All))
@@ -123,7 +143,7 @@ internal sealed class DriveCommand
         string? folder = parsed.GetValue(Out);
         BridgePlan bridge = Bridge.Parse(parsed, folder);
         DrivePlan plan = PlanOf(parsed) with { Bridge = bridge.Kind == BridgeName.Direct ? null : bridge };
-        RecordPlan? recorded = Record.Parse(parsed, parsed.GetValue(Size), plan.Starts.Count > 1, [.. RecordedSettings(parsed, plan)]);
+        RecordPlan? recorded = Record.Parse(parsed, parsed.GetValue(Size), plan.Episodes.Count > 1, [.. RecordedSettings(parsed, plan)]);
         CheckRecording(parsed, plan, bridge, recorded);
         plan = plan with { PictureSize = recorded?.Size };
         if (bridge.Role == DriveRole.Client)
@@ -138,26 +158,26 @@ internal sealed class DriveCommand
 
         using FolderLock held = FolderLock.Take(folder);
         var output = new DriveFolder(folder, CommandText.Of(parsed), parsed.GetValue(Overwrite));
-        int metres = (int)Math.Ceiling(plan.Metres * Math.Max(1, plan.Starts.Count));
+        int metres = (int)Math.Ceiling(plan.Metres * plan.Episodes.Count);
         using DriveRecording? recording = recorded is null ? null
             : new DriveRecording(terminal, recorded, CommandText.Of(parsed), parsed.GetValue(Overwrite));
         var drives = new SimulatedDrives(plan, terminal.Out) { Recording = recording };
         ExceptionDispatchInfo? fault = new JobProgress(terminal, metres, "m").Run(report => FaultOf(drives, report, cancellation));
         DriveRecord record = DriveRecord.Of(
-            SettingsOf(parsed, plan), drives.Samples, isWhole: fault is null && !cancellation.IsCancellationRequested);
+            SettingsOf(parsed, plan), drives.Episodes, isWhole: fault is null && !cancellation.IsCancellationRequested);
         string? former = output.Write(written =>
         {
             AtomicFile.Write(Path.Combine(written, DriveRecord.FileName), record.Write);
-            AtomicFile.Write(Path.Combine(written, DriveReport.FileName), stream => DriveReport.Write(stream, record, drives.Samples));
+            AtomicFile.Write(Path.Combine(written, DriveReport.FileName), stream => DriveReport.Write(stream, record));
         });
         if (former is not null)
         {
             terminal.WriteError($"The former drive is replaced, but its files in '{former}' cannot be deleted. Delete them yourself.");
         }
 
-        foreach ((string name, string value) in record.Figures.Rows())
+        foreach ((string name, string value) in record.Figures.Rows().Concat(record.Summary.Rows()))
         {
-            terminal.Out.WriteLine($"{name + ":",-19}{value}");
+            terminal.Out.WriteLine($"{name + ":",-27}{value}");
         }
 
         if (!record.IsWhole)
@@ -182,7 +202,7 @@ internal sealed class DriveCommand
         catch (Exception e) when (e is IOException or GameFaultException)
         {
             // Not in the filter: it would run before the finally block that adds the samples.
-            if (drives.Samples.Count == 0)
+            if (drives.Episodes.Count == 0)
             {
                 throw;
             }
@@ -202,14 +222,36 @@ internal sealed class DriveCommand
         return cancellation.IsCancellationRequested ? ExitCode.Cancelled : ExitCode.Done;
     }
 
+    private void CheckStarts(ParseResult parsed)
+    {
+        if (IsGiven(Seeds) && IsGiven(Seed))
+        {
+            throw new UsageException("--seeds and --seed exclude each other.");
+        }
+
+        if (IsGiven(Places) && (!IsGiven(Roads) || IsGiven(Near) || IsGiven(Seeds)))
+        {
+            throw new UsageException("--places takes --roads, and excludes --near and --seeds.");
+        }
+
+        bool IsGiven(Option option) => parsed.GetResult(option) is { Implicit: false };
+    }
+
     private DrivePlan PlanOf(ParseResult parsed)
     {
+        CheckStarts(parsed);
+        RoadNetwork? roads = parsed.GetValue(Roads) is { } file ? RoadImporter.Import(file.FullName).Network : null;
+        int seed = parsed.GetValue(Seed);
         return new DrivePlan
         {
             Controller = Controller.Parse(parsed) with { Speed = parsed.GetValue(Speed), LookAheadMetres = parsed.GetValue(LookAhead) },
-            Seed = parsed.GetValue(Seed),
-            Roads = parsed.GetValue(Roads) is { } roads ? RoadImporter.Import(roads.FullName).Network : null,
-            Starts = [.. parsed.GetRequiredValue(Near).Select(ParsePlace)],
+            Seed = seed,
+            Seeds = parsed.GetValue(Seeds) is { } seeds ? [.. seeds.All] : [],
+            Roads = roads,
+            Starts = parsed.GetValue(Places) is { } places
+                ? RandomPlaces.On(roads!, places, seed)
+                : [.. parsed.GetRequiredValue(Near).Select(ParsePlace)],
+            Jobs = parsed.GetValue(Jobs),
             TrafficDensity = parsed.GetValue(Traffic),
             Metres = parsed.GetValue(Distance),
             Seconds = parsed.GetValue(Duration),
@@ -241,6 +283,11 @@ internal sealed class DriveCommand
         if (plan.Controller.Speed is { } speed)
         {
             settings["speed"] = speed.ToString(CultureInfo.InvariantCulture);
+        }
+
+        if (parsed.GetValue(Seeds) is { } seeds)
+        {
+            settings["seed"] = seeds.ToString();
         }
 
         if (plan.Starts.Count > 0)

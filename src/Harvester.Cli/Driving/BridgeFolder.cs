@@ -5,7 +5,7 @@ using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sharding;
 using Harvester.Driving.Bridge;
-using Harvester.Evaluation.Figures;
+using Harvester.Evaluation.Scores;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Driving;

@@ -3,8 +3,8 @@ using System.IO;
 using System.Linq;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
-using Harvester.Evaluation.Figures;
 using Harvester.Evaluation.Reports;
+using Harvester.Evaluation.Scores;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Driving;

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Harvester.Driving.Controllers;
 using Harvester.Evaluation.Noise;
 using Harvester.Geometry;
@@ -15,8 +16,11 @@ internal sealed record DrivePlan
     /// <summary>The controller.</summary>
     public required ControllerPlan Controller { get; init; }
 
-    /// <summary>Random seed.</summary>
+    /// <summary>Random seed of the first episode; each further start has the next one, so that towns and traffic differ.</summary>
     public int Seed { get; init; } = 1;
+
+    /// <summary>Seeds, each for an episode from each start; empty for <see cref="Seed"/>.</summary>
+    public IReadOnlyList<int> Seeds { get; init; } = [];
 
     /// <summary>The road network; null for a town generated from the seed.</summary>
     public RoadNetwork? Roads { get; init; }
@@ -50,6 +54,21 @@ internal sealed record DrivePlan
 
     /// <summary>The day of the year, from 1.</summary>
     public int DayOfYear { get; init; } = new SimulationOptions().DayOfYear;
+
+    /// <summary>Number of episodes that are driven at the same time, if there is no bridge.</summary>
+    public int Jobs { get; init; } = 1;
+
+    /// <summary>Seed and start of each episode.</summary>
+    public IReadOnlyList<(int Seed, Vector2D? Start)> Episodes
+    {
+        get
+        {
+            Vector2D?[] starts = Starts.Count > 0 ? [.. Starts.Select(start => (Vector2D?)start)] : [null];
+            return Seeds.Count > 0
+                ? [.. Seeds.SelectMany(seed => starts.Select(start => (seed, start)))]
+                : [.. starts.Select((start, i) => (Seed + i, start))];
+        }
+    }
 
     /// <summary>The bridge between game and controller; null for none.</summary>
     public BridgePlan? Bridge { get; init; }

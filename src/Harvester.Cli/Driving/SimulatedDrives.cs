@@ -1,13 +1,17 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
+using System.Runtime.ExceptionServices;
 using System.Threading;
+using System.Threading.Tasks;
 using Harvester.Capture.Ports;
 using Harvester.Cli.Terminals;
 using Harvester.Driving.Controllers;
 using Harvester.Driving.Session;
 using Harvester.Evaluation.Figures;
 using Harvester.Evaluation.Noise;
+using Harvester.Evaluation.Scores;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Simulation.Game;
@@ -15,21 +19,32 @@ using Harvester.Simulation.Settings;
 
 namespace Harvester.Cli.Driving;
 
-/// <summary>Builds the simulated games of a plan, one for each start, and drives in them.</summary>
+/// <summary>Builds the simulated games of a plan, one for each episode, and drives in them.</summary>
 /// <param name="plan">The drives.</param>
 /// <param name="messages">Receives a line with the address at which a drive waits for a client.</param>
 internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
 {
-    private readonly List<DriveSample> _samples = [];
-    private FixedRoads? _roads;
+    private readonly IReadOnlyList<(int Seed, Vector2D? Start)> _plans = plan.Episodes;
+    private readonly DriveEpisode?[] _episodes = new DriveEpisode?[plan.Episodes.Count];
 
-    /// <summary>Records the drives; null for none.</summary>
+    /// <summary>Roads of a file are prepared once for all starts; each generated town has its own.</summary>
+    private readonly Lazy<FixedRoads>? _roads = plan.Roads is { } roads
+        ? new(() => new FixedRoads(roads, "roadFile", LookAhead.OfMetres(plan.Controller.LookAheadMetres)))
+        : null;
+
+    private readonly Lock _reporting = new();
+    private double _metres;
+
+    /// <summary>Records the drives, one after the other; null for none.</summary>
     public DriveRecording? Recording { get; init; }
 
-    /// <summary>The samples until now, also after a fault.</summary>
-    public IReadOnlyList<DriveSample> Samples => _samples;
+    /// <summary>The episodes with samples until now, also after a fault, in the order of the plan.</summary>
+    public IReadOnlyList<DriveEpisode> Episodes => [.. _episodes.OfType<DriveEpisode>().Where(episode => episode.Samples.Count > 0)];
 
-    /// <summary>Drives from each start in turn and adds to <see cref="Samples"/>.</summary>
+    /// <summary>The samples of all episodes.</summary>
+    public IReadOnlyList<DriveSample> Samples => [.. Episodes.SelectMany(episode => episode.Samples)];
+
+    /// <summary>Drives all episodes and adds them to <see cref="Episodes"/>. Their number at a time changes nothing in them.</summary>
     /// <param name="report">Receives the total distance driven, metres.</param>
     /// <param name="cancellation">Ends the drive; the samples are kept.</param>
     /// <exception cref="UsageException">There is no road near a start position.</exception>
@@ -37,35 +52,28 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
     /// <exception cref="GameFaultException">The game failed.</exception>
     public void Run(Action<int> report, CancellationToken cancellation)
     {
-        int starts = Math.Max(1, plan.Starts.Count);
-        for (int i = 0; i < starts && !cancellation.IsCancellationRequested; i++)
+        var faults = new ExceptionDispatchInfo?[_plans.Count];
+        var options = new ParallelOptions { MaxDegreeOfParallelism = plan.Bridge is null && Recording is null ? plan.Jobs : 1 };
+        Parallel.For(0, _plans.Count, options, (i, loop) =>
         {
-            int seed = plan.Seed + i;
-            double before = i * plan.Metres;
-            SimulatedGame game = Build(plan.Starts.Count > 0 ? plan.Starts[i] : null, seed);
-            using GameRecording? recording = Recording?.Of(game, RoadsOf(game), seed);
-            if (plan.Bridge is { } bridge)
+            if (cancellation.IsCancellationRequested)
             {
-                new RemoteDrives(bridge, messages) { Recording = recording }.Run(
-                    game, RoadsOf(game), () =>
-                        ControllerOf(seed), () => ControllerAtCar(seed), plan.Metres, plan.Seconds, _samples, cancellation);
+                loop.Break();
+                return;
             }
-            else
-            {
-                _samples.AddRange(new LocalDrive(game, RoadsOf(game), () => ControllerOf(seed, recording))
-                {
-                    Recording = recording,
-                    Disturbance = plan.IsDisturbed ? new SteeringDisturbance(seed, plan.Controller.Car) : null,
-                }
-                    .Run(plan.Metres, plan.Seconds, metres => report((int)(before + metres)), cancellation));
-            }
-        }
-    }
 
-    /// <summary>Roads of a file are prepared once for all starts; each generated town has its own.</summary>
-    private FixedRoads RoadsOf(SimulatedGame game) => plan.Roads is null
-        ? new FixedRoads(game.Roads, "simulation", LookAhead.OfMetres(plan.Controller.LookAheadMetres))
-        : _roads ??= new FixedRoads(game.Roads, "roadFile", LookAhead.OfMetres(plan.Controller.LookAheadMetres));
+            try
+            {
+                Drive(i, report, cancellation);
+            }
+            catch (Exception e) when (e is IOException or GameFaultException or UsageException)
+            {
+                faults[i] = ExceptionDispatchInfo.Capture(e);
+                loop.Break();
+            }
+        });
+        faults.FirstOrDefault(fault => fault is not null)?.Throw();
+    }
 
     /// <summary>A new controller of the plan, with its noise.</summary>
     public IController ControllerOf(int seed, GameRecording? recording = null)
@@ -79,6 +87,51 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
 
     private IController Noisy(IController controller, int seed) =>
         plan.Noise is { } noise ? new NoisyIndicators(controller, noise, seed) : controller;
+
+    private void Drive(int index, Action<int> report, CancellationToken cancellation)
+    {
+        (int seed, Vector2D? start) = _plans[index];
+        SimulatedGame game = Build(start, seed);
+        IRoads roads = _roads?.Value
+            ?? new FixedRoads(game.Roads, "simulation", LookAhead.OfMetres(plan.Controller.LookAheadMetres));
+        using GameRecording? recording = Recording?.Of(game, roads, seed);
+        List<DriveSample> samples = [];
+        bool isStopped = true;
+        double reported = 0;
+        try
+        {
+            if (plan.Bridge is { } bridge)
+            {
+                new RemoteDrives(bridge, messages) { Recording = recording }.Run(
+                    game, roads, () => ControllerOf(seed), () => ControllerAtCar(seed), plan.Metres, plan.Seconds, samples, cancellation);
+            }
+            else
+            {
+                var drive = new LocalDrive(game, roads, () => ControllerOf(seed, recording))
+                {
+                    Recording = recording,
+                    Disturbance = plan.IsDisturbed ? new SteeringDisturbance(seed, plan.Controller.Car) : null,
+                };
+                samples.AddRange(drive.Run(plan.Metres, plan.Seconds, Report, cancellation));
+            }
+
+            isStopped = cancellation.IsCancellationRequested;
+        }
+        finally
+        {
+            _episodes[index] = new DriveEpisode(seed, start, samples, plan.Metres, isStopped);
+        }
+
+        void Report(double metres)
+        {
+            lock (_reporting)
+            {
+                _metres += metres - reported;
+                reported = metres;
+                report((int)_metres);
+            }
+        }
+    }
 
     /// <summary>A game without pedestrians, because the indicators do not show them.</summary>
     private SimulatedGame Build(Vector2D? start, int seed)

@@ -17,7 +17,7 @@ internal static class CommandText
     private static readonly string[] LeftOut = ["--overwrite", "--resume", "--quiet", "-q"];
 
     // Nor do these, which have a value.
-    private static readonly string[] LeftOutWithValue = ["--out", MinFreeOption.Name];
+    private static readonly string[] LeftOutWithValue = ["--out", "--jobs", MinFreeOption.Name];
 
     /// <summary>The command with its arguments, without the output folder and without what does not change the result.</summary>
     public static string Of(ParseResult parsed) => Of(Words(parsed.Tokens));

@@ -13,6 +13,9 @@ public sealed record DriveEvent(double TimeSeconds, double X, double Y, bool IsB
 {
     private const int Decimals = 3;
 
+    /// <summary>Index of the episode in which it happened.</summary>
+    public int Episode { get; init; }
+
     internal Vector2D Place => new(X, Y);
 
     internal string Description =>
@@ -20,7 +23,9 @@ public sealed record DriveEvent(double TimeSeconds, double X, double Y, bool IsB
         + (IsByController ? "controller" : "built-in driver") + (IsInJunction ? ", in a junction" : "");
 
     /// <summary>The event at a sample.</summary>
-    public static DriveEvent At(DriveSample sample)
+    /// <param name="sample">The sample.</param>
+    /// <param name="episode">Index of the episode.</param>
+    public static DriveEvent At(DriveSample sample, int episode = 0)
     {
         ArgumentNullException.ThrowIfNull(sample);
         return new DriveEvent(
@@ -28,6 +33,9 @@ public sealed record DriveEvent(double TimeSeconds, double X, double Y, bool IsB
             Math.Round(sample.Position.X, Decimals) + 0.0,
             Math.Round(sample.Position.Y, Decimals) + 0.0,
             sample.IsByController,
-            sample.Lane is null);
+            sample.Lane is null)
+        {
+            Episode = episode,
+        };
     }
 }

@@ -26,4 +26,7 @@ public sealed record DriveSample
 
     /// <summary>Handles of the vehicles whose boxes overlap the car's.</summary>
     public IReadOnlyList<int> Touching { get; init; } = [];
+
+    /// <summary>What the game has counted since the beginning of the episode.</summary>
+    public DriveCounters Counters { get; init; }
 }

@@ -36,16 +36,16 @@ internal sealed class DrivePlots
     private double Length => _distances[^1];
 
     /// <summary>The path of the car, with rings around events.</summary>
-    public LinePlot Map(DriveRecord record)
+    public LinePlot Map(IEnumerable<DriveEvent> departures, IEnumerable<DriveEvent> collisions)
     {
         LinePlot map = LinePlot.Map(_samples.Select(sample => sample.Position));
         AddByDriver(map, i => _samples[i].Position);
-        foreach (DriveEvent departure in record.Departures)
+        foreach (DriveEvent departure in departures)
         {
             map.Add(new PlotMark(Departure, departure.Place, departure.Description));
         }
 
-        foreach (DriveEvent collision in record.Collisions)
+        foreach (DriveEvent collision in collisions)
         {
             map.Add(new PlotMark(Collision, collision.Place, collision.Description));
         }

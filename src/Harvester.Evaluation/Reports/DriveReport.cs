@@ -1,7 +1,9 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using Harvester.Evaluation.Figures;
+using Harvester.Evaluation.Scores;
 using Harvester.Pages;
 using Harvester.Pages.Plots;
 
@@ -16,7 +18,7 @@ public static class DriveReport
     private const string Style = """
         body { max-width: 1060px; }
         table { width: auto; } td { text-align: left; white-space: normal; } td + td { padding-left: 24px; }
-        tr:first-child td { border-top: 0; }
+        .figures tr:first-child td { border-top: 0; } .episodes td { text-align: right; }
         .panels { grid-template-columns: minmax(0, 1fr); } figure .hint { margin-bottom: 10px; }
         .controller { stroke: var(--accent); } .builtin { stroke: #9aa4ae; } .bound { stroke: #cf8a00; stroke-dasharray: 5 4; }
         .departure { stroke: #cf8a00; } .collision { stroke: #cf222e; }
@@ -26,23 +28,32 @@ public static class DriveReport
 
     /// <summary>Writes the page.</summary>
     /// <param name="stream">Receives the page; stays open.</param>
-    /// <param name="record">The settings of the drive and its figures.</param>
-    /// <param name="samples">The drive.</param>
+    /// <param name="record">The drives.</param>
     /// <exception cref="IOException">The stream cannot be written.</exception>
-    public static void Write(Stream stream, DriveRecord record, IReadOnlyList<DriveSample> samples)
+    public static void Write(Stream stream, DriveRecord record)
     {
         ArgumentNullException.ThrowIfNull(record);
-        ArgumentNullException.ThrowIfNull(samples);
         string title = $"Drive by {record.Settings["controller"]}";
         HtmlPage.Write(stream, title, Style, page =>
         {
             page.Start("header").NewLine().Element("h1", title).NewLine();
             WriteSettings(page, record.Settings);
             page.End().NewLine().Start("main").With("class", "panels").NewLine();
-            WriteFigures(page, record.Figures);
-            if (samples.Count > 1)
+            WriteFigures(page, record);
+            if (record.Episodes.Count > 1)
             {
-                WritePlots(page, record, new DrivePlots(samples));
+                EpisodeTable.Write(page, record.Episodes);
+                WriteFigure(
+                    page,
+                    "Distribution of the driving score",
+                    "Share of the episodes with at most this score; a ring for each episode.",
+                    ScorePlot.Of(record.Episodes));
+            }
+
+            int shown = record.Episodes.Select((episode, i) => (episode.Score.DrivingScore, i)).Min().i;
+            if (record.Episodes[shown].Samples.Count > 1)
+            {
+                WritePlots(page, record, shown);
             }
 
             page.End().NewLine();
@@ -61,10 +72,10 @@ public static class DriveReport
         page.End().NewLine();
     }
 
-    private static void WriteFigures(MarkupWriter page, DriveFigures figures)
+    private static void WriteFigures(MarkupWriter page, DriveRecord record)
     {
-        page.Start("section").Start("table").NewLine();
-        foreach ((string name, string value) in figures.Rows())
+        page.Start("section").Start("table").With("class", "figures").NewLine();
+        foreach ((string name, string value) in record.Figures.Rows().Concat(record.Summary.Rows()))
         {
             page.Start("tr").Element("td", name).Element("td", value).End().NewLine();
         }
@@ -72,8 +83,14 @@ public static class DriveReport
         page.End().End().NewLine();
     }
 
-    private static void WritePlots(MarkupWriter page, DriveRecord record, DrivePlots plots)
+    private static void WritePlots(MarkupWriter page, DriveRecord record, int episode)
     {
+        DrivePlots plots = new(record.Episodes[episode].Samples);
+        if (record.Episodes.Count > 1)
+        {
+            page.Element("p", $"The plots below show the episode with the lowest score: {record.Episodes[episode].Name}.").NewLine();
+        }
+
         StartFigure(page, "Map");
         page.Start("p").With("class", "hint");
         WriteKey(page, DrivePlots.ByController, "The controller").Text(" drives where lanes are known; the ");
@@ -81,7 +98,7 @@ public static class DriveReport
             .Text(" drives through junctions and where it has to give way. Rings mark ");
         WriteKey(page, DrivePlots.Departure, "lane departures").Text(" and ");
         WriteKey(page, DrivePlots.Collision, "collisions").Text(".").End().NewLine();
-        plots.Map(record).Write(page);
+        plots.Map(EventsIn(record.Departures), EventsIn(record.Collisions)).Write(page);
         page.End().NewLine();
         WriteFigure(
             page,
@@ -93,6 +110,8 @@ public static class DriveReport
         WriteFigure(page, "Speed", "", plots.Speed());
         WriteFigure(page, "Jerk", "Rate of change of the acceleration along the car, while the controller drives.", plots.Jerk());
         WriteFigure(page, "Progress", "", plots.Progress());
+
+        IEnumerable<DriveEvent> EventsIn(IEnumerable<DriveEvent> events) => events.Where(each => each.Episode == episode);
     }
 
     private static void WriteFigure(MarkupWriter page, string caption, string hint, LinePlot plot)

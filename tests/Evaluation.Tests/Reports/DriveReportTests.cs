@@ -3,6 +3,7 @@ using System.Text;
 using System.Text.RegularExpressions;
 using Harvester.Evaluation.Figures;
 using Harvester.Evaluation.Reports;
+using Harvester.Evaluation.Scores;
 using Harvester.Evaluation.Tests.Figures;
 
 namespace Harvester.Evaluation.Tests.Reports;
@@ -14,10 +15,10 @@ public sealed class DriveReportTests
     {
         DriveSample[] samples = [Drives.At(0), Drives.At(1) with { Touching = [4] }, Drives.At(2), Drives.At(3)];
         DriveRecord record = RecordOf(samples);
-        string page = PageOf(record, samples);
+        string page = PageOf(record);
 
         Assert.All(
-            record.Figures.Rows(),
+            record.Figures.Rows().Concat(record.Summary.Rows()),
             row => Assert.Contains($"<tr><td>{row.Name}</td><td>{row.Value}</td></tr>", page, StringComparison.Ordinal));
         Assert.Single(record.Collisions);
         Assert.Single(Regex.Matches(page, "<circle class=\"collision\""));
@@ -32,7 +33,7 @@ public sealed class DriveReportTests
         DriveSample[] samples = [.. speeds.Select((speed, i) => Drives.At(i) with { Speed = speed })];
         string[] plots =
         [
-            .. Regex.Matches(PageOf(RecordOf(samples), samples), "<svg.*?</svg>", RegexOptions.Singleline).Select(match => match.Value)
+            .. Regex.Matches(PageOf(RecordOf(samples)), "<svg.*?</svg>", RegexOptions.Singleline).Select(match => match.Value)
         ];
 
         Assert.Equal(5, plots.Length);
@@ -59,11 +60,12 @@ public sealed class DriveReportTests
         DriveRecord record = RecordOf([Drives.At(0)]);
         record = record with { Settings = new Dictionary<string, string> { ["controller"] = "stanley", [key] = value } };
 
-        Assert.Contains(expected, PageOf(record, [Drives.At(0)]), StringComparison.Ordinal);
+        Assert.Contains(expected, PageOf(record), StringComparison.Ordinal);
     }
 
     private static DriveRecord RecordOf(DriveSample[] samples) =>
-        DriveRecord.Of(new Dictionary<string, string> { ["controller"] = "stanley" }, samples);
+        DriveRecord.Of(
+            new Dictionary<string, string> { ["controller"] = "stanley" }, [new DriveEpisode(1, null, samples, 100, isStopped: false)]);
 
     private static (double X, double Y)[] PointsOf(string plot) =>
     [
@@ -72,10 +74,10 @@ public sealed class DriveReportTests
             .Select(point => (double.Parse(point[0], CultureInfo.InvariantCulture), double.Parse(point[1], CultureInfo.InvariantCulture))),
     ];
 
-    private static string PageOf(DriveRecord record, DriveSample[] samples)
+    private static string PageOf(DriveRecord record)
     {
         using var page = new MemoryStream();
-        DriveReport.Write(page, record, samples);
+        DriveReport.Write(page, record);
         return Encoding.UTF8.GetString(page.ToArray());
     }
 }

@@ -4,10 +4,11 @@ using System.IO;
 using System.Linq;
 using System.Text.Encodings.Web;
 using System.Text.Json;
+using Harvester.Evaluation.Figures;
 
-namespace Harvester.Evaluation.Figures;
+namespace Harvester.Evaluation.Scores;
 
-/// <summary>A drive on disk: its settings, figures and events.</summary>
+/// <summary>Drives on disk: their settings, figures, scores and events.</summary>
 public sealed record DriveRecord
 {
     /// <summary>Name of the file.</summary>
@@ -30,8 +31,14 @@ public sealed record DriveRecord
     /// <summary>Whether the drive was completed; false if it was cancelled.</summary>
     public required bool IsWhole { get; init; }
 
-    /// <summary>The figures.</summary>
+    /// <summary>The figures of all episodes together.</summary>
     public required DriveFigures Figures { get; init; }
+
+    /// <summary>The distribution of the episodes' scores, and the infractions per kilometre.</summary>
+    public required DriveSummary Summary { get; init; }
+
+    /// <summary>The episodes.</summary>
+    public required IReadOnlyList<DriveEpisode> Episodes { get; init; }
 
     /// <summary>The lane departures of the controller.</summary>
     public required IReadOnlyList<DriveEvent> Departures { get; init; }
@@ -39,20 +46,22 @@ public sealed record DriveRecord
     /// <summary>The collisions.</summary>
     public required IReadOnlyList<DriveEvent> Collisions { get; init; }
 
-    /// <summary>Evaluates a drive.</summary>
-    /// <param name="settings">The options of the drive.</param>
-    /// <param name="samples">Samples of the drive at equal intervals.</param>
-    /// <param name="isWhole">Whether the drive was completed.</param>
-    public static DriveRecord Of(IReadOnlyDictionary<string, string> settings, IReadOnlyList<DriveSample> samples, bool isWhole = true)
+    /// <summary>Evaluates drives.</summary>
+    /// <param name="settings">The options of the drives.</param>
+    /// <param name="episodes">The drives, at least one.</param>
+    /// <param name="isWhole">Whether all were completed.</param>
+    public static DriveRecord Of(IReadOnlyDictionary<string, string> settings, IReadOnlyList<DriveEpisode> episodes, bool isWhole = true)
     {
-        ArgumentNullException.ThrowIfNull(samples);
+        ArgumentNullException.ThrowIfNull(episodes);
         return new DriveRecord
         {
             Settings = settings,
             IsWhole = isWhole,
-            Figures = DriveFigures.Of(samples),
-            Departures = [.. new LaneKeeping(samples).Departures.Select(i => DriveEvent.At(samples[i]))],
-            Collisions = [.. Evaluation.Figures.Collisions.In(samples).Select(i => DriveEvent.At(samples[i]))],
+            Figures = DriveFigures.Of([.. episodes.SelectMany(episode => episode.Samples)]),
+            Summary = DriveSummary.Of(episodes),
+            Episodes = episodes,
+            Departures = Events(episodes, samples => new LaneKeeping(samples).Departures),
+            Collisions = Events(episodes, Evaluation.Figures.Collisions.In),
         };
     }
 
@@ -64,4 +73,9 @@ public sealed record DriveRecord
         JsonSerializer.Serialize(stream, this, Json);
         stream.WriteByte((byte)'\n');
     }
+
+    private static DriveEvent[] Events(IReadOnlyList<DriveEpisode> episodes, Func<IReadOnlyList<DriveSample>, IEnumerable<int>> find) =>
+    [
+        .. episodes.SelectMany((episode, index) => find(episode.Samples).Select(i => DriveEvent.At(episode.Samples[i], index))),
+    ];
 }
