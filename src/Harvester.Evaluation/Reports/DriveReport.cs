@@ -50,10 +50,10 @@ public static class DriveReport
                     ScorePlot.Of(record.Episodes));
             }
 
-            int shown = record.Episodes.Select((episode, i) => (episode.Score.DrivingScore, i)).Min().i;
-            if (record.Episodes[shown].Samples.Count > 1)
+            int[] drawn = [.. Enumerable.Range(0, record.Episodes.Count).Where(i => record.Episodes[i].Samples.Count > 1)];
+            if (drawn.Length > 0)
             {
-                WritePlots(page, record, shown);
+                WritePlots(page, record, drawn.MinBy(i => record.Episodes[i].Score.DrivingScore));
             }
 
             page.End().NewLine();

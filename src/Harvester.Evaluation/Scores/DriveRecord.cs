@@ -48,7 +48,7 @@ public sealed record DriveRecord
 
     /// <summary>Evaluates drives.</summary>
     /// <param name="settings">The options of the drives.</param>
-    /// <param name="episodes">The drives, at least one.</param>
+    /// <param name="episodes">The drives; none if none had begun.</param>
     /// <param name="isWhole">Whether all were completed.</param>
     public static DriveRecord Of(IReadOnlyDictionary<string, string> settings, IReadOnlyList<DriveEpisode> episodes, bool isWhole = true)
     {

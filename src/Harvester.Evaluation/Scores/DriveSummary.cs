@@ -20,11 +20,12 @@ public sealed record DriveSummary
     public required MeanInterval RouteCompletionFraction { get; init; }
 
     /// <summary>
-    /// Infractions per kilometre: lane departures per kilometre that the controller drove outside junctions, all others per kilometre driven.
+    /// Infractions per kilometre: lane departures per kilometre that the controller drove outside junctions, all others per kilometre
+    /// driven.
     /// </summary>
     public required IReadOnlyList<EventRate> Rates { get; init; }
 
-    /// <summary>Summarizes episodes, at least one.</summary>
+    /// <summary>Summarizes episodes; of none, all figures are 0.</summary>
     public static DriveSummary Of(IReadOnlyList<DriveEpisode> episodes)
     {
         ArgumentNullException.ThrowIfNull(episodes);
@@ -33,8 +34,8 @@ public sealed record DriveSummary
         {
             Episodes = episodes.Count,
             Timeouts = episodes.Count(episode => episode.Ending == "time"),
-            DrivingScore = MeanInterval.Of([.. episodes.Select(episode => episode.Score.DrivingScore)]),
-            RouteCompletionFraction = MeanInterval.Of([.. episodes.Select(episode => episode.Score.RouteCompletionFraction)]),
+            DrivingScore = Interval(score => score.DrivingScore),
+            RouteCompletionFraction = Interval(score => score.RouteCompletionFraction),
             Rates =
             [
                 Rate("vehicle collisions", score => score.Collisions.Vehicles),
@@ -49,6 +50,9 @@ public sealed record DriveSummary
                     episodes.Sum(episode => episode.Figures.JudgedMetres)),
             ],
         };
+
+        MeanInterval Interval(Func<EpisodeScore, double> value) =>
+            episodes.Count == 0 ? MeanInterval.None : MeanInterval.Of([.. episodes.Select(episode => value(episode.Score))]);
 
         EventRate Rate(string name, Func<EpisodeScore, int> count) =>
             EventRate.Of(name, episodes.Sum(episode => count(episode.Score)), metres);
@@ -70,9 +74,10 @@ public sealed record DriveSummary
     private string Describe(MeanInterval values, double scale)
     {
         string unit = scale == 1 ? "" : " %";
-        return Episodes == 1
+        return Episodes <= 1
             ? FormattableString.Invariant($"{scale * values.Mean:0.0}{unit}")
-            : FormattableString.Invariant($"{scale * values.Mean:0.0}{unit} (95 %: {scale * values.Low:0.0} to {scale * values.High:0.0}), ")
+            : FormattableString.Invariant($"{scale * values.Mean:0.0}{unit} (95 %: {scale * values.Low:0.0} to ")
+                + FormattableString.Invariant($"{scale * values.High:0.0}), ")
                 + FormattableString.Invariant($"median {scale * values.Median:0.0}{unit}, {Episodes} episodes");
     }
 }

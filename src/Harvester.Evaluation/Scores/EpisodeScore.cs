@@ -23,7 +23,9 @@ public sealed record EpisodeScore
     /// <summary>Factor for running a stop sign.</summary>
     public const double StopSignPenalty = 0.8;
 
-    /// <summary>Time that a car has stood before the game repositions it because it is stuck, not at the end of the roads, seconds.</summary>
+    /// <summary>
+    /// Time that a car has stood before the game repositions it because it is stuck, not at the end of the roads, seconds.
+    /// </summary>
     private const double StuckSeconds = 10;
     private const double StandingSpeed = 0.1;
     private const int Decimals = 4;

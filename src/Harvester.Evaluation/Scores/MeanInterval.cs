@@ -4,7 +4,9 @@ using System.Linq;
 
 namespace Harvester.Evaluation.Scores;
 
-/// <summary>Mean and median of some values, and the percentile bootstrap interval of the mean: 95 %, from 10,000 seeded resamples.</summary>
+/// <summary>
+/// Mean and median of some values, and the percentile bootstrap interval of the mean: 95 %, from 10,000 seeded resamples.
+/// </summary>
 /// <param name="Mean">The mean.</param>
 /// <param name="Median">The median.</param>
 /// <param name="Low">Lower end of the mean's interval.</param>
@@ -15,6 +17,9 @@ public sealed record MeanInterval(double Mean, double Median, double Low, double
     private const int Seed = 1;
     private const int Decimals = 4;
     private const double Tail = 0.025;
+
+    /// <summary>Stands for the statistics of no values.</summary>
+    public static MeanInterval None { get; } = new(0, 0, 0, 0);
 
     /// <summary>The statistics of at least one value; of one value, the interval is that value.</summary>
     public static MeanInterval Of(IReadOnlyList<double> values)
