@@ -9,12 +9,12 @@ namespace Harvester.Datasets.Validation;
 /// <summary>Checks consecutive lines: frame numbers and times increase, and an id stands for one object.</summary>
 internal sealed class SequenceCheck
 {
-    private readonly Dictionary<int, (ObjectClass Class, string Model)> _objects = [];
     /// <summary>Times are written with six decimals, seconds.</summary>
     private const double TimeTolerance = 1e-6;
 
+    private readonly Dictionary<int, (ObjectClass Class, string Model)> _objects = [];
     private int _lastFrame = -1;
-    private double _ticksEnd;
+    private double? _ticksEnd;
     private double _lastTime;
     private long _lastGameFrame;
 
@@ -40,7 +40,7 @@ internal sealed class SequenceCheck
             yield return "the ticks of the previous frame's drive do not end before this frame.";
         }
 
-        _ticksEnd = label.Drive is { Ticks: [.., var end] } ? end.TimeSeconds - TimeTolerance : 0;
+        _ticksEnd = label.Drive is { Ticks: [.., var end] } ? end.TimeSeconds - TimeTolerance : null;
         (_lastFrame, _lastTime, _lastGameFrame) = (label.Frame, label.TimeSeconds, label.GameFrame);
         var seen = new HashSet<int>();
         foreach (ObjectLabel item in label.Objects)
