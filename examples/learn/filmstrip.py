@@ -13,7 +13,7 @@ FOCAL_PIXELS, HEIGHT_METRES, AHEAD_METRES = 225.2, 0.63, 2.0
 """The camera of a session of 280x210: focal length, height above the ground, and its place before the middle of the car."""
 
 ESTIMATED, TRUE = (80, 255, 80), (255, 255, 255)
-COLUMNS = 4
+COLUMNS = 5
 
 
 class FilmStrip:

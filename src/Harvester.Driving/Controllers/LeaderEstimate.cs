@@ -10,7 +10,15 @@ namespace Harvester.Driving.Controllers;
 internal sealed class LeaderEstimate(double? speedOfNewcomers = null)
 {
     private const double GapWeight = 0.35;
-    private const double SpeedWeight = 0.06;
+
+    /// <summary>
+    /// Weight at a standstill. A car cannot reverse: if the noise of each frame moved the estimate, a car that waits would creep up to the
+    /// vehicle whenever the vehicle seems to be farther away.
+    /// </summary>
+    private const double GapWeightAtRest = 0.08;
+
+    /// <summary>Own speed from which the full weight applies, m/s.</summary>
+    private const double FullWeightSpeed = 5;
 
     /// <summary>A distance that differs by more belongs to another vehicle, metres.</summary>
     private const double OtherVehicle = 14;
@@ -52,8 +60,11 @@ internal sealed class LeaderEstimate(double? speedOfNewcomers = null)
         {
             double predicted = gap + ((Speed - ownSpeed) * seconds);
             double residual = distance - predicted;
-            Gap = predicted + (GapWeight * residual);
-            Speed = Math.Max(0, Speed + (SpeedWeight * residual / seconds));
+            double weight = GapWeightAtRest + ((GapWeight - GapWeightAtRest) * Math.Min(1, ownSpeed / FullWeightSpeed));
+            Gap = predicted + (weight * residual);
+
+            // The weight of the speed that fits that of the gap, without overshoot (Benedict and Bordner).
+            Speed = Math.Max(0, Speed + (weight * weight / (2 - weight) * residual / seconds));
         }
         else
         {
