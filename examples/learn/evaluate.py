@@ -15,7 +15,7 @@ import torch
 
 from gtaharvest import INDICATOR_NAMES
 
-from network import Network, indicators_of, predict
+from network import INACTIVE, Network, indicators_of, predict
 from packed import Packed, load
 
 GROUPS: Dict[str, List[str]] = {
@@ -34,7 +34,8 @@ def row(values: np.ndarray, active: Optional[np.ndarray], packed: Packed) -> Lis
     wrong = np.abs(values - packed.values)
     wrong[:, [1, 2, 3, 6, 7, 8, 9]] *= packed.width[:, None] / 4
     counted = packed.active if active is None else packed.active & active
-    cells = [f"{wrong[:, columns][counted[:, columns]].mean():.3f}" for columns in COLUMNS]
+    errors = [wrong[:, columns][counted[:, columns]] for columns in COLUMNS]
+    cells = [f"{each.mean():.3f}" if len(each) > 0 else "none" for each in errors]
     return [*cells, "" if active is None else f"{(active != packed.active).mean():.3f}"]
 
 
@@ -57,7 +58,9 @@ def main() -> int:
     table: List[Tuple[str, str, List[str]]] = []
     try:
         train = load(options.data, "train")
-        guess = np.array([np.median(train.values[train.active[:, i], i]) for i in range(len(INDICATOR_NAMES))], np.float32)
+        guess = np.array(
+            [np.median(train.values[is_active, i]) if is_active.any() else INACTIVE[i] for i, is_active in enumerate(train.active.T)],
+            np.float32)
         for name in options.sets:
             packed = load(options.data, name)
             for model in options.models:

@@ -41,7 +41,7 @@ def errors_on(network: Network, packed: Packed) -> Dict[str, float]:
 def main() -> int:
     """Runs the command line."""
     parser = argparse.ArgumentParser(description="Trains a policy on recorded actions. Given again, it continues after the last epoch.")
-    add_options(parser, epochs=20)
+    add_options(parser, epochs=12)
     parser.add_argument("--validation", type=int, default=2, help="sessions to hold out; default: 2")
     options = parser.parse_args()
     torch.set_num_threads(options.threads)

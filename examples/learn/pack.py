@@ -17,6 +17,7 @@ import numpy as np
 from gtaharvest import SessionError, open_session
 
 import actions
+from sets import SETS
 
 HEIGHT, WIDTH = 70, 140
 
@@ -69,10 +70,10 @@ def main() -> int:
     """Runs the command line."""
     parser = argparse.ArgumentParser(description="Packs sets of sessions into arrays.")
     parser.add_argument("data", type=Path, help="folder of harvest.py")
-    parser.add_argument("sets", nargs="*", help="sets to pack; all by default")
+    parser.add_argument("sets", nargs="*", help="sets to pack; default: all that are there")
     options = parser.parse_args()
     try:
-        names = options.sets or sorted(folder.name for folder in options.data.iterdir() if folder.is_dir() and folder.name != "packed")
+        names = options.sets or [name for name in (*SETS, "drives") if (options.data / name).is_dir()]
         for name in names:
             print(pack(options.data, name), flush=True)
     except (OSError, SessionError) as problem:

@@ -72,7 +72,7 @@ def errors_on(network: Network, packed: Packed) -> Dict[str, float]:
 def main() -> int:
     """Runs the command line."""
     parser = argparse.ArgumentParser(description="Trains a network for the indicators. Given again, it continues after the last epoch.")
-    add_options(parser, epochs=30)
+    add_options(parser, epochs=32)
     parser.add_argument("--set", default="train", help="set to learn from; default: train")
     parser.add_argument("--sessions", type=int, help="use only the first sessions of the set")
     parser.add_argument("--labels", choices=("true", "shifted", "mirrored"), default="true", help="labels to learn; default: true")

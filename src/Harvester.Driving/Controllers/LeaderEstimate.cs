@@ -18,7 +18,7 @@ internal sealed class LeaderEstimate(double? speedOfNewcomers = null)
     private const double GapWeightAtRest = 0.08;
 
     /// <summary>Own speed from which the full weight applies, m/s.</summary>
-    private const double FullWeightSpeed = 5;
+    private const double FullWeightSpeed = 1.5;
 
     /// <summary>A distance that differs by more belongs to another vehicle, metres.</summary>
     private const double OtherVehicle = 14;

@@ -14,6 +14,8 @@ public sealed class UnseenTownTests
     /// </summary>
     private const double MostDeparturesPerKilometre = 1;
 
+    private static readonly int[] NumbersOfJobs = [1, 3];
+
     [Theory]
     [InlineData(ControllerKind.Stanley)]
     [InlineData(ControllerKind.DeepDriving)]
@@ -33,7 +35,7 @@ public sealed class UnseenTownTests
     {
         byte[][] records =
         [
-            .. new[] { 1, 3 }.Select(jobs =>
+            .. NumbersOfJobs.Select(jobs =>
             {
                 var drives = new SimulatedDrives(PlanOf(ControllerKind.Stanley, metres: 150, jobs), TextWriter.Null);
                 drives.Run(static _ => { }, CancellationToken.None);
