@@ -15,7 +15,7 @@ def controls_of(drive: Mapping[str, Any]) -> Tuple[float, float, float]:
 
 
 def route_of(drive: Mapping[str, Any]) -> float:
-    """The index of the route command in ROUTES; NaN where there is none."""
+    """Index of the route command in ROUTES, or NaN without a route command."""
     route = drive.get("route")
     return ROUTES.index(route) if route in ROUTES else np.nan
 

@@ -42,7 +42,8 @@ def drive(
         judge.take(info["frame"])
         ended = terminated or truncated
         reason = str(info["ending"]) if ended else reason
-    return {"town": town, "weather": weather, "time": time_of_day, "ending": reason if ended or judge.driver_metres >= metres else "seconds",
+    return {"town": town, "weather": weather, "time": time_of_day,
+            "ending": reason if ended or judge.driver_metres >= metres else "seconds",
             "seconds": round(info["frame"]["timeSeconds"] - begun, 1), **judge.figures()}
 
 
@@ -52,9 +53,11 @@ def total_of(episodes: List[Dict[str, Any]]) -> Dict[str, Any]:
     departures = sum(len(episode["departures"]) for episode in episodes)
     collisions = {kind: sum(episode["collisions"][kind] for episode in episodes) for kind in episodes[0]["collisions"]}
     squares = sum(episode["rmsOffsetMetres"] ** 2 * episode["driverMetres"] for episode in episodes)
-    return {"driverMetres": round(metres, 1), "departures": departures, "departuresPerKilometre": round(departures / max(metres, 1) * 1000, 3),
+    return {"driverMetres": round(metres, 1), "departures": departures,
+            "departuresPerKilometre": round(departures / max(metres, 1) * 1000, 3),
             "interval": [round(bound / max(metres, 1) * 1000, 3) for bound in poisson_interval(departures)],
-            "score": round(sum(episode["score"] for episode in episodes) / len(episodes), 1), "collisions": collisions, "rmsOffsetMetres": round((squares / max(metres, 1)) ** 0.5, 3)}
+            "score": round(sum(episode["score"] for episode in episodes) / len(episodes), 1), "collisions": collisions,
+            "rmsOffsetMetres": round((squares / max(metres, 1)) ** 0.5, 3)}
 
 
 def main() -> int:

@@ -36,7 +36,7 @@ class IndicatorDriver:
 
 
 class PolicyDriver:
-    """Steers and drives by what it has learnt from recorded actions, its speed, and the route command."""
+    """A policy learnt from recorded actions: steering and pedals from image, speed and route command."""
 
     action = "controls"
 

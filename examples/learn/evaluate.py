@@ -20,7 +20,7 @@ from packed import Packed, load
 
 GROUPS: Dict[str, List[str]] = {
     "angle (rad)": ["angle"],
-    "own lane (m)": ["toMarkingML", "toMarkingMR"],
+    "ego lane (m)": ["toMarkingML", "toMarkingMR"],
     "neighbouring lanes (m)": ["toMarkingLL", "toMarkingRR"],
     "on a marking (m)": ["toMarkingL", "toMarkingM", "toMarkingR"],
     "vehicle in lane (m)": ["distMM"],

@@ -17,7 +17,7 @@ COLUMNS = 5
 
 
 class FilmStrip:
-    """Images with the markings of the own lane, as the network estimates them (green) and as they are (white)."""
+    """Images with the true markings of the ego lane (white) and those that the network estimates (green)."""
 
     def __init__(self) -> None:
         self._images: List[np.ndarray] = []

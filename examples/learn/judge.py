@@ -37,5 +37,6 @@ class Judge:
         """The figures of the drive. The offset is the root of the mean square over the distance. The score counts the whole drive."""
         episode = self._counter.episode
         return {
-            "metres": round(episode.driven_metres, 1), "score": round(driving_score(episode), 1), "driverMetres": round(self.driver_metres, 1), "departures": self._departures,
+            "metres": round(episode.driven_metres, 1), "score": round(driving_score(episode), 1),
+            "driverMetres": round(self.driver_metres, 1), "departures": self._departures,
             "collisions": self._collisions, "rmsOffsetMetres": round((self._squares / max(1, self.driver_metres)) ** 0.5, 3)}

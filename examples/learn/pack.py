@@ -33,7 +33,8 @@ def shrink(image: np.ndarray) -> np.ndarray:
 
 def rows_of(session_number: int, folder: Path) -> Dict[str, List[Any]]:
     """The arrays of a session, as lists."""
-    rows: Dict[str, List[Any]] = {name: [] for name in ("images", "values", "active", "width", "frames", "controls", "route", "speed", "by_controller")}
+    names = ("images", "values", "active", "width", "frames", "controls", "route", "speed", "by_controller")
+    rows: Dict[str, List[Any]] = {name: [] for name in names}
     for frame in open_session(folder):
         lanes, drive = frame.lanes, frame.raw.get("drive") or {}
         rows["images"].append(shrink(frame.view.image()))

@@ -28,7 +28,7 @@ def main() -> int:
     except OSError as problem:
         print(f"plot.py: {problem}", file=sys.stderr)
         return 1
-    for axis, title in zip(axes, ("angle, rad", "markings of the own lane, m")):
+    for axis, title in zip(axes, ("angle, rad", "markings of the ego lane, m")):
         axis.set_title(f"mean absolute error: {title}", fontsize=9)
         axis.set_xlabel("epoch", fontsize=9)
         axis.set_ylim(bottom=0)

@@ -19,7 +19,8 @@ def record(command: List[str], data: Path, plan: DrivePlan, metres: int) -> str:
     folder = data / "drives" / plan.name
     if not is_whole(folder):
         done = subprocess.run(
-            [*command, "drive", "--out", str(data / "driven" / plan.name), "--overwrite", "--record", str(folder), "--quiet", *plan.options(metres)],
+            [*command, "drive", "--out", str(data / "driven" / plan.name), "--overwrite", "--record", str(folder), "--quiet",
+             *plan.options(metres)],
             stderr=subprocess.PIPE, text=True)
         if done.returncode != 0:
             raise RuntimeError(f"{plan.name}: {done.stderr.strip() or f'exit code {done.returncode}'}")

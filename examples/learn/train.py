@@ -1,7 +1,7 @@
 """Trains a network for the indicators: train.py DATA MODEL [--labels KIND]. Given again, it continues after the last epoch.
 
 The model's .jsonl has a line for each epoch: seconds, loss, and on the validation set the mean absolute errors of the angle (rad) and of
-the markings of the own lane (m), and the fraction of indicators that are wrongly taken for active or inactive.
+the markings of the ego lane (m), and the fraction of indicators whose activity is wrong.
 """
 from __future__ import annotations
 

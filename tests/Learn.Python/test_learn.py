@@ -18,7 +18,7 @@ METRES = 0.01
 
 
 def markings_seen(heading: float, across: float, width: float) -> Tuple[float, float, float]:
-    """Angle and markings of the own lane, in TORCS's scale, of a car whose camera is `across` metres to the right of the middle of its lane.
+    """Angle and ego-lane markings in TORCS's scale; the camera is `across` metres to the right of the lane centre.
 
     The road points along y. The middle of the car is 2 m behind the camera. A heading is positive to the left.
     """
