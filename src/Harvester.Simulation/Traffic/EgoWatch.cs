@@ -12,11 +12,8 @@ namespace Harvester.Simulation.Traffic;
 /// <param name="car">Whether a program drives it.</param>
 /// <param name="traffic">The other vehicles.</param>
 /// <param name="walkers">The pedestrians.</param>
-/// <param name="signals">The traffic lights.</param>
-/// <param name="stopArms">The arms of junctions that have a stop sign.</param>
-internal sealed class EgoWatch(
-    Vehicle ego, EgoCar car, TrafficFlow traffic, IReadOnlyList<Walker> walkers, Signals signals,
-    IReadOnlySet<(Junction Junction, RoadArm Arm)> stopArms)
+/// <param name="control">The lights and stop signs.</param>
+internal sealed class EgoWatch(Vehicle ego, EgoCar car, TrafficFlow traffic, IReadOnlyList<Walker> walkers, LaneControl control)
 {
     /// <summary>A car that stands within this distance of the end of its lane, metres from its origin, has stopped there.</summary>
     private const double StopRange = 10;
@@ -44,8 +41,7 @@ internal sealed class EgoWatch(
     public EgoConduct At(double timeSeconds)
     {
         (LanePath Way, double Metres)? ahead = WayAhead();
-        (Junction Junction, RoadArm Arm)? arm = ahead is { Metres: > 0, Way: var way } ? ArmOf(way.Previous[0], way.Junction!) : null;
-        bool hasLights = arm is { } at && signals.Has(at.Junction);
+        LanePath? way = ahead is { Metres: > 0 } next ? next.Way : null;
         return new EgoConduct(
             _metres,
             [.. _collisions],
@@ -53,10 +49,10 @@ internal sealed class EgoWatch(
             _redLights,
             _stopSigns,
             _repositioned,
-            ahead is { } next ? TurnOf(next.Way) : null,
+            ahead is { } turn ? TurnOf(turn.Way) : null,
             ahead?.Metres,
-            hasLights ? signals.ColourFor(arm!.Value.Junction, arm.Value.Arm, timeSeconds).AsLight() : null,
-            arm is { } stop && stopArms.Contains(stop));
+            way is null ? null : control.LightFor(way.Previous[0], way.Junction!, timeSeconds)?.AsLight(),
+            way is not null && control.HasStopSign(way.Previous[0], way.Junction!));
     }
 
     /// <summary>Does not count the next way: somebody has put the ego elsewhere.</summary>
@@ -112,10 +108,10 @@ internal sealed class EgoWatch(
     {
         if (ego.Path != _path)
         {
-            if (ego.Path.Junction is { } junction && _lane is { } lane && ArmOf(lane, junction) is { } arm && car.IsDriven)
+            if (ego.Path.Junction is { } junction && _lane is { } lane && car.IsDriven)
             {
-                _redLights += signals.ColourFor(junction, arm.Arm, timeSeconds) == SignalState.Red ? 1 : 0;
-                _stopSigns += stopArms.Contains(arm) && !_hasStopped ? 1 : 0;
+                _redLights += control.LightFor(lane, junction, timeSeconds) == SignalState.Red ? 1 : 0;
+                _stopSigns += control.HasStopSign(lane, junction) && !_hasStopped ? 1 : 0;
             }
 
             // A junction that was passed is behind the car, even if it left by no lane.
@@ -125,12 +121,6 @@ internal sealed class EgoWatch(
         }
 
         _hasStopped |= ego.Speed < StandingSpeed && ego.Path.Length - ego.Distance < StopRange;
-    }
-
-    private static (Junction Junction, RoadArm Arm)? ArmOf(LanePath lane, Junction junction)
-    {
-        RoadArm arm = new(lane.Road!, AtStart: !lane.IsForward);
-        return junction.Arms.Contains(arm) ? (junction, arm) : null;
     }
 
     /// <summary>The next way of the route through a junction with a choice, and the distance to it; the present one at 0.</summary>

@@ -8,14 +8,21 @@ namespace Harvester.Simulation.Traffic;
 
 /// <summary>
 /// Decides who may drive into a junction: first come, first served among conflicting paths, with the lights at green and room behind the
-/// junction. Where the road behind it is too short for the vehicle, the junctions after it must be free as well, because the vehicle would
+/// junction, and at a stop sign only after a stop. Where the road behind it is too short for the vehicle, the junctions after it must be free as well, because the vehicle would
 /// otherwise stand in the first one.
 /// </summary>
-internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupation occupation)
+internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccupation occupation)
 {
     private const double BrakingForStop = 2;
     private const double AskEarlier = 8;
     private const double RoomBehind = 2;
+
+    /// <summary>A driver who would have to brake harder than this for a light that is no longer green drives on, m/s².</summary>
+    private const double HardestForLight = 4;
+    private const double StandingSpeed = 0.1;
+
+    /// <summary>Metres between a vehicle's front and the line within which it has stopped at the line.</summary>
+    private const double StopRange = 3;
 
     /// <summary>The next vehicle may take the room behind the last one where that will have stopped if it brakes like this, m/s².</summary>
     private const double BrakingOfOthers = 3;
@@ -39,13 +46,22 @@ internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupatio
     public double DistanceToStop(Vehicle vehicle, double timeSeconds)
     {
         double distance = vehicle.Path.Length - vehicle.Distance;
+        NoteStop(vehicle, distance - vehicle.FrontOverhang);
         double range = (vehicle.Speed * vehicle.Speed / (2 * BrakingForStop)) + AskEarlier + vehicle.FrontOverhang;
         for (int i = 1; i < vehicle.Route.Count && distance < range; i++)
         {
             LanePath way = vehicle.Route[i];
-            if (way.Junction is not null && !vehicle.Granted.Contains(way) && !MayEnter(vehicle, i, timeSeconds))
+            if (way.Junction is not null)
             {
-                return distance;
+                if (vehicle.Granted.Contains(way) && MustStopForLight(vehicle, i, distance, timeSeconds))
+                {
+                    TakeBack(vehicle, i);
+                }
+
+                if (!vehicle.Granted.Contains(way) && !MayEnter(vehicle, i, timeSeconds))
+                {
+                    return distance;
+                }
             }
 
             distance += way.Length;
@@ -76,6 +92,38 @@ internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupatio
         {
             Release(vehicle, vehicle.Granted.Count - 1);
         }
+
+        vehicle.StoppedOn = null;
+    }
+
+    private static void NoteStop(Vehicle vehicle, double metresToLine)
+    {
+        bool standsAtLine = vehicle.Speed < StandingSpeed && metresToLine < StopRange && vehicle.Path.Road is not null;
+        vehicle.StoppedOn = standsAtLine || vehicle.StoppedOn == vehicle.Path ? vehicle.Path : null;
+    }
+
+    /// <summary>
+    /// Whether the light of a granted way has left green and the vehicle can still stop. A way that was granted with the one before it, because
+    /// the road between is too short to wait there, stays granted.
+    /// </summary>
+    private bool MustStopForLight(Vehicle vehicle, int index, double distance, double timeSeconds)
+    {
+        LanePath lane = vehicle.Route[index - 1];
+        return lane.Length >= NeededRoom(vehicle)
+            && control.LightFor(lane, vehicle.Route[index].Junction!, timeSeconds) is SignalState.Amber or SignalState.Red
+            && distance - vehicle.FrontOverhang > vehicle.Speed * vehicle.Speed / (2 * HardestForLight);
+    }
+
+    /// <summary>Takes back the granted ways of the route from one on.</summary>
+    private void TakeBack(Vehicle vehicle, int index)
+    {
+        foreach (LanePath way in vehicle.Route.Skip(index))
+        {
+            if (vehicle.Granted.IndexOf(way) is >= 0 and var granted)
+            {
+                Release(vehicle, granted);
+            }
+        }
     }
 
     private void Release(Vehicle vehicle, int index)
@@ -94,10 +142,11 @@ internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupatio
     {
         List<LanePath> ways = WaysToRoom(vehicle, index);
         LanePath lane = ways[0].Previous[0];
-        RoadArm arm = new(lane.Road!, AtStart: !lane.IsForward);
         LanePath exit = ways[^1].Next[0];
         ways.ForEach(way => ReleaseClaim(way.Junction!, vehicle));
-        if (signals.ColourFor(ways[0].Junction!, arm, timeSeconds) != SignalState.Green || !HasRoom(vehicle, exit))
+        if (control.LightFor(lane, ways[0].Junction!, timeSeconds) is SignalState.Amber or SignalState.Red
+            || (control.HasStopSign(lane, ways[0].Junction!) && vehicle.StoppedOn != lane)
+            || !HasRoom(vehicle, exit))
         {
             return false;
         }
@@ -121,7 +170,7 @@ internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupatio
     private static List<LanePath> WaysToRoom(Vehicle vehicle, int index)
     {
         List<LanePath> ways = [vehicle.Route[index]];
-        double needed = vehicle.Length + RoomBehind;
+        double needed = NeededRoom(vehicle);
         for (int i = index + 1; i + 1 < vehicle.Route.Count && vehicle.Route[i].Length < needed; i += 2)
         {
             ways.Add(vehicle.Route[i + 1]);
@@ -129,6 +178,8 @@ internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupatio
 
         return ways;
     }
+
+    private static double NeededRoom(Vehicle vehicle) => vehicle.Length + RoomBehind;
 
     private void Grant(Vehicle vehicle, LanePath way)
     {
@@ -166,7 +217,7 @@ internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupatio
     /// <summary>Whether a lane behind a junction has room for the vehicle and for those that are on their way to it.</summary>
     private bool HasRoom(Vehicle vehicle, LanePath exit)
     {
-        double needed = vehicle.Length + RoomBehind;
+        double needed = NeededRoom(vehicle);
         if (_bound.TryGetValue(exit, out List<Vehicle>? bound))
         {
             needed += bound.Where(other => other != vehicle && other.Path != exit).Sum(other => other.Length + RoomBehind);

@@ -40,7 +40,7 @@ internal sealed class SignalProps(Signals signals, HandleCounter handles)
             Junction? junction = signals.Junctions
                 .Where(junction => (junction.Position - pose.Position).Length < farthest)
                 .MinBy(junction => (junction.Position - pose.Position).Length);
-            RoadArm arm = junction?.Arms.MaxBy(arm => -arm.Outward.Dot(pose.Axes.Forward)) ?? default;
+            RoadArm arm = junction?.Arms.Where(arm => !arm.Road.IsInner).MaxBy(arm => -arm.Outward.Dot(pose.Axes.Forward)) ?? default;
             Model model = catalogue.TrafficLights.FirstOrDefault(light => light.Name == placement.Name) ?? catalogue["prop_traffic_01b"];
             Add(model, pose, junction, arm);
         }

@@ -11,7 +11,9 @@ namespace Harvester.Simulation.Traffic;
 internal sealed class Signals
 {
     private const double GreenSeconds = 7;
-    private const double AmberSeconds = 2;
+
+    /// <summary>Long enough for a car at 20 m/s that can no longer stop at 4 m/s² to pass the line.</summary>
+    private const double AmberSeconds = 3;
     private const double PhaseSeconds = GreenSeconds + AmberSeconds + 1;
     private const double CycleSeconds = 2 * PhaseSeconds;
 

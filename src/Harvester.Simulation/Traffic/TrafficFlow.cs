@@ -30,13 +30,13 @@ internal sealed class TrafficFlow
 
     /// <summary>Starts with vehicles that are on lanes and clear of each other and of obstacles; the first is the ego.</summary>
     public TrafficFlow(
-        LaneGraph lanes, Signals signals, IReadOnlyList<Vehicle> vehicles, EgoCar egoCar, IEnumerable<Footprint> obstacles, Placing placing)
+        LaneGraph lanes, LaneControl control, IReadOnlyList<Vehicle> vehicles, EgoCar egoCar, IEnumerable<Footprint> obstacles, Placing placing)
     {
         _vehicles = vehicles;
         _egoCar = egoCar;
         _placing = placing;
         _occupation = new LaneOccupation(lanes);
-        _rightOfWay = new RightOfWay(lanes, signals, _occupation);
+        _rightOfWay = new RightOfWay(lanes, control, _occupation);
         foreach (Vehicle vehicle in vehicles)
         {
             _index.Add(vehicle, vehicle.Pose.Position);

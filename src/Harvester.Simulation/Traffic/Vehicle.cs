@@ -61,6 +61,9 @@ internal sealed class Vehicle
     /// <summary>Paths through junctions that were granted to it, in the order of driving.</summary>
     public List<LanePath> Granted { get; } = [];
 
+    /// <summary>The lane at whose end it has stopped; null if it has not, or has left that lane.</summary>
+    public LanePath? StoppedOn { get; set; }
+
     /// <summary>Its brake lights and indicators.</summary>
     public VehicleSignals Signals { get; } = new();
 

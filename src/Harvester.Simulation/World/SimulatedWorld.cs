@@ -96,11 +96,6 @@ internal sealed class SimulatedWorld
         }
 
         _motion = new MotionMeter(Ego, Car);
-        IEnumerable<Footprint> obstacles = parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max));
-        _traffic = new TrafficFlow(site.Lanes, site.Signals, _vehicles, Car, obstacles, placing)
-        {
-            Radius = options.TrafficRadiusMetres,
-        };
         _walking = new WalkerFlow(_walkers, site.Walkways);
 
         Scenery scenery = new(options.Seed, site, catalogue, handles);
@@ -120,7 +115,10 @@ internal sealed class SimulatedWorld
             _signalProps.AddGiven(props.Where(prop => prop.Name.StartsWith("prop_traffic", StringComparison.Ordinal)), catalogue);
         }
 
-        _newWatch = () => new EgoWatch(Ego, Car, _traffic, _walkers, site.Signals, scenery.StopArms);
+        LaneControl control = new(site.Signals, scenery.StopArms);
+        IEnumerable<Footprint> obstacles = parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max));
+        _traffic = new TrafficFlow(site.Lanes, control, _vehicles, Car, obstacles, placing) { Radius = options.TrafficRadiusMetres };
+        _newWatch = () => new EgoWatch(Ego, Car, _traffic, _walkers, control);
         _lamps = scenery.Lamps;
         _entities = [.. parked, .. scenery.Props.Where(prop => prop.Handle != 0)];
         Scene = new RenderScene([
