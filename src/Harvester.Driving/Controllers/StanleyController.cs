@@ -22,12 +22,15 @@ public sealed class StanleyController : IController
     /// <summary>Minimum speed for a lane change, m/s: in a queue, a lane change would end across the marking.</summary>
     private const double SlowestToChange = 3;
 
+    /// <summary>Deceleration from which the car brakes in spite of the resistance, m/s².</summary>
+    private const double Brakes = 1;
     private const double BendStep = 2;
     private readonly StanleyOptions _options;
     private readonly LaneTarget _lane = new();
     private readonly LaneClearance _left = new();
     private readonly LaneClearance _right = new();
     private readonly LeaderEstimate _leader = new();
+    private readonly ResistanceEstimate _resistance = new();
     private readonly RoadAhead _road;
     private double? _centre;
     private double _acceleration;
@@ -54,9 +57,20 @@ public sealed class StanleyController : IController
         _road.RequestedWheelAngle = wheelAngle;
         _acceleration += _options.PedalWeight * (Acceleration(state) - _acceleration);
         double steering = wheelAngle / _options.Car.SteeringLockRadians;
-        return _acceleration >= 0
-            ? new DrivingControls(steering, _acceleration / _options.Car.FullThrottle, 0)
-            : new DrivingControls(steering, 0, -_acceleration / _options.Car.FullBraking);
+        double asked = Against(state.SpeedMetresPerSecond, _acceleration);
+        return asked >= 0
+            ? new DrivingControls(steering, asked / _options.Car.FullThrottle, 0)
+            : new DrivingControls(steering, 0, -asked / _options.Car.FullBraking);
+    }
+
+    /// <summary>What the pedals have to give for an acceleration against the resistance, m/s².</summary>
+    private double Against(double speed, double acceleration)
+    {
+        _resistance.Observe(speed, _options.PeriodSeconds);
+        double share = Math.Max(0, Math.Min(1, 1 + (acceleration / Brakes)));
+        double asked = Math.Min(_options.Car.FullThrottle, acceleration + (share * _resistance.Value));
+        _resistance.Ask(asked);
+        return asked;
     }
 
     private void ObserveCentre(LaneIndicators at, double speed)

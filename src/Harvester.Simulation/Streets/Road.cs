@@ -10,6 +10,9 @@ internal sealed class Road(int index, IReadOnlyList<int> nodes, LaneLayout layou
     /// <summary>The greatest <see cref="Shoulder"/>, metres.</summary>
     public const double WidestShoulder = 2.5;
 
+    /// <summary>A car with room before and behind it, metres.</summary>
+    private const double ShortestToWait = 7;
+
     public int Index { get; } = index;
 
     /// <summary>Numbers of the network's nodes along it.</summary>
@@ -39,6 +42,9 @@ internal sealed class Road(int index, IReadOnlyList<int> nodes, LaneLayout layou
 
     /// <summary>Whether it is a stub within a junction of several nodes, without markings or pavements.</summary>
     public bool IsInner { get; set; }
+
+    /// <summary>Whether no car can wait between the junctions at its ends without standing in one of them.</summary>
+    public bool IsTooShortToWait => IsInner || Length - StartTrim - EndTrim < ShortestToWait;
 
     public double Length => Curve.Length;
 

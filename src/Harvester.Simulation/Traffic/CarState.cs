@@ -15,7 +15,7 @@ namespace Harvester.Simulation.Traffic;
 /// <param name="YawRate">Radians per second, positive to the left.</param>
 internal readonly record struct CarState(Vector2D RearAxle, double Yaw, double Speed, double WheelAngle, double YawRate)
 {
-    private const double Gravity = 9.81;
+    public const double Gravity = 9.81;
 
     public Vector2D Forward => new(Math.Cos(Yaw), Math.Sin(Yaw));
 

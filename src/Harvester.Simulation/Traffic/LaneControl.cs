@@ -10,9 +10,9 @@ namespace Harvester.Simulation.Traffic;
 /// <param name="stopArms">The arms of junctions that have a stop sign.</param>
 internal sealed class LaneControl(Signals signals, IReadOnlySet<(Junction Junction, RoadArm Arm)> stopArms)
 {
-    /// <summary>The light for the traffic of a lane at its end; null if none stands there, as on the short roads within a junction.</summary>
+    /// <summary>The light for the traffic of a lane at its end; null if none stands there.</summary>
     public SignalState? LightFor(LanePath lane, Junction junction, double timeSeconds) =>
-        signals.Has(junction) && lane.Road is { IsInner: false } && ArmOf(lane, junction) is { } arm
+        signals.Has(junction) && !lane.Road!.IsTooShortToWait && ArmOf(lane, junction) is { } arm
             ? signals.ColourFor(junction, arm, timeSeconds)
             : null;
 

@@ -29,7 +29,8 @@ internal static class OwnDriver
         double ratio = car.Speed / limits.CharacteristicSpeed;
         double curvature = 2 * sideways / Math.Max(toTarget.Dot(toTarget), 1);
         double wheelAngle = Math.Atan(curvature * limits.Wheelbase * (1 + (ratio * ratio)));
-        double asked = acceleration + (limits.Drag * car.Speed * car.Speed) + limits.RollingResistance;
+        double uphill = CarState.Gravity * ego.Pose.Axes.Forward.Z;
+        double asked = acceleration + (limits.Drag * car.Speed * car.Speed) + limits.RollingResistance + uphill;
         return new DrivingControls(
             wheelAngle / limits.SteeringLockRadians, Math.Max(0, asked / limits.Acceleration), Math.Max(0, -asked / limits.Braking));
     }

@@ -37,7 +37,8 @@ internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccup
     private const double HeldUpSeconds = 4;
 
     private readonly List<Vehicle>?[] _users = new List<Vehicle>?[lanes.Paths.Count];
-    private readonly Dictionary<Junction, (Vehicle Vehicle, LanePath Way)> _waiting = [];
+    private readonly List<Vehicle>?[] _claimants = new List<Vehicle>?[lanes.Paths.Count];
+    private readonly Dictionary<Vehicle, List<LanePath>> _claims = [];
     private readonly Dictionary<LanePath, List<Vehicle>> _bound = [];
 
     /// <summary>
@@ -83,11 +84,7 @@ internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccup
 
     public void ReleaseAll(Vehicle vehicle)
     {
-        foreach (Junction junction in vehicle.Route.Select(way => way.Junction).OfType<Junction>())
-        {
-            ReleaseClaim(junction, vehicle);
-        }
-
+        ReleaseClaim(vehicle);
         while (vehicle.Granted.Count > 0)
         {
             Release(vehicle, vehicle.Granted.Count - 1);
@@ -143,7 +140,7 @@ internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccup
         List<LanePath> ways = WaysToRoom(vehicle, index);
         LanePath lane = ways[0].Previous[0];
         LanePath exit = ways[^1].Next[0];
-        ways.ForEach(way => ReleaseClaim(way.Junction!, vehicle));
+        ReleaseClaim(vehicle);
         if (control.LightFor(lane, ways[0].Junction!, timeSeconds) is SignalState.Amber or SignalState.Red
             || (control.HasStopSign(lane, ways[0].Junction!) && vehicle.StoppedOn != lane)
             || !HasRoom(vehicle, exit))
@@ -160,7 +157,7 @@ internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccup
 
         if (vehicle.StandingSeconds > PatienceSeconds)
         {
-            ways.ForEach(way => _waiting.TryAdd(way.Junction!, (vehicle, way)));
+            Claim(vehicle, ways);
         }
 
         return false;
@@ -197,22 +194,30 @@ internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccup
     private bool IsUsed(LanePath way, Vehicle asking) =>
         _users[way.Index] is { } users && users.Exists(user => user != asking && user.StandingSeconds < HeldUpSeconds);
 
-    private void ReleaseClaim(Junction junction, Vehicle vehicle)
+    private void Claim(Vehicle vehicle, List<LanePath> ways)
     {
-        if (_waiting.TryGetValue(junction, out (Vehicle Vehicle, LanePath Way) first) && first.Vehicle == vehicle)
+        _claims[vehicle] = ways;
+        ways.ForEach(way => (_claimants[way.Index] ??= []).Add(vehicle));
+    }
+
+    private void ReleaseClaim(Vehicle vehicle)
+    {
+        if (_claims.Remove(vehicle, out List<LanePath>? ways))
         {
-            _waiting.Remove(junction);
+            ways.ForEach(way => _claimants[way.Index]!.Remove(vehicle));
         }
     }
 
     /// <summary>
-    /// Whether a driver who has waited longer is let in first. Without the comparison, two drivers with claims to two junctions that both
-    /// need would wait for each other.
+    /// Whether a driver who has waited longer is let in first. The one who has waited longest of all thus waits only for those who are on
+    /// their way already.
     /// </summary>
     private bool IsClaimed(Vehicle vehicle, LanePath way) =>
-        _waiting.TryGetValue(way.Junction!, out (Vehicle Vehicle, LanePath Way) first)
-        && way.Conflicts.Contains(first.Way)
-        && first.Vehicle.StandingSeconds >= vehicle.StandingSeconds;
+        way.Conflicts.Exists(other => _claimants[other.Index] is { } claimants && claimants.Exists(first => HasWaitedLonger(first, vehicle)));
+
+    private static bool HasWaitedLonger(Vehicle first, Vehicle second) =>
+        first != second && (first.StandingSeconds > second.StandingSeconds
+            || (first.StandingSeconds == second.StandingSeconds && first.Handle < second.Handle));
 
     /// <summary>Whether a lane behind a junction has room for the vehicle and for those that are on their way to it.</summary>
     private bool HasRoom(Vehicle vehicle, LanePath exit)

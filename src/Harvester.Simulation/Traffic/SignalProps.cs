@@ -23,7 +23,7 @@ internal sealed class SignalProps(Signals signals, HandleCounter handles)
     {
         foreach (Junction junction in signals.Junctions)
         {
-            foreach (RoadArm arm in junction.Arms.Where(arm => !arm.Road.IsInner && arm.Road.Layout.Lanes(!arm.AtStart) > 0))
+            foreach (RoadArm arm in junction.Arms.Where(arm => !arm.Road.IsTooShortToWait && arm.Road.Layout.Lanes(!arm.AtStart) > 0))
             {
                 AddAtStopLine(junction, arm, index, catalogue);
             }
@@ -40,7 +40,10 @@ internal sealed class SignalProps(Signals signals, HandleCounter handles)
             Junction? junction = signals.Junctions
                 .Where(junction => (junction.Position - pose.Position).Length < farthest)
                 .MinBy(junction => (junction.Position - pose.Position).Length);
-            RoadArm arm = junction?.Arms.Where(arm => !arm.Road.IsInner).MaxBy(arm => -arm.Outward.Dot(pose.Axes.Forward)) ?? default;
+            RoadArm arm = junction?.Arms
+                .OrderBy(arm => arm.Road.IsTooShortToWait)
+                .ThenBy(arm => arm.Outward.Dot(pose.Axes.Forward))
+                .First() ?? default;
             Model model = catalogue.TrafficLights.FirstOrDefault(light => light.Name == placement.Name) ?? catalogue["prop_traffic_01b"];
             Add(model, pose, junction, arm);
         }

@@ -170,7 +170,7 @@ internal sealed class TrafficFlow
         bool atDeadEnd = !vehicle.CanGoOn && vehicle.Distance + vehicle.FrontOverhang > vehicle.Path.Length - nearlyAtEnd;
         bool isInTheWay = vehicle != Ego
             && Ego.StandingSeconds > EgoPatienceSeconds
-            && vehicle.StandingSeconds > EgoPatienceSeconds
+            && (vehicle.StandingSeconds > EgoPatienceSeconds || vehicle.GoesInCircles)
             && (vehicle.Pose.Position - Ego.Pose.Position).Length < EgoSurroundings;
         bool isStuck = vehicle.StandingSeconds > StuckSeconds && !(vehicle == Ego && _egoCar.IsDriven);
         return atDeadEnd || isInTheWay || isStuck;

@@ -41,6 +41,9 @@ internal sealed class Vehicle
 
     public LanePath Path => _route[0];
 
+    /// <summary>Whether its route comes back to a path, as where a few short lanes lead only to each other.</summary>
+    public bool GoesInCircles => _route.Distinct().Count() < _route.Count;
+
     /// <summary>Metres from the start of its path to its origin.</summary>
     public double Distance { get; private set; }
 
@@ -189,10 +192,18 @@ internal sealed class Vehicle
         double length = _route.Sum(path => path.Length);
         while (length < PlannedAhead + Path.Length && _route[^1].Next.Count > 0)
         {
-            List<LanePath> next = [.. _route[^1].Next.Where(path => path.GoesOn)];
-            next = next.Count > 0 ? next : _route[^1].Next;
+            List<LanePath> next = Continuing(_route[^1].Next);
             _route.Add(next[_random.Next(next.Count)]);
             length += _route[^1].Length;
         }
+    }
+
+    /// <summary>Those of some paths that go on, and among them those that are not on the route yet: nobody turns in circles in a junction.</summary>
+    private List<LanePath> Continuing(List<LanePath> paths)
+    {
+        List<LanePath> goingOn = paths.FindAll(path => path.GoesOn);
+        List<LanePath> candidates = goingOn.Count > 0 ? goingOn : paths;
+        List<LanePath> fresh = candidates.FindAll(path => !_route.Contains(path) && !path.Next.Exists(_route.Contains));
+        return fresh.Count > 0 ? fresh : candidates;
     }
 }

@@ -28,6 +28,7 @@ public sealed class UnseenTownTests
         EventRate departures = Assert.Single(summary.Rates, rate => rate.Name == "lane departures");
         Assert.True(departures.Kilometres > 1.5, $"Only {departures.Kilometres} km were judged.");
         Assert.InRange(departures.PerKilometre!.Value, 0, MostDeparturesPerKilometre);
+        Assert.All(["red lights", "stop signs"], name => Assert.Equal(0, Assert.Single(summary.Rates, rate => rate.Name == name).Events));
     }
 
     [Fact]

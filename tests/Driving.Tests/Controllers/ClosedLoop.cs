@@ -13,6 +13,7 @@ internal sealed class ClosedLoop(IController controller, LaneSection section, do
 {
     private const double Wheelbase = 2.9;
     private const double Step = 0.01;
+    private const double Gravity = 9.81;
     private const int StepsPerControl = 10;
 
     private double _headingRadians;
@@ -24,6 +25,9 @@ internal sealed class ClosedLoop(IController controller, LaneSection section, do
     public double Yaw { get; set; }
 
     public double Speed { get; set; } = 10;
+
+    /// <summary>Rise of the road per metre.</summary>
+    public double Slope { get; init; }
 
     /// <summary>Along the road's line.</summary>
     public double Along { get; private set; }
@@ -45,7 +49,7 @@ internal sealed class ClosedLoop(IController controller, LaneSection section, do
             DrivingControls command = controller.Drive(State());
             for (int step = 0; step < StepsPerControl; step++)
             {
-                Speed = Math.Max(0, Speed + (((2 * command.Throttle) - (8 * command.Brake)) * Step));
+                Speed = Math.Max(0, Speed + (((2 * command.Throttle) - (8 * command.Brake) - (Gravity * Slope)) * Step));
                 // On the outside of a bend the car drives a longer distance than the line: the same turn at a larger radius.
                 double curvature = Along >= Bend.From && Along < Bend.To ? Bend.Curvature : 0;
                 double along = Speed * Math.Cos(Yaw) / (1 + (curvature * Offset)) * Step;

@@ -47,6 +47,23 @@ public sealed class ControllerTests
         Assert.True(loop.Speed < 0.5);
     }
 
+    /// <summary>
+    /// Half throttle is 2 m/s² with the engine that the controller assumes and 1 m/s² with that of the loop; the slope takes 1.5.
+    /// </summary>
+    [Fact]
+    public void Stanley_starts_on_a_slope_too_steep_for_half_throttle()
+    {
+        var loop = new ClosedLoop(new StanleyController(new StanleyOptions()), new LaneSection(1, 5.4), GameLock)
+        {
+            Speed = 0,
+            Slope = 0.15,
+        };
+
+        loop.Run(30);
+
+        Assert.True(loop.Speed > 5, $"The car drives at {loop.Speed} m/s.");
+    }
+
     [Fact]
     public void Stanley_moves_to_the_free_lane_when_blocked_and_passes()
     {
