@@ -17,6 +17,12 @@ public sealed class EmergencyBrake : IController
     /// <summary>Deceleration from which it intervenes, m/s².</summary>
     public const double Comfortable = 2;
 
+    /// <summary>
+    /// Deceleration down to which it goes on once it has intervened, m/s²: with one limit, the noise of each frame would swap the brake for
+    /// the controller's throttle and back.
+    /// </summary>
+    private const double Gentle = 1;
+
     private const double PeriodSeconds = 0.1;
 
     /// <summary>Minimum of the remaining distance in the formula, metres.</summary>
@@ -25,6 +31,7 @@ public sealed class EmergencyBrake : IController
     private readonly IController _controller;
     private readonly CarTraits _car;
     private readonly LeaderEstimate _leader = new(speedOfNewcomers: 0);
+    private bool _isBraking;
 
     /// <summary>Adds the brake to a controller.</summary>
     public EmergencyBrake(IController controller, CarTraits car)
@@ -41,6 +48,7 @@ public sealed class EmergencyBrake : IController
         _leader.Observe(state.Indicators, speed, PeriodSeconds);
         if (_leader.Gap is not { } gap)
         {
+            _isBraking = false;
             return controls;
         }
 
@@ -48,7 +56,8 @@ public sealed class EmergencyBrake : IController
         double needed = way <= 0
             ? Math.Max(2 * Comfortable, speed * speed / (2 * MinDistance))
             : ((speed * speed) - (_leader.Speed * _leader.Speed)) / (2 * Math.Max(MinDistance, way));
-        return needed > Comfortable
+        _isBraking = needed > (_isBraking ? Gentle : Comfortable);
+        return _isBraking
             ? new DrivingControls(controls.Steering, 0, Math.Max(controls.Brake, needed / _car.FullBraking))
             : controls;
     }
