@@ -214,7 +214,7 @@ public sealed class HarvestSession : IDisposable
         CaptureFlows flows = _flows = new CaptureFlows(_options, _game, reader, pool, _budget, Counters, Calls);
         ICaptureFlow flow = flows.For(_sink, Lag);
         using var frames = new FrameHarvester(_options, _sink, flow, Counters, _motion);
-        var schedule = new FrameSchedule(_options.RateHz);
+        var schedule = new FrameSchedule(_options.RateHz, _options.EarlyFraction);
         while (true)
         {
             ReadTime();

@@ -42,7 +42,8 @@ public sealed class DriveRecorder : IDisposable
 
     /// <summary>Options of a recording.</summary>
     /// <param name="rateHz">Maximum number of frames per second of game time; greater than 0.</param>
-    public static HarvestOptions Options(double rateHz) => new()
+    /// <param name="labels">What is labelled and how images are written; null for the defaults.</param>
+    public static HarvestOptions Options(double rateHz, HarvestOptions? labels = null) => (labels ?? new()) with
     {
         RateHz = rateHz,
         Freeze = false,
@@ -50,8 +51,14 @@ public sealed class DriveRecorder : IDisposable
         ProbeLag = false,
         MaxCalibrationErrorPixels = null,
         MaxPictureLagTicks = 0,
+        MaxFrames = null,
         Motion = true,
         Scenes = false,
+        Masks = false,
+        Semantics = null,
+        Depth = false,
+        Pairs = new PairOptions(),
+        Rig = null,
     };
 
     /// <summary>Why the recording ended early; null if it did not.</summary>
@@ -99,7 +106,8 @@ public sealed class DriveRecorder : IDisposable
     /// <summary>Records a tick in which the world has moved.</summary>
     /// <param name="driver">Who drove in it.</param>
     /// <param name="isDisturbed">Whether the steering was disturbed in it.</param>
-    public void Tick(DriverKind driver, bool isDisturbed = false)
+    /// <param name="applied">The controls that moved the car in it, where the game's ego does not tell; null if unknown.</param>
+    public void Tick(DriverKind driver, bool isDisturbed = false, DriveControls? applied = null)
     {
         EgoState ego = _world.ReadEgo();
         _motion.Record();
@@ -111,7 +119,7 @@ public sealed class DriveRecorder : IDisposable
                 AngularRate = _inertia.AngularRate,
                 Applied = ego.Motion is { Steering: { } steering, Throttle: { } throttle, Brake: { } brake }
                     ? new DriveControls(steering, throttle, brake)
-                    : null,
+                    : applied,
             },
             isDisturbed);
     }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Bridge;
 using Harvester.Driving.Controllers;
+using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
 
 namespace Harvester.Driving.Session;
@@ -88,6 +89,9 @@ public sealed class DrivingSession : IDisposable
 
     /// <summary>The indicators that the last of them brought; null if it brought controls.</summary>
     public IReadOnlyList<double>? AnsweredIndicators { get; private set; }
+
+    /// <summary>The image of the newest frame, in memory that the next one reuses; null if it has none.</summary>
+    public PixelBuffer? Picture => _view.HasPicture ? _view.Picture : null;
 
     /// <summary>Whether commands of the client wait for the next tick.</summary>
     public bool HasCommands => _agenda.HasCommands;
