@@ -223,6 +223,7 @@ public sealed class DrivingSession : IDisposable
         {
             case ResetMessage reset:
                 _car.Reset(reset.Position, reset.HeadingDegrees);
+                _pace.Unsettle();
                 Forget();
                 break;
             case EnvironmentMessage environment:
@@ -255,6 +256,7 @@ public sealed class DrivingSession : IDisposable
         try
         {
             _car.SetEnvironment(environment.Weather, environment.TimeOfDay);
+            _pace.Unsettle();
         }
         catch (ArgumentException exception)
         {
