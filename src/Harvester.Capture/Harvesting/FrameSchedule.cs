@@ -30,5 +30,6 @@ internal sealed class FrameSchedule(double rateHz, double earlyFraction = 0)
     }
 
     /// <summary>Seconds until a frame is due; 0 or less if one is due now.</summary>
-    public double SecondsUntilDue(double timeSeconds) => _startSeconds is { } start ? start + ((_nextPeriod - earlyFraction) / rateHz) - timeSeconds : 0;
+    public double SecondsUntilDue(double timeSeconds) =>
+        _startSeconds is { } start ? start + ((_nextPeriod - earlyFraction) / rateHz) - timeSeconds : 0;
 }

@@ -169,7 +169,7 @@ public sealed class GymTests : ServedGame
 
     private static int Milliseconds(JsonElement frame) => (int)Math.Round(frame.GetProperty("seconds").GetDouble() * 1000);
 
-    /// <summary>A time of the game: the steering in force when it came, and the frames in which it was so, more than one if it stood still.</summary>
+    /// <summary>A time of the game: the steering in force when it came, and its frames, more than one if the game stood still.</summary>
     private sealed class Moment
     {
         public double Steering { get; set; }
