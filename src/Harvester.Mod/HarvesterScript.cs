@@ -111,7 +111,7 @@ public sealed class HarvesterScript : Script
             Recording = player.Bridge.RecordSeconds is { } seconds
                 ? new BridgeRecording(
                     1 / seconds, player.Options with { Image = player.Bridge.Driving.Picture }, player.Folder, _messages, game, driven,
-                        () => Origin(player))
+                        () => Origin(player), player.Bridge.RecordLagTicks)
                 { FacesInUse = () => measured.InUse }
                 : null,
         };

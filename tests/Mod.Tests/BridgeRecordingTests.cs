@@ -91,6 +91,44 @@ public sealed class BridgeRecordingTests : ServedGame
         Assert.Contains(labels, label => label.Drive!.Controls is not null);
     }
 
+    [Theory]
+    [InlineData(1)]
+    [InlineData(3)]
+    public void Late_picture_of_a_running_game_has_the_labels_of_its_moment(int lag)
+    {
+        using ScriptDriver driver = Driven(string.Create(CultureInfo.InvariantCulture, $"Record = On\nRecordSeconds = 0.4\nRecordLag = {lag}\n"));
+        GameEntity car = driver.Game.Entities[driver.Game.PlayersVehicle];
+        driver.Game.PassFrame = () => car.Pose = car.Pose with
+        {
+            Position = car.Pose.Position + (driver.Game.IsFrozen ? default : car.Velocity * TickSeconds),
+        };
+        using SocketClient client = Connect();
+        for (int frame = 0; frame < 4 * Steps; frame++)
+        {
+            Answer(driver, client);
+        }
+
+        // A paused world is shown as it is.
+        DriveInLockStep(driver, client);
+        FrameLabel[] labels = End(driver);
+
+        Assert.Empty(SessionValidator.Validate(new SessionReader(Session(driver))).Problems);
+        Assert.True(labels.Count(label => label.LagFrames == lag) > Steps / 2);
+        Assert.Contains(labels, label => label.LagFrames == 0);
+        foreach (FrameLabel label in labels)
+        {
+            // TestScreen shows the number of the frame in which it was grabbed; the paused game has shown the same for some frames.
+            byte level = PngDecoder.Decode(File.ReadAllBytes(Path.Combine(Session(driver), label.Image))).Samples[0];
+            Assert.Equal(1 + ((label.GameFrame + label.LagFrames) % 255), level);
+        }
+
+        // Each tick belongs to one frame, from the frame's moment to that of the next.
+        double[] ticks = [.. labels.SelectMany(label => label.Drive!.Ticks.Select(tick => tick.TimeSeconds))];
+        Assert.All(ticks.Zip(ticks.Skip(1)), pair => Assert.Equal(TickSeconds, pair.Second - pair.First, LabelTolerance));
+        Assert.All(labels.Zip(labels.Skip(1)), pair =>
+            Assert.Equal(pair.Second.TimeSeconds, pair.First.Drive!.Ticks[^1].TimeSeconds, LabelTolerance));
+    }
+
     [Fact]
     public void Silent_client_is_recorded_as_nobody_and_the_brake()
     {

@@ -90,6 +90,22 @@ public sealed class DrivingSession : IDisposable
     /// <summary>The indicators that the last of them brought; null if it brought controls.</summary>
     public IReadOnlyList<double>? AnsweredIndicators { get; private set; }
 
+    /// <summary>
+    /// Number of ticks by which a frame of the running world is foreseen, 0 (default) or more: for a recorder whose picture lags behind the
+    /// state. The frame is sent so much later than it is due.
+    /// </summary>
+    public int LeadTicks
+    {
+        get => _frames.LeadTicks;
+        set => _frames.LeadTicks = value;
+    }
+
+    /// <summary>Whether a frame of the running world is sent <see cref="LeadTicks"/> ticks after this one.</summary>
+    public bool IsFrameForeseen => _frames.IsFrameForeseen;
+
+    /// <summary>Whether the world is paused: the images of its frames then show the present state.</summary>
+    public bool IsPaused => _pace.IsPaused;
+
     /// <summary>The image of the newest frame, in memory that the next one reuses; null if it has none.</summary>
     public PixelBuffer? Picture => _view.HasPicture ? _view.Picture : null;
 

@@ -21,6 +21,7 @@ public sealed class BridgeRecording
     /// <summary>Fraction of the time between two recorded frames by which one may be early, since frames are sent in whole ticks.</summary>
     private const double EarlyFraction = 0.25;
 
+    private readonly int _lagTicks;
     private readonly HarvestOptions _options;
     private readonly string _folder;
     private readonly PlayerMessages _messages;
@@ -45,11 +46,18 @@ public sealed class BridgeRecording
     /// <param name="game">The game.</param>
     /// <param name="car">The car that is driven.</param>
     /// <param name="origin">Returns the origin of a session at its start.</param>
+    /// <param name="lagTicks">Number of ticks by which the picture of a running game lags behind its entities, 0 or more.</param>
     public BridgeRecording(
         double rateHz, HarvestOptions labels, string folder, PlayerMessages messages, GamePorts game, PlayerCar car,
-            Func<SessionOrigin> origin)
+            Func<SessionOrigin> origin, int lagTicks = 0)
     {
-        _options = DriveRecorder.Options(rateHz, labels) with { EarlyFraction = EarlyFraction };
+        // The game reports the pose of an attached camera a tick late, so the picture is one tick less behind it.
+        _lagTicks = lagTicks;
+        _options = DriveRecorder.Options(rateHz, labels) with
+        {
+            EarlyFraction = EarlyFraction,
+            LiveLag = new PictureLag(Math.Max(0, lagTicks - 1), lagTicks),
+        };
         _folder = folder;
         _messages = messages;
         _game = game with { Screen = _picture, Pause = new NoPause() };
@@ -75,6 +83,7 @@ public sealed class BridgeRecording
     {
         _ = drive ?? throw new ArgumentNullException(nameof(drive));
         (_answers, _frames) = (drive.Answers, drive.Status.Frames);
+        drive.LeadTicks = _recorder is null ? 0 : _lagTicks;
         if (_recorder is { } recorder)
         {
             Try(() => RecordTick(recorder, drive.Status.IsClientAlive ? DriverKind.Client : DriverKind.None));
@@ -140,40 +149,53 @@ public sealed class BridgeRecording
             recorder.Answer(drive.Status.Controls, drive.AnsweredIndicators, drive.AnsweredFrame);
         }
 
+        bool isSent = drive.Status.Frames != _frames && hasClient && drive.Picture is not null;
+        _picture.Picture = isSent ? drive.Picture : null;
         if (_writer.TakeFailure() is { } failure)
         {
             End($"The session of the drive cannot be begun: {failure.Message}");
         }
-        else if (drive.Status.Frames != _frames && drive.Picture is { } picture && hasClient)
+        else if (_writer.Opened is { } writer)
         {
-            _picture.Picture = picture;
-            Look(drive.Status.Frames - 1);
+            _recorder ??= new DriveRecorder(_options with { Faces = FacesInUse() }, _game, writer, null);
+            Look(_recorder, writer, drive, isSent);
+        }
+        else if (isSent && !_writer.IsHeld)
+        {
+            SessionOrigin origin = _origin();
+            _writer.Open(() => SessionPlace.Locked(SessionPlace.NewIn(_folder, "drive"), origin));
         }
 
         _lastSeconds = _game.World.TimeSeconds;
     }
 
-    private void Look(long bridgeFrame)
+    private void Look(DriveRecorder recorder, SessionWriter writer, DrivingSession drive, bool isSent)
     {
-        if (!_writer.IsHeld)
-        {
-            SessionOrigin origin = _origin();
-            _writer.Open(() => SessionPlace.Locked(SessionPlace.NewIn(_folder, "drive"), origin));
-        }
-        else if (_writer.Opened is { } writer)
-        {
-            if (writer.Queued >= _options.QueueCapacity)
-            {
-                _leftOut++;
-                return;
-            }
+        long frame = drive.Status.Frames - 1;
+        bool isForeseen = drive.IsFrameForeseen;
 
-            _recorder ??= new DriveRecorder(_options with { Faces = FacesInUse() }, _game, writer, null);
-            _recorder.Look(bridgeFrame);
-            if (_recorder.Failure is { } failure)
-            {
-                End(HarvestAdvice.TextOf(failure));
-            }
+        // With a lag, the picture of a running game does not show the present state.
+        bool isPresent = isSent && (_lagTicks == 0 || drive.IsPaused);
+        if (recorder.IsFollowing)
+        {
+            recorder.Follow(frame);
+        }
+        else if ((isForeseen || isPresent) && writer.Queued >= _options.QueueCapacity)
+        {
+            _leftOut++;
+        }
+        else if (isForeseen)
+        {
+            recorder.Begin();
+        }
+        else if (isPresent)
+        {
+            recorder.Look(frame);
+        }
+
+        if (recorder.Failure is { } failure)
+        {
+            End(HarvestAdvice.TextOf(failure));
         }
     }
 

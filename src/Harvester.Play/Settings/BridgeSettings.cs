@@ -38,6 +38,9 @@ public sealed record BridgeSettings
     /// <summary>Game time between two recorded frames, seconds; null if drives are not recorded.</summary>
     public required double? RecordSeconds { get; init; }
 
+    /// <summary>Number of ticks by which the picture of a running game lags behind the state, for recorded drives.</summary>
+    public required int RecordLagTicks { get; init; }
+
     /// <summary>Address or folder of the bridge, for display.</summary>
     public string Place => Kind == BridgeKind.Folder ? Folder : $"{Socket.Address}:{Socket.Port}";
 
@@ -92,6 +95,7 @@ public sealed record BridgeSettings
                     ini.Whole(Bridge, "Width", driving.Picture.Width, 16, 1920),
                         ini.Whole(Bridge, "Height", driving.Picture.Height, 16, 1080)),
             },
+            RecordLagTicks = ini.Whole(Bridge, "RecordLag", 0, 0, driving.SettleTicks),
             RecordSeconds = isRecorded ? recordSeconds : null,
         };
     }
