@@ -96,7 +96,8 @@ public sealed class BridgeRecordingTests : ServedGame
     [InlineData(3)]
     public void Late_picture_of_a_running_game_has_the_labels_of_its_moment(int lag)
     {
-        using ScriptDriver driver = Driven(string.Create(CultureInfo.InvariantCulture, $"Record = On\nRecordSeconds = 0.4\nRecordLag = {lag}\n"));
+        using ScriptDriver driver = Driven(
+            string.Create(CultureInfo.InvariantCulture, $"Record = On\nRecordSeconds = 0.4\nRecordLag = {lag}\n"));
         GameEntity car = driver.Game.Entities[driver.Game.PlayersVehicle];
         driver.Game.PassFrame = () => car.Pose = car.Pose with
         {

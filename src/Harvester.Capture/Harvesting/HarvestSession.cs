@@ -112,8 +112,8 @@ public sealed class HarvestSession : IDisposable
     public PictureLag? Lag { get; private set; }
 
     /// <summary>
-    /// Live mode only: gives the picture lag of the next frame, for a game that is paused now and then, so that its picture catches up; null
-    /// (default) if it is always <see cref="Lag"/>.
+    /// Live mode only: gives the picture lag of the next frame, for a game that is paused now and then, so that its picture catches up;
+    /// null (default) if it is always <see cref="Lag"/>.
     /// </summary>
     public Func<PictureLag>? NextLag { get; init; }
 

@@ -30,7 +30,7 @@ internal sealed class LiveFlow(
         GrabbedPicture? picture = null;
         try
         {
-            // The picture of tick g shows the entities of g - EntityTicks and the camera of g - CameraTicks; the earlier of the two is tick 0.
+            // The picture of tick g shows the entities of g - EntityTicks and the camera of g - CameraTicks; the earlier of both is tick 0.
             PictureLag lag = nextLag();
             int entityTick = Math.Max(0, lag.CameraTicks - lag.EntityTicks);
             int cameraTick = Math.Max(0, lag.EntityTicks - lag.CameraTicks);

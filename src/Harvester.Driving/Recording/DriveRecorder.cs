@@ -22,8 +22,8 @@ public sealed class DriveRecorder : IDisposable
     private readonly Func<DrivingTruth>? _readTruth;
     private readonly InertialSensor _inertia = new();
     private readonly MotionRecorder _motion;
-    private IReadOnlyList<MotionSample> _motionToFrame = [];
     private readonly PictureLag _lag;
+    private IReadOnlyList<MotionSample> _motionToFrame = [];
     private PictureLag _nextLag;
     private bool _isStarted;
     private bool _isStepping;

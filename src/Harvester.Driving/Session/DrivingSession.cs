@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Bridge;
 using Harvester.Driving.Controllers;
-using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
 
 namespace Harvester.Driving.Session;
@@ -48,11 +47,7 @@ public sealed class DrivingSession : IDisposable
         Func<IController> newController,
         Func<DrivingTruth>? readTruth = null)
     {
-        if (options is null)
-        {
-            throw new ArgumentNullException(nameof(options));
-        }
-
+        _ = options ?? throw new ArgumentNullException(nameof(options));
         _game = game ?? throw new ArgumentNullException(nameof(game));
         _car = game.Car ?? throw new ArgumentException("This game has no car that can be driven.", nameof(game));
         _bridge = bridge ?? throw new ArgumentNullException(nameof(bridge));
@@ -64,6 +59,7 @@ public sealed class DrivingSession : IDisposable
         _isLockStep = options.IsLockStep;
         _pace = new WorldPace(game.Pause, options.SettleTicks, options.IsLockStep);
         _frames = new FramePublisher(options, bridge, _view, _pace);
+        Sent = new SentFrames(_frames, _view, _pace);
     }
 
     /// <summary>The current state of the drive.</summary>
@@ -90,31 +86,13 @@ public sealed class DrivingSession : IDisposable
     /// <summary>The indicators that the last of them brought; null if it brought controls.</summary>
     public IReadOnlyList<double>? AnsweredIndicators { get; private set; }
 
-    /// <summary>
-    /// Number of ticks by which a frame of the running world is foreseen, 0 (default) or more: for a recorder whose picture lags behind the
-    /// state. The frame is sent so much later than it is due.
-    /// </summary>
-    public int LeadTicks
-    {
-        get => _frames.LeadTicks;
-        set => _frames.LeadTicks = value;
-    }
-
-    /// <summary>Whether a frame of the running world is sent <see cref="LeadTicks"/> ticks after this one.</summary>
-    public bool IsFrameForeseen => _frames.IsFrameForeseen;
-
-    /// <summary>Whether the world is paused: the images of its frames then show the present state.</summary>
-    public bool IsPaused => _pace.IsPaused;
-
-    /// <summary>The image of the newest frame, in memory that the next one reuses; null if it has none.</summary>
-    public PixelBuffer? Picture => _view.HasPicture ? _view.Picture : null;
+    /// <summary>The frames that are sent.</summary>
+    public SentFrames Sent { get; }
 
     /// <summary>Whether commands of the client wait for the next tick.</summary>
     public bool HasCommands => _agenda.HasCommands;
 
-    /// <summary>
-    /// The restart that the client asks for; null for none. It takes a new game and a new drive: this one does nothing more.
-    /// </summary>
+    /// <summary>The restart that the client asks for; null for none. It takes a new game and drive: this one does nothing more.</summary>
     public RestartMessage? Restart { get; private set; }
 
     /// <summary>Does the work of one tick. After the end of the drive it does nothing.</summary>

@@ -34,6 +34,7 @@ public sealed class BridgeRecording
     private SessionWriter? _lastWriter;
     private bool _isOver;
     private int _leftOut;
+    private double _leftOutSeconds = double.NegativeInfinity;
     private double _lastSeconds;
     private long _answers;
     private long _frames;
@@ -74,8 +75,8 @@ public sealed class BridgeRecording
     /// <summary>Number of frames of the running recording; null if none is running.</summary>
     public int? Frames => _recorder?.Frames;
 
-    /// <summary>Begins the recording of a drive, with its first frame for a client.</summary>
-    public void Begin() => (_isOver, _leftOut) = (false, 0);
+    /// <summary>Allows the recording of a drive, which begins with the first frame for a client.</summary>
+    public void Begin() => (_isOver, _leftOut, _leftOutSeconds) = (false, 0, double.NegativeInfinity);
 
     /// <summary>Records the tick that has passed. Call it before the drive does its work of this tick.</summary>
     /// <param name="drive">The drive.</param>
@@ -83,7 +84,7 @@ public sealed class BridgeRecording
     {
         _ = drive ?? throw new ArgumentNullException(nameof(drive));
         (_answers, _frames) = (drive.Answers, drive.Status.Frames);
-        drive.LeadTicks = _recorder is null ? 0 : _lagTicks;
+        drive.Sent.LeadTicks = _recorder is null ? 0 : _lagTicks;
         if (_recorder is { } recorder)
         {
             Try(() => RecordTick(recorder, drive.Status.IsClientAlive ? DriverKind.Client : DriverKind.None));
@@ -149,8 +150,8 @@ public sealed class BridgeRecording
             recorder.Answer(drive.Status.Controls, drive.AnsweredIndicators, drive.AnsweredFrame);
         }
 
-        bool isSent = drive.Status.Frames != _frames && hasClient && drive.Picture is not null;
-        _picture.Picture = isSent ? drive.Picture : null;
+        bool isSent = drive.Status.Frames != _frames && hasClient && drive.Sent.Picture is not null;
+        _picture.Picture = isSent ? drive.Sent.Picture : null;
         if (_writer.TakeFailure() is { } failure)
         {
             End($"The session of the drive cannot be begun: {failure.Message}");
@@ -172,17 +173,23 @@ public sealed class BridgeRecording
     private void Look(DriveRecorder recorder, SessionWriter writer, DrivingSession drive, bool isSent)
     {
         long frame = drive.Status.Frames - 1;
-        bool isForeseen = drive.IsFrameForeseen;
+        bool isForeseen = drive.Sent.IsForeseen;
+        double now = _game.World.TimeSeconds;
 
         // With a lag, the picture of a running game does not show the present state.
-        bool isPresent = isSent && (_lagTicks == 0 || drive.IsPaused);
+        bool isPresent = isSent && (_lagTicks == 0 || drive.Sent.IsWorldPaused);
         if (recorder.IsFollowing)
         {
             recorder.Follow(frame);
         }
         else if ((isForeseen || isPresent) && writer.Queued >= _options.QueueCapacity)
         {
-            _leftOut++;
+            // Of the frames that are sent, not all are to be recorded.
+            if (now - _leftOutSeconds >= (1 - EarlyFraction) / _options.RateHz)
+            {
+                _leftOut++;
+                _leftOutSeconds = now;
+            }
         }
         else if (isForeseen)
         {
