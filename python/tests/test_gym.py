@@ -100,10 +100,25 @@ def test_game_without_truth_still_rewards_distance(games: List[FakeGame]) -> Non
     assert reward == pytest.approx(0.1 * 10 * 0.1)
     assert not terminated
     assert state in env.observation_space
-    assert games[0].heard[1:4] == [
+    assert games[0].heard[1:5] == [
         {"type": "pause", "paused": True},
+        {"type": "requestFrame", "image": False},
         {"type": "reset", "position": [1.0, 2.0, 3.0], "headingDegrees": 90.0},
         {"type": "requestFrame", "image": False}]
+
+
+def test_frames_from_before_the_pause_are_passed_over(games: List[FakeGame]) -> None:
+    picture = png.encode(np.zeros((210, 280, 3), np.uint8))
+
+    def answer(message: Message) -> Answer:
+        # The game is in real time until it is paused, and sends a frame unasked.
+        if message["type"] == "requestFrame" and message["image"]:
+            return frame(8), picture
+        return {"pause": (frame(5), picture), "requestFrame": frame(7)}.get(message["type"])
+
+    with environment(games, answer, restarts=False, observation="image") as env:
+        _, info = env.reset()
+    assert info["frame"]["frame"] == 8
 
 
 def test_frame_of_before_the_step_is_passed_over(games: List[FakeGame]) -> None:

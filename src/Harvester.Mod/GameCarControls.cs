@@ -28,6 +28,10 @@ internal sealed class GameCarControls : ICarControls
     public bool ArePlayers => Array.Exists(PlayersControls, IsHeld) || (_ticksWithoutHandbrake >= TicksOfASetControl && IsHeld(Handbrake));
 
     /// <inheritdoc/>
+    public (double Steering, double Throttle, double Brake, double Handbrake) InForce =>
+        (ValueOf(Steer), ValueOf(Accelerate), ValueOf(Brake), ValueOf(Handbrake));
+
+    /// <inheritdoc/>
     public void Set(double steering, double throttle, double brake, bool handbrake)
     {
         Set(Steer, steering);
@@ -66,6 +70,8 @@ internal sealed class GameCarControls : ICarControls
     /// <inheritdoc/>
     public void SetTimeOfDay(TimeSpan timeOfDay) =>
         Natives.Call(Hash.SET_CLOCK_TIME, timeOfDay.Hours, timeOfDay.Minutes, timeOfDay.Seconds);
+
+    private static double ValueOf(int control) => Natives.Call<float>(Hash.GET_CONTROL_NORMAL, Player, control);
 
     private static bool IsHeld(int control) => Natives.Call<bool>(Hash.IS_CONTROL_PRESSED, Player, control);
 

@@ -105,7 +105,16 @@ public sealed class HarvesterScript : Script
             Reading = reading
         };
         var driven = new PlayerCar(controls, vehicles, mount, world);
-        _drive = new BridgeDriving(player.Bridge, game, driven, mount, display, _messages) { Obstacle = DriveObstacle };
+        _drive = new BridgeDriving(player.Bridge, game, driven, mount, display, _messages)
+        {
+            Obstacle = DriveObstacle,
+            Recording = player.Bridge.RecordSeconds is { } seconds
+                ? new BridgeRecording(
+                    1 / seconds, player.Options with { Image = player.Bridge.Driving.Picture }, player.Folder, _messages, game, driven,
+                        () => Origin(player), player.Bridge.RecordLagTicks)
+                { FacesInUse = () => measured.InUse }
+                : null,
+        };
         _harvest = new Harvest(player.Options, player.Folder, _messages, mount, game, display, () =>
             Origin(player))
         { Problem = HarvestProblem, FacesInUse = () => measured.InUse };

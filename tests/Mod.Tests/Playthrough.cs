@@ -11,7 +11,7 @@ namespace Harvester.Mod.Tests;
 internal static class Playthrough
 {
     /// <summary>The settings that it needs.</summary>
-    public const string Ini = "[Bridge]\nKind = Folder\nFolder = out/bridge\n[Harvest]\nDriveLights = On\nFreeze = Auto\n"
+    public const string Ini = "[Bridge]\nKind = Folder\nFolder = out/bridge\nRecord = On\n[Harvest]\nDriveLights = On\nFreeze = Auto\n"
         + PlanTests.Ini;
 
     /// <summary>More than a calibration takes that looks for markers in vain.</summary>
@@ -83,6 +83,7 @@ internal static class Playthrough
         Until(Hash.SET_ENTITY_VELOCITY);
         ServedGame.Drop(folder, "command.json", """{"type":"environment","weather":"rain","timeOfDay":"08:15"}""");
         Until(Hash.SET_CLOCK_TIME);
+        Until(Hash.GET_CONTROL_NORMAL);
 
         void Until(Hash native) => driver.Until(
             () => driver.Game.Calls.Contains(native) || HasMessageSince(driver, before, Failed, Stopped),

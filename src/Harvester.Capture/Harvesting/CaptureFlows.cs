@@ -1,3 +1,4 @@
+using System;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
@@ -37,7 +38,7 @@ internal sealed class CaptureFlows(
             {
                 TakesNext = () => Takes(sink.FirstFrame + counters.Taken),
             }
-            : new LiveFlow(game, reader, labeller, pool, budget, counters, lag ?? throw LagUnknown());
+            : new LiveFlow(game, reader, labeller, pool, budget, counters, NextLag ?? Always(lag ?? throw LagUnknown()));
     }
 
     /// <summary>Takes the pictures for coded masks; null if there are none.</summary>
@@ -49,6 +50,11 @@ internal sealed class CaptureFlows(
 
     /// <summary>Compares masks of both methods; null if they are not compared.</summary>
     public MaskComparison? Comparison { get; } = options is { Masks: true, MaskMethod: MaskMethod.Both } ? new MaskComparison() : null;
+
+    /// <summary>Gives the picture lag of the next live frame; null if it is always the same.</summary>
+    public Func<PictureLag>? NextLag { get; init; }
+
+    private static Func<PictureLag> Always(PictureLag lag) => () => lag;
 
     private bool Takes(int frame) =>
         frame > options.RecordedThrough && options.Shard.Takes(frame / options.ViewsPerMoment);

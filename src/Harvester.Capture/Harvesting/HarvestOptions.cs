@@ -45,6 +45,12 @@ public sealed record HarvestOptions : LabellingOptions
     public double RateHz { get; init => field = OptionCheck.Positive(value, nameof(RateHz)); } = 10;
 
     /// <summary>
+    /// Fraction of a period by which a frame may be early, 0 to 1: for frames that are not taken in any tick, but at times which someone
+    /// else sets.
+    /// </summary>
+    public double EarlyFraction { get; init => field = OptionCheck.Fraction(value, nameof(EarlyFraction)); }
+
+    /// <summary>
     /// Whether the game is frozen for each frame, so that image and label show the same moment; otherwise the harvest is live.
     /// </summary>
     public bool Freeze { get; init; } = true;

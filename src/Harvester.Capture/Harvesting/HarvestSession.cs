@@ -111,6 +111,12 @@ public sealed class HarvestSession : IDisposable
     /// <summary>The picture lag; null if it was not measured.</summary>
     public PictureLag? Lag { get; private set; }
 
+    /// <summary>
+    /// Live mode only: gives the picture lag of the next frame, for a game that is paused now and then, so that its picture catches up;
+    /// null (default) if it is always <see cref="Lag"/>.
+    /// </summary>
+    public Func<PictureLag>? NextLag { get; init; }
+
     /// <summary>The current state of the harvest.</summary>
     public HarvestStatus Status => new(_phase, Counters.Captured, Counters.Discarded, FramesPerSecond, Fault);
 
@@ -211,10 +217,10 @@ public sealed class HarvestSession : IDisposable
 
         bool isLagOpen = Lag is null && check.ErrorPixels is null && (_options.ProbeLag || check.Warning is not null);
         _unchecked = [.. new[] { freeze.Warning, check.Warning, isLagOpen ? LagUnchecked : null }.OfType<CaptureFault>()];
-        CaptureFlows flows = _flows = new CaptureFlows(_options, _game, reader, pool, _budget, Counters, Calls);
+        CaptureFlows flows = _flows = new CaptureFlows(_options, _game, reader, pool, _budget, Counters, Calls) { NextLag = NextLag };
         ICaptureFlow flow = flows.For(_sink, Lag);
         using var frames = new FrameHarvester(_options, _sink, flow, Counters, _motion);
-        var schedule = new FrameSchedule(_options.RateHz);
+        var schedule = new FrameSchedule(_options.RateHz, _options.EarlyFraction);
         while (true)
         {
             ReadTime();

@@ -14,22 +14,14 @@ namespace Harvester.Capture.Harvesting;
 /// </summary>
 internal sealed class LiveFlow(
     GamePorts game, SceneReader reader, FrameLabeller labeller, PixelBufferPool pool, TickBudget budget, HarvestCounters counters,
-        PictureLag lag)
+        Func<PictureLag> nextLag)
     : ICaptureFlow
 {
-    // The picture of tick g shows the entities of g - EntityTicks and the camera of g - CameraTicks; the earlier of the two is tick 0.
-    private readonly int _entityTick = Math.Max(0, lag.CameraTicks - lag.EntityTicks);
-    private readonly int _cameraTick = Math.Max(0, lag.EntityTicks - lag.CameraTicks);
-
     public IReadOnlyList<TakenFrame> Taken { get; private set; } = [];
 
     public bool IsPassed => false;
 
     public double? TakenSeconds { get; private set; }
-
-    private int GrabTick => _entityTick + lag.EntityTicks;
-
-    private int ReadTick => Math.Max(_entityTick, _cameraTick);
 
     public IEnumerable<HarvestPhase> TakeFrame()
     {
@@ -38,12 +30,18 @@ internal sealed class LiveFlow(
         GrabbedPicture? picture = null;
         try
         {
+            // The picture of tick g shows the entities of g - EntityTicks and the camera of g - CameraTicks; the earlier of both is tick 0.
+            PictureLag lag = nextLag();
+            int entityTick = Math.Max(0, lag.CameraTicks - lag.EntityTicks);
+            int cameraTick = Math.Max(0, lag.EntityTicks - lag.CameraTicks);
+            int grabTick = entityTick + lag.EntityTicks;
+            int readTick = Math.Max(entityTick, cameraTick);
             long firstGameFrame = game.World.GameFrame;
             double grabSeconds = 0;
             SceneSnapshot? scene = null;
             CameraState? camera = null;
             FrameDraft? draft = null;
-            for (int tick = 0; tick <= Math.Max(GrabTick, ReadTick); tick++)
+            for (int tick = 0; tick <= Math.Max(grabTick, readTick); tick++)
             {
                 if (tick > 0)
                 {
@@ -56,7 +54,7 @@ internal sealed class LiveFlow(
                     yield break;
                 }
 
-                if (tick == GrabTick)
+                if (tick == grabTick)
                 {
                     grabSeconds = game.World.TimeSeconds;
                     picture = GrabbedPicture.Of(game.Screen, pool);
@@ -67,9 +65,9 @@ internal sealed class LiveFlow(
                     }
                 }
 
-                scene = tick == _entityTick ? reader.Read() : scene;
-                camera = tick == _cameraTick ? game.World.ReadCamera() : camera;
-                if (tick == ReadTick)
+                scene = tick == entityTick ? reader.Read() : scene;
+                camera = tick == cameraTick ? game.World.ReadCamera() : camera;
+                if (tick == readTick)
                 {
                     scene = scene! with { Camera = camera! };
                     draft = LabelNow(scene);

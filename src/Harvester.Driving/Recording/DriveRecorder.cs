@@ -22,7 +22,12 @@ public sealed class DriveRecorder : IDisposable
     private readonly Func<DrivingTruth>? _readTruth;
     private readonly InertialSensor _inertia = new();
     private readonly MotionRecorder _motion;
+    private readonly PictureLag _lag;
     private IReadOnlyList<MotionSample> _motionToFrame = [];
+    private PictureLag _nextLag;
+    private bool _isStarted;
+    private bool _isStepping;
+    private OpenAction? _begun;
     private OpenAction? _action;
 
     /// <summary>Creates a recorder. The game is not used before the first frame.</summary>
@@ -37,12 +42,14 @@ public sealed class DriveRecorder : IDisposable
         _readTruth = readTruth;
         _motion = new MotionRecorder(_world);
         _held = new HeldSink(sink ?? throw new ArgumentNullException(nameof(sink)), Complete);
-        _session = new HarvestSession(options, game, _held);
+        _session = new HarvestSession(options, game, _held) { NextLag = () => _nextLag };
+        _lag = options?.LiveLag ?? default;
     }
 
     /// <summary>Options of a recording.</summary>
     /// <param name="rateHz">Maximum number of frames per second of game time; greater than 0.</param>
-    public static HarvestOptions Options(double rateHz) => new()
+    /// <param name="labels">What is labelled and how images are written; null for the defaults.</param>
+    public static HarvestOptions Options(double rateHz, HarvestOptions? labels = null) => (labels ?? new()) with
     {
         RateHz = rateHz,
         Freeze = false,
@@ -50,8 +57,14 @@ public sealed class DriveRecorder : IDisposable
         ProbeLag = false,
         MaxCalibrationErrorPixels = null,
         MaxPictureLagTicks = 0,
+        MaxFrames = null,
         Motion = true,
         Scenes = false,
+        Masks = false,
+        Semantics = null,
+        Depth = false,
+        Pairs = new PairOptions(),
+        Rig = null,
     };
 
     /// <summary>Why the recording ended early; null if it did not.</summary>
@@ -60,34 +73,24 @@ public sealed class DriveRecorder : IDisposable
     /// <summary>Number of frames taken.</summary>
     public int Frames => _held.Received;
 
-    /// <summary>Takes a frame of the world as it is now, if the rate allows one.</summary>
+    /// <summary>Whether a frame has been begun whose picture is still to come.</summary>
+    public bool IsFollowing => _session.Status.Phase == HarvestPhase.Following;
+
+    /// <summary>Takes a frame of the world as it is now, if the rate allows one. The picture shows the world as it is.</summary>
     /// <param name="bridgeFrame">Number of the frame on the live bridge that shows the same; null without a bridge.</param>
     /// <returns>Whether a frame was taken.</returns>
-    public bool Look(long? bridgeFrame = null)
-    {
-        int before = _held.Received;
-        _session.Step();
-        if (_held.Received == before)
-        {
-            return false;
-        }
+    public bool Look(long? bridgeFrame = null) => Start(new PictureLag(0, 0), bridgeFrame);
 
-        EgoState ego = _world.ReadEgo();
-        double now = _world.TimeSeconds;
-        if (before == 0)
-        {
-            _inertia.Measure(ego, now);
-        }
+    /// <summary>
+    /// Begins a frame of the world as it is now, if the rate allows one. The picture that shows it comes later, by the entities' lag of the
+    /// options: call <see cref="Follow"/> in each of these ticks.
+    /// </summary>
+    public void Begin() => Start(_lag, null);
 
-        IReadOnlyList<MotionSample> motion = _motion.TakeBefore(now);
-        _motionToFrame = before == 0 ? [] : motion;
-        _action = new OpenAction(now, ego.Velocity.Length, bridgeFrame)
-        {
-            Inertia = (_inertia.Acceleration, _inertia.AngularRate),
-            Truth = _readTruth?.Invoke(),
-        };
-        return true;
-    }
+    /// <summary>Goes on with a frame that was begun.</summary>
+    /// <param name="bridgeFrame">Number of the frame on the live bridge that shows the same; null without a bridge.</param>
+    /// <returns>Whether the frame was taken.</returns>
+    public bool Follow(long? bridgeFrame = null) => Step(_begun!, bridgeFrame);
 
     /// <summary>Records what a controller or client answered to the newest frame; later answers are ignored until the next frame.</summary>
     /// <param name="controls">The controls, without disturbance.</param>
@@ -99,19 +102,20 @@ public sealed class DriveRecorder : IDisposable
     /// <summary>Records a tick in which the world has moved.</summary>
     /// <param name="driver">Who drove in it.</param>
     /// <param name="isDisturbed">Whether the steering was disturbed in it.</param>
-    public void Tick(DriverKind driver, bool isDisturbed = false)
+    /// <param name="applied">The controls that moved the car in it, where the game's ego does not tell; null if unknown.</param>
+    public void Tick(DriverKind driver, bool isDisturbed = false, DriveControls? applied = null)
     {
         EgoState ego = _world.ReadEgo();
         _motion.Record();
         _inertia.Measure(ego, _world.TimeSeconds);
-        _action?.Add(
+        (_action ?? _begun)?.Add(
             new DriveTick(_world.TimeSeconds, ego.Velocity.Length, driver)
             {
                 Acceleration = _inertia.Acceleration,
                 AngularRate = _inertia.AngularRate,
                 Applied = ego.Motion is { Steering: { } steering, Throttle: { } throttle, Brake: { } brake }
                     ? new DriveControls(steering, throttle, brake)
-                    : null,
+                    : applied,
             },
             isDisturbed);
     }
@@ -119,5 +123,48 @@ public sealed class DriveRecorder : IDisposable
     /// <summary>Ends the recording and closes the sink.</summary>
     public void Dispose() => _session.Dispose();
 
-    private void Complete(CapturedFrame frame) => frame.Attach(_action!.Label(), _motionToFrame);
+    private bool Start(PictureLag lag, long? bridgeFrame)
+    {
+        EgoState ego = _world.ReadEgo();
+        double now = _world.TimeSeconds;
+        if (!_isStarted)
+        {
+            _inertia.Measure(ego, now);
+            _isStarted = true;
+        }
+
+        _nextLag = lag;
+        _begun = new OpenAction(now, ego.Velocity.Length) { Inertia = (_inertia.Acceleration, _inertia.AngularRate) };
+        return Step(_begun, bridgeFrame);
+    }
+
+    private bool Step(OpenAction begun, long? bridgeFrame)
+    {
+        int before = _held.Received;
+        _isStepping = true;
+        _session.Step();
+        _isStepping = false;
+        if (_held.Received == before)
+        {
+            return false;
+        }
+
+        IReadOnlyList<MotionSample> motion = _motion.TakeBefore(begun.TimeSeconds);
+        _motionToFrame = before == 0 ? [] : motion;
+        begun.BridgeFrame = bridgeFrame;
+        begun.Truth = _readTruth?.Invoke();
+        _action = begun;
+        return true;
+    }
+
+    private void Complete(CapturedFrame frame)
+    {
+        // The ticks since the next frame are those of its action; without one, the session ends.
+        if (_isStepping)
+        {
+            _action!.MoveTicksTo(_begun!, _begun!.TimeSeconds);
+        }
+
+        frame.Attach(_action!.Label(), _motionToFrame);
+    }
 }

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Bridge;
 using Harvester.Geometry;
@@ -9,26 +10,29 @@ namespace Harvester.Driving.Recording;
 /// <summary>The action of the newest frame, while it happens.</summary>
 /// <param name="timeSeconds">Time of the frame, seconds.</param>
 /// <param name="speed">Speed at the frame, m/s.</param>
-/// <param name="bridgeFrame">Number of the frame on the live bridge; null without a bridge.</param>
-internal sealed class OpenAction(double timeSeconds, double speed, long? bridgeFrame)
+internal sealed class OpenAction(double timeSeconds, double speed)
 {
-    private readonly List<DriveTick> _ticks = [];
-    private DriverKind _driver;
-    private bool _isDisturbed;
+    private readonly List<(DriveTick Tick, bool IsDisturbed)> _ticks = [];
     private DriveControls? _answer;
     private double? _answerSeconds;
     private IReadOnlyList<double>? _indicators;
+
+    /// <summary>Time of the frame, seconds.</summary>
+    public double TimeSeconds => timeSeconds;
+
+    /// <summary>Number of the frame on the live bridge; null without a bridge.</summary>
+    public long? BridgeFrame { get; set; }
 
     /// <summary>Acceleration and turning rate at the frame; null where unknown.</summary>
     public (Vector3D? Acceleration, Vector3D? AngularRate) Inertia { get; init; }
 
     /// <summary>What a simulated game knows at the frame; null in GTA V.</summary>
-    public DrivingTruth? Truth { get; init; }
+    public DrivingTruth? Truth { get; set; }
 
     /// <summary>Takes the answer to the frame; later answers, and answers to earlier frames, are those of other frames.</summary>
     public void Answer(DrivingControls controls, IReadOnlyList<double>? indicators, long? answered, double nowSeconds)
     {
-        if (_answer is null && !(answered < bridgeFrame))
+        if (_answer is null && !(answered < BridgeFrame))
         {
             _answer = Recorded(controls);
             _answerSeconds = nowSeconds - timeSeconds;
@@ -37,34 +41,33 @@ internal sealed class OpenAction(double timeSeconds, double speed, long? bridgeF
     }
 
     /// <summary>Adds a tick after the frame.</summary>
-    public void Add(DriveTick tick, bool isDisturbed)
-    {
-        if (_ticks.Count == 0)
-        {
-            _driver = tick.Driver;
-            _isDisturbed = isDisturbed;
-        }
+    public void Add(DriveTick tick, bool isDisturbed) => _ticks.Add((tick, isDisturbed));
 
-        _ticks.Add(tick);
+    /// <summary>Moves the ticks after a time to the action of a frame of that time.</summary>
+    public void MoveTicksTo(OpenAction next, double afterSeconds)
+    {
+        next._ticks.AddRange(_ticks.Where(tick => tick.Tick.TimeSeconds > afterSeconds));
+        _ticks.RemoveAll(tick => tick.Tick.TimeSeconds > afterSeconds);
     }
 
     /// <summary>The label, once no tick follows.</summary>
     public DriveLabel Label()
     {
-        DriveControls? applied = _ticks.Count > 0 ? _ticks[0].Applied : null;
-        bool isBuiltIn = _ticks.Count > 0 && _driver == DriverKind.BuiltIn;
-        return new DriveLabel(_driver, speed)
+        DriverKind driver = _ticks.Count > 0 ? _ticks[0].Tick.Driver : DriverKind.None;
+        DriveControls? applied = _ticks.Count > 0 ? _ticks[0].Tick.Applied : null;
+        bool isBuiltIn = _ticks.Count > 0 && driver == DriverKind.BuiltIn;
+        return new DriveLabel(driver, speed)
         {
             Controls = isBuiltIn ? applied : _answer,
             AnswerSeconds = isBuiltIn && applied is not null ? 0 : isBuiltIn ? null : _answerSeconds,
             Applied = applied,
-            IsDisturbed = _isDisturbed,
+            IsDisturbed = _ticks.Count > 0 && _ticks[0].IsDisturbed,
             Indicators = isBuiltIn ? null : _indicators,
             Route = Truth?.Route,
             RouteMetres = Truth?.RouteMetres,
             Acceleration = Inertia.Acceleration,
             AngularRate = Inertia.AngularRate,
-            BridgeFrame = bridgeFrame,
+            BridgeFrame = BridgeFrame,
             Truth = Truth is { } truth
                 ? new DriveTruth(truth.DrivenMetres, truth.IsOutsideLanes, truth.HasStopSign)
                 {
@@ -77,7 +80,7 @@ internal sealed class OpenAction(double timeSeconds, double speed, long? bridgeF
                     Repositioned = truth.Repositioned,
                 }
                 : null,
-            Ticks = _ticks,
+            Ticks = [.. _ticks.Select(tick => tick.Tick)],
         };
     }
 

@@ -47,11 +47,7 @@ public sealed class DrivingSession : IDisposable
         Func<IController> newController,
         Func<DrivingTruth>? readTruth = null)
     {
-        if (options is null)
-        {
-            throw new ArgumentNullException(nameof(options));
-        }
-
+        _ = options ?? throw new ArgumentNullException(nameof(options));
         _game = game ?? throw new ArgumentNullException(nameof(game));
         _car = game.Car ?? throw new ArgumentException("This game has no car that can be driven.", nameof(game));
         _bridge = bridge ?? throw new ArgumentNullException(nameof(bridge));
@@ -63,6 +59,7 @@ public sealed class DrivingSession : IDisposable
         _isLockStep = options.IsLockStep;
         _pace = new WorldPace(game.Pause, options.SettleTicks, options.IsLockStep);
         _frames = new FramePublisher(options, bridge, _view, _pace);
+        Sent = new SentFrames(_frames, _view, _pace);
     }
 
     /// <summary>The current state of the drive.</summary>
@@ -89,12 +86,13 @@ public sealed class DrivingSession : IDisposable
     /// <summary>The indicators that the last of them brought; null if it brought controls.</summary>
     public IReadOnlyList<double>? AnsweredIndicators { get; private set; }
 
+    /// <summary>The frames that are sent.</summary>
+    public SentFrames Sent { get; }
+
     /// <summary>Whether commands of the client wait for the next tick.</summary>
     public bool HasCommands => _agenda.HasCommands;
 
-    /// <summary>
-    /// The restart that the client asks for; null for none. It takes a new game and a new drive: this one does nothing more.
-    /// </summary>
+    /// <summary>The restart that the client asks for; null for none. It takes a new game and drive: this one does nothing more.</summary>
     public RestartMessage? Restart { get; private set; }
 
     /// <summary>Does the work of one tick. After the end of the drive it does nothing.</summary>
@@ -219,6 +217,7 @@ public sealed class DrivingSession : IDisposable
         {
             case ResetMessage reset:
                 _car.Reset(reset.Position, reset.HeadingDegrees);
+                _pace.Unsettle();
                 Forget();
                 break;
             case EnvironmentMessage environment:
@@ -251,6 +250,7 @@ public sealed class DrivingSession : IDisposable
         try
         {
             _car.SetEnvironment(environment.Weather, environment.TimeOfDay);
+            _pace.Unsettle();
         }
         catch (ArgumentException exception)
         {

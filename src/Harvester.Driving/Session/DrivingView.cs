@@ -35,6 +35,9 @@ internal sealed class DrivingView
     /// <summary>The last image.</summary>
     public PixelBuffer Picture { get; }
 
+    /// <summary>Whether the newest frame has an image.</summary>
+    public bool HasPicture { get; private set; }
+
     /// <summary>Whether the lanes were known when the last image was taken.</summary>
     public bool AreLanesKnown { get; private set; }
 
@@ -58,6 +61,7 @@ internal sealed class DrivingView
         LanesLabel? lanes = ReadLanes(ego);
         _isFast = lanes?.IsFast ?? false;
         AreLanesKnown = lanes?.Status == LaneStatus.Known;
+        HasPicture = hasPicture;
         return new BridgeState(
             frame,
             _game.World.TimeSeconds,

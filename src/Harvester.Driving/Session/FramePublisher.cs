@@ -20,16 +20,25 @@ internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge brid
     private double _nowSeconds;
     private double _tickSeconds;
     private int _quietTicks;
+    private int? _leadLeft;
 
     /// <summary>Number of frames published so far.</summary>
     public long Frames { get; private set; }
+
+    /// <summary>
+    /// Number of ticks by which a frame of the running world is foreseen, 0 or more: it is published so much later than it is due.
+    /// </summary>
+    public int LeadTicks { get; set; }
+
+    /// <summary>Whether a frame of the running world is published <see cref="LeadTicks"/> ticks after this one.</summary>
+    public bool IsFrameForeseen { get; private set; }
 
     /// <summary>Whether the frame at the end of a step is still to come.</summary>
     public bool IsStepOpen { get; private set; }
 
     /// <summary>Whether an image may be grabbed in the next ticks, so that overlays must not be drawn now.</summary>
     public bool IsPictureNear =>
-        pace.IsPaused || pace.IsStepping || _isAskedFor || _isMissed
+        pace.IsPaused || pace.IsStepping || _isAskedFor || _isMissed || _leadLeft is not null
             || _schedule.SecondsUntilDue(_nowSeconds) < (options.SettleTicks + HalfATick) * _tickSeconds;
 
     /// <summary>Starts a tick; call it before <see cref="PublishIfTime"/>.</summary>
@@ -73,11 +82,34 @@ internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge brid
 
     private bool IsTime()
     {
-        bool isDue = !pace.IsStepping && _schedule.TakeIfDue(_nowSeconds) && !pace.IsPaused;
+        bool isDue = IsLedDue(!pace.IsStepping && _schedule.TakeIfDue(_nowSeconds) && !pace.IsPaused);
 
         // What was drawn before the request must have disappeared from the image.
         bool isAskedFor = (_isAskedFor || _isMissed) && _quietTicks >= options.SettleTicks;
         return (isDue || isAskedFor || IsStepOpen) && !pace.IsStepping && pace.IsSettled;
+    }
+
+    /// <summary>Delays a frame that is due by the lead.</summary>
+    private bool IsLedDue(bool isDue)
+    {
+        IsFrameForeseen = false;
+        if (pace.IsPaused || pace.IsStepping)
+        {
+            _leadLeft = null;
+        }
+        else if (_leadLeft is { } left)
+        {
+            _leadLeft = left > 1 ? left - 1 : null;
+            return left == 1;
+        }
+        else if (isDue && LeadTicks > 0)
+        {
+            _leadLeft = LeadTicks;
+            IsFrameForeseen = true;
+            return false;
+        }
+
+        return isDue;
     }
 
     private string? Take()

@@ -65,6 +65,9 @@ internal sealed class WorldPace(IPause pause, int settleTicks, bool isLockStep)
         }
     }
 
+    /// <summary>The world has been changed from outside: the image of a paused world shows it only later.</summary>
+    public void Unsettle() => _stillTicks = 0;
+
     /// <summary>Gives the world back, as at the end of a drive.</summary>
     public void Resume()
     {

@@ -11,6 +11,7 @@ namespace Harvester.Play.Features;
 public sealed class BridgeDriving : ILastingFeature, IDisposable
 {
     private static readonly TimeSpan MaxWaitForBridge = TimeSpan.FromSeconds(10);
+    private static readonly TimeSpan MaxWaitForDisk = TimeSpan.FromSeconds(10);
 
     /// <summary>Maximum number of logged problems, so that a faulty client does not fill the disk.</summary>
     private const int MaxLoggedProblems = 100;
@@ -53,11 +54,14 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
     /// <summary>Why no client can drive now; null if one can.</summary>
     public Func<string?> Obstacle { get; init; } = static () => null;
 
+    /// <summary>Records the drives; null for none.</summary>
+    public BridgeRecording? Recording { get; init; }
+
     /// <summary>Whether an image may be grabbed so soon that nothing may be drawn over it.</summary>
     public bool IsPictureNear => _session?.IsPictureNear ?? IsOn;
 
     /// <inheritdoc/>
-    public bool IsBusy => _bridge.IsBusy;
+    public bool IsBusy => _bridge.IsBusy || Recording is { IsBusy: true };
 
     /// <summary>Opens the bridge and lets the client drive, or ends that.</summary>
     public void Toggle()
@@ -100,6 +104,7 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
     /// <inheritdoc/>
     public void Tick()
     {
+        Recording?.TellLateFault();
         if (!IsOn)
         {
             _car.GiveBack();
@@ -130,10 +135,17 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
             _problem = null;
             _problems = 0;
             _session = new DrivingSession(_settings.Driving, _game, bridge, _settings.Controller.New);
+            Recording?.Begin();
             _messages.Tell($"The car waits for a client at {_settings.Place}. Any driving key takes it back.");
         }
 
+        Recording?.BeforeTick(_session);
         DrivingStatus status = _session.Tick();
+        if (!status.IsOver)
+        {
+            Recording?.AfterTick(_session, bridge.Client is not null);
+        }
+
         if (_session.Problem is { } problem && problem != _problem && _problems < MaxLoggedProblems)
         {
             _problem = problem;
@@ -149,7 +161,9 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
         else if (!IsPictureNear)
         {
             string who = status.IsClientAlive ? "DRIVEN by the client" : "BRAKING, no client drives";
-            _display.Text(FormattableString.Invariant($"{who} at {_settings.Place}  {Counted.Of(status.Frames, "frame")}"), 0.02, 0.02);
+            string recorded = Recording?.Frames is { } frames ? FormattableString.Invariant($"  REC {frames}") : "";
+            _display.Text(
+                FormattableString.Invariant($"{who} at {_settings.Place}  {Counted.Of(status.Frames, "frame")}{recorded}"), 0.02, 0.02);
         }
     }
 
@@ -162,6 +176,7 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
             _session = null;
             _bridge.Close();
             session?.Stop();
+            Recording?.Stop();
         }
 
         // If the game refused, the next tick tries again.
@@ -173,6 +188,7 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
     {
         Stop();
         _bridge.Wait(MaxWaitForBridge);
+        Recording?.Wait(MaxWaitForDisk);
     }
 
     /// <summary>Stops and waits as <see cref="Finish"/> does.</summary>

@@ -1,6 +1,4 @@
 using System;
-using System.Globalization;
-using System.IO;
 using System.Linq;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Harvesting;
@@ -8,7 +6,6 @@ using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Faces;
-using Harvester.Sessions.Files;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Play.Features;
@@ -105,7 +102,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         {
             SessionOrigin origin = _origin();
             (_isSingle, _lastCaptured, _lastFault, _isSpaceLow) = (false, 0, null, false);
-            Start(options with { Faces = FacesInUse() }, () => Locked(folder, origin, options.ViewsPerMoment));
+            Start(options with { Faces = FacesInUse() }, () => SessionPlace.Locked(folder, origin, options.ViewsPerMoment));
         }
     }
 
@@ -116,7 +113,9 @@ public sealed class Harvest : ILastingFeature, IDisposable
         {
             SessionOrigin origin = _origin();
             _isSingle = false;
-            Start(Options with { Faces = FacesInUse() }, () => Locked(NewFolder("session"), origin, Options.ViewsPerMoment));
+            Start(
+                Options with { Faces = FacesInUse() },
+                () => SessionPlace.Locked(SessionPlace.NewIn(_folder, "session"), origin, Options.ViewsPerMoment));
         }
         else
         {
@@ -149,11 +148,11 @@ public sealed class Harvest : ILastingFeature, IDisposable
             Start(
                 singles.CalibrationErrorPixels is { } known
                     ? options with { MaxCalibrationErrorPixels = null, KnownCalibrationErrorPixels = known } : options,
-                () => Locked(singles.Folder, origin, Options.ViewsPerMoment, resume: true));
+                () => SessionPlace.Locked(singles.Folder, origin, Options.ViewsPerMoment, resume: true));
         }
         else
         {
-            Start(options, () => Locked(NewFolder("singles"), origin, Options.ViewsPerMoment));
+            Start(options, () => SessionPlace.Locked(SessionPlace.NewIn(_folder, "singles"), origin, Options.ViewsPerMoment));
         }
     }
 
@@ -238,21 +237,6 @@ public sealed class Harvest : ILastingFeature, IDisposable
             // Resuming reads the session, and a disk may have to spin up.
             _startedWith = options;
             _writer.Open(open);
-        }
-    }
-
-    /// <summary>Opens a session in a folder that no other process may write until the session is closed.</summary>
-    private static SessionWriter Locked(string folder, SessionOrigin origin, int viewsPerMoment, bool resume = false)
-    {
-        WriterLock held = WriterLock.Take(folder);
-        try
-        {
-            return new SessionWriter(folder, origin, resume, viewsPerMoment) { Lock = held };
-        }
-        catch
-        {
-            held.Dispose();
-            throw;
         }
     }
 
@@ -352,18 +336,6 @@ public sealed class Harvest : ILastingFeature, IDisposable
             _messages.Tell(fault);
             _singles = null;
         }
-    }
-
-    private string NewFolder(string kind)
-    {
-        string name = Path.Combine(_folder, kind + DateTime.Now.ToString("-yyyyMMdd-HHmmss", CultureInfo.InvariantCulture));
-        string free = name;
-        for (int number = 2; Directory.Exists(free); number++)
-        {
-            free = FormattableString.Invariant($"{name}-{number}");
-        }
-
-        return free;
     }
 
     /// <summary>The session of the single frames. Its camera model is checked until the check has succeeded once.</summary>

@@ -9,6 +9,11 @@ public interface ICarControls
     /// <summary>Whether the player now uses any control that drives or leaves a vehicle. Values set here do not count.</summary>
     bool ArePlayers { get; }
 
+    /// <summary>
+    /// The controls in force in this frame, whoever set them: steering -1 (left) to 1 (right), throttle, brake and handbrake 0 to 1.
+    /// </summary>
+    (double Steering, double Throttle, double Brake, double Handbrake) InForce { get; }
+
     /// <summary>Sets the controls for the next frame, in place of the player's.</summary>
     /// <param name="steering">-1 (left) to 1 (right).</param>
     /// <param name="throttle">0 to 1.</param>

@@ -2,6 +2,7 @@ using System;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Bridge;
 using Harvester.Geometry;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Play.Features;
@@ -33,6 +34,16 @@ public sealed class PlayerCar : IDrivenCar
 
     /// <summary>Whether the player uses a control of the vehicle, or has left it.</summary>
     public bool IsTakenByPlayer => _vehicles.OfPlayer != _mount.Vehicle || _controls.ArePlayers;
+
+    /// <summary>The controls that move the vehicle in this frame. The handbrake counts as the brake.</summary>
+    public DriveControls InForce
+    {
+        get
+        {
+            (double steering, double throttle, double brake, double handbrake) = _controls.InForce;
+            return new DriveControls(-steering, throttle, Math.Max(brake, handbrake));
+        }
+    }
 
     /// <inheritdoc/>
     public void Drive(DrivingControls controls)

@@ -12,6 +12,8 @@ public sealed record BridgeSettings
 {
     private const string Bridge = "Bridge";
 
+    private const double DefaultRecordSeconds = 0.2;
+
     // The former name of ClientPatience; files with it are still read.
     private const string OldClientPatience = "PeerPatience";
 
@@ -32,6 +34,12 @@ public sealed record BridgeSettings
 
     /// <summary>Frame rate and size of the images.</summary>
     public required DrivingOptions Driving { get; init; }
+
+    /// <summary>Game time between two recorded frames, seconds; null if drives are not recorded.</summary>
+    public required double? RecordSeconds { get; init; }
+
+    /// <summary>Number of ticks by which the picture of a running game lags behind the state, for recorded drives.</summary>
+    public required int RecordLagTicks { get; init; }
 
     /// <summary>Address or folder of the bridge, for display.</summary>
     public string Place => Kind == BridgeKind.Folder ? Folder : $"{Socket.Address}:{Socket.Port}";
@@ -61,6 +69,8 @@ public sealed record BridgeSettings
         }
 
         var driving = new DrivingOptions();
+        bool isRecorded = ini.Choice(Bridge, "Record", Switch.Off, "On or Off") == Switch.On;
+        double recordSeconds = ini.Number(Bridge, "RecordSeconds", DefaultRecordSeconds, 0.02, 60);
         string token = ini.Text(Bridge, "Token", string.Empty);
         return new BridgeSettings
         {
@@ -85,6 +95,8 @@ public sealed record BridgeSettings
                     ini.Whole(Bridge, "Width", driving.Picture.Width, 16, 1920),
                         ini.Whole(Bridge, "Height", driving.Picture.Height, 16, 1080)),
             },
+            RecordLagTicks = ini.Whole(Bridge, "RecordLag", 0, 0, driving.SettleTicks),
+            RecordSeconds = isRecorded ? recordSeconds : null,
         };
     }
 }

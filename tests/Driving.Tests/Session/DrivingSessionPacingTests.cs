@@ -28,6 +28,24 @@ public sealed class DrivingSessionPacingTests : DrivenGame
         Assert.Equal(Game.State, FakeGame.StateAt(state.TimeSeconds));
     }
 
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void Paused_world_is_shown_only_after_a_change_appears(bool isReset)
+    {
+        using DrivingSession session = Session();
+        Bridge.Say(new PauseMessage(true));
+        Run(session, 20);
+        Bridge.Frames.Clear();
+        Bridge.Say(isReset ? new ResetMessage(default, 90) : new EnvironmentMessage("rain", null), new RequestFrameMessage());
+
+        // The image lags by up to four ticks.
+        Run(session, 4);
+        Assert.Empty(Bridge.Frames);
+        Run(session, 1);
+        Assert.Single(Bridge.Frames);
+    }
+
     [Fact]
     public void Controls_hold_through_steps_however_long_the_client_takes()
     {

@@ -30,6 +30,8 @@ internal sealed partial class TestGame
         // The game cannot distinguish a control used by the player from one set by a script.
         _natives[Hash.IS_CONTROL_PRESSED] = a =>
             PlayersControls.Contains((int)a[1]) || Math.Abs(Controls.GetValueOrDefault((int)a[1])) >= PressedFrom;
+        _natives[Hash.GET_CONTROL_NORMAL] = a =>
+            PlayersControls.Contains((int)a[1]) ? 1f : Controls.GetValueOrDefault((int)a[1]);
         _natives[Hash.SET_CONTROL_VALUE_NEXT_FRAME] = a =>
         {
             Assert.Equal(0, (int)a[0]);

@@ -12,7 +12,7 @@ internal sealed class SoakPlay
 {
     /// <summary>Small pictures and few rays, so that a tick costs little; all features are on their keys.</summary>
     public const string Ini =
-        "[Bridge]\nKind = Folder\nFolder = out/bridge\nWidth = 40\nHeight = 30\n"
+        "[Bridge]\nKind = Folder\nFolder = out/bridge\nWidth = 40\nHeight = 30\nRecord = On\n"
         + "[Harvest]\nWidth = 160\nHeight = 120\nRate = 2\nOcclusionRays = 4\nRays = 200\nDriveLights = On\nFreeze = Auto\nImageFormat = "
         + "Bmp\n" + PlanTests.Ini;
 
@@ -88,6 +88,9 @@ internal sealed class SoakPlay
         {
             _driver.WaitForDisk();
             _game.Calls.Clear();
+            CountIf(
+                _game.Notifications.Exists(told => told.Contains("The drive was recorded: ", StringComparison.Ordinal)),
+                "drive was recorded");
             _game.Notifications.Clear();
         }
     }
@@ -128,6 +131,13 @@ internal sealed class SoakPlay
             _game.Entities.Clear();
             _game.LightOverrides.Clear();
             MakeWorld();
+        }
+
+        string bridge = Path.Combine(_driver.Output, "bridge");
+        if (Happens(400) && Directory.Exists(bridge))
+        {
+            _tally.Add("client drove");
+            ServedGame.Drop(bridge, "controls.txt", FormattableString.Invariant($"0.25 0.5 0 {_game.Frame}\n"));
         }
 
         if (Happens(800))

@@ -59,6 +59,8 @@ internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels,
     /// <summary>The vehicles that were repaired, in order.</summary>
     public List<int> Repaired { get; } = [];
 
+    public (double Steering, double Throttle, double Brake, double Handbrake) InForce => default;
+
     public GameSituation Situation { get; set; } = new() { IsInVehicle = true };
 
     /// <summary>Corrects the situation as the game would.</summary>

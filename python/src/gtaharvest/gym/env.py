@@ -197,10 +197,18 @@ class DrivingEnv(Env):
             link.send({"type": "restart", "seed": episode, **town, "image": self._has_image and not after})
             self._take(None, self._has_image and not after)
         else:
-            after.insert(0, {"type": "pause", "paused": True})
-        if after:
+            self._pause(link)
+        if after or not self._restarts:
             link.send(*after, {"type": "requestFrame", "image": self._has_image})
             self._take(None, self._has_image)
+
+    def _pause(self, link: BridgeLink) -> None:
+        """Pauses a game in real time and skips the frames that it has sent unasked: they have an image, unlike the one asked for here."""
+        link.send({"type": "pause", "paused": True}, {"type": "requestFrame", "image": False})
+        until = time.monotonic() + self._patience
+        while link.frame()[1]:
+            if time.monotonic() > until:
+                raise GameHungError(f"The game has not been paused for {self._patience:g} s.")
 
     def _connected(self) -> BridgeLink:
         if self._link is None:
