@@ -35,6 +35,9 @@ def check_action(message, drive):
     for field, name in (("answer_seconds", "answerSeconds"), ("route_metres", "routeMetres")):
         assert (getattr(message, field) if message.HasField(field) else None) == drive[name]
     assert message.speed == drive["speed"]
+    target = drive["target"] or {"speed": None, "rightMetres": None}
+    assert (message.target_speed if message.HasField("target_speed") else None) == target["speed"]
+    assert (-message.target_left if message.HasField("target_left") else None) == target["rightMetres"]
 
 
 def check_imu(message, tick, ego, pose):

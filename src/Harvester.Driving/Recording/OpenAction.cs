@@ -18,6 +18,7 @@ internal sealed class OpenAction(double timeSeconds, double speed, long? bridgeF
     private DriveControls? _answer;
     private double? _answerSeconds;
     private IReadOnlyList<double>? _indicators;
+    private DriveTarget? _target;
 
     /// <summary>Acceleration and turning rate at the frame; null where unknown.</summary>
     public (Vector3D? Acceleration, Vector3D? AngularRate) Inertia { get; init; }
@@ -26,13 +27,15 @@ internal sealed class OpenAction(double timeSeconds, double speed, long? bridgeF
     public DrivingTruth? Truth { get; init; }
 
     /// <summary>Takes the answer to the frame; later answers, and answers to earlier frames, are those of other frames.</summary>
-    public void Answer(DrivingControls controls, IReadOnlyList<double>? indicators, long? answered, double nowSeconds)
+    public void Answer(
+        DrivingControls controls, IReadOnlyList<double>? indicators, DriveTarget? target, long? answered, double nowSeconds)
     {
         if (_answer is null && !(answered < bridgeFrame))
         {
             _answer = Recorded(controls);
             _answerSeconds = nowSeconds - timeSeconds;
             _indicators = indicators;
+            _target = target;
         }
     }
 
@@ -60,6 +63,7 @@ internal sealed class OpenAction(double timeSeconds, double speed, long? bridgeF
             Applied = applied,
             IsDisturbed = _isDisturbed,
             Indicators = isBuiltIn ? null : _indicators,
+            Target = isBuiltIn ? null : _target,
             Route = Truth?.Route,
             RouteMetres = Truth?.RouteMetres,
             Acceleration = Inertia.Acceleration,

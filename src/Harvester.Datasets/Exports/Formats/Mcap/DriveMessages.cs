@@ -58,7 +58,7 @@ internal static class DriveMessages
             ActionSchema, OwnSchema.Time(1), OwnSchema.Text("driver", 2), OwnSchema.Message("controls", 3, ControlsSchema),
             OwnSchema.OptionalNumber("answer_seconds", 4), OwnSchema.Message("applied", 5, ControlsSchema),
             OwnSchema.Boolean("disturbed", 6), OwnSchema.Text("route", 7), OwnSchema.OptionalNumber("route_metres", 8),
-            OwnSchema.Number("speed", 9)),
+            OwnSchema.Number("speed", 9), OwnSchema.OptionalNumber("target_speed", 10), OwnSchema.OptionalNumber("target_left", 11)),
         OwnSchema.File(
             TickSchema, OwnSchema.Time(1), OwnSchema.Text("driver", 2), OwnSchema.Number("speed", 3),
             OwnSchema.Message("applied", 4, ControlsSchema)),
@@ -77,6 +77,8 @@ internal static class DriveMessages
         message.Integer(6, drive.IsDisturbed ? 1 : 0).Text(7, drive.Route ?? "");
         Optional(message, 8, drive.RouteMetres);
         message.Number(9, drive.SpeedMetresPerSecond);
+        Optional(message, 10, drive.Target?.SpeedMetresPerSecond);
+        Optional(message, 11, -drive.Target?.RightMetres);
     });
 
     private static byte[] Tick(DriveTick tick, long nanoseconds) => ProtoMessage.Of(message =>
