@@ -10,6 +10,8 @@ public sealed class KilledRecordingTests : IDisposable
 {
     private readonly TemporaryFolder _folder = new();
 
+    private string[] Record => ["--record", _folder.PathOf("session"), "--size", "80x60", "--traffic", "0"];
+
     public void Dispose() => _folder.Dispose();
 
     [Fact]
@@ -55,8 +57,6 @@ public sealed class KilledRecordingTests : IDisposable
             .AssertFailed(ExitCode.Usage, "has something other than recorded sessions, e.g. 'notes.txt'.");
         Assert.Equal("mine", File.ReadAllText(notes));
     }
-
-    private string[] Record => ["--record", _folder.PathOf("session"), "--size", "80x60", "--traffic", "0"];
 
     /// <summary>Each line has its picture and, but for the last of all, each tick up to the next.</summary>
     private JsonElement[] CheckFrames(string session)

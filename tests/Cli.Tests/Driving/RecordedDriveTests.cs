@@ -135,8 +135,6 @@ public sealed class RecordedDriveTests
         Assert.All(aimed, line => Assert.InRange(Number(Target(line), "rightMetres"), -1, 1));
     }
 
-    private static JsonElement Target(JsonElement line) => line.GetProperty("drive").GetProperty("target");
-
     [Fact]
     public void Several_starts_give_a_session_each()
     {
@@ -207,6 +205,8 @@ public sealed class RecordedDriveTests
         [.. File.ReadLines(Path.Combine(session, "labels.jsonl")).Select(line => JsonDocument.Parse(line).RootElement)];
 
     private static string? Driver(JsonElement line) => line.GetProperty("drive").GetProperty("driver").GetString();
+
+    private static JsonElement Target(JsonElement line) => line.GetProperty("drive").GetProperty("target");
 
     private static double Number(JsonElement of, string name) => of.GetProperty(name).GetDouble();
 
