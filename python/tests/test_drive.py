@@ -13,7 +13,8 @@ import gtaharvest
 
 ACTION: Dict[str, Any] = {
     "driver": "controller", "controls": {"steering": 0.25, "throttle": 0.5, "brake": 0}, "answerSeconds": 0,
-    "applied": {"steering": 0.3, "throttle": 0.5, "brake": 0}, "disturbed": True, "indicators": list(range(13)), "route": "left",
+    "applied": {"steering": 0.3, "throttle": 0.5, "brake": 0}, "disturbed": True, "indicators": list(range(13)),
+    "target": {"speed": 9.5, "rightMetres": -0.25}, "route": "left",
     "routeMetres": 12.5, "speed": 8, "acceleration": [0.5, 1, 0], "angularRate": None, "bridgeFrame": None,
     "truth": {
         "drivenMetres": 3, "collision": None, "outsideLanes": False, "laneOffsetMetres": 0.1, "laneAngleRadians": None, "light": "red",
@@ -33,6 +34,7 @@ def test_action_is_read_as_written(tmp_path: Path) -> None:
     assert (drive.driver, drive.route, drive.route_metres, drive.speed, drive.disturbed) == ("controller", "left", 12.5, 8, True)
     assert drive.controls == gtaharvest.Controls(0.25, 0.5, 0) and drive.applied == gtaharvest.Controls(0.3, 0.5, 0)
     assert drive.indicators == tuple(range(13)) and drive.bridge_frame is None and drive.angular_rate is None
+    assert drive.target == gtaharvest.DriveTarget(9.5, -0.25)
     np.testing.assert_array_equal(drive.acceleration, [0.5, 1, 0])
     assert drive.truth is not None and drive.truth.light == "red" and drive.truth.repositioned == 1
     (tick,) = drive.ticks

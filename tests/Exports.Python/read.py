@@ -16,6 +16,7 @@ import bdd100k
 import culane
 import imagefolder
 import mcap
+import mcap_drive
 import motchallenge
 import nuscenes
 import nuscenes_detection
@@ -346,5 +347,8 @@ if __name__ == "__main__":
     print(nuscenes.read(os.path.join(root, "nuscenes"), os.path.join(root, "around")))
     print(nuscenes_detection.read(os.path.join(root, "nuscenes")))
     print(rigs.read(os.path.join(root, "grey-and-colour"), *(os.path.join(root, f"rig-{name}") for name in rigs.FORMATS)))
+    print(mcap_drive.read(
+        os.path.join(root, "recorded"), os.path.join(root, "recorded-mcap", "train", "0000.mcap"),
+        os.path.join(root, "mcap", "train", "0000.mcap")))
     print(pairs.read(*(os.path.join(root, name) for name in ("moments", "pairs-csv", "pairs-webdataset"))))
     imagefolder.read_webdataset_card(os.path.join(root, "webdataset"))

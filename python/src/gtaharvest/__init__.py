@@ -6,7 +6,7 @@ open_session opens a folder. docs/python.md of the project has examples, docs/da
 from ._version import __version__
 from .arrays import ObjectArrays
 from .camera import Camera, Lens, Projection
-from .drive import DRIVERS, Controls, Drive, DriveTick, DriveTruth
+from .drive import DRIVERS, Controls, Drive, DriveTarget, DriveTick, DriveTruth
 from .errors import (
     LabelError, MissingPictureError, NewerFormatError, NotASessionError, PartialSessionError, PictureError, SessionError)
 from .frame import Frame, View
@@ -20,6 +20,6 @@ from .session import FORMAT_VERSION, Session, Track, open_session
 
 __all__ = [
     "CLASS_NAMES", "DRIVERS", "FORMAT_VERSION", "INDICATOR_NAMES", "JOINT_NAMES", "SEMANTIC_CLASS_NAMES", "Camera", "Controls", "Cuboid",
-    "Drive", "DriveTick", "DriveTruth", "Ego", "Face", "Frame", "IgnoreRegion", "Indicators", "Joint", "LabelError", "LaneLine", "Lanes", "Lens", "Light", "MissingPictureError",
+    "Drive", "DriveTarget", "DriveTick", "DriveTruth", "Ego", "Face", "Frame", "IgnoreRegion", "Indicators", "Joint", "LabelError", "LaneLine", "Lanes", "Lens", "Light", "MissingPictureError",
     "NewerFormatError", "NotASessionError", "ObjectArrays", "ObjectLabel", "POINT_TYPE", "Pair", "PartialSessionError", "PictureError",
     "Projection", "Selection", "Session", "SessionError", "Track", "VehicleInLane", "VehicleLights", "View", "__version__", "open_session"]

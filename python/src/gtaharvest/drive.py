@@ -88,6 +88,19 @@ class DriveTruth:
 
 
 @dataclass(frozen=True)
+class DriveTarget:
+    """What a controller aimed at: a speed (m/s), and a line so many metres to the right of the car; None if it is not known in metres."""
+
+    speed: float
+    right_metres: Optional[float]
+
+    @staticmethod
+    def from_json(target: Optional[Mapping[str, Any]]) -> Optional[DriveTarget]:
+        """The target of a label; None for null."""
+        return None if target is None else DriveTarget(float(target["speed"]), _number(target["rightMetres"]))
+
+
+@dataclass(frozen=True)
 class Drive:
     """The action that belongs to a frame: the answer of its driver, and the ticks up to the next frame.
 
@@ -100,6 +113,7 @@ class Drive:
     applied: Optional[Controls]
     disturbed: bool
     indicators: Optional[Tuple[float, ...]]
+    target: Optional[DriveTarget]
     route: Optional[str]
     route_metres: Optional[float]
     speed: float
@@ -122,6 +136,7 @@ class Drive:
             applied=Controls.from_json(drive["applied"]),
             disturbed=bool(drive["disturbed"]),
             indicators=None if indicators is None else tuple(float(value) for value in indicators),
+            target=DriveTarget.from_json(drive.get("target")),
             route=drive["route"],
             route_metres=_number(drive["routeMetres"]),
             speed=float(drive["speed"]),

@@ -84,12 +84,17 @@ internal sealed class DriveCommand
         }
 
         using FolderLock held = FolderLock.Take(folder);
-        var output = new DriveFolder(folder, CommandText.Of(parsed), parsed.GetValue(Overwrite));
-        int metres = (int)Math.Ceiling(plan.Metres * plan.Episodes.Count);
+
+        // The recording is finished after the drive.
+        string recordingCommand = CommandText.WithOutput(parsed, folder);
+        bool isUnfinished = recorded is not null && UnfinishedMark.CommandIn(recorded.Folder) == recordingCommand;
         using DriveRecording? recording = recorded is null ? null
-            : new DriveRecording(terminal, recorded, CommandText.Of(parsed), parsed.GetValue(Overwrite));
+            : new DriveRecording(terminal, recorded, recordingCommand, parsed.GetValue(Overwrite));
+        var output = new DriveFolder(folder, CommandText.Of(parsed), parsed.GetValue(Overwrite), isUnfinished);
+        int metres = (int)Math.Ceiling(plan.Metres * plan.Episodes.Count);
         var drives = new SimulatedDrives(plan, terminal.Out) { Recording = recording };
         ExceptionDispatchInfo? fault = new JobProgress(terminal, metres, "m").Run(report => FaultOf(drives, report, cancellation));
+        recording?.Close();
         DriveRecord record = DriveRecord.Of(
             Drive.Settings(parsed, plan), drives.Episodes, isWhole: fault is null && !cancellation.IsCancellationRequested);
         string? former = output.Write(written =>

@@ -22,9 +22,10 @@ internal sealed class DriveFolder
     /// <param name="folder">The folder.</param>
     /// <param name="command">The command, as <see cref="CommandText"/> gives it.</param>
     /// <param name="overwrite">Whether an existing drive is replaced.</param>
+    /// <param name="isUnfinished">Whether a drive there is known to be this command's, which was stopped while it finished.</param>
     /// <exception cref="IOException">The folder, or one above it, is a file.</exception>
     /// <exception cref="OccupiedFolderException">The folder has files that must not be replaced.</exception>
-    public DriveFolder(string folder, string command, bool overwrite)
+    public DriveFolder(string folder, string command, bool overwrite, bool isUnfinished)
     {
         _folder = folder;
         _command = command;
@@ -43,7 +44,7 @@ internal sealed class DriveFolder
 
         string? unfinished = UnfinishedMark.CommandIn(folder);
         _replaces = unfinished != command && found.Intersect(Files).Any();
-        if (_replaces && !overwrite)
+        if (_replaces && !overwrite && !isUnfinished)
         {
             throw new OccupiedFolderException(unfinished is null
                 ? $"'{folder}' already has a drive. Name another folder with --out, or replace it with --overwrite."

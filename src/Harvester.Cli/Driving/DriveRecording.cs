@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.IO;
 using System.Linq;
 using Harvester.Capture.Ports;
@@ -17,12 +16,11 @@ internal sealed class DriveRecording : IDisposable
 {
     private readonly Terminal _terminal;
     private readonly RecordPlan _plan;
-    private readonly string _command;
-    private readonly bool _overwrites;
     private readonly List<GameRecording> _recordings = [];
-    private int _sessions;
+    private readonly NumberedSessions? _numbered;
+    private readonly SessionOutput? _single;
 
-    /// <summary>Checks where the recording goes. Nothing is written before the first frame.</summary>
+    /// <summary>Locks and checks where the recording goes. Nothing is written before the first frame.</summary>
     /// <param name="terminal">Where warnings go.</param>
     /// <param name="plan">How the drive is recorded.</param>
     /// <param name="command">The command, as <see cref="CommandText"/> gives it.</param>
@@ -31,23 +29,14 @@ internal sealed class DriveRecording : IDisposable
     /// <exception cref="OccupiedFolderException">The folder has files that must not be replaced.</exception>
     public DriveRecording(Terminal terminal, RecordPlan plan, string command, bool overwrite)
     {
-        (_terminal, _plan, _command, _overwrites) = (terminal, plan, command, overwrite);
+        (_terminal, _plan) = (terminal, plan);
         if (plan.IsNumbered)
         {
-            if (OutputFolder.FileInTheWayOf(plan.Folder) is { } file)
-            {
-                throw new IOException($"'{file}' is a file. Name a folder with --record.");
-            }
-
-            if (Directory.Exists(plan.Folder) && Directory.EnumerateFileSystemEntries(plan.Folder).Any())
-            {
-                throw new OccupiedFolderException(
-                    $"'{plan.Folder}' is not empty; it is to get a session for each drive. Name another folder with --record.");
-            }
+            _numbered = new NumberedSessions(terminal, plan.Folder, command, overwrite);
         }
         else
         {
-            OutputFolder.Check(plan.Folder, command, overwrite);
+            _single = new SessionOutput(terminal, plan.Folder, command, overwrite, keepsFrames: true, option: "--record");
         }
     }
 
@@ -65,28 +54,50 @@ internal sealed class DriveRecording : IDisposable
             Truth = LabelTruths.OfSimulation(false),
             Settings = _plan.Settings,
         };
-        var recording = new GameRecording(game, roads, _plan, origin, NewOutput);
+        var recording = new GameRecording(game, roads, _plan, origin, () => _single ?? _numbered!.Next(), Release);
         _recordings.Add(recording);
         return recording;
     }
 
-    /// <summary>Finishes all sessions, and says what was recorded.</summary>
+    /// <summary>Writes what is left of all sessions.</summary>
     /// <exception cref="IOException">A session cannot be written.</exception>
-    public void Finish()
+    public void Close()
     {
-        Dispose();
+        FinishSessions();
         if (_recordings.Select(recording => recording.Fault).FirstOrDefault(fault => fault is not null) is { } fault)
         {
             throw new IOException(fault);
         }
+    }
 
-        string sessions = _plan.IsNumbered ? $" in {Counted.Of(_sessions, "session")}" : "";
+    /// <summary>
+    /// Completes all sessions, and says what was recorded. Call it when everything else of the command is written: until then, a recording
+    /// has the mark of an unfinished one, so that the command can be given again wherever it was stopped.
+    /// </summary>
+    /// <exception cref="IOException">A session cannot be written.</exception>
+    public void Finish()
+    {
+        Close();
+        if (_recordings.Exists(recording => recording.Frames > 0))
+        {
+            _single?.Complete();
+        }
+
+        _numbered?.Complete();
+        string sessions = _numbered is { } numbered ? $" in {Counted.Of(numbered.Count, "session")}" : "";
         string frames = Counted.Of(_recordings.Sum(recording => recording.Frames), "frame");
         _terminal.Out.WriteLine($"recorded {frames}{sessions}  {_plan.Folder}");
     }
 
-    /// <summary>Finishes all sessions.</summary>
+    /// <summary>Ends the sessions. Without <see cref="Finish"/>, they keep the mark of an unfinished recording.</summary>
     public void Dispose()
+    {
+        FinishSessions();
+        _single?.Dispose();
+        _numbered?.Dispose();
+    }
+
+    private void FinishSessions()
     {
         foreach (GameRecording recording in _recordings)
         {
@@ -94,12 +105,20 @@ internal sealed class DriveRecording : IDisposable
         }
     }
 
-    private SessionOutput NewOutput()
+    /// <summary>Completes one of several sessions that is whole; a single one is complete when all of the command is.</summary>
+    private void Release(SessionOutput output, bool isWhole)
     {
-        _sessions++;
-        string folder = _plan.IsNumbered
-            ? Path.Combine(_plan.Folder, _sessions.ToString("D4", CultureInfo.InvariantCulture))
-            : _plan.Folder;
-        return new SessionOutput(_terminal, folder, _command, _overwrites, keepsFrames: true);
+        if (_numbered is null)
+        {
+            return;
+        }
+
+        using (output)
+        {
+            if (isWhole)
+            {
+                output.Complete();
+            }
+        }
     }
 }

@@ -80,7 +80,7 @@ internal sealed class GameEndpoint : IDisposable
         DrivingStatus status = _session.Tick();
         if (_session.Answers != answers)
         {
-            Recording?.Answer(status.Controls, _session.AnsweredIndicators, _session.AnsweredFrame);
+            Recording?.Answer(status.Controls, _session.AnsweredIndicators, _session.AnsweredTarget, _session.AnsweredFrame);
         }
 
         if (status.Frames != frames)

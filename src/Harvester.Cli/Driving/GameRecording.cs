@@ -20,8 +20,10 @@ namespace Harvester.Cli.Driving;
 /// <param name="plan">How it is recorded.</param>
 /// <param name="origin">Where the session comes from.</param>
 /// <param name="newOutput">Makes room for the session.</param>
+/// <param name="release">Takes the room back, and whether the session is whole.</param>
 internal sealed class GameRecording(
-    SimulatedGame game, IRoads roads, RecordPlan plan, SessionOrigin origin, Func<SessionOutput> newOutput) : IDisposable
+    SimulatedGame game, IRoads roads, RecordPlan plan, SessionOrigin origin, Func<SessionOutput> newOutput,
+    Action<SessionOutput, bool> release) : IDisposable
 {
     /// <summary>Label range of a harvest, metres.</summary>
     private const double RangeMetres = 80;
@@ -70,20 +72,41 @@ internal sealed class GameRecording(
 
     /// <summary>Records the answer of the watched controller to the newest frame.</summary>
     public void Answer(DrivingControls controls) =>
-        Answer(controls, _watched?.Input is { } input ? IndicatorOrder.Values(input.TorcsEquivalent) : null, null);
+        Answer(controls, _watched?.Input is { } input ? IndicatorOrder.Values(input.TorcsEquivalent) : null, _watched?.Target, null);
 
     /// <summary>Records the answer of a client to the newest frame.</summary>
     /// <param name="controls">Its controls.</param>
     /// <param name="indicators">The indicators that it sent; null if it sent controls.</param>
+    /// <param name="target">What the controller of the indicators aims at; null if there is none or it does not tell.</param>
     /// <param name="bridgeFrame">Number of the frame on the live bridge that it answered; null if unknown.</param>
-    public void Answer(DrivingControls controls, IReadOnlyList<double>? indicators, long? bridgeFrame) =>
-        _recorder?.Answer(controls, indicators, bridgeFrame);
+    public void Answer(DrivingControls controls, IReadOnlyList<double>? indicators, DriveTarget? target, long? bridgeFrame) =>
+        _recorder?.Answer(controls, indicators, target, bridgeFrame);
 
     /// <summary>Records a tick in which the world has moved.</summary>
     public void Tick(DriverKind driver, bool isDisturbed = false) => _recorder?.Tick(driver, isDisturbed);
 
     /// <summary>Finishes the session. Further calls do nothing.</summary>
     public void Dispose()
+    {
+        if (_output is not { } output)
+        {
+            return;
+        }
+
+        _output = null;
+        bool isWritten = false;
+        try
+        {
+            FinishWriting();
+            isWritten = _recorder is not null && Fault is null;
+        }
+        finally
+        {
+            release(output, isWritten);
+        }
+    }
+
+    private void FinishWriting()
     {
         if (_writer is not { } writer)
         {
@@ -94,7 +117,7 @@ internal sealed class GameRecording(
         try
         {
             writer.WaitForRoom();
-            _recorder!.Dispose();
+            _recorder?.Dispose();
         }
         finally
         {
@@ -102,11 +125,6 @@ internal sealed class GameRecording(
         }
 
         Fault = writer.Fault;
-        using SessionOutput output = _output!;
-        if (Fault is null)
-        {
-            output.Complete();
-        }
     }
 
     private void Begin()

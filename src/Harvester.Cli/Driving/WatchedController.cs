@@ -1,5 +1,6 @@
 using Harvester.Capture.Ports;
 using Harvester.Driving.Controllers;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Cli.Driving;
 
@@ -8,6 +9,9 @@ internal sealed class WatchedController(IController controller) : IController
 {
     /// <summary>The last input; null before the first.</summary>
     public DrivingState? Input { get; private set; }
+
+    /// <summary>What the controller aims at; null if it does not tell.</summary>
+    public DriveTarget? Target => (controller as IAimingController)?.Target;
 
     public DrivingControls Drive(DrivingState state)
     {

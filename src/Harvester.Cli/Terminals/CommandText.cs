@@ -22,6 +22,9 @@ internal static class CommandText
     /// <summary>The command with its arguments, without the output folder and without what does not change the result.</summary>
     public static string Of(ParseResult parsed) => Of(Words(parsed.Tokens));
 
+    /// <summary>As <see cref="Of(ParseResult)"/>, with the output folder, for what depends on what is there.</summary>
+    public static string WithOutput(ParseResult parsed, string folder) => Of([.. Words(parsed.Tokens), "--out", folder]);
+
     /// <summary>
     /// A command of these words. It stands in folders that may be passed on: of a path, only the last name is shown, and a digest of the
     /// whole distinguishes it from others.

@@ -15,14 +15,15 @@ internal static class OutputFolder
     /// <param name="folder">The folder.</param>
     /// <param name="command">The command that is to write it, as in its mark.</param>
     /// <param name="overwrite">Whether a session there is to be replaced; null for a command that never replaces one.</param>
+    /// <param name="option">The option that names the folder.</param>
     /// <returns>Whether something is to be replaced; false if the folder is new, empty or has only what the same command left.</returns>
     /// <exception cref="IOException">The folder, or one above it, is a file.</exception>
     /// <exception cref="OccupiedFolderException">The folder has files that must not be replaced.</exception>
-    public static bool Check(string folder, string command, bool? overwrite)
+    public static bool Check(string folder, string command, bool? overwrite, string option = "--out")
     {
         if (FileInTheWayOf(folder) is { } file)
         {
-            throw new IOException($"'{file}' is a file. Name a folder with --out.");
+            throw new IOException($"'{file}' is a file. Name a folder with {option}.");
         }
 
         if (HoldsNoFile(folder))
@@ -33,12 +34,12 @@ internal static class OutputFolder
         string? unfinished = UnfinishedMark.CommandIn(folder);
         if (unfinished != command)
         {
-            RefuseOccupied(folder, unfinished, overwrite);
+            RefuseOccupied(folder, unfinished, overwrite, option);
         }
 
         return SessionFolder.ForeignIn(folder) is { } other
             ? throw new OccupiedFolderException(
-                $"'{folder}' has other files besides a session, e.g. '{other}'. Name another folder with --out.")
+                $"'{folder}' has other files besides a session, e.g. '{other}'. Name another folder with {option}.")
             : unfinished != command;
     }
 
@@ -63,11 +64,11 @@ internal static class OutputFolder
         return command.Length > maxCharacters ? command[..maxCharacters] + "..." : command;
     }
 
-    private static void RefuseOccupied(string folder, string? unfinished, bool? overwrite)
+    private static void RefuseOccupied(string folder, string? unfinished, bool? overwrite, string option)
     {
         if (unfinished is null && !File.Exists(Path.Combine(folder, SessionInfo.FileName)))
         {
-            throw new OccupiedFolderException($"'{folder}' is not empty and has no session. Name another folder with --out.");
+            throw new OccupiedFolderException($"'{folder}' is not empty and has no session. Name another folder with {option}.");
         }
 
         if (overwrite != true)
@@ -75,7 +76,7 @@ internal static class OutputFolder
             string what = unfinished is null ? "already has a session. Name"
                 : $"has the unfinished result of '{Shown(unfinished)}'. Run that command again, name";
             string replace = overwrite is null ? "delete the folder" : "replace it with --overwrite";
-            throw new OccupiedFolderException($"'{folder}' {what} another folder with --out, or {replace}.");
+            throw new OccupiedFolderException($"'{folder}' {what} another folder with {option}, or {replace}.");
         }
     }
 

@@ -31,9 +31,12 @@ internal sealed class SessionOutput : IDisposable
     /// <param name="overwrite">Whether a session there is to be replaced; null for a command that never replaces one.</param>
     /// <param name="keepsFrames">Whether a new session that was begun stays when the command fails, because its frames are valid.</param>
     /// <param name="resumes">Whether to continue what the same command left unfinished, instead of starting from the beginning.</param>
+    /// <param name="option">The option that names the folder.</param>
     /// <exception cref="IOException">A file is where the folder should be.</exception>
     /// <exception cref="OccupiedFolderException">The folder is in use, or holds something that is not to be replaced.</exception>
-    public SessionOutput(Terminal terminal, string folder, string command, bool? overwrite, bool keepsFrames = false, bool resumes = false)
+    public SessionOutput(
+        Terminal terminal, string folder, string command, bool? overwrite, bool keepsFrames = false, bool resumes = false,
+        string option = "--out")
     {
         _terminal = terminal;
         _folder = folder;
@@ -43,7 +46,7 @@ internal sealed class SessionOutput : IDisposable
         _held = FolderLock.Take(folder);
         try
         {
-            _replaces = OutputFolder.Check(folder, command, overwrite);
+            _replaces = OutputFolder.Check(folder, command, overwrite, option);
         }
         catch
         {

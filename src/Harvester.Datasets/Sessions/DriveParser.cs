@@ -28,6 +28,7 @@ internal static class DriveParser
             Applied = ControlsOf(drive, "applied"),
             IsDisturbed = drive.Boolean("disturbed"),
             Indicators = IndicatorsOf(drive),
+            Target = drive.Has("target") ? TargetOf(drive.Fields("target")) : null,
             Route = drive.OptionalText("route"),
             RouteMetres = drive.OptionalNumber("routeMetres"),
             Acceleration = VectorOf(drive, "acceleration"),
@@ -37,6 +38,8 @@ internal static class DriveParser
             Ticks = [.. drive.List("ticks").Select(TickOf)],
         };
     }
+
+    private static DriveTarget TargetOf(JsonFields target) => new(target.Number("speed"), target.OptionalNumber("rightMetres"));
 
     private static DriveTick TickOf(JsonFields tick) =>
         new(tick.Number("timeSeconds"), tick.Number("speed"), tick.Name<DriverKind>("driver"))

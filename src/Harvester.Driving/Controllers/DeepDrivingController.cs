@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Driving.Controllers;
 
@@ -14,7 +15,7 @@ namespace Harvester.Driving.Controllers;
 /// cref="DrivingState.TorcsEquivalent"/>, ten times per second, and the angle at the car, as in TORCS. If the angle is measured farther
 /// ahead, the one at the car is derived from earlier ones, and the curvature found that way is fed forward.
 /// </summary>
-public sealed class DeepDrivingController : IController
+public sealed class DeepDrivingController : IAimingController
 {
     private const double RoadWidth = 8.0;
     private const double SteeringLockRadians = 0.541052;
@@ -71,6 +72,9 @@ public sealed class DeepDrivingController : IController
         : this((car ?? throw new ArgumentNullException(nameof(car))).SteeringLockRadians, vehicleAllowanceMetres, maxSpeed) =>
         _road = new RoadAhead(lookAheadMetres, PeriodSeconds, car, new PlaceBesideLine());
 
+    /// <summary>The speed that it wants, also behind a vehicle. Its line is one on a road of TORCS, so it is not known in metres.</summary>
+    public DriveTarget? Target { get; private set; }
+
     /// <inheritdoc/>
     public DrivingControls Drive(DrivingState state)
     {
@@ -99,7 +103,9 @@ public sealed class DeepDrivingController : IController
     private DrivingControls Controls(double steering, DrivingState state, double mostBehind)
     {
         double desired = state.IsFast ? MaxSpeed : Math.Max(10, MaxSpeed - (4.5 * Math.Abs(_steerings.Sum())));
-        double error = Math.Min(Math.Min(desired, _mostSpeed), mostBehind) - state.SpeedMetresPerSecond;
+        double wanted = Math.Min(Math.Min(desired, _mostSpeed), mostBehind);
+        Target = new DriveTarget(wanted, null);
+        double error = wanted - state.SpeedMetresPerSecond;
         double cut = Math.Max(-1, Math.Min(1, steering));
         double onWheel = cut * _lockShare;
         if (_road is { } road)

@@ -1,5 +1,6 @@
 using System;
 using Harvester.Capture.Ports;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Driving.Controllers;
 
@@ -9,7 +10,7 @@ namespace Harvester.Driving.Controllers;
 /// nearer than that, it does not let the car approach a vehicle. Steering, and until then the pedals, are the controller's. A vehicle that
 /// comes into sight is assumed to stand still until it is seen to move.
 /// </summary>
-public sealed class EmergencyBrake : IController
+public sealed class EmergencyBrake : IAimingController
 {
     /// <summary>Distance to the vehicle ahead, centre to centre, metres: room for half of a bus and half of the car.</summary>
     public const double StandingDistance = 11;
@@ -39,6 +40,9 @@ public sealed class EmergencyBrake : IController
         _controller = controller ?? throw new ArgumentNullException(nameof(controller));
         _car = car ?? throw new ArgumentNullException(nameof(car));
     }
+
+    /// <summary>What the controller aims at, also while the brake overrides it.</summary>
+    public DriveTarget? Target => (_controller as IAimingController)?.Target;
 
     /// <inheritdoc/>
     public DrivingControls Drive(DrivingState state)

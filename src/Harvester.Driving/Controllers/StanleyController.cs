@@ -1,6 +1,7 @@
 using System;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Driving.Controllers;
 
@@ -10,7 +11,7 @@ namespace Harvester.Driving.Controllers;
 /// vehicle blocks its own. Uses all thirteen indicators, in metres, with their valid flags. The angle at the car and the bends ahead are
 /// derived from the angles measured ahead and from how the car has turned since.
 /// </summary>
-public sealed class StanleyController : IController
+public sealed class StanleyController : IAimingController
 {
     private const int FramesToClear = 30;
 
@@ -42,6 +43,9 @@ public sealed class StanleyController : IController
         _road = new RoadAhead(options.LookAheadMetres, options.PeriodSeconds, options.Car);
     }
 
+    /// <summary>The speed that the road allows, without regard to vehicles, and the middle of the lane to drive in.</summary>
+    public DriveTarget? Target { get; private set; }
+
     /// <inheritdoc/>
     public DrivingControls Drive(DrivingState state)
     {
@@ -53,6 +57,7 @@ public sealed class StanleyController : IController
         _leader.Observe(at, state.SpeedMetresPerSecond, _options.PeriodSeconds);
         ConsiderLaneChange(state);
         ObserveCentre(at, state.SpeedMetresPerSecond);
+        Target = new DriveTarget(TargetSpeed(state), _centre);
         double wheelAngle = WheelAngle(state.SpeedMetresPerSecond);
         _road.RequestedWheelAngle = wheelAngle;
         _acceleration += _options.PedalWeight * (Acceleration(state) - _acceleration);

@@ -95,9 +95,11 @@ public sealed class DriveRecorder : IDisposable
     /// <summary>Records what a controller or client answered to the newest frame; later answers are ignored until the next frame.</summary>
     /// <param name="controls">The controls, without disturbance.</param>
     /// <param name="indicators">The thirteen indicators by which they were found, scaled to TORCS; null if there were none.</param>
+    /// <param name="target">What the controller aimed at; null if it does not tell.</param>
     /// <param name="bridgeFrame">Number of the answered frame on the live bridge; null if unknown.</param>
-    public void Answer(DrivingControls controls, IReadOnlyList<double>? indicators, long? bridgeFrame = null) =>
-        _action?.Answer(controls, indicators, bridgeFrame, _world.TimeSeconds);
+    public void Answer(
+        DrivingControls controls, IReadOnlyList<double>? indicators, DriveTarget? target = null, long? bridgeFrame = null) =>
+        _action?.Answer(controls, indicators, target, bridgeFrame, _world.TimeSeconds);
 
     /// <summary>Records a tick in which the world has moved.</summary>
     /// <param name="driver">Who drove in it.</param>

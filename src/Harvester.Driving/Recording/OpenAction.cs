@@ -16,6 +16,7 @@ internal sealed class OpenAction(double timeSeconds, double speed)
     private DriveControls? _answer;
     private double? _answerSeconds;
     private IReadOnlyList<double>? _indicators;
+    private DriveTarget? _target;
 
     /// <summary>Time of the frame, seconds.</summary>
     public double TimeSeconds => timeSeconds;
@@ -30,13 +31,15 @@ internal sealed class OpenAction(double timeSeconds, double speed)
     public DrivingTruth? Truth { get; set; }
 
     /// <summary>Takes the answer to the frame; later answers, and answers to earlier frames, are those of other frames.</summary>
-    public void Answer(DrivingControls controls, IReadOnlyList<double>? indicators, long? answered, double nowSeconds)
+    public void Answer(
+        DrivingControls controls, IReadOnlyList<double>? indicators, DriveTarget? target, long? answered, double nowSeconds)
     {
         if (_answer is null && !(answered < BridgeFrame))
         {
             _answer = Recorded(controls);
             _answerSeconds = nowSeconds - timeSeconds;
             _indicators = indicators;
+            _target = target;
         }
     }
 
@@ -63,6 +66,7 @@ internal sealed class OpenAction(double timeSeconds, double speed)
             Applied = applied,
             IsDisturbed = _ticks.Count > 0 && _ticks[0].IsDisturbed,
             Indicators = isBuiltIn ? null : _indicators,
+            Target = isBuiltIn ? null : _target,
             Route = Truth?.Route,
             RouteMetres = Truth?.RouteMetres,
             Acceleration = Inertia.Acceleration,

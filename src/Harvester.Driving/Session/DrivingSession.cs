@@ -86,6 +86,9 @@ public sealed class DrivingSession : IDisposable
     /// <summary>The indicators that the last of them brought; null if it brought controls.</summary>
     public IReadOnlyList<double>? AnsweredIndicators { get; private set; }
 
+    /// <summary>What the controller aimed at by them; null if it brought controls, or if the controller does not tell.</summary>
+    public DriveTarget? AnsweredTarget { get; private set; }
+
     /// <summary>The frames that are sent.</summary>
     public SentFrames Sent { get; }
 
@@ -209,6 +212,7 @@ public sealed class DrivingSession : IDisposable
         Answers++;
         AnsweredFrame = answered;
         AnsweredIndicators = indicators;
+        AnsweredTarget = indicators is null ? null : (_controller as IAimingController)?.Target;
     }
 
     private void Obey(ClientMessage command)

@@ -147,7 +147,7 @@ public sealed class BridgeRecording
     {
         if (_recorder is { } recorder && drive.Answers != _answers)
         {
-            recorder.Answer(drive.Status.Controls, drive.AnsweredIndicators, drive.AnsweredFrame);
+            recorder.Answer(drive.Status.Controls, drive.AnsweredIndicators, drive.AnsweredTarget, drive.AnsweredFrame);
         }
 
         bool isSent = drive.Status.Frames != _frames && hasClient && drive.Sent.Picture is not null;

@@ -27,6 +27,7 @@ internal static class DriveJson
         Append(json.Key("applied"), drive.Applied);
         json.Key("disturbed").Boolean(drive.IsDisturbed);
         Append(json.Key("indicators"), drive.Indicators);
+        Append(json.Key("target"), drive.Target);
         json.Key("route").String(drive.Route)
             .Key("routeMetres").Number(drive.RouteMetres, LabelDecimals.Metres)
             .Key("speed").Number(drive.SpeedMetresPerSecond, LabelDecimals.Speed);
@@ -62,6 +63,20 @@ internal static class DriveJson
             .Key("steering").Number(set.Steering, ControlDecimals)
             .Key("throttle").Number(set.Throttle, ControlDecimals)
             .Key("brake").Number(set.Brake, ControlDecimals)
+            .EndObject();
+    }
+
+    private static void Append(JsonText json, DriveTarget? target)
+    {
+        if (target is not { } known)
+        {
+            json.Null();
+            return;
+        }
+
+        json.BeginObject()
+            .Key("speed").Number(known.SpeedMetresPerSecond, LabelDecimals.Speed)
+            .Key("rightMetres").Number(known.RightMetres, LabelDecimals.Metres)
             .EndObject();
     }
 

@@ -32,6 +32,9 @@ public sealed record DriveLabel(DriverKind Driver, double SpeedMetresPerSecond)
     /// </summary>
     public IReadOnlyList<double>? Indicators { get; init; }
 
+    /// <summary>What the driver aimed at when it answered; null if it does not tell.</summary>
+    public DriveTarget? Target { get; init; }
+
     /// <summary>How the route leaves the next junction: "left", "straight" or "right"; null if none is near or it is unknown.</summary>
     public string? Route { get; init; }
 

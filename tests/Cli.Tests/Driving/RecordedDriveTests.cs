@@ -114,6 +114,27 @@ public sealed class RecordedDriveTests
         Assert.All(drives[1..^1], drive => Assert.Equal(Controls(drive, "controls"), Controls(drive, "applied")));
     }
 
+    [Theory]
+    [InlineData("stanley", 10)]
+    [InlineData("deepdriving", 20)]
+    public void Controller_tells_what_it_aims_at(string controller, double mostSpeed)
+    {
+        using TemporaryFolder folder = new();
+        Drive(folder, "drive", "--distance", "60", "--controller", controller, "--traffic", "0", "--speed", $"{mostSpeed}");
+        JsonElement[] lines = Lines(folder.PathOf("drive-session"));
+
+        Assert.All(lines, line => Assert.Equal(
+            Driver(line) != "controller", line.GetProperty("drive").GetProperty("target").ValueKind == JsonValueKind.Null));
+        JsonElement[] driven = [.. lines.Where(line => Driver(line) == "controller")];
+        Assert.All(driven, line => Assert.InRange(Number(Target(line), "speed"), 0.1, mostSpeed));
+        Assert.Contains(driven, line => Number(Target(line), "speed") > 0.9 * mostSpeed);
+
+        // The car keeps to the middle of its lane within a few decimetres, and the line to steer to is that middle.
+        JsonElement[] aimed = [.. driven.Where(line => Target(line).GetProperty("rightMetres").ValueKind == JsonValueKind.Number)];
+        Assert.Equal(controller == "stanley" ? driven.Length : 0, aimed.Length);
+        Assert.All(aimed, line => Assert.InRange(Number(Target(line), "rightMetres"), -1, 1));
+    }
+
     [Fact]
     public void Several_starts_give_a_session_each()
     {
@@ -184,6 +205,8 @@ public sealed class RecordedDriveTests
         [.. File.ReadLines(Path.Combine(session, "labels.jsonl")).Select(line => JsonDocument.Parse(line).RootElement)];
 
     private static string? Driver(JsonElement line) => line.GetProperty("drive").GetProperty("driver").GetString();
+
+    private static JsonElement Target(JsonElement line) => line.GetProperty("drive").GetProperty("target");
 
     private static double Number(JsonElement of, string name) => of.GetProperty(name).GetDouble();
 

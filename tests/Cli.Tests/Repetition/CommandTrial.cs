@@ -64,6 +64,10 @@ internal sealed class CommandTrial
     public static FolderContent ResultIn(string root) => ContentOf(root).Without(name =>
         name.Contains(".partial", StringComparison.Ordinal) || name.Contains(".harvester-", StringComparison.Ordinal));
 
+    /// <summary>Whether each result is whole, the old one or the new one.</summary>
+    public bool IsWhole(FolderContent left) => left.Tops.Union(Former.Tops).Union(Expected.Tops)
+        .All(top => left.In(top).Equals(Former.In(top)) || left.In(top).Equals(Expected.In(top)));
+
     /// <summary>Makes a folder what it is before the command.</summary>
     public void Restore(string root)
     {

@@ -140,8 +140,7 @@ internal sealed partial class FaultDriver
             Fail(fault, $"success with another result: {result.DifferenceFrom(_trial.Expected)}");
         }
 
-        bool isWhole = result.Equals(_trial.Former) || result.Equals(_trial.Expected);
-        if (_trial.Command.Replaces && (fault.CanExchange || !fault.Kills) && !isWhole)
+        if (_trial.Command.Replaces && (fault.CanExchange || !fault.Kills) && !_trial.IsWhole(result))
         {
             Fail(fault, $"neither the old nor the new is whole: {result.DifferenceFrom(_trial.Expected)}");
         }

@@ -41,6 +41,12 @@ internal sealed class FolderContent : IEquatable<FolderContent>
         return content;
     }
 
+    /// <summary>Names of what lies directly in the folder.</summary>
+    public IEnumerable<string> Tops => Names.Select(TopOf).Distinct(StringComparer.Ordinal);
+
+    /// <summary>A file or folder that lies directly in the folder, with what is in it.</summary>
+    public FolderContent In(string top) => Without(name => TopOf(name) != top);
+
     /// <summary>What is more, less or different, for a message.</summary>
     public string DifferenceFrom(FolderContent other) => string.Join(
         ", ",
@@ -56,4 +62,6 @@ internal sealed class FolderContent : IEquatable<FolderContent>
     public override int GetHashCode() => _entries.Count;
 
     public override string ToString() => string.Join('\n', _entries.Select(entry => $"{entry.Key} {entry.Value}"));
+
+    private static string TopOf(string name) => name.Split('/')[0];
 }

@@ -16,7 +16,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
     public bool Replaces => Before.Length == 1;
 
     /// <summary>Whether it builds a world, which takes longer than all else.</summary>
-    public bool BuildsWorld => Words.Split(' ')[0] is "harvest" or "drive" or "contact-sheet" or "plan";
+    public bool BuildsWorld => Words.Split(' ')[0] is "harvest" or "drive" or "serve" or "contact-sheet" or "plan";
 
     /// <summary>A straight road, the file roads.csv of the inputs: its world is built in a fraction of the time of a town.</summary>
     public static string Roads { get; } =
@@ -108,6 +108,10 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("contact-sheet", $"{Sheet} --list {{inputs}}/places.csv", $"{Sheet} --at 0,-150"),
         new("drive", $"{Drive} --duration 2"),
         new("drive-overwrite", $"{Drive} --duration 2 --overwrite", $"{Drive} --duration 1"),
+        new("drive-record", $"{Drive} --duration 1 {Record}"),
+        new("drive-record-overwrite", $"{Drive} --duration 1 --overwrite {Record}", $"{Drive} --duration 0.5 {Record}"),
+        new("drive-record-starts", $"{Drive} --duration 0.4 --near 0,-50 --near 0,50 {Record}"),
+        new("serve-record", $"serve --port 0 --traffic 0 --duration 0.5 --roads {{inputs}}/roads.csv {Record}"),
     ];
 
     /// <summary>All commands, or those whose names HARVESTER_COMMANDS has, separated by spaces.</summary>
@@ -119,6 +123,8 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
     private static string Former => $"harvest --out {{root}}/out --frames 1 --size 80x60 --seed 6 --roads {{inputs}}/roads.csv";
 
     private static string Sheet => "contact-sheet --out {root}/sheet.png --roads {inputs}/roads.csv --size 64x48 --seconds 0";
+
+    private static string Record => "--record {root}/session --size 64x48";
 
     private static string Drive => $"drive --out {{root}}/out --traffic 0 --distance 3 --roads {{inputs}}/roads.csv";
 

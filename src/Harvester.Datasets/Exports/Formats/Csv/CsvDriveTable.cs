@@ -26,7 +26,8 @@ internal static class CsvDriveTable
     public static string[] Columns { get; } =
     [
         "frame", "split", "image", "time_seconds", "driver", "disturbed", "steering", "throttle", "brake", "answer_seconds",
-        "applied_steering", "applied_throttle", "applied_brake", "route", "route_metres", "speed",
+        "applied_steering", "applied_throttle", "applied_brake", "target_speed", "target_right",
+        "route", "route_metres", "speed",
         .. AxisColumns("acceleration"), .. AxisColumns("angular_rate"), "lanes_known",
         .. IndicatorTable.All.Select(indicator => $"torcs_{indicator.Name}"),
     ];
@@ -40,6 +41,7 @@ internal static class CsvDriveTable
             Numbers.Text(frame.Index), CsvText.Of(frame.Split), image, Text(frame.Label.TimeSeconds, SecondDecimals),
             JsonName.Of(drive.Driver), drive.IsDisturbed ? "1" : "0",
             .. Texts(drive.Controls), Text(drive.AnswerSeconds, SecondDecimals), .. Texts(drive.Applied),
+            Text(drive.Target?.SpeedMetresPerSecond, MetreDecimals), Text(drive.Target?.RightMetres, MetreDecimals),
             CsvText.Of(drive.Route), Text(drive.RouteMetres, MetreDecimals), Text(drive.SpeedMetresPerSecond, MetreDecimals),
             .. Texts(drive.Acceleration), .. Texts(drive.AngularRate), lanes is { Status: LaneStatus.Known } ? "1" : "0",
             .. IndicatorOrder.Values(lanes?.TorcsEquivalent ?? LaneIndicators.Unknown).Select(value => Text(value, IndicatorDecimals)),

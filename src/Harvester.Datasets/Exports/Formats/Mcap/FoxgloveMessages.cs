@@ -16,8 +16,10 @@ namespace Harvester.Datasets.Exports.Formats.Mcap;
 /// <param name="nanoseconds">The moment, nanoseconds.</param>
 internal sealed class FoxgloveMessages(FrameLabel label, long nanoseconds)
 {
+    /// <summary>Name of the frame of reference of the car.</summary>
+    public const string Ego = "ego";
+
     private const string World = "world";
-    private const string Ego = "ego";
     private const string CameraFrame = "camera";
     private const long NanosecondsPerSecond = 1_000_000_000;
     private const int ImageHeadBytes = 64;

@@ -12,7 +12,7 @@ namespace Harvester.Datasets.Exports.Formats.Mcap;
 
 /// <summary>
 /// The protobuf schemas of the channels: Foxglove's, so that its app and others show the messages (docs.foxglove.dev, "Message schemas";
-/// names, numbers and types of the fields in github.com/foxglove/foxglove-sdk), and one of the lane indicators.
+/// names, numbers and types of the fields in github.com/foxglove/foxglove-sdk), and those of the lane indicators and of recorded drives.
 /// </summary>
 internal static class FoxgloveSchemas
 {
@@ -112,6 +112,7 @@ internal static class FoxgloveSchemas
                 Time(5),
             ]),
             IndicatorMessage.Describe(),
+            .. DriveMessages.Describe(),
         ];
         return files.ToDictionary(file => file.Name, StringComparer.Ordinal);
     }

@@ -1,9 +1,8 @@
+using System.Collections.Generic;
 using System.Linq;
 using Google.Protobuf.Reflection;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
-using static Google.Protobuf.Reflection.FieldDescriptorProto.Types;
-using TimestampReflection = Google.Protobuf.WellKnownTypes.TimestampReflection;
 
 namespace Harvester.Datasets.Exports.Formats.Mcap;
 
@@ -13,7 +12,7 @@ namespace Harvester.Datasets.Exports.Formats.Mcap;
 /// </summary>
 internal static class IndicatorMessage
 {
-    public const string SchemaName = "gtaharvest.LaneIndicators";
+    public const string SchemaName = OwnSchema.Package + ".LaneIndicators";
 
     private const int TimestampField = 1;
     private const int FirstIndicatorField = 2;
@@ -35,37 +34,24 @@ internal static class IndicatorMessage
         message.Number(SpeedField, label.Ego.Velocity.Length);
     });
 
-    /// <summary>The schema: presence of a field in proto3 is a group (oneof) with one member.</summary>
-    public static FileDescriptorProto Describe()
+    /// <summary>Writes the indicators by which a driver answered, all of them, as it had them.</summary>
+    public static byte[] Of(IReadOnlyList<double> answered, double speed, long nanoseconds) => ProtoMessage.Of(message =>
     {
-        var message = new DescriptorProto { Name = "LaneIndicators" };
-        message.Field.Add(new FieldDescriptorProto
+        FoxgloveMessages.Time(message, TimestampField, nanoseconds);
+        for (int i = 0; i < answered.Count; i++)
         {
-            Name = "timestamp",
-            Number = TimestampField,
-            Type = Type.Message,
-            TypeName = ".google.protobuf.Timestamp",
-            Label = Label.Optional,
-        });
-        foreach ((string name, int index) in IndicatorTable.All.Select((indicator, index) => (indicator.Name, index)))
-        {
-            message.Field.Add(new FieldDescriptorProto
-            {
-                Name = name,
-                Number = FirstIndicatorField + index,
-                Type = Type.Double,
-                Label = Label.Optional,
-                Proto3Optional = true,
-                OneofIndex = index,
-            });
-            message.OneofDecl.Add(new OneofDescriptorProto { Name = "_" + name });
+            message.NumberOrZero(FirstIndicatorField + i, answered[i]);
         }
 
-        message.Field.Add(
-            new FieldDescriptorProto { Name = "speed", Number = SpeedField, Type = Type.Double, Label = Label.Optional });
-        var file = new FileDescriptorProto { Name = SchemaName.Replace('.', '/') + ".proto", Package = "gtaharvest", Syntax = "proto3" };
-        file.MessageType.Add(message);
-        file.Dependency.Add(TimestampReflection.Descriptor.Name);
-        return file;
-    }
+        message.Number(SpeedField, speed);
+    });
+
+    /// <summary>The schema.</summary>
+    public static FileDescriptorProto Describe() => OwnSchema.File(
+        SchemaName,
+        [
+            OwnSchema.Time(TimestampField),
+            .. IndicatorTable.All.Select((indicator, index) => OwnSchema.OptionalNumber(indicator.Name, FirstIndicatorField + index)),
+            OwnSchema.Number("speed", SpeedField),
+        ]);
 }

@@ -20,6 +20,23 @@ internal sealed record McapChannel(int Id, string Topic, string Schema)
 
     public static McapChannel Indicators { get; } = new(7, "/indicators", IndicatorMessage.SchemaName);
 
+    public static McapChannel Action { get; } = new(8, "/drive/action", DriveMessages.ActionSchema);
+
+    public static McapChannel AnsweredIndicators { get; } = new(9, "/drive/indicators", IndicatorMessage.SchemaName);
+
+    public static McapChannel Tick { get; } = new(10, "/drive/tick", DriveMessages.TickSchema);
+
+    public static McapChannel Imu { get; } = new(11, "/imu", DriveMessages.ImuSchema);
+
+    /// <summary>The channels of every file, by number.</summary>
+    public static McapChannel[] OfSessions { get; } = [Image, Calibration, Transforms, Objects, Lanes, Annotations, Indicators];
+
+    /// <summary>The further channels of a file with a recorded drive, by number.</summary>
+    public static McapChannel[] OfDrives { get; } = [Action, AnsweredIndicators, Tick, Imu];
+
     /// <summary>All channels, by number.</summary>
-    public static McapChannel[] All { get; } = [Image, Calibration, Transforms, Objects, Lanes, Annotations, Indicators];
+    public static McapChannel[] All { get; } = [.. OfSessions, .. OfDrives];
+
+    /// <summary>Whether a channel, by its number, is one of a recorded drive.</summary>
+    public static bool IsOfDrive(int id) => id >= Action.Id;
 }

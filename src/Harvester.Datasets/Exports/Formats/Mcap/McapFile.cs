@@ -20,6 +20,7 @@ internal sealed class McapFile
     private readonly List<ChunkEntry> _chunks = [];
     private long _position;
     private uint _crc;
+    private bool _hasDrive;
 
     private McapFile(Stream stream) => _stream = stream;
 
@@ -34,11 +35,20 @@ internal sealed class McapFile
         var file = new McapFile(stream);
         file.Append(Magic.ToArray());
         file.Append(Header());
-        byte[] definitions = Definitions();
-        file.Append(definitions);
+        file.Define(McapDefinitions.OfSessions);
         foreach (byte[] chunk in chunks)
         {
-            file._chunks.Add(ChunkEntry.Of(chunk, file._position));
+            ChunkEntry entry = ChunkEntry.Of(chunk, file._position);
+
+            // The channels of drives are defined where they are first used, because only the chunks tell of a drive.
+            if (!file._hasDrive && entry.Messages.Any(McapChannel.IsOfDrive))
+            {
+                file._hasDrive = true;
+                file.Define(McapDefinitions.OfDrives);
+                entry = ChunkEntry.Of(chunk, file._position);
+            }
+
+            file._chunks.Add(entry);
             file.Append(chunk);
         }
 
@@ -47,7 +57,7 @@ internal sealed class McapFile
             file.Append(end.UInt32(file._crc).ToArray());
         }
 
-        file.AppendSummary(definitions);
+        file.AppendSummary();
         file.Append(Magic.ToArray());
     }
 
@@ -57,35 +67,24 @@ internal sealed class McapFile
         return header.Text("").Text(Library).ToArray();
     }
 
-    /// <summary>The schemas, then the channels.</summary>
-    private static byte[] Definitions() => [.. Schemas(), .. Channels()];
-
-    private static byte[] Schemas() => [.. FoxgloveSchemas.Names.SelectMany((name, index) =>
+    /// <summary>Defines schemas, then channels.</summary>
+    private void Define(McapDefinitions definitions)
     {
-        using var schema = new McapRecord(McapOpcode.Schema);
-        byte[] descriptors = FoxgloveSchemas.DescriptorsOf(name);
-        return schema.UInt16(index + 1).Text(name).Text("protobuf").UInt32(descriptors.Length).Bytes(descriptors).ToArray();
-    })];
-
-    private static byte[] Channels() => [.. McapChannel.All.SelectMany(channel =>
-    {
-        using var record = new McapRecord(McapOpcode.Channel);
-        int schema = FoxgloveSchemas.Names.TakeWhile(name => name != channel.Schema).Count() + 1;
-        return record.UInt16(channel.Id).UInt16(schema).Text(channel.Topic).Text("protobuf").UInt32(0).ToArray();
-    })];
+        Append(definitions.SchemaRecords());
+        Append(definitions.ChannelRecords());
+    }
 
     /// <summary>Groups of records of one kind, the places of the groups, and the footer, which ends with the checksum of it all.</summary>
-    private void AppendSummary(byte[] definitions)
+    private void AppendSummary()
     {
         long start = _position;
         _crc = 0;
-        long schemas = Schemas().Length;
-        Append(definitions);
+        McapDefinitions definitions = _hasDrive ? McapDefinitions.OfSessions.With(McapDefinitions.OfDrives) : McapDefinitions.OfSessions;
         (McapOpcode Kind, long Start, long Length)[] groups =
         [
-            (McapOpcode.Schema, start, schemas),
-            (McapOpcode.Channel, start + schemas, definitions.Length - schemas),
-            Group(McapOpcode.Statistics, [Statistics()]),
+            Group(McapOpcode.Schema, [definitions.SchemaRecords()]),
+            Group(McapOpcode.Channel, [definitions.ChannelRecords()]),
+            Group(McapOpcode.Statistics, [Statistics(definitions)]),
             Group(McapOpcode.ChunkIndex, _chunks.Select(chunk => chunk.Index())),
         ];
         long offsets = _position;
@@ -113,7 +112,7 @@ internal sealed class McapFile
         return (kind, start, _position - start);
     }
 
-    private byte[] Statistics()
+    private byte[] Statistics(McapDefinitions definitions)
     {
         using var statistics = new McapRecord(McapOpcode.Statistics);
         (int Channel, long Count)[] counts =
@@ -121,10 +120,10 @@ internal sealed class McapFile
             .. _chunks.SelectMany(chunk => chunk.Messages).GroupBy(channel => channel).OrderBy(group => group.Key)
                 .Select(group => (group.Key, (long)group.Count())),
         ];
-        return statistics.UInt64(counts.Sum(count => count.Count)).UInt16(FoxgloveSchemas.Names.Count).UInt32(McapChannel.All.Length)
+        return statistics.UInt64(counts.Sum(count => count.Count)).UInt16(definitions.Schemas.Count).UInt32(definitions.Channels.Count)
             .UInt32(0).UInt32(0).UInt32(_chunks.Count)
             .UInt64(_chunks.Count == 0 ? 0 : _chunks.Min(chunk => chunk.Nanoseconds))
-            .UInt64(_chunks.Count == 0 ? 0 : _chunks.Max(chunk => chunk.Nanoseconds))
+            .UInt64(_chunks.Count == 0 ? 0 : _chunks.Max(chunk => chunk.EndNanoseconds))
             .Entries(counts, OffsetBytes, count => statistics.UInt16(count.Channel).UInt64(count.Count)).ToArray();
     }
 
@@ -137,10 +136,11 @@ internal sealed class McapFile
 
     /// <summary>What the summary says of a chunk.</summary>
     private sealed record ChunkEntry(
-        long Nanoseconds, long Start, long Length, long ContentLength, IReadOnlyList<(int Channel, long Start)> Indexes, long IndexLength,
-        IReadOnlyList<int> Messages)
+        long Nanoseconds, long EndNanoseconds, long Start, long Length, long ContentLength,
+        IReadOnlyList<(int Channel, long Start)> Indexes, long IndexLength, IReadOnlyList<int> Messages)
     {
         private const int IndexEntryBytes = 2 * sizeof(ulong);
+        private const int EndAt = McapRecord.HeadLength + sizeof(ulong);
         private const int ContentLengthAt = McapRecord.HeadLength + (2 * sizeof(ulong));
 
         /// <summary>Reads what <see cref="McapChunk"/> has built.</summary>
@@ -161,8 +161,8 @@ internal sealed class McapFile
                 }
 
                 return new ChunkEntry(
-                    BitConverter.ToInt64(records, McapRecord.HeadLength), start, chunk, BitConverter.ToInt64(records, ContentLengthAt),
-                    indexes, records.Length - chunk, messages);
+                    BitConverter.ToInt64(records, McapRecord.HeadLength), BitConverter.ToInt64(records, EndAt), start, chunk,
+                    BitConverter.ToInt64(records, ContentLengthAt), indexes, records.Length - chunk, messages);
             }
             catch (ArgumentException e)
             {
@@ -173,7 +173,7 @@ internal sealed class McapFile
         public byte[] Index()
         {
             using var index = new McapRecord(McapOpcode.ChunkIndex);
-            return index.UInt64(Nanoseconds).UInt64(Nanoseconds).UInt64(Start).UInt64(Length)
+            return index.UInt64(Nanoseconds).UInt64(EndNanoseconds).UInt64(Start).UInt64(Length)
                 .Entries(Indexes, OffsetBytes, entry => index.UInt16(entry.Channel).UInt64(entry.Start))
                 .UInt64(IndexLength).Text("").UInt64(ContentLength).UInt64(ContentLength).ToArray();
         }

@@ -21,7 +21,12 @@ internal sealed class McapWriter : IDatasetWriter
             throw frame.Problem("its time is negative, and mcap has unsigned times.");
         }
 
-        long nanoseconds = (long)Math.Round(label.TimeSeconds * NanosecondsPerSecond);
+        if (label.Drive?.Ticks.Any(tick => tick.TimeSeconds < label.TimeSeconds) ?? false)
+        {
+            throw frame.Problem("a tick after it has an earlier time.");
+        }
+
+        long nanoseconds = Nanoseconds(label.TimeSeconds);
         var messages = new FoxgloveMessages(label, nanoseconds);
         (byte[] image, string format) = ImageOf(frame, output);
         var all = new List<McapMessage>
@@ -42,6 +47,11 @@ internal sealed class McapWriter : IDatasetWriter
             all.Add(new(McapChannel.Indicators, IndicatorMessage.Of(label, known, nanoseconds)));
         }
 
+        if (label.Drive is { } drive)
+        {
+            all.AddRange(DriveMessages.Of(drive, nanoseconds, Nanoseconds));
+        }
+
         output.StagedPart($"{frame.Split}/{frame.SessionIndex:D4}.mcap", frame.Name + ".chunk", stream =>
             McapChunk.Write(stream, nanoseconds, frame.FrameInSession, all));
         return new WrittenObjects(frame.Objects.Count);
@@ -49,6 +59,8 @@ internal sealed class McapWriter : IDatasetWriter
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
         parts.Keys.Select(file => new AggregateFile(file, [AggregateSection.Container(file, McapFile.Write)]));
+
+    private static long Nanoseconds(double seconds) => (long)Math.Round(seconds * NanosecondsPerSecond);
 
     /// <summary>The image as PNG or JPEG, which are the formats that readers know.</summary>
     private static (byte[] Bytes, string Format) ImageOf(ExportFrame frame, FrameOutput output)
