@@ -8,8 +8,8 @@ namespace Harvester.Simulation.Traffic;
 
 /// <summary>
 /// Decides who may drive into a junction: first come, first served among conflicting paths, with the lights at green and room behind the
-/// junction, and at a stop sign only after a stop. Where the road behind it is too short for the vehicle, the junctions after it must be free as well, because the vehicle would
-/// otherwise stand in the first one.
+/// junction, and at a stop sign only after a stop. Where the road behind the junction is too short for the vehicle, the junctions after it
+/// must be free as well, because the vehicle would otherwise stand in the first one.
 /// </summary>
 internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccupation occupation)
 {
@@ -100,8 +100,8 @@ internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccup
     }
 
     /// <summary>
-    /// Whether the light of a granted way has left green and the vehicle can still stop. A way that was granted with the one before it, because
-    /// the road between is too short to wait there, stays granted.
+    /// Whether the light of a granted way has left green and the vehicle can still stop. A way that was granted with the one before it,
+    /// because the road between is too short to wait there, stays granted.
     /// </summary>
     private bool MustStopForLight(Vehicle vehicle, int index, double distance, double timeSeconds)
     {
@@ -213,7 +213,8 @@ internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccup
     /// their way already.
     /// </summary>
     private bool IsClaimed(Vehicle vehicle, LanePath way) =>
-        way.Conflicts.Exists(other => _claimants[other.Index] is { } claimants && claimants.Exists(first => HasWaitedLonger(first, vehicle)));
+        way.Conflicts.Exists(other =>
+            _claimants[other.Index] is { } claimants && claimants.Exists(first => HasWaitedLonger(first, vehicle)));
 
     private static bool HasWaitedLonger(Vehicle first, Vehicle second) =>
         first != second && (first.StandingSeconds > second.StandingSeconds

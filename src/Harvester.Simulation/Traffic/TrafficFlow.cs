@@ -30,7 +30,8 @@ internal sealed class TrafficFlow
 
     /// <summary>Starts with vehicles that are on lanes and clear of each other and of obstacles; the first is the ego.</summary>
     public TrafficFlow(
-        LaneGraph lanes, LaneControl control, IReadOnlyList<Vehicle> vehicles, EgoCar egoCar, IEnumerable<Footprint> obstacles, Placing placing)
+        LaneGraph lanes, LaneControl control, IReadOnlyList<Vehicle> vehicles, EgoCar egoCar, IEnumerable<Footprint> obstacles,
+        Placing placing)
     {
         _vehicles = vehicles;
         _egoCar = egoCar;

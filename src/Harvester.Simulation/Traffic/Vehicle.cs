@@ -198,7 +198,9 @@ internal sealed class Vehicle
         }
     }
 
-    /// <summary>Those of some paths that go on, and among them those that are not on the route yet: nobody turns in circles in a junction.</summary>
+    /// <summary>
+    /// Those of some paths that go on, and among them those that are not on the route yet: nobody turns in circles in a junction.
+    /// </summary>
     private List<LanePath> Continuing(List<LanePath> paths)
     {
         List<LanePath> goingOn = paths.FindAll(path => path.GoesOn);

@@ -123,7 +123,8 @@ internal sealed class Scenery
         const double besideKerb = 0.7;
         foreach (Junction junction in plan.Junctions.Where(junction => junction.IsCrossing && !hasLights(junction)))
         {
-            foreach (RoadArm arm in junction.Arms.Where(arm => arm.Road is { IsStreet: true, IsTooShortToWait: false } && arm.Road.Layout.Lanes(!arm.AtStart) > 0))
+            foreach (RoadArm arm in junction.Arms.Where(arm =>
+                arm.Road is { IsStreet: true, IsTooShortToWait: false } && arm.Road.Layout.Lanes(!arm.AtStart) > 0))
             {
                 double offset = arm.AtStart ? arm.Road.LeftKerb - besideKerb : arm.Road.RightKerb + besideKerb;
                 double distance = arm.DistanceAt(arm.Trim);

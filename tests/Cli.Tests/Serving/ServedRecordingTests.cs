@@ -65,8 +65,8 @@ public sealed class ServedRecordingTests : IDisposable
 
         Assert.Equal((ExitCode.Cancelled, "", ""), (served.ExitCode, served.Error, driven.Error));
         CliRun.Of("validate", session, "--schema").AssertDone();
-        JsonElement[] lines = [.. File.ReadLines(Path.Combine(session, "labels.jsonl")).Select(line => JsonDocument.Parse(line).RootElement)];
-        CheckActions(lines);
+        IEnumerable<string> lines = File.ReadLines(Path.Combine(session, "labels.jsonl"));
+        CheckActions([.. lines.Select(line => JsonDocument.Parse(line).RootElement)]);
     }
 
     private static void CheckActions(JsonElement[] lines)

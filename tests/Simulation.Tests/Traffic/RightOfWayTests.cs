@@ -14,7 +14,7 @@ public sealed class RightOfWayTests
     private const string StopSign = "prop_sign_road_01a";
     private const string LightAtLine = "prop_traffic_03a";
 
-    /// <summary>Metres from the end of a lane, in its direction, within which its own sign or light stands: at most 7.5 m before it.</summary>
+    /// <summary>Metres from the end of a lane, along it, within which its own sign or light stands: at most 7.5 m before it.</summary>
     private const double Along = 8;
 
     /// <summary>Metres beside the end of a lane within which its own sign or light stands: three lanes and the kerb.</summary>
@@ -40,7 +40,8 @@ public sealed class RightOfWayTests
             }
         });
 
-        Assert.True(passed.GetValueOrDefault(LightState.Green) > 100, $"Only {passed.GetValueOrDefault(LightState.Green)} passed at green.");
+        int atGreen = passed.GetValueOrDefault(LightState.Green);
+        Assert.True(atGreen > 100, $"Only {atGreen} passed at green.");
         Assert.Equal(0, passed.GetValueOrDefault(LightState.Red));
     }
 
