@@ -12,6 +12,7 @@ internal sealed class Placing
     private const double EndRoom = 8;
     private const double Room = 2.5;
     private const int Attempts = 60;
+    private const int AttemptsOnEndless = 30;
     private const double OutOfSight = 120;
 
     private readonly Random _random;
@@ -127,7 +128,10 @@ internal sealed class Placing
         return false;
     }
 
-    /// <summary>Places a vehicle at a random free position; if none is found, it is not moved.</summary>
+    /// <summary>
+    /// Places a vehicle at a random free position; if none is found, it is not moved. The ego is placed where it can drive on for ever, or
+    /// on any road if no such place is found, as where all roads end.
+    /// </summary>
     /// <returns>Whether it was moved.</returns>
     public bool Replace(Vehicle vehicle, Func<Footprint, bool> isFree)
     {
@@ -139,7 +143,7 @@ internal sealed class Placing
             double distance = EndRoom + (_random.NextDouble() * (path.Length - (2 * EndRoom)));
             bool mayBeSeen = before.Path is not null && _ego is not null && vehicle != _ego
                 && (path.Line.PositionAt(distance) - _ego.Pose.Position).Length < OutOfSight;
-            if (mayBeSeen || (vehicle == _ego && !path.GoesOn))
+            if (mayBeSeen || (vehicle == _ego && !path.GoesOn && i < AttemptsOnEndless))
             {
                 continue;
             }
