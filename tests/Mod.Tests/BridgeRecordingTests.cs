@@ -192,6 +192,33 @@ public sealed class BridgeRecordingTests : ServedGame
         Assert.Empty(Directory.Exists(driver.Output) ? Directory.GetDirectories(driver.Output) : []);
     }
 
+    /// <summary>Without a limit, an hour without a client would be one line of 200,000 ticks.</summary>
+    [Fact]
+    public void Ticks_without_a_client_do_not_pile_up()
+    {
+        const int limit = 3600;
+        using ScriptDriver driver = Driven(Recorded);
+        DriveInLockStep(driver);
+        driver.Tick(limit + 500);
+        DriveLabel last = End(driver)[^1].Drive!;
+
+        Assert.Equal(limit, last.Ticks.Count);
+        Assert.Equal(DriverKind.None, last.Ticks[^1].Driver);
+    }
+
+    [Fact]
+    public void Client_without_images_is_told_that_nothing_was_recorded()
+    {
+        using ScriptDriver driver = Driven(Recorded + "Rate = 0.1\n");
+        using SocketClient client = Connect();
+        Say(driver, client, """{"type":"requestFrame","image":false}""", () => client.Stream.DataAvailable);
+        driver.Press(Keys.N);
+        driver.WaitForDisk();
+
+        Assert.Contains(driver.Game.Notifications, message => message.Contains("The drive was not recorded", StringComparison.Ordinal));
+        Assert.Empty(Directory.Exists(driver.Output) ? Directory.GetDirectories(driver.Output) : []);
+    }
+
     [Theory]
     [InlineData(true, "The session of the drive cannot be begun: ")]
     [InlineData(false, "that stay free")]

@@ -98,6 +98,7 @@ internal sealed class LocalDrive(SimulatedGame game, IRoads roads, Func<IControl
             ego.Velocity.Length)
         {
             HeadingRadians = Angles.ToRadians(Angles.HeadingDegrees(ego.Pose.Axes.Forward)),
+            PedalsInForce = DrivingState.PedalsOf(ego),
         };
     }
 }

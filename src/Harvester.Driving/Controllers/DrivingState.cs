@@ -1,4 +1,5 @@
 using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Driving.Controllers;
 
@@ -15,4 +16,14 @@ public sealed record DrivingState(
 {
     /// <summary>The car's heading, radians, increasing to the left, from an arbitrary zero; null if unknown.</summary>
     public double? HeadingRadians { get; init; }
+
+    /// <summary>
+    /// Throttle and brake that have moved the car since the previous moment, each 0 to 1; null if unknown. They are not the controller's own
+    /// where somebody else has driven.
+    /// </summary>
+    public (double Throttle, double Brake)? PedalsInForce { get; init; }
+
+    /// <summary>The pedals that a car reports; null if it does not.</summary>
+    public static (double Throttle, double Brake)? PedalsOf(EgoState ego) =>
+        ego?.Motion is { Throttle: { } throttle, Brake: { } brake } ? (throttle, brake) : null;
 }

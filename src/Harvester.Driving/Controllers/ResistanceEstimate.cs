@@ -12,8 +12,8 @@ internal sealed class ResistanceEstimate
     private const double Largest = 4;
 
     /// <summary>
-    /// Weight of a frame that shows more resistance. It is small because somebody else may have driven in this frame, such as a driver who
-    /// waits at a light.
+    /// Weight of a frame that shows more resistance. It is small because somebody else may have driven in this frame where the pedals in
+    /// force are unknown, such as a driver who waits at a light.
     /// </summary>
     private const double Rise = 0.05;
     private const double Fall = 0.3;
@@ -26,11 +26,13 @@ internal sealed class ResistanceEstimate
     /// <summary>Adds a frame.</summary>
     /// <param name="speed">The car's speed, m/s.</param>
     /// <param name="seconds">Time since the previous frame, seconds.</param>
-    public void Observe(double speed, double seconds)
+    /// <param name="inForce">What the pedals in force since then give without resistance, m/s²; null if unknown.</param>
+    public void Observe(double speed, double seconds, double? inForce)
     {
-        if (_speed is { } before && _asked > 0)
+        double asked = inForce ?? _asked;
+        if (_speed is { } before && asked > 0)
         {
-            double missing = _asked - ((speed - before) / seconds);
+            double missing = asked - ((speed - before) / seconds);
             Value = Math.Max(0, Math.Min(Largest, Value + ((missing > Value ? Rise : Fall) * (missing - Value))));
         }
 

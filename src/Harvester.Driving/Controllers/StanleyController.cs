@@ -62,16 +62,19 @@ public sealed class StanleyController : IAimingController
         _road.RequestedWheelAngle = wheelAngle;
         _acceleration += _options.PedalWeight * (Acceleration(state) - _acceleration);
         double steering = wheelAngle / _options.Car.SteeringLockRadians;
-        double asked = Against(state.SpeedMetresPerSecond, _acceleration);
+        double asked = Against(state, _acceleration);
         return asked >= 0
             ? new DrivingControls(steering, asked / _options.Car.FullThrottle, 0)
             : new DrivingControls(steering, 0, -asked / _options.Car.FullBraking);
     }
 
     /// <summary>What the pedals have to give for an acceleration against the resistance, m/s².</summary>
-    private double Against(double speed, double acceleration)
+    private double Against(DrivingState state, double acceleration)
     {
-        _resistance.Observe(speed, _options.PeriodSeconds);
+        double? inForce = state.PedalsInForce is { } pedals
+            ? (pedals.Throttle * _options.Car.FullThrottle) - (pedals.Brake * _options.Car.FullBraking)
+            : null;
+        _resistance.Observe(state.SpeedMetresPerSecond, _options.PeriodSeconds, inForce);
         double share = Math.Max(0, Math.Min(1, 1 + (acceleration / Brakes)));
         double asked = Math.Min(_options.Car.FullThrottle, acceleration + (share * _resistance.Value));
         _resistance.Ask(asked);

@@ -12,6 +12,11 @@ namespace Harvester.Driving.Recording;
 /// <param name="speed">Speed at the frame, m/s.</param>
 internal sealed class OpenAction(double timeSeconds, double speed)
 {
+    /// <summary>
+    /// One minute at 60 ticks per second, because perhaps no frame follows for long. Beyond that, the first tick and the newest are kept.
+    /// </summary>
+    private const int MaxTicks = 3600;
+
     private readonly List<(DriveTick Tick, bool IsDisturbed)> _ticks = [];
     private DriveControls? _answer;
     private double? _answerSeconds;
@@ -44,7 +49,15 @@ internal sealed class OpenAction(double timeSeconds, double speed)
     }
 
     /// <summary>Adds a tick after the frame.</summary>
-    public void Add(DriveTick tick, bool isDisturbed) => _ticks.Add((tick, isDisturbed));
+    public void Add(DriveTick tick, bool isDisturbed)
+    {
+        if (_ticks.Count == MaxTicks)
+        {
+            _ticks.RemoveAt(1);
+        }
+
+        _ticks.Add((tick, isDisturbed));
+    }
 
     /// <summary>Moves the ticks after a time to the action of a frame of that time.</summary>
     public void MoveTicksTo(OpenAction next, double afterSeconds)

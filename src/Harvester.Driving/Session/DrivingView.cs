@@ -92,6 +92,7 @@ internal sealed class DrivingView
             ego.Velocity.Length)
         {
             HeadingRadians = Angles.ToRadians(Angles.HeadingDegrees(ego.Pose.Axes.Forward)),
+            PedalsInForce = DrivingState.PedalsOf(ego),
         };
     }
 

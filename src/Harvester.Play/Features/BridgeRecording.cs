@@ -33,6 +33,7 @@ public sealed class BridgeRecording
     private DriveRecorder? _recorder;
     private SessionWriter? _lastWriter;
     private bool _isOver;
+    private bool _hasSentWithoutImage;
     private int _leftOut;
     private double _leftOutSeconds = double.NegativeInfinity;
     private double _lastSeconds;
@@ -76,7 +77,7 @@ public sealed class BridgeRecording
     public int? Frames => _recorder?.Frames;
 
     /// <summary>Allows the recording of a drive, which begins with the first frame for a client.</summary>
-    public void Begin() => (_isOver, _leftOut, _leftOutSeconds) = (false, 0, double.NegativeInfinity);
+    public void Begin() => (_isOver, _leftOut, _leftOutSeconds, _hasSentWithoutImage) = (false, 0, double.NegativeInfinity, false);
 
     /// <summary>Records the tick that has passed. Call it before the drive does its work of this tick.</summary>
     /// <param name="drive">The drive.</param>
@@ -125,6 +126,11 @@ public sealed class BridgeRecording
         {
             End(null);
         }
+        else if (!_isOver && _hasSentWithoutImage)
+        {
+            _isOver = true;
+            _messages.Tell("The drive was not recorded: the client asked for frames without images.");
+        }
     }
 
     /// <summary>Waits until everything recorded is on disk, or until the time is over.</summary>
@@ -150,7 +156,9 @@ public sealed class BridgeRecording
             recorder.Answer(drive.Status.Controls, drive.AnsweredIndicators, drive.AnsweredTarget, drive.AnsweredFrame);
         }
 
-        bool isSent = drive.Status.Frames != _frames && hasClient && drive.Sent.Picture is not null;
+        bool isForClient = drive.Status.Frames != _frames && hasClient;
+        bool isSent = isForClient && drive.Sent.Picture is not null;
+        _hasSentWithoutImage |= isForClient && !isSent;
         _picture.Picture = isSent ? drive.Sent.Picture : null;
         if (_writer.TakeFailure() is { } failure)
         {
@@ -159,7 +167,7 @@ public sealed class BridgeRecording
         else if (_writer.Opened is { } writer)
         {
             _recorder ??= new DriveRecorder(_options with { Faces = FacesInUse() }, _game, writer, null);
-            Look(_recorder, writer, drive, isSent);
+            Look(_recorder, writer, drive, isSent, hasClient);
         }
         else if (isSent && !_writer.IsHeld)
         {
@@ -170,10 +178,10 @@ public sealed class BridgeRecording
         _lastSeconds = _game.World.TimeSeconds;
     }
 
-    private void Look(DriveRecorder recorder, SessionWriter writer, DrivingSession drive, bool isSent)
+    private void Look(DriveRecorder recorder, SessionWriter writer, DrivingSession drive, bool isSent, bool hasClient)
     {
         long frame = drive.Status.Frames - 1;
-        bool isForeseen = drive.Sent.IsForeseen;
+        bool isForeseen = hasClient && drive.Sent.IsForeseen;
         double now = _game.World.TimeSeconds;
 
         // With a lag, the picture of a running game does not show the present state.
@@ -182,8 +190,9 @@ public sealed class BridgeRecording
         {
             recorder.Follow(frame);
         }
-        else if ((isForeseen || isPresent) && writer.Queued >= _options.QueueCapacity)
+        else if ((isForeseen || isPresent) && writer.Queued >= Math.Max(1, _options.QueueCapacity - 1))
         {
+            // A place is kept for the frame that waits for its action.
             // Of the frames that are sent, not all are to be recorded.
             if (now - _leftOutSeconds >= (1 - EarlyFraction) / _options.RateHz)
             {

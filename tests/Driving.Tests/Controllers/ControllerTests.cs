@@ -64,6 +64,23 @@ public sealed class ControllerTests
         Assert.True(loop.Speed > 5, $"The car drives at {loop.Speed} m/s.");
     }
 
+    /// <summary>A car that somebody else has held by its brake, as at a light, shows no resistance.</summary>
+    [Fact]
+    public void Stanley_starts_gently_after_somebody_else_has_braked()
+    {
+        var controller = new StanleyController(new StanleyOptions());
+        LaneIndicators lane = IndicatorCalculator.Compute(0, 2.7, new LaneSection(1, 5.4), []);
+        var held = new DrivingState(lane, lane, IsFast: true, 0) { HeadingRadians = 0, PedalsInForce = (0, 1) };
+        DrivingControls last = DrivingControls.Stop;
+        for (int frame = 0; frame < 150; frame++)
+        {
+            last = controller.Drive(held);
+        }
+
+        // 2 m/s² of the 4 m/s² at full throttle, to the rounding of the filter of the pedal.
+        Assert.Equal(0.5, last.Throttle, 1e-6);
+    }
+
     [Fact]
     public void Stanley_moves_to_the_free_lane_when_blocked_and_passes()
     {

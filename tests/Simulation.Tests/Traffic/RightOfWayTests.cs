@@ -20,6 +20,9 @@ public sealed class RightOfWayTests
     /// <summary>Metres beside the end of a lane within which its own sign or light stands: three lanes and the kerb.</summary>
     private const double Beside = 22;
 
+    /// <summary>Metres from a vehicle's front to the end of its lane within which it has stopped there, with one tick of driving.</summary>
+    private const double AtLine = 3.1;
+
     /// <summary>Metres per second below which a vehicle has stopped.</summary>
     private const double Standing = 0.3;
 
@@ -66,7 +69,7 @@ public sealed class RightOfWayTests
             },
             vehicle =>
             {
-                if (vehicle.Speed < Standing)
+                if (vehicle.Speed < Standing && vehicle.Path.Length - vehicle.Distance - vehicle.FrontOverhang < AtLine)
                 {
                     stoppedOn[vehicle] = vehicle.Path;
                 }
