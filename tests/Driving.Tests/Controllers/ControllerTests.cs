@@ -1,5 +1,6 @@
 using Harvester.Capture.Ports;
 using Harvester.Driving.Controllers;
+using Harvester.Driving.Tests.Doubles;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 
@@ -95,6 +96,19 @@ public sealed class ControllerTests
 
         Assert.True(loop.Along > loop.Lead!.Value.Along);
         Assert.Equal(2.7, loop.Offset, 0.2);
+    }
+
+    /// <summary>Its own braking keeps the needed deceleration near the limit at which it begins.</summary>
+    [Fact]
+    public void Emergency_brake_does_not_swap_with_the_throttle()
+    {
+        var swaps = new PedalSwaps(new EmergencyBrake(new FullThrottle(), new CarTraits()));
+        var loop = new ClosedLoop(swaps, new LaneSection(1, 4), TorcsLock) { Lead = (0, 80, 0) };
+
+        loop.Run(8);
+
+        Assert.Equal(0, swaps.Count);
+        Assert.True(loop.Speed < 2, $"It still drives at {loop.Speed} m/s.");
     }
 
     [Fact]
