@@ -108,10 +108,14 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("contact-sheet", $"{Sheet} --list {{inputs}}/places.csv", $"{Sheet} --at 0,-150"),
         new("drive", $"{Drive} --duration 2"),
         new("drive-overwrite", $"{Drive} --duration 2 --overwrite", $"{Drive} --duration 1"),
-        new("drive-record", $"{Drive} --duration 1 {Record}"),
-        new("drive-record-overwrite", $"{Drive} --duration 1 --overwrite {Record}", $"{Drive} --duration 0.5 {Record}"),
-        new("drive-record-starts", $"{Drive} --duration 0.4 --near 0,-50 --near 0,50 {Record}"),
-        new("serve-record", $"serve --port 0 --traffic 0 --duration 0.5 --roads {{inputs}}/roads.csv {Record}"),
+        new("drive-record", $"{Drive} --duration 1 {Record}") { Only = Recorded, IsKilled = true },
+        new("drive-record-overwrite", $"{Drive} --duration 1 --overwrite {Record}", $"{Drive} --duration 0.5 {Record}")
+        {
+            Only = ["session."],
+            IsKilled = true,
+        },
+        new("drive-record-starts", $"{Drive} --duration 0.4 --near 0,-50 --near 0,50 {Record}") { Only = ["session/.", "session/0002/."] },
+        new("serve-record", $"serve --port 0 --traffic 0 --duration 0.5 --roads {{inputs}}/roads.csv {Record}") { Only = Recorded },
     ];
 
     /// <summary>All commands, or those whose names HARVESTER_COMMANDS has, separated by spaces.</summary>
@@ -123,6 +127,9 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
     private static string Former => $"harvest --out {{root}}/out --frames 1 --size 80x60 --seed 6 --roads {{inputs}}/roads.csv";
 
     private static string Sheet => "contact-sheet --out {root}/sheet.png --roads {inputs}/roads.csv --size 64x48 --seconds 0";
+
+    /// <summary>The files of a recording that a harvest writes otherwise, and its marks.</summary>
+    private static string[] Recorded => ["session/session.json", "session/labels.jsonl", "session/."];
 
     private static string Record => "--record {root}/session --size 64x48";
 

@@ -13,7 +13,7 @@ namespace Harvester.Simulation.Tests.Labelling;
 public sealed class LightStateTests(ITestOutputHelper output)
 {
     [Theory]
-    [InlineData(15, true)]
+    [InlineData(5, true)]
     [InlineData(4, true)]
     [InlineData(4, false)]
     [Trait("Category", "Heavy")]
