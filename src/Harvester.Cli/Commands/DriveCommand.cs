@@ -117,7 +117,12 @@ internal sealed class DriveCommand
             terminal.Out.WriteLine(FormattableString.Invariant($"Stopped after {record.Figures.Metres:0} of {metres} m."));
         }
 
-        recording?.Finish();
+        if (fault is null)
+        {
+            // Otherwise the mark stays, so that the command can be given again.
+            recording?.Finish();
+        }
+
         terminal.Out.WriteLine($"report  {Path.Combine(folder, DriveReport.FileName)}");
         fault?.Throw();
         return cancellation.IsCancellationRequested ? ExitCode.Cancelled : ExitCode.Done;
@@ -131,7 +136,7 @@ internal sealed class DriveCommand
             drives.Run(report, cancellation);
             return null;
         }
-        catch (Exception e) when (e is IOException or GameFaultException)
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or GameFaultException)
         {
             // Not in the filter: it would run before the finally block that adds the samples.
             if (drives.Episodes.Count == 0)

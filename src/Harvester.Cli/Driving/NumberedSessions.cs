@@ -67,6 +67,7 @@ internal sealed partial class NumberedSessions : IDisposable
     /// <exception cref="IOException">That is impossible; former sessions are as they were.</exception>
     public void Complete()
     {
+        DeleteLocksLeft();
         if (_replacement?.Complete() is { } former)
         {
             _terminal.WriteError(
@@ -110,6 +111,28 @@ internal sealed partial class NumberedSessions : IDisposable
             ? $"'{_folder}' already has sessions. Name another folder with --record, or replace them with --overwrite."
             : $"'{_folder}' has the unfinished result of '{OutputFolder.Shown(unfinished)}'. Run that command again, "
                 + "name another folder with --record, or replace it with --overwrite.");
+    }
+
+    /// <summary>
+    /// Deletes locks of finished sessions that could not be deleted before. What cannot be deleted now stays; it locks nothing.
+    /// </summary>
+    private void DeleteLocksLeft()
+    {
+        if (_written is null)
+        {
+            return;
+        }
+
+        foreach (string file in Directory.GetFiles(_written).Where(file => Lock().IsMatch(Path.GetFileName(file))))
+        {
+            try
+            {
+                File.Delete(file);
+            }
+            catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+            {
+            }
+        }
     }
 
     private string Begin()

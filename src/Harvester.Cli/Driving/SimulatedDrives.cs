@@ -66,7 +66,7 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
             {
                 Drive(i, report, cancellation);
             }
-            catch (Exception e) when (e is IOException or GameFaultException or UsageException)
+            catch (Exception e) when (e is IOException or UnauthorizedAccessException or GameFaultException or UsageException)
             {
                 faults[i] = ExceptionDispatchInfo.Capture(e);
                 loop.Break();

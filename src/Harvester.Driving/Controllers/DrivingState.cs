@@ -18,8 +18,8 @@ public sealed record DrivingState(
     public double? HeadingRadians { get; init; }
 
     /// <summary>
-    /// Throttle and brake that have moved the car since the previous moment, each 0 to 1; null if unknown. They are not the controller's own
-    /// where somebody else has driven.
+    /// Throttle and brake that have moved the car since the previous moment, each 0 to 1; null if unknown. They are not the controller's
+    /// own where somebody else has driven.
     /// </summary>
     public (double Throttle, double Brake)? PedalsInForce { get; init; }
 

@@ -18,9 +18,9 @@ public sealed class DefaultSessionTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [LinuxX64Theory]
-    [InlineData("labels.jsonl", "e0c786d865a53756dbdb5604f45eeb42e93decaf3d732fa992edca1e6f54fa17")]
-    [InlineData("session.json", "3faf46e08c08dca1b046446b1116da740ee160d2f97990837ecfa762f58d40b8")]
-    [InlineData("frames/00000000.png", "4355505fa9a55fd72346c7430605a3c509e4b302ff2a38538552ce551a0455c1")]
+    [InlineData("labels.jsonl", "be7cd8ddbefcae7c28caff7fd625ec4b0a54f0eb6814f5abc3ddcdd7ff12bff9")]
+    [InlineData("session.json", "acd0eba2bcb9f550fa115ff5f1cfe6cf8d6a220ec9afae3998f0eb038f0de12a")]
+    [InlineData("frames/00000000.png", "77b8a7f459ef16a9f2c2fb3afa143b70164b0b842e57c3636549e12360328bce")]
     public void Bytes_of_a_default_session_stay_what_they_are(string file, string digest) =>
         Assert.Equal(digest, Convert.ToHexStringLower(SHA256.HashData(WithoutVersion(file))));
 

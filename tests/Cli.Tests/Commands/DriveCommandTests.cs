@@ -112,5 +112,5 @@ public sealed class DriveCommandTests
         run.Out.Split('\n').Where(line => !line.Contains(" of 250 m", StringComparison.Ordinal));
 
     private static CliRun Drive(string folder, string controller) =>
-        CliRun.Of("drive", "--out", folder, "--controller", controller, "--distance", "250", "--traffic", "0.3", "--noise", "--seed", "4");
+        CliRun.Of("drive", "--out", folder, "--controller", controller, "--distance", "250", "--traffic", "0.3", "--noise", "--seed", "6");
 }

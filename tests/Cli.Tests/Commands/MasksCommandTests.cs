@@ -14,8 +14,8 @@ public sealed class MasksCommandTests
     private const double RaysAndPixels = 0.1;
 
     [Theory]
-    [InlineData(false, "1")]
-    [InlineData(true, "1")]
+    [InlineData(false, "6")]
+    [InlineData(true, "6")]
     [InlineData(false, "4")]
     [InlineData(true, "4")]
     public void Importing_a_sessions_own_masks_keeps_visible_boxes_and_faces(bool match, string seed)

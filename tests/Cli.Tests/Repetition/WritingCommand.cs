@@ -115,7 +115,10 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
             IsKilled = true,
         },
         new("drive-record-starts", $"{Drive} --duration 0.4 --near 0,-50 --near 0,50 {Record}") { Only = ["session/.", "session/0002/."] },
-        new("serve-record", $"serve --port 0 --traffic 0 --duration 0.5 --roads {{inputs}}/roads.csv {Record}") { Only = Recorded },
+        new("serve-record", $"serve --port 0 --traffic 0 --duration 0.5 --roads {{inputs}}/roads.csv {Record}")
+        {
+            Only = ["session/session.json"],
+        },
     ];
 
     /// <summary>All commands, or those whose names HARVESTER_COMMANDS has, separated by spaces.</summary>
