@@ -207,7 +207,7 @@ public sealed class BridgeRecordingTests : ServedGame
     }
 
     [Fact]
-    public void Client_without_images_is_told_that_nothing_was_recorded()
+    public void Drive_without_images_is_reported_as_not_recorded()
     {
         using ScriptDriver driver = Driven(Recorded + "Rate = 0.1\n");
         using SocketClient client = Connect();
@@ -235,9 +235,9 @@ public sealed class BridgeRecordingTests : ServedGame
         using SocketClient client = Connect();
         DriveInLockStep(driver, client);
         Until(driver, () => driver.Game.Notifications.Any(message => message.Contains(complaint, StringComparison.Ordinal)));
-        string told = driver.Game.Notifications.Single(message => message.Contains(complaint, StringComparison.Ordinal));
+        string reported = driver.Game.Notifications.Single(message => message.Contains(complaint, StringComparison.Ordinal));
 
-        Assert.Contains("The drive goes on without a recording.", told, StringComparison.Ordinal);
+        Assert.Contains("The drive goes on without a recording.", reported, StringComparison.Ordinal);
         DriveInLockStep(driver, client);
         Assert.NotEmpty(driver.Game.Controls);
     }

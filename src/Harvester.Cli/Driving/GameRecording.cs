@@ -77,7 +77,7 @@ internal sealed class GameRecording(
     /// <summary>Records the answer of a client to the newest frame.</summary>
     /// <param name="controls">Its controls.</param>
     /// <param name="indicators">The indicators that it sent; null if it sent controls.</param>
-    /// <param name="target">What the controller of the indicators aims at; null if there is none or it does not tell.</param>
+    /// <param name="target">The target of the controller that drives by the indicators; null if it is unknown.</param>
     /// <param name="bridgeFrame">Number of the frame on the live bridge that it answered; null if unknown.</param>
     public void Answer(DrivingControls controls, IReadOnlyList<double>? indicators, DriveTarget? target, long? bridgeFrame) =>
         _recorder?.Answer(controls, indicators, target, bridgeFrame);

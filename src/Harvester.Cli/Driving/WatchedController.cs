@@ -10,7 +10,7 @@ internal sealed class WatchedController(IController controller) : IController
     /// <summary>The last input; null before the first.</summary>
     public DrivingState? Input { get; private set; }
 
-    /// <summary>What the controller aims at; null if it does not tell.</summary>
+    /// <summary>The controller's target; null if it is unknown.</summary>
     public DriveTarget? Target => (controller as IAimingController)?.Target;
 
     public DrivingControls Drive(DrivingState state)

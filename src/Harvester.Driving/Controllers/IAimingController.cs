@@ -2,9 +2,9 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Driving.Controllers;
 
-/// <summary>A controller that tells what it aims at.</summary>
+/// <summary>A controller that reports its target.</summary>
 public interface IAimingController : IController
 {
-    /// <summary>What the last controls aim at; null before the first and if it is unknown.</summary>
+    /// <summary>The target of the last controls; null before the first, and if it is unknown.</summary>
     DriveTarget? Target { get; }
 }

@@ -23,8 +23,8 @@ public sealed class StanleyController : IAimingController
     /// <summary>Minimum speed for a lane change, m/s: in a queue, a lane change would end across the marking.</summary>
     private const double SlowestToChange = 3;
 
-    /// <summary>Deceleration from which the car brakes in spite of the resistance, m/s².</summary>
-    private const double Brakes = 1;
+    /// <summary>Wanted deceleration from which the resistance no longer reduces the braking, m/s².</summary>
+    private const double FullyBrakes = 1;
     private const double BendStep = 2;
     private readonly StanleyOptions _options;
     private readonly LaneTarget _lane = new();
@@ -75,7 +75,7 @@ public sealed class StanleyController : IAimingController
             ? (pedals.Throttle * _options.Car.FullThrottle) - (pedals.Brake * _options.Car.FullBraking)
             : null;
         _resistance.Observe(state.SpeedMetresPerSecond, _options.PeriodSeconds, inForce);
-        double share = Math.Max(0, Math.Min(1, 1 + (acceleration / Brakes)));
+        double share = Math.Max(0, Math.Min(1, 1 + (acceleration / FullyBrakes)));
         double asked = Math.Min(_options.Car.FullThrottle, acceleration + (share * _resistance.Value));
         _resistance.Ask(asked);
         return asked;

@@ -95,7 +95,7 @@ public sealed class DriveRecorder : IDisposable
     /// <summary>Records what a controller or client answered to the newest frame; later answers are ignored until the next frame.</summary>
     /// <param name="controls">The controls, without disturbance.</param>
     /// <param name="indicators">The thirteen indicators by which they were found, scaled to TORCS; null if there were none.</param>
-    /// <param name="target">What the controller aimed at; null if it does not tell.</param>
+    /// <param name="target">The controller's target; null if it is unknown.</param>
     /// <param name="bridgeFrame">Number of the answered frame on the live bridge; null if unknown.</param>
     public void Answer(
         DrivingControls controls, IReadOnlyList<double>? indicators, DriveTarget? target = null, long? bridgeFrame = null) =>
@@ -104,7 +104,7 @@ public sealed class DriveRecorder : IDisposable
     /// <summary>Records a tick in which the world has moved.</summary>
     /// <param name="driver">Who drove in it.</param>
     /// <param name="isDisturbed">Whether the steering was disturbed in it.</param>
-    /// <param name="applied">The controls that moved the car in it, where the game's ego does not tell; null if unknown.</param>
+    /// <param name="applied">The controls that moved the car in it, for a game whose car does not report them; null if unknown.</param>
     public void Tick(DriverKind driver, bool isDisturbed = false, DriveControls? applied = null)
     {
         EgoState ego = _world.ReadEgo();

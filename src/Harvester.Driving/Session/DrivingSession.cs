@@ -86,7 +86,7 @@ public sealed class DrivingSession : IDisposable
     /// <summary>The indicators that the last of them brought; null if it brought controls.</summary>
     public IReadOnlyList<double>? AnsweredIndicators { get; private set; }
 
-    /// <summary>What the controller aimed at by them; null if it brought controls, or if the controller does not tell.</summary>
+    /// <summary>The controller's target for these indicators; null if it brought controls, or if the target is unknown.</summary>
     public DriveTarget? AnsweredTarget { get; private set; }
 
     /// <summary>The frames that are sent.</summary>

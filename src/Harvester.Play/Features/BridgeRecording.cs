@@ -119,7 +119,7 @@ public sealed class BridgeRecording
         }
     }
 
-    /// <summary>Ends the recording and tells how much was recorded. Calling it again has no effect.</summary>
+    /// <summary>Ends the recording and reports the number of frames. Calling it again has no effect.</summary>
     public void Stop()
     {
         if (!_isOver && _writer.IsHeld)

@@ -32,7 +32,7 @@ public sealed record DriveLabel(DriverKind Driver, double SpeedMetresPerSecond)
     /// </summary>
     public IReadOnlyList<double>? Indicators { get; init; }
 
-    /// <summary>What the driver aimed at when it answered; null if it does not tell.</summary>
+    /// <summary>The driver's target when it answered; null if it is unknown.</summary>
     public DriveTarget? Target { get; init; }
 
     /// <summary>How the route leaves the next junction: "left", "straight" or "right"; null if none is near or it is unknown.</summary>

@@ -118,7 +118,7 @@ public sealed class GymTests : ServedGame
         Assert.Equal(2.775, state.GetProperty("toMarkingMR").GetDouble(), SinglePrecision);
         Assert.Equal(1, state.GetProperty("lanesKnown").GetDouble());
 
-        // What the game does not tell.
+        // What the game does not report.
         Assert.All(
             ["route:left", "route:straight", "route:right", "light:green", "light:amber", "light:red", "stopSign", "builtInDriver"],
             name => Assert.Equal(0, state.GetProperty(name).GetDouble()));

@@ -3,7 +3,7 @@ using System.Diagnostics;
 
 namespace Harvester.Mod.Tests.Gym;
 
-/// <summary>A test that needs Python with NumPy; it is skipped with a message where there is none.</summary>
+/// <summary>A test that needs Python with NumPy; it is skipped, with a message, where that is not installed.</summary>
 [AttributeUsage(AttributeTargets.Method)]
 internal sealed class PythonFactAttribute : FactAttribute
 {

@@ -89,7 +89,7 @@ internal sealed class SoakPlay
             _driver.WaitForDisk();
             _game.Calls.Clear();
             CountIf(
-                _game.Notifications.Exists(told => told.Contains("The drive was recorded: ", StringComparison.Ordinal)),
+                _game.Notifications.Exists(message => message.Contains("The drive was recorded: ", StringComparison.Ordinal)),
                 "drive was recorded");
             _game.Notifications.Clear();
         }
