@@ -23,6 +23,10 @@ internal static class Numbers
         return string.Join(' ', texts);
     }
 
+    /// <summary>A number as whoever reads it from a file gets it.</summary>
+    public static double Rounded(int decimals, double value) =>
+        double.Parse(InvariantNumber.Format(value, decimals), CultureInfo.InvariantCulture);
+
     /// <summary>Parses words as finite numbers; null if one is not.</summary>
     public static double[]? Parse(IEnumerable<string> words)
     {

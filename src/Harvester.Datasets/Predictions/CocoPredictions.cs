@@ -167,9 +167,10 @@ internal sealed class CocoPredictions : IPredictions
     /// <summary>A box as the file of the export has it.</summary>
     private static Box2D Rounded(Box2D box)
     {
-        double left = Math.Round(box.XMin, CocoJson.PixelDecimals);
-        double top = Math.Round(box.YMin, CocoJson.PixelDecimals);
-        return new Box2D(
-            left, top, left + Math.Round(box.Width, CocoJson.PixelDecimals), top + Math.Round(box.Height, CocoJson.PixelDecimals));
+        double left = Rounded(box.XMin);
+        double top = Rounded(box.YMin);
+        return new Box2D(left, top, left + Rounded(box.Width), top + Rounded(box.Height));
     }
+
+    private static double Rounded(double side) => Numbers.Rounded(CocoJson.PixelDecimals, side);
 }

@@ -143,9 +143,9 @@ internal sealed class KittiPredictions : IPredictions
     }
 
     /// <summary>A box as the file of the export has it.</summary>
-    private static Box2D Rounded(Box2D box) => new(
-        Math.Round(box.XMin, KittiDecimals.Pixels), Math.Round(box.YMin, KittiDecimals.Pixels),
-        Math.Round(box.XMax, KittiDecimals.Pixels), Math.Round(box.YMax, KittiDecimals.Pixels));
+    private static Box2D Rounded(Box2D box) => new(Rounded(box.XMin), Rounded(box.YMin), Rounded(box.XMax), Rounded(box.YMax));
+
+    private static double Rounded(double side) => Numbers.Rounded(KittiDecimals.Pixels, side);
 
     private static ObjectClass KindOf(string type) => type switch
     {

@@ -15,6 +15,10 @@ internal static class ReportObject
 {
     private const int Decimals = 2;
     private const int PixelDecimals = 1;
+
+    /// <summary>Those of the labels, because the page's filters compare heights and areas.</summary>
+    private const int BoxDecimals = 3;
+
     private const int DegreeDecimals = 0;
 
     /// <summary>Writes what may change from frame to frame.</summary>
@@ -22,15 +26,15 @@ internal static class ReportObject
     {
         json.WriteStartObject();
         json.WriteNumber("id", item.Id);
-        WriteBox(json, "box", item.Box2D);
+        WriteBox(json, "box", item.Box2D, BoxDecimals);
         if (item.Box2DAmodal != item.Box2D)
         {
-            WriteBox(json, "amodal", item.Box2DAmodal);
+            WriteBox(json, "amodal", item.Box2DAmodal, PixelDecimals);
         }
 
         if (item.Box2DVisible is { } visible)
         {
-            WriteBox(json, "visible", visible);
+            WriteBox(json, "visible", visible, PixelDecimals);
         }
 
         WriteCuboid(json, item.Box3D, camera);
@@ -112,6 +116,6 @@ internal static class ReportObject
         json.WriteEndArray();
     }
 
-    private static void WriteBox(Utf8JsonWriter json, string name, Box2D box) =>
-        json.Numbers(name, [box.XMin, box.YMin, box.XMax, box.YMax], PixelDecimals);
+    private static void WriteBox(Utf8JsonWriter json, string name, Box2D box, int decimals) =>
+        json.Numbers(name, [box.XMin, box.YMin, box.XMax, box.YMax], decimals);
 }

@@ -22,17 +22,18 @@ public sealed class HarvestFactorTests(ITestOutputHelper output)
 
     private static readonly string[] Factors = ["--lane-changes", "--traffic", "--pedestrians", "--parked"];
 
-    // At ten places of this seed, the offset at 3 is no greater than at 1 (1.00 and 1.17 m).
     [Fact]
     public void Wander_moves_the_car_in_its_lane()
     {
         // Without wandering the car still changes lanes, which is an offset too.
         string[] alone = ["--places", "4", "--lane-changes", "0", "--traffic", "0"];
-        double[] offsets = [.. WanderFactors
-            .Select(factor => Deviation([.. Labels(["--wander", factor, .. alone])
-                .Select(label => label.Lanes!.OffsetFromLaneCentreMetres).OfType<double>()]))];
+        double[][] offsets = [.. WanderFactors
+            .Select(factor => Labels(["--wander", factor, .. alone])
+                .Select(label => label.Lanes!.OffsetFromLaneCentreMetres).OfType<double>().Select(Math.Abs).Order().ToArray())];
 
-        AssertGrowth("--wander", offsets, SteadyMetres);
+        Assert.InRange(offsets[0].Average(), 0, SteadyMetres);
+        // The median: drifts, which take the car as far as the marking at any factor, dominate a mean or a standard deviation.
+        AssertGrowth("--wander", [.. offsets.Select(ordered => ordered[ordered.Length / 2])], SteadyMetres);
     }
 
     [Fact]
@@ -83,10 +84,4 @@ public sealed class HarvestFactorTests(ITestOutputHelper output)
         .Where(item => VehicleClasses.AreVehicles(item.Class) && item.HasRider != true)
         .GroupBy(item => item.Id)
         .Count(seen => seen.Count() > 2 && seen.All(item => item.Velocity.Length == 0 && item.Lights?.Brake != true));
-
-    private static double Deviation(double[] values)
-    {
-        double mean = values.Average();
-        return Math.Sqrt(values.Average(value => (value - mean) * (value - mean)));
-    }
 }

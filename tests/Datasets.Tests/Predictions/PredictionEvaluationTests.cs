@@ -1,3 +1,4 @@
+using System.Text.Json.Nodes;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Predictions;
 using Harvester.Sessions.Scenes;
@@ -70,6 +71,20 @@ public sealed class PredictionEvaluationTests : IDisposable
 
         Assert.Equal((1, 2, 0), (evaluation.Groups.All.Matches, evaluation.Groups.All.Misses, evaluation.Groups.All.FalsePositives));
         Assert.Equal(34 / 101.0, evaluation.MeanOf(tally => tally.AveragePrecision(0))!.Value, 1e-12);
+    }
+
+    [Fact]
+    public void Boxes_are_rounded_as_in_the_export()
+    {
+        // The export has 38.625 - 0.5 as 38.13, not 38.12. The prediction covers 2.187 of 4.37 pixels, 50.05 %; of 4.38 it would be 49.93 %.
+        _session.Car(0)["box2dVisible"] = new JsonArray(38.625, 28, 43, 33);
+        WriteKitti(0, "Car -1 -1 -10 38.2 27.5 40.387 32.5 -1 -1 -1 -1000 -1000 -1000 -10 0.9\n");
+        WriteKitti(1, "");
+        WriteKitti(2, "");
+
+        PredictionEvaluation evaluation = PredictionEvaluation.Of(_session.Open(), _session.PathOf("kitti"), 0.5);
+
+        Assert.Equal((1, 2, 0), (evaluation.Groups.All.Matches, evaluation.Groups.All.Misses, evaluation.Groups.All.FalsePositives));
     }
 
     [Theory]
