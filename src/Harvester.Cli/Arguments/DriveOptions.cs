@@ -147,6 +147,10 @@ internal sealed class DriveOptions
             ["noise"] = plan.Noise is { } noise
                 ? FormattableString.Invariant($"{noise.AngleRadians} rad, {noise.MarkingMetres} m, {noise.VehicleMetres} m")
                 : "none",
+            ["perturb"] = plan.IsDisturbed ? "on" : "off",
+            ["weather"] = plan.Weather,
+            ["dayOfYear"] = plan.DayOfYear.ToString(CultureInfo.InvariantCulture),
+            ["timeOfDay"] = plan.TimeOfDay.ToString(@"hh\:mm", CultureInfo.InvariantCulture),
         };
         if (plan.Controller.Speed is { } speed)
         {
@@ -166,19 +170,9 @@ internal sealed class DriveOptions
         return settings;
     }
 
-    /// <summary>The settings of a drive for the session that records it.</summary>
-    public IEnumerable<KeyValuePair<string, string>> RecordedSettings(ParseResult parsed, DrivePlan plan)
-    {
-        yield return new("weather", plan.Weather);
-        yield return new("dayOfYear", plan.DayOfYear.ToString(CultureInfo.InvariantCulture));
-        yield return new("timeOfDay", plan.TimeOfDay.ToString(@"hh\:mm", CultureInfo.InvariantCulture));
-        foreach (KeyValuePair<string, string> setting in Settings(parsed, plan).Where(setting => setting.Key != "seed"))
-        {
-            yield return setting;
-        }
-
-        yield return new("perturb", plan.IsDisturbed ? "on" : "off");
-    }
+    /// <summary>The settings of a drive for the session that records it, which has its seed elsewhere.</summary>
+    public IEnumerable<KeyValuePair<string, string>> RecordedSettings(ParseResult parsed, DrivePlan plan) =>
+        Settings(parsed, plan).Where(setting => setting.Key != "seed");
 
     private void CheckStarts(ParseResult parsed)
     {

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
 using System.Linq;
@@ -87,16 +88,17 @@ internal sealed class DriveCommand
 
         // The recording is finished after the drive.
         string recordingCommand = CommandText.WithOutput(parsed, folder);
-        bool isUnfinished = recorded is not null && UnfinishedMark.CommandIn(recorded.Folder) == recordingCommand;
+        Dictionary<string, string> settings = Drive.Settings(parsed, plan);
+        bool wasStopped = recorded is not null && UnfinishedMark.CommandIn(recorded.Folder) == recordingCommand;
         using DriveRecording? recording = recorded is null ? null
             : new DriveRecording(terminal, recorded, recordingCommand, parsed.GetValue(Overwrite));
-        var output = new DriveFolder(folder, CommandText.Of(parsed), parsed.GetValue(Overwrite), isUnfinished);
+        var output = new DriveFolder(folder, CommandText.Of(parsed), parsed.GetValue(Overwrite), wasStopped ? settings : null);
         int metres = (int)Math.Ceiling(plan.Metres * plan.Episodes.Count);
         var drives = new SimulatedDrives(plan, terminal.Out) { Recording = recording };
-        ExceptionDispatchInfo? fault = new JobProgress(terminal, metres, "m").Run(report => FaultOf(drives, report, cancellation));
-        recording?.Close();
+        ExceptionDispatchInfo? fault = new JobProgress(terminal, metres, "m").Run(
+            report => FaultOf(drives, recording, report, cancellation));
         DriveRecord record = DriveRecord.Of(
-            Drive.Settings(parsed, plan), drives.Episodes, isWhole: fault is null && !cancellation.IsCancellationRequested);
+            settings, drives.Episodes, isWhole: fault is null && !cancellation.IsCancellationRequested);
         string? former = output.Write(written =>
         {
             AtomicFile.Write(Path.Combine(written, DriveRecord.FileName), record.Write);
@@ -128,12 +130,16 @@ internal sealed class DriveCommand
         return cancellation.IsCancellationRequested ? ExitCode.Cancelled : ExitCode.Done;
     }
 
-    /// <summary>Drives; returns the fault that ended the drive early, or null. A drive without samples throws it.</summary>
-    private static ExceptionDispatchInfo? FaultOf(SimulatedDrives drives, Action<int> report, CancellationToken cancellation)
+    /// <summary>
+    /// Drives; returns the fault that ended the drive or its recording early, or null. A drive without samples throws it.
+    /// </summary>
+    private static ExceptionDispatchInfo? FaultOf(
+        SimulatedDrives drives, DriveRecording? recording, Action<int> report, CancellationToken cancellation)
     {
         try
         {
             drives.Run(report, cancellation);
+            recording?.Close();
             return null;
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or GameFaultException)

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Harvester.Cli.Terminals;
@@ -22,10 +23,12 @@ internal sealed class DriveFolder
     /// <param name="folder">The folder.</param>
     /// <param name="command">The command, as <see cref="CommandText"/> gives it.</param>
     /// <param name="overwrite">Whether an existing drive is replaced.</param>
-    /// <param name="isUnfinished">Whether a drive there is known to be this command's, which was stopped while it finished.</param>
+    /// <param name="stopped">
+    /// The settings of a drive there that this command had written when it was stopped; null if it had not been stopped.
+    /// </param>
     /// <exception cref="IOException">The folder, or one above it, is a file.</exception>
     /// <exception cref="OccupiedFolderException">The folder has files that must not be replaced.</exception>
-    public DriveFolder(string folder, string command, bool overwrite, bool isUnfinished)
+    public DriveFolder(string folder, string command, bool overwrite, IReadOnlyDictionary<string, string>? stopped)
     {
         _folder = folder;
         _command = command;
@@ -44,7 +47,8 @@ internal sealed class DriveFolder
 
         string? unfinished = UnfinishedMark.CommandIn(folder);
         _replaces = unfinished != command && found.Intersect(Files).Any();
-        if (_replaces && !overwrite && !isUnfinished)
+        bool isRepeated = stopped is not null && DriveRecord.Has(Path.Combine(folder, DriveRecord.FileName), stopped);
+        if (_replaces && !overwrite && !isRepeated)
         {
             throw new OccupiedFolderException(unfinished is null
                 ? $"'{folder}' already has a drive. Name another folder with --out, or replace it with --overwrite."

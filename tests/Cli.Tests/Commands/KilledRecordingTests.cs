@@ -32,6 +32,22 @@ public sealed class KilledRecordingTests : IDisposable
     }
 
     [Fact]
+    public void Another_drive_made_after_the_kill_is_not_replaced()
+    {
+        string[] drive = ["drive", "--out", _folder.PathOf("out"), "--seed", "1", "--distance", "80", .. Record];
+        KillAfter(2, "session", drive);
+        CliRun.Of("drive", "--out", _folder.PathOf("out"), "--seed", "1", "--distance", "10", "--weather", "rain").AssertDone();
+        byte[] other = File.ReadAllBytes(_folder.PathOf("out/drive.json"));
+
+        CliRun.Of(drive).AssertFailed(ExitCode.Usage, "already has a drive");
+        Assert.Equal(other, File.ReadAllBytes(_folder.PathOf("out/drive.json")));
+
+        // The drive that the command itself had written is replaced.
+        CliRun.Of("drive", "--out", _folder.PathOf("out"), "--seed", "1", "--distance", "80", "--traffic", "0", "--overwrite").AssertDone();
+        CliRun.Of(drive).AssertDone();
+    }
+
+    [Fact]
     public void Killed_drives_are_replaced_with_overwrite_only()
     {
         string[] Drive(string metres) =>
