@@ -1,7 +1,8 @@
 """Lets a network drive through the bridge, and judges the drive by the truth of the game: drive.py MODEL [--kilometres K].
 
 The network sees the images of harvester serve --lockstep, and answers with indicators, by which the game's Stanley controller drives; or,
-if it is a policy, with steering and pedals. Nothing of the truth reaches it. In junctions the built-in driver takes over.
+if it is a policy, with steering and pedals. Nothing of the truth reaches it. In junctions the built-in driver takes over. Given again, it
+continues with the first town that is not done.
 """
 from __future__ import annotations
 
@@ -10,15 +11,17 @@ import json
 import os
 import sys
 from pathlib import Path
-from typing import Any, Dict, List
+from typing import Any, Dict, List, Optional, Tuple
 
+import numpy as np
 import torch
 
 from gtaharvest.gym import BridgeError, DrivingEnv, Ending, poisson_interval
 
+import filmstrip
 from drivers import Driver, load_driver
-from filmstrip import FilmStrip
 from judge import Judge
+from progress import Progress
 from sets import TRAINING_WEATHERS
 
 FIRST_TOWN = 301
@@ -27,24 +30,25 @@ SHOWN_METRES = 100
 
 
 def drive(
-    driver: Driver, env: DrivingEnv, town: int, weather: str, time_of_day: str, metres: float, seconds: float, strip: FilmStrip
-) -> Dict[str, Any]:
-    """Drives in a town until the driver has driven so far outside junctions; returns the figures. Adds an image to the film strip."""
+    driver: Driver, env: DrivingEnv, town: int, weather: str, time_of_day: str, metres: float, seconds: float
+) -> Tuple[Dict[str, Any], Optional[np.ndarray]]:
+    """Drives in a town until the driver has driven so far outside junctions; returns the figures and a picture for the film strip."""
     observation, info = env.reset(seed=town, options={"town": town, "weather": weather, "timeOfDay": time_of_day})
-    judge, ended, shown, reason = Judge(info["frame"], metres), False, False, "metres"
+    judge, ended, reason = Judge(info["frame"], metres), False, "metres"
+    picture: Optional[np.ndarray] = None
     begun = info["frame"]["timeSeconds"]
     while not ended and judge.driver_metres < metres and info["frame"]["timeSeconds"] - begun < seconds:
         answer = driver.answer(observation, info["frame"])
-        if not shown and judge.driver_metres > SHOWN_METRES and not info["frame"]["builtInDriver"]:
-            strip.add(observation, info["frame"], answer if driver.action == "indicators" else None)
-            shown = True
+        if picture is None and judge.driver_metres > SHOWN_METRES and not info["frame"]["builtInDriver"]:
+            picture = filmstrip.picture_of(observation, info["frame"], answer if driver.action == "indicators" else None)
         observation, _, terminated, truncated, info = env.step(answer)
         judge.take(info["frame"])
         ended = terminated or truncated
         reason = str(info["ending"]) if ended else reason
-    return {"town": town, "weather": weather, "time": time_of_day,
-            "ending": reason if ended or judge.driver_metres >= metres else "seconds",
-            "seconds": round(info["frame"]["timeSeconds"] - begun, 1), **judge.figures()}
+    figures = {"town": town, "weather": weather, "time": time_of_day,
+               "ending": reason if ended or judge.driver_metres >= metres else "seconds",
+               "seconds": round(info["frame"]["timeSeconds"] - begun, 1), **judge.figures()}
+    return figures, picture
 
 
 def total_of(episodes: List[Dict[str, Any]]) -> Dict[str, Any]:
@@ -80,29 +84,34 @@ def main() -> int:
     roads = ["--roads", options.roads] if options.roads else []
     near = [f"--near={options.near}"] if options.near else []
     out = options.out or options.model.with_suffix(".drive.json")
-    episodes: List[Dict[str, Any]] = []
-    strip = FilmStrip()
     try:
         driver = load_driver(options.model)
+        set_by = {key: value for key, value in vars(options).items() if key not in ("model", "out", "strip", "harvester")}
+        progress = Progress(out.with_suffix(".jsonl"), options.model, set_by)
+        if progress.done:
+            print(f"{len(progress.done)} of {options.towns} towns are done.", flush=True)
         ending = Ending(collision=False, outside_seconds=None, seconds=None, standing_seconds=STANDING_SECONDS)
         with DrivingEnv(
                 "image", driver.action, ending=ending, traffic=options.traffic, assisted=True, harvester=options.harvester,
                 serve_options=["--controller", "stanley", *roads, *near]) as env:
-            for number in range(options.towns):
+            for number in range(len(progress.done), options.towns):
                 weather = options.weathers[number % len(options.weathers)]
-                episodes.append(drive(
+                figures, picture = drive(
                     driver, env, options.first_town + number, weather, f"{(8 + 5 * number) % 24:02}:30",
-                    options.kilometres * 1000 / options.towns, options.seconds, strip))
-                print(json.dumps({**episodes[-1], "departures": len(episodes[-1]["departures"])}), flush=True)
+                    options.kilometres * 1000 / options.towns, options.seconds)
+                progress.add(figures, picture)
+                print(json.dumps({**figures, "departures": len(figures["departures"])}), flush=True)
     except (BridgeError, OSError) as problem:
         print(f"drive.py: {problem}", file=sys.stderr)
         return 1
+    episodes = [figures for figures, _ in progress.done]
     total = total_of(episodes)
     part = out.with_suffix(".part")
     part.write_text(json.dumps({"model": options.model.name, "total": total, "episodes": episodes}, indent=1) + "\n", encoding="utf-8")
     os.replace(part, out)
     if options.strip:
-        strip.write(options.strip)
+        filmstrip.write(options.strip, [picture for _, picture in progress.done if picture is not None])
+    progress.end()
     print(json.dumps(total))
     return 0
 

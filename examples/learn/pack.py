@@ -3,6 +3,7 @@
 DATA/packed/SET.npz has, of all frames in order: images (n, 70, 140, 3), uint8: half size, without the upper third; values (n, 13), float32:
 the indicators as in torcsEquivalent; active (n, 13); width (n,), lane widths in metres; frames (n, 2): number of the session and of the
 frame in it; speed (n,), m/s; and, of recorded drives, controls (n, 3), route (n,) and by_controller (n,). What a frame lacks is NaN.
+A set that is packed is packed again only if its sessions have changed.
 """
 from __future__ import annotations
 
@@ -50,16 +51,20 @@ def rows_of(session_number: int, folder: Path) -> Dict[str, List[Any]]:
 
 
 def pack(data: Path, name: str) -> Path:
-    """Packs a set; returns the file."""
+    """Packs a set, unless it is packed and no session has changed since; returns the file."""
     folders = sorted(folder for folder in (data / name).iterdir() if (folder / "session.json").exists())
     if not folders:
         raise SessionError(f"{data / name} has no session; run harvest.py first.")
+    target = data / "packed" / f"{name}.npz"
+    # A folder's own time tells of sessions that were deleted.
+    changed = max(path.stat().st_mtime_ns for path in (data / name, *(folder / "session.json" for folder in folders)))
+    if target.exists() and target.stat().st_mtime_ns > changed:
+        return target
     packed: Dict[str, List[np.ndarray]] = {}
     for number, folder in enumerate(folders):
         for key, values in rows_of(number, folder).items():
             packed.setdefault(key, []).append(np.asarray(values, TYPES.get(key, np.float32)))
         print(f"{name}: {number + 1} of {len(folders)} sessions", flush=True)
-    target = data / "packed" / f"{name}.npz"
     target.parent.mkdir(exist_ok=True)
     part = target.with_suffix(".part.npz")
     np.savez(part, **{key: np.concatenate(arrays) for key, arrays in packed.items()})

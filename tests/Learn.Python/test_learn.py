@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import Any, Dict, Tuple
 
 import numpy as np
@@ -12,6 +13,7 @@ import training
 from judge import Judge
 from network import INACTIVE, INDICATORS, MOST_TURN, SCALE, WIDTH, Network, as_input, indicators_of
 from packed import Packed
+from progress import Progress
 
 METRES = 0.01
 """Turning the view is computed for small angles; the cosine of the largest, 0.11 rad, changes 2 m by this much."""
@@ -121,3 +123,17 @@ def test_judge_counts_what_the_driver_did() -> None:
     assert figures["collisions"] == {"vehicle": 0, "parked": 1, "pedestrian": 0}
     # The last two steps began with the built-in driver.
     assert (figures["metres"], figures["driverMetres"], figures["rmsOffsetMetres"]) == (80, 60, 0.5)
+
+
+def test_progress_of_another_model_or_with_other_options_is_not_continued(tmp_path: Path) -> None:
+    model, other = tmp_path / "a.pt", tmp_path / "b.pt"
+    model.write_bytes(b"one")
+    other.write_bytes(b"another")
+    picture = np.arange(24, dtype=np.uint8).reshape(2, 4, 3)
+    Progress(tmp_path / "a.jsonl", model, {"towns": 3}).add({"town": 301}, picture)
+
+    (figures, image), = Progress(tmp_path / "a.jsonl", model, {"towns": 3}).done
+    assert figures == {"town": 301}
+    np.testing.assert_array_equal(image, picture)
+    assert Progress(tmp_path / "a.jsonl", model, {"towns": 4}).done == []
+    assert Progress(tmp_path / "a.jsonl", other, {"towns": 3}).done == []

@@ -95,8 +95,10 @@ internal sealed class DriveCommand
         var output = new DriveFolder(folder, CommandText.Of(parsed), parsed.GetValue(Overwrite), wasStopped ? settings : null);
         int metres = (int)Math.Ceiling(plan.Metres * plan.Episodes.Count);
         var drives = new SimulatedDrives(plan, terminal.Out) { Recording = recording };
-        ExceptionDispatchInfo? fault = new JobProgress(terminal, metres, "m").Run(
-            report => FaultOf(drives, recording, report, cancellation));
+        ExceptionDispatchInfo? fault = new JobProgress(terminal, metres, "m").Run(report => FaultOf(drives, report, cancellation));
+
+        // A drive whose recording has failed replaces no former one.
+        recording?.Close();
         DriveRecord record = DriveRecord.Of(
             settings, drives.Episodes, isWhole: fault is null && !cancellation.IsCancellationRequested);
         string? former = output.Write(written =>
@@ -130,16 +132,12 @@ internal sealed class DriveCommand
         return cancellation.IsCancellationRequested ? ExitCode.Cancelled : ExitCode.Done;
     }
 
-    /// <summary>
-    /// Drives; returns the fault that ended the drive or its recording early, or null. A drive without samples throws it.
-    /// </summary>
-    private static ExceptionDispatchInfo? FaultOf(
-        SimulatedDrives drives, DriveRecording? recording, Action<int> report, CancellationToken cancellation)
+    /// <summary>Drives; returns the fault that ended the drive early, or null. A drive without samples throws it.</summary>
+    private static ExceptionDispatchInfo? FaultOf(SimulatedDrives drives, Action<int> report, CancellationToken cancellation)
     {
         try
         {
             drives.Run(report, cancellation);
-            recording?.Close();
             return null;
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or GameFaultException)
