@@ -2,6 +2,7 @@
 
 Mean absolute errors where an indicator is active and the network takes it for active; metres are those of the road. `wrong` is the fraction
 of frames in which the network takes it for the wrong one of active and inactive. The constant guess is the median of the training set.
+With --all, every active indicator counts, by the value that the network has for it even if it takes it for inactive.
 """
 from __future__ import annotations
 
@@ -15,7 +16,7 @@ import torch
 
 from gtaharvest import INDICATOR_NAMES
 
-from network import INACTIVE, Network, indicators_of, predict
+from network import INACTIVE, INDICATORS, SCALE, Network, indicators_of, predict
 from packed import Packed, load
 
 GROUPS: Dict[str, List[str]] = {
@@ -29,11 +30,11 @@ GROUPS: Dict[str, List[str]] = {
 COLUMNS = [[INDICATOR_NAMES.index(name) for name in names] for names in GROUPS.values()]
 
 
-def row(values: np.ndarray, active: Optional[np.ndarray], packed: Packed) -> List[str]:
+def row(values: np.ndarray, active: Optional[np.ndarray], packed: Packed, counts_all: bool = False) -> List[str]:
     """The errors of estimates, one for each group, and the fraction of wrong activity."""
     wrong = np.abs(values - packed.values)
     wrong[:, [1, 2, 3, 6, 7, 8, 9]] *= packed.width[:, None] / 4
-    counted = packed.active if active is None else packed.active & active
+    counted = packed.active if active is None or counts_all else packed.active & active
     errors = [wrong[:, columns][counted[:, columns]] for columns in COLUMNS]
     cells = [f"{each.mean():.3f}" if len(each) > 0 else "none" for each in errors]
     return [*cells, "" if active is None else f"{(active != packed.active).mean():.3f}"]
@@ -53,6 +54,7 @@ def main() -> int:
     parser.add_argument("data", type=Path, help="folder with the packed sets")
     parser.add_argument("models", nargs="+", type=Path, help="files of train.py")
     parser.add_argument("--sets", nargs="+", default=["towns", "weathers", "roads"], help="sets; default: towns, weathers, roads")
+    parser.add_argument("--all", action="store_true", help="count active indicators also where the network takes them for inactive")
     options = parser.parse_args()
     torch.set_num_threads(1)
     table: List[Tuple[str, str, List[str]]] = []
@@ -64,8 +66,10 @@ def main() -> int:
         for name in options.sets:
             packed = load(options.data, name)
             for model in options.models:
-                values, active = indicators_of(predict(load_network(model), packed.images))
-                table.append((name, model.stem, row(values, active, packed)))
+                outputs = predict(load_network(model), packed.images)
+                values, active = indicators_of(outputs)
+                estimates = outputs[:, :INDICATORS] * SCALE if options.all else values
+                table.append((name, model.stem, row(estimates, active, packed, options.all)))
             table.append((name, "constant guess", row(np.tile(guess, (len(packed), 1)), None, packed)))
     except OSError as problem:
         print(f"evaluate.py: {problem}", file=sys.stderr)

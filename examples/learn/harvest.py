@@ -17,7 +17,9 @@ from sets import SETS, SessionPlan
 
 
 def is_whole(folder: Path) -> bool:
-    """Whether the folder has a complete session."""
+    """Whether the folder has a session that is complete. One that was stopped in good order still has the mark."""
+    if (folder / ".harvester-unfinished").exists():
+        return False
     try:
         return bool(json.loads((folder / "session.json").read_text(encoding="utf-8"))["state"] == "complete")
     except (OSError, ValueError, KeyError):

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import shlex
 import subprocess
@@ -14,10 +15,18 @@ from harvest import is_whole
 from sets import DRIVES, DrivePlan
 
 
+def is_driven(folder: Path) -> bool:
+    """Whether the folder has a drive that was not stopped."""
+    try:
+        return bool(json.loads((folder / "drive.json").read_text(encoding="utf-8"))["isWhole"])
+    except (OSError, ValueError, KeyError):
+        return False
+
+
 def record(command: List[str], data: Path, plan: DrivePlan, metres: int) -> str:
     """Records a drive, unless that is done; returns its name."""
     folder = data / "drives" / plan.name
-    if not is_whole(folder):
+    if not (is_whole(folder) and is_driven(data / "driven" / plan.name)):
         done = subprocess.run(
             [*command, "drive", "--out", str(data / "driven" / plan.name), "--overwrite", "--record", str(folder), "--quiet",
              *plan.options(metres)],

@@ -10,10 +10,12 @@ import torch
 
 import train
 import training
+from harvest import is_whole
 from judge import Judge
 from network import INACTIVE, INDICATORS, MOST_TURN, SCALE, WIDTH, Network, as_input, indicators_of
 from packed import Packed
 from progress import Progress
+from record import is_driven
 
 METRES = 0.01
 """Turning the view is computed for small angles; the cosine of the largest, 0.11 rad, changes 2 m by this much."""
@@ -137,3 +139,13 @@ def test_progress_of_another_model_or_with_other_options_is_not_continued(tmp_pa
     np.testing.assert_array_equal(image, picture)
     assert Progress(tmp_path / "a.jsonl", model, {"towns": 4}).done == []
     assert Progress(tmp_path / "a.jsonl", other, {"towns": 3}).done == []
+
+
+def test_harvest_and_drive_that_were_stopped_in_good_order_are_not_done(tmp_path: Path) -> None:
+    (tmp_path / "session.json").write_text('{"state": "complete"}')
+    (tmp_path / "drive.json").write_text('{"isWhole": false}')
+    assert is_whole(tmp_path) and not is_driven(tmp_path)
+
+    (tmp_path / ".harvester-unfinished").write_text("harvester harvest")
+    (tmp_path / "drive.json").write_text('{"isWhole": true}')
+    assert not is_whole(tmp_path) and is_driven(tmp_path)
