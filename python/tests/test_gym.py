@@ -91,8 +91,8 @@ def test_episode_ends_as_configured(games: List[FakeGame], ending: gym.Ending, c
 
 def test_game_without_truth_still_rewards_distance(games: List[FakeGame]) -> None:
     unknown = dict.fromkeys((
-        "drivenMetres", "collision", "collisions", "outsideLanes", "laneOffsetMetres", "laneAngleRadians", "redLightsRun", "stopSignsRun",
-        "repositioned", "route", "routeMetres", "light", "stopSign", "appliedControls", "builtInDriver"))
+        "drivenMetres", "collision", "collisions", "outsideLanes", "road", "lane", "acrossMarking", "laneOffsetMetres", "laneAngleRadians",
+        "redLightsRun", "stopSignsRun", "repositioned", "route", "routeMetres", "light", "stopSign", "appliedControls", "builtInDriver"))
     with environment(games, frames({n: unknown for n in range(9)}), restarts=False) as env:
         env.reset(options={"position": (1, 2, 3), "headingDegrees": 90})
         state, reward, terminated, _, _ = env.step([0, 1, 0])
@@ -243,3 +243,47 @@ def test_plain_spaces_sample_within_their_bounds() -> None:
     assert all(np.array_equal(first[name], again) for name, again in both.sample().items())
     assert np.array([0, 3], np.float32) not in box and np.array([0, 1], np.float64) not in box and [0, 1] not in box
     assert {"a": first["a"]} not in both
+
+
+def test_step_after_an_interrupted_one_is_refused_and_reset_connects_anew(games: List[FakeGame]) -> None:
+    with environment(games, frames({})) as env:
+        env.reset(seed=1)
+        env.send_step([0, 1, 0])
+        with pytest.raises(RuntimeError, match="call reset"):
+            env.send_step([0, 1, 0])
+        _, info = env.reset(seed=2)
+        # The interrupted step's frame would have been the one at 0.1 s.
+        assert info["frame"]["timeSeconds"] == 0
+        assert [message["type"] for message in games[0].heard].count("hello") == 2
+        env.step([0, 1, 0])
+
+
+def test_bad_action_has_not_been_sent(games: List[FakeGame]) -> None:
+    with environment(games, frames({})) as env:
+        env.reset(seed=1)
+        with pytest.raises(ValueError, match="3 finite numbers"):
+            env.step([0, float("nan"), 0])
+        _, _, _, _, info = env.step([0, 1, 0])
+    assert info["frame"]["frame"] == 1
+
+
+@pytest.mark.parametrize("options, message", [
+    ({"town": 3}, "can be restarted"), ({"headingDegrees": 90}, "needs the option position"), ({"colour": 1}, "colour")])
+def test_reset_refuses_options_without_effect(games: List[FakeGame], options: Message, message: str) -> None:
+    with environment(games, frames({}), restarts=False) as env, pytest.raises(ValueError, match=message):
+        env.reset(options=options)
+
+
+def test_measured_numbers_are_floats_also_if_whole(games: List[FakeGame]) -> None:
+    with environment(games, frames({})) as env:
+        _, info = env.reset(seed=1)
+    seen = info["frame"]
+    assert all(isinstance(seen[name], float) for name in ("speedMetresPerSecond", "headingDegrees", "drivenMetres"))
+    assert all(isinstance(number, float) for name in ("position", "indicators") for number in seen[name])
+    assert isinstance(seen["frame"], int) and isinstance(seen["redLightsRun"], int)
+
+
+def test_images_per_second_follow_the_step(games: List[FakeGame]) -> None:
+    with environment(games, frames({}), step_seconds=0.05) as env:
+        assert env.metadata["render_fps"] == 20
+    assert gym.DrivingEnv.metadata["render_fps"] == 10

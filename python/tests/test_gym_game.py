@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import importlib
 import inspect
+import json
 import os
 import signal
+from pathlib import Path
 from typing import Any, Iterator, List
 
 import numpy as np
@@ -105,6 +108,22 @@ def test_game_that_is_killed_is_told(env: gym.DrivingEnv) -> None:
         own.reset(seed=1)
 
 
+def test_environments_side_by_side_are_reset_together_after_one_has_failed() -> None:
+    side = gym.SideBySide(2, observation="state", size=SIZE, traffic=0.0, ending=ENDLESS)
+    try:
+        first, _ = side.reset(seed=4)
+        with pytest.raises(ValueError):
+            side.step([[0, 1, 0], [0, float("nan"), 0]])
+        with pytest.raises(RuntimeError, match="call reset"):
+            side.step([[0, 1, 0], [0, 1, 0]])
+        again = side.reset_ended()
+        assert again.keys() == {0, 1} and all(info["frame"]["drivenMetres"] == 0 for _, info in again.values())
+        fresh, _ = side.reset(seed=4)
+        np.testing.assert_array_equal(fresh, first)
+    finally:
+        side.close()
+
+
 def test_game_ends_with_its_environment() -> None:
     own = create(observation="state")
     own.reset(seed=1)
@@ -112,6 +131,16 @@ def test_game_ends_with_its_environment() -> None:
     own.close()
     own.close()
     assert process.returncode == 0
+
+
+def test_recording_has_the_seed_and_the_town_of_each_restart(tmp_path: Path) -> None:
+    with create(observation="image", traffic=0.0, serve_options=["--record", str(tmp_path / "drives")]) as own:
+        for options in ({}, {"town": 3}):
+            own.reset(seed=7, options=options)
+            own.step([0, 0.5, 0])
+
+    infos = [json.loads((tmp_path / "drives" / name / "session.json").read_text(encoding="utf-8")) for name in ("0001", "0002")]
+    assert [(info["seed"], info["settings"]["town"]) for info in infos] == [(7, "1"), (7, "3")]
 
 
 def test_hung_game_is_told_and_ended() -> None:
@@ -126,7 +155,14 @@ def test_hung_game_is_told_and_ended() -> None:
             os.kill(pid, 0)
 
 
-@pytest.mark.skipif(spaces.gymnasium_module is not None, reason="gymnasium checks itself")
+@pytest.mark.skipif(spaces.gymnasium_module is None, reason="gymnasium is not installed")
+def test_check_env_of_gymnasium() -> None:
+    checker = importlib.import_module("gymnasium.utils.env_checker")
+    with create() as env:
+        checker.check_env(env)
+
+
+@pytest.mark.skipif(spaces.gymnasium_module is not None, reason="test_check_env_of_gymnasium")
 def test_environment_keeps_what_check_env_asks(env: gym.DrivingEnv) -> None:
     """What gymnasium.utils.env_checker.check_env examines, in its order."""
     for space in (env.action_space, *env.observation_space.values()):

@@ -15,6 +15,9 @@ from gtaharvest import gym
 
 VECTORS = Path(__file__).parents[2] / "tests" / "Evaluation.Tests" / "Scores"
 
+with (VECTORS.parent / "Figures" / "lane-keeping.csv").open(encoding="utf-8", newline="") as stream:
+    PLACES = list(csv.DictReader(stream))
+
 ROUNDED = 5e-5
 """The published intervals have four decimals."""
 
@@ -39,6 +42,20 @@ def test_poisson_intervals_are_those_of_the_tables(row: Dict[str, float]) -> Non
     assert gym.poisson_interval(int(row["events"])) == pytest.approx((row["low"], row["high"]), abs=ROUNDED)
 
 
+@pytest.mark.parametrize("drive", sorted({row["drive"] for row in PLACES}))
+def test_departures_begin_where_the_file_says(drive: str) -> None:
+    rows = [row for row in PLACES if row["drive"] == drive]
+    keeping, moves = gym.LaneKeeping(), 0
+    for number, row in enumerate(rows):
+        moves += int(row["moved"])
+        keeping.take(frame(
+            number, road=int(row["road"]) if row["road"] else None, lane=int(row["lane"]) if row["lane"] else None,
+            outsideLanes=row["beyond"] == "1", acrossMarking=row["across"] == "1", builtInDriver=row["controller"] == "0",
+            repositioned=moves))
+
+    assert [begun["frame"] for begun in keeping.departures] == [number for number, row in enumerate(rows) if row["departs"] == "1"]
+
+
 def test_counters_are_differences_between_frames() -> None:
     before = {"collisions": [1, 0, 2], "redLightsRun": 3, "stopSignsRun": 1, "repositioned": 1}
     after = {"collisions": [2, 0, 2], "redLightsRun": 5, "stopSignsRun": 1, "repositioned": 2}
@@ -48,7 +65,7 @@ def test_counters_are_differences_between_frames() -> None:
          frame(15, **before, **outside, builtInDriver=True), frame(20, **after)], wanted_metres=40)
 
     # The fake car drives a metre per number: 1 + 2 outside in one departure of the client, and 1 of the built-in driver.
-    assert (episode.driven_metres, episode.outside_metres, episode.lane_departures) == (10, 4, 1)
+    assert (episode.driven_metres, episode.outside_metres, episode.judged_metres, episode.lane_departures) == (10, 4, 9, 1)
     assert episode.seconds == pytest.approx(1)
     assert (episode.vehicle_collisions, episode.parked_collisions, episode.pedestrian_collisions) == (1, 0, 0)
     assert (episode.red_lights, episode.stop_signs, episode.repositioned) == (2, 0, 1)
@@ -59,7 +76,9 @@ def test_rates_count_the_events_of_all_episodes() -> None:
     rates = gym.rates_per_km([gym.Episode(1000, 1000, red_lights=1), gym.Episode(1000, 3000, red_lights=1)])
     low, high = gym.poisson_interval(2)
     assert rates["red_lights"] == (2, 4, 0.5, pytest.approx(low / 4), pytest.approx(high / 4))
-    assert rates["lane_departures"][:4] == (0, 4, 0, 0)
+    assert rates["lane_departures"].kilometres == 0
+    judged = gym.rates_per_km([gym.Episode(1000, 1000, judged_metres=500, lane_departures=1)])
+    assert judged["lane_departures"][:3] == (1, 0.5, 2)
     assert math.isnan(gym.rates_per_km([gym.Episode(1000)])["red_lights"].per_km)
 
 

@@ -115,6 +115,7 @@ internal sealed class ServeCommand
     {
         ControllerPlan controller = Controller.Parse(parsed) with { LookAheadMetres = 0 };
         SimulationOptions world = WorldOf(parsed);
+        SimulationOptions current = world;
         SimulatedGame first = Build(world);
         bool isLockStep = parsed.GetValue(LockStep);
         var options = new DrivingOptions
@@ -136,7 +137,7 @@ internal sealed class ServeCommand
         (long Frames, double Metres, double Seconds, string? Fault) served;
         if (isLockStep)
         {
-            var serving = new LockStepGame(bridge, restart => restart is null ? first : Build(Restarted(world, restart)), Connect)
+            var serving = new LockStepGame(bridge, restart => restart is null ? first : Build(current = Restarted(world, restart)), Connect)
             {
                 Connections = connections,
                 IsDone = isDone,
@@ -166,7 +167,7 @@ internal sealed class ServeCommand
             FixedRoads roads = new(game.Roads, "simulation");
             return new GameEndpoint(game, roads, options, bridge, controller.New, !parsed.GetValue(Unassisted))
             {
-                Recording = recording?.Of(game, roads, world.Seed),
+                Recording = recording?.Of(game, roads, current.TrafficSeed ?? current.Seed, TownOf(current)),
             };
         }
     }
@@ -178,6 +179,15 @@ internal sealed class ServeCommand
         TrafficSeed = restart.Seed,
         StartSeed = restart.Seed,
     };
+
+    /// <summary>The setting that tells a restart's town, which has a seed of its own.</summary>
+    private static IEnumerable<KeyValuePair<string, string>> TownOf(SimulationOptions world)
+    {
+        if (world.TrafficSeed is not null && world.Roads is null)
+        {
+            yield return new("town", world.Seed.ToString(CultureInfo.InvariantCulture));
+        }
+    }
 
     private SimulationOptions WorldOf(ParseResult parsed)
     {

@@ -44,7 +44,8 @@ internal sealed class DriveRecording : IDisposable
     /// <param name="game">The game.</param>
     /// <param name="roads">Its roads.</param>
     /// <param name="seed">Its random seed.</param>
-    public GameRecording Of(SimulatedGame game, IRoads roads, int seed)
+    /// <param name="further">Settings of this game beside those of all.</param>
+    public GameRecording Of(SimulatedGame game, IRoads roads, int seed, IEnumerable<KeyValuePair<string, string>>? further = null)
     {
         var origin = new SessionOrigin
         {
@@ -52,7 +53,7 @@ internal sealed class DriveRecording : IDisposable
             Tool = $"harvester {typeof(DriveRecording).Assembly.GetName().Version!.ToString(3)}",
             Seed = seed,
             Truth = LabelTruths.OfSimulation(false),
-            Settings = _plan.Settings,
+            Settings = [.. _plan.Settings, .. further ?? []],
         };
         var recording = new GameRecording(game, roads, _plan, origin, () => _single ?? _numbered!.Next(), Release);
         _recordings.Add(recording);

@@ -68,6 +68,9 @@ internal static class BridgeText
             .Key("collision").String(truth?.Collision);
         AppendNumbers(json.Key("collisions"), truth is null ? null : Array.ConvertAll([.. truth.Collisions], static n => (double)n));
         json.Key("outsideLanes").Boolean(truth?.IsOutsideLanes)
+            .Key("road").Integer(truth?.Road)
+            .Key("lane").Integer(truth?.Lane)
+            .Key("acrossMarking").Boolean(truth?.IsAcrossMarking)
             .Key("laneOffsetMetres").Number(truth?.LaneOffsetMetres, Decimals)
             .Key("laneAngleRadians").Number(truth?.LaneAngleRadians, Decimals)
             .Key("redLightsRun").Integer(truth?.RedLightsRun)

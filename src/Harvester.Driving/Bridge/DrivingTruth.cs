@@ -21,6 +21,15 @@ public sealed record DrivingTruth
     /// <summary>Whether a part of the car is beyond the lanes of its direction, or the car off the road; false in junctions.</summary>
     public required bool IsOutsideLanes { get; init; }
 
+    /// <summary>Number of the road on which the car is; null in junctions and off all roads.</summary>
+    public required int? Road { get; init; }
+
+    /// <summary>Index of its lane, from the left of its direction, from 0; null in junctions and off the lanes of its direction.</summary>
+    public required int? Lane { get; init; }
+
+    /// <summary>Whether a part of the car is beyond the markings of its lane; false in junctions.</summary>
+    public required bool IsAcrossMarking { get; init; }
+
     /// <summary>Distance of the car to the right of the centre of its lane, metres; null in junctions and off the lanes.</summary>
     public required double? LaneOffsetMetres { get; init; }
 

@@ -6,6 +6,7 @@ The package gymnasium is not needed. If it is installed, the environment is a gy
 
 from .env import DrivingEnv
 from .errors import BridgeError, GameEndedError, GameHungError, GameRefusedError, GameStartError, VersionError
+from .lane_keeping import LaneKeeping
 from .link import PROTOCOL_VERSION, BridgeLink
 from .rewards import Reward
 from .rules import Ending
@@ -17,8 +18,8 @@ from .vector import SideBySide
 
 __all__ = [
     "Box", "BridgeError", "BridgeLink", "Dict", "DrivingEnv", "Ending", "Episode", "EpisodeCounter", "GameEndedError", "GameHungError",
-    "GameRefusedError", "GameServer", "GameStartError", "PROTOCOL_VERSION", "Rate", "Reward", "STATE_NAMES", "SideBySide", "VersionError",
-    "driving_score", "mean_interval", "poisson_interval", "rates_per_km"]
+    "GameRefusedError", "GameServer", "GameStartError", "LaneKeeping", "PROTOCOL_VERSION", "Rate", "Reward", "STATE_NAMES", "SideBySide",
+    "VersionError", "driving_score", "mean_interval", "poisson_interval", "rates_per_km"]
 
 if gymnasium_module is not None:
     gymnasium_module.register(id="gtaharvest/Driving-v0", entry_point="gtaharvest.gym:DrivingEnv")

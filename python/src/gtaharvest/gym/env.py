@@ -72,6 +72,7 @@ class DrivingEnv(Env):
         if render_mode not in (None, "rgb_array"):
             raise ValueError(f"render_mode is None or 'rgb_array', not '{render_mode}'.")
         self.render_mode = render_mode
+        self.metadata = {**self.metadata, "render_fps": max(1, round(1 / step_seconds))}
         self._has_image = observation != "state"
         self._has_state = observation != "image"
         self._by_controls = action == "controls"
@@ -91,6 +92,7 @@ class DrivingEnv(Env):
         self._rules: Optional[Rules] = None
         self._frame: Header = {}
         self._picture: Optional[Array] = None
+        self._is_awaiting = False
         image = Box(0, 255, (size[1], size[0], 3), np.uint8)
         state = Box(STATE_LOW, STATE_HIGH, dtype=np.float32)
         self.observation_space = (
@@ -105,14 +107,22 @@ class DrivingEnv(Env):
         """Begins an episode. seed: decides traffic, people, route and start, and the seeds of the following resets without one.
         options: `town` (the seed of another town), `weather`, `timeOfDay` (as 17:30), `position` (x, y, z) with `headingDegrees`.
 
+        A game of which a frame is still awaited, because a step was interrupted, is ended, and another one started.
+
         Raises BridgeError.
         """
         super().reset(seed=seed)
-        episode = int(self.np_random.integers(2**31)) if seed is None else seed % 2**31
+        episode = int(self.np_random.integers(2**31)) if seed is None else int(seed) % 2**31
         wanted = dict(options or {})
         unknown = set(wanted) - {"town", "weather", "timeOfDay", "position", "headingDegrees"}
         if unknown:
             raise ValueError(f"Unknown options of reset: {', '.join(sorted(unknown))}.")
+        if "town" in wanted and not self._restarts:
+            raise ValueError("The option town needs a game that can be restarted.")
+        if "headingDegrees" in wanted and "position" not in wanted:
+            raise ValueError("The option headingDegrees needs the option position.")
+        if self._is_awaiting:
+            self.close()
         try:
             self._begin(episode, wanted)
         except BridgeError:
@@ -130,14 +140,20 @@ class DrivingEnv(Env):
         return self.receive_step()
 
     def send_step(self, action: Any) -> None:
-        """The first half of a step: sends the action, so that several games can work at once."""
+        """The first half of a step: sends the action, so that several games can work at once. receive_step must follow.
+
+        Raises BridgeError, and RuntimeError if receive_step has not followed the last call.
+        """
         link, _ = self._ready()
+        if self._is_awaiting:
+            raise RuntimeError("The frame of the step before has not been received; call reset.")
         values = [float(value) for value in np.asarray(action, np.float64).reshape(-1)]
         if len(values) != self.action_space.shape[0] or not np.all(np.isfinite(values)):
             raise ValueError(f"An action has {self.action_space.shape[0]} finite numbers, not {action!r}.")
         message: Header = (
             {"type": "controls", "steering": values[0], "throttle": values[1], "brake": values[2]} if self._by_controls
             else {"type": "indicators", "values": values})
+        self._is_awaiting = True
         try:
             link.send(message, {"type": "step", "seconds": self._step_seconds, "image": self._has_image})
         except BridgeError as problem:
@@ -162,9 +178,11 @@ class DrivingEnv(Env):
             return None
         link, _ = self._ready()
         if self._picture is None:
+            self._is_awaiting = True
             try:
                 link.send({"type": "requestFrame"})
                 self._picture = self._decoded(link.frame()[1])
+                self._is_awaiting = False
             except BridgeError as problem:
                 raise self._lost(problem) from None
         return self._picture
@@ -172,6 +190,7 @@ class DrivingEnv(Env):
     def close(self) -> None:
         """Disconnects, and ends the game if this environment has started it. A reset begins anew."""
         self._rules = None
+        self._is_awaiting = False
         if self._link is not None:
             self._link.close()
             self._link = None
@@ -186,6 +205,7 @@ class DrivingEnv(Env):
 
     def _begin(self, episode: int, options: DictOf[str, Any]) -> None:
         link = self._connected()
+        self._is_awaiting = True
         after: List[Header] = []
         if "weather" in options or "timeOfDay" in options:
             after.append({"type": "environment", **{name: options[name] for name in ("weather", "timeOfDay") if name in options}})
@@ -199,6 +219,7 @@ class DrivingEnv(Env):
         else:
             self._pause(link)
         if after or not self._restarts:
+            self._is_awaiting = True
             link.send(*after, {"type": "requestFrame", "image": self._has_image})
             self._take(None, self._has_image)
 
@@ -230,6 +251,7 @@ class DrivingEnv(Env):
                 raise GameHungError(f"The game has sent no frame of the end of the step for {self._patience:g} s.")
         self._frame = frame
         self._picture = self._decoded(png) if has_image else None
+        self._is_awaiting = False
 
     def _decoded(self, png: bytes) -> Array:
         try:

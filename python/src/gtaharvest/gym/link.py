@@ -16,6 +16,10 @@ PROTOCOL_VERSION = 1
 _LENGTHS = struct.Struct(">II")
 _LONGEST = 256 * 1024 * 1024
 
+_MEASURED = (
+    "timeSeconds", "speedMetresPerSecond", "headingDegrees", "drivenMetres", "laneOffsetMetres", "laneAngleRadians", "routeMetres")
+_MEASURED_LISTS = ("position", "indicators", "torcsEquivalent", "appliedControls")
+
 Header = Dict[str, Any]
 
 
@@ -89,10 +93,16 @@ class BridgeLink:
         return header, payload
 
     def frame(self) -> Tuple[Header, bytes]:
-        """The next frame: its state and its image as PNG, empty if none was asked for."""
+        """The next frame: its state and its image as PNG, empty if none was asked for. What is measured is a float, also if it is whole."""
         header, payload = self.receive()
         if header.get("type") != "frame":
             raise GameRefusedError(f"{self._place} sends '{header.get('type')}' instead of a frame.")
+        for name in _MEASURED:
+            if header.get(name) is not None:
+                header[name] = float(header[name])
+        for name in _MEASURED_LISTS:
+            if header.get(name) is not None:
+                header[name] = [float(number) for number in header[name]]
         return header, payload
 
     def close(self) -> None:

@@ -8,6 +8,8 @@ from typing import Any, Callable, Dict, Iterable, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
+from .lane_keeping import LaneKeeping
+
 PENALTIES: Dict[str, float] = {
     "pedestrian_collisions": 0.50,
     "vehicle_collisions": 0.60,
@@ -51,8 +53,11 @@ class Episode:
     stop_signs: int = 0
     """Stop signs passed without a stop."""
 
+    judged_metres: float = 0.0
+    """Distance that the client drove outside junctions, metres, where alone lane departures count."""
+
     lane_departures: int = 0
-    """Times that a part of the car left the lanes of its direction while the client drove."""
+    """Times that a part of the car left the lanes of its direction, or entered the adjacent lane and came back, while the client drove."""
 
     repositioned: int = 0
     """Times that the game put the car elsewhere, as when it was stuck."""
@@ -97,18 +102,20 @@ class EpisodeCounter:
         self._first: Dict[str, Any] = {}
         self._last: Dict[str, Any] = {}
         self._outside_metres = 0.0
-        self._departures = 0
+        self._judged_metres = 0.0
+        self._keeping = LaneKeeping()
 
     def take(self, frame: Dict[str, Any]) -> None:
-        """Takes the next frame. Its distance counts as outside if it ends outside."""
+        """Takes the next frame. The distance from the frame before counts by where, and by whom, it ends."""
         if frame.get("drivenMetres") is None or frame.get("collisions") is None:
             raise ValueError("The frame has no counters; only the simulated game knows them.")
         if self._last:
-            outside = bool(frame.get("outsideLanes"))
-            self._outside_metres += outside * (frame["drivenMetres"] - self._last["drivenMetres"])
-            self._departures += outside and not self._last.get("outsideLanes") and not frame.get("builtInDriver")
+            metres = frame["drivenMetres"] - self._last["drivenMetres"]
+            self._outside_metres += metres * bool(frame["outsideLanes"])
+            self._judged_metres += metres * LaneKeeping.is_judged(frame)
         else:
             self._first = frame
+        self._keeping.take(frame)
         self._last = frame
 
     @property
@@ -128,7 +135,8 @@ class EpisodeCounter:
             pedestrian_collisions=int(pedestrians),
             red_lights=last["redLightsRun"] - first["redLightsRun"],
             stop_signs=last["stopSignsRun"] - first["stopSignsRun"],
-            lane_departures=self._departures,
+            judged_metres=self._judged_metres,
+            lane_departures=len(self._keeping.departures),
             repositioned=last["repositioned"] - first["repositioned"])
 
 
@@ -148,13 +156,14 @@ class Rate(NamedTuple):
 
 
 def rates_per_km(episodes: Sequence[Episode], confidence: float = 0.95) -> Dict[str, Rate]:
-    """The infractions of all episodes per kilometre driven, by the names of `Episode`, with Garwood's exact intervals. Not a
-    number if no distance was driven.
+    """The infractions of all episodes, by the names of `Episode`, with Garwood's exact intervals: lane departures per kilometre that the
+    client drove outside junctions, all others per kilometre driven. Not a number if no such distance was driven.
     """
-    kilometres = sum(episode.driven_metres for episode in episodes) / 1000
+    driven, judged = (sum(getattr(episode, name) for episode in episodes) / 1000 for name in ("driven_metres", "judged_metres"))
     rates = {}
     for name in _RATES:
         events = sum(int(getattr(episode, name)) for episode in episodes)
+        kilometres = judged if name == "lane_departures" else driven
         low, high = poisson_interval(events, confidence)
         rates[name] = Rate(events, kilometres, *(value / kilometres if kilometres > 0 else math.nan for value in (events, low, high)))
     return rates

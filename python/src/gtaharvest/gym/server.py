@@ -88,10 +88,12 @@ class GameServer:
         while True:
             try:
                 line = lines.get(timeout=max(0.0, until - time.monotonic()))
-            except queue.Empty:
+                if line is None:
+                    # A wrapper may close its output and live on.
+                    self._process.wait(max(0.0, until - time.monotonic()))
+            except (queue.Empty, subprocess.TimeoutExpired):
                 raise GameStartError(f"harvester serve did not start within {patience:g} s. Give it more patience.") from None
             if line is None:
-                self._process.wait()
                 raise GameStartError(f"harvester serve ended at its start with code {self._process.returncode}: {self.fault()}")
             if line.startswith(_SERVING):
                 host, port = line[len(_SERVING):].strip().rsplit(":", 1)

@@ -128,6 +128,7 @@ class PlainEnv:
     render_mode: Optional[str] = None
     spec: Any = None
     _np_random: Optional[np.random.Generator] = None
+    _np_random_seed = -1
 
     @property
     def unwrapped(self) -> PlainEnv:
@@ -139,9 +140,15 @@ class PlainEnv:
             self._np_random = np.random.default_rng()
         return self._np_random
 
+    @property
+    def np_random_seed(self) -> int:
+        """The seed of the last reset that had one; -1 before."""
+        return self._np_random_seed
+
     def reset(self, *, seed: Optional[int] = None, options: Optional[DictOf[str, Any]] = None) -> Any:
         if seed is not None:
             self._np_random = np.random.default_rng(seed)
+            self._np_random_seed = int(seed)
 
     def close(self) -> None:
         pass

@@ -36,12 +36,19 @@ class SideBySide:
     def step(
         self, actions: Sequence[Any]
     ) -> Tuple[List[Any], List[float], List[bool], List[bool], List[Dict[str, Any]]]:
-        """Steps all: observations, rewards, terminated, truncated, infos."""
+        """Steps all: observations, rewards, terminated, truncated, infos.
+
+        Raises BridgeError or ValueError if one cannot be stepped; then all have to be reset.
+        """
         if len(actions) != len(self.envs):
             raise ValueError(f"{len(self.envs)} environments need as many actions, not {len(actions)}.")
-        for env, action in zip(self.envs, actions):
-            env.send_step(action)
-        results = [env.receive_step() for env in self.envs]
+        try:
+            for env, action in zip(self.envs, actions):
+                env.send_step(action)
+            results = [env.receive_step() for env in self.envs]
+        except BaseException:
+            self._ended = [True] * len(self.envs)
+            raise
         observations, rewards, terminated, truncated, infos = (list(each) for each in zip(*results))
         self._ended = [before or end or cut for before, end, cut in zip(self._ended, terminated, truncated)]
         return observations, rewards, terminated, truncated, infos
