@@ -2,10 +2,10 @@
 import json, socket, struct, sys, time
 
 def receive(stream):
-    sizes = stream.read(8) or sys.exit("The game has closed the bridge.")
-    header, picture_png = (stream.read(size) for size in struct.unpack(">II", sizes))
-    state = json.loads(header)
-    return (state, picture_png) if state["type"] != "error" else sys.exit(f"The game refuses: {state['reason']}")
+    sizes = struct.unpack(">II", stream.read(8) or sys.exit("The game has closed the bridge."))
+    state, png = json.loads(header := stream.read(sizes[0])), stream.read(sizes[1])
+    is_refusal = state["type"] == "error" or state.get("version", 1) != 1
+    return sys.exit(f"The game refuses: {state.get('reason', header)}") if is_refusal else (state, png)
 
 def send(stream, **message):
     stream.write(struct.pack(">II", len(header := json.dumps(message).encode()), 0) + header)
@@ -20,7 +20,7 @@ def keep_lane(state):
 if __name__ == "__main__":
     port, seconds = (sys.argv[1:] + ["4567", "60"][len(sys.argv) - 1:])[:2]
     try:
-        stream = socket.create_connection(("127.0.0.1", int(port))).makefile("rwb")
+        stream = socket.create_connection(("127.0.0.1", int(port)), timeout=60).makefile("rwb")
         send(stream, type="hello", version=1)
         hello, end = receive(stream), time.monotonic() + float(seconds)
         while time.monotonic() < end:

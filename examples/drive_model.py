@@ -15,6 +15,7 @@ from drive_loop import receive, send
 
 
 SUB, UP = 1, 2
+MOST_SILENCE = 60  # Seconds without a byte from the game.
 
 
 def load(path):
@@ -76,7 +77,7 @@ def look(stream):
 
 def drive(predict, host, port, seconds, token):
     end = time.monotonic() + seconds
-    with socket.create_connection((host, port)).makefile("rwb") as stream:
+    with socket.create_connection((host, port), timeout=MOST_SILENCE).makefile("rwb") as stream:
         send(stream, type="hello", version=1, **({"token": token} if token else {}))
         receive(stream)  # The hello of the game.
         while time.monotonic() < end:
