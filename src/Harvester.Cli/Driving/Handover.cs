@@ -5,7 +5,8 @@ namespace Harvester.Cli.Driving;
 
 /// <summary>
 /// Decides who drives: the controller where the indicators show the lanes in which the car is and what it has to do, otherwise the built-in
-/// driver. That hands back once the car is near the centre of its lane and nearly parallel to it. At first, the controller drives.
+/// driver. That hands back once the car is near the centre of its lane and nearly parallel to it, and no sharp bend is ahead, of which a
+/// controller that begins there would not know where it begins. At first, the controller drives.
 /// </summary>
 internal sealed class Handover
 {
@@ -17,6 +18,9 @@ internal sealed class Handover
     /// the angle, a car 2 m wide is then still within a lane of 4 m.
     /// </summary>
     private const double MaxOffset = 0.15;
+
+    /// <summary>Radians that the road may turn up to the look-ahead point where the built-in driver hands back.</summary>
+    private const double MaxBend = 0.3;
 
     /// <summary>
     /// Metres by which the lanes at the look-ahead point may lie beside those at the car. Farther to the side are the lanes behind a
@@ -33,7 +37,7 @@ internal sealed class Handover
     public bool Decide(LaneObservation? seen, bool needsOwnDriver)
     {
         IsToController = seen is { Status: LaneStatus.Known } && !needsOwnDriver && !AreLanesShifted(seen)
-            && (IsToController || IsInLane(seen.IndicatorsAtCar));
+            && (IsToController || (IsInLane(seen.IndicatorsAtCar) && !IsBendAhead(seen)));
         return IsToController;
     }
 
@@ -44,6 +48,9 @@ internal sealed class Handover
 
     private static bool IsShifted(Indicator here, Indicator there) =>
         here.IsValid != there.IsValid || (here.IsValid && Math.Abs(here.Value - there.Value) > MaxShift);
+
+    private static bool IsBendAhead(LaneObservation seen) =>
+        Math.Abs(seen.Indicators.Angle.Value - seen.IndicatorsAtCar.Angle.Value) > MaxBend;
 
     private static bool IsInLane(LaneIndicators at) =>
         Math.Abs(at.Angle.Value) < MaxAngle

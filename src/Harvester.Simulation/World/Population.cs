@@ -19,6 +19,9 @@ internal sealed class Population
     private const double WalkersPerMetre = 1.0 / 45;
     private const double FromKerb = 1.15;
 
+    /// <summary>How far the ends of a parked body may reach into the lane in a bend, beyond its middle, metres.</summary>
+    private const double MostIntoLane = 1;
+
     /// <summary>Around a place that is visited, metres, there are more vehicles and people: most labels are of what is near.</summary>
     private const double NearEgo = 100;
     private const double VehiclesNearEgo = 14;
@@ -110,7 +113,8 @@ internal sealed class Population
                 double beyond = Math.Max(model.Max.X, -model.Min.X) + fromLane;
                 double offset = onRight ? road.Layout.RightEdge + beyond : road.Layout.LeftEdge - beyond;
                 Vector3D place = road.Curve.OffsetAt(distance, offset);
-                if (Math.Abs(heightAt(place) - place.Z) < level && !index.IsOnAnother(road, place, 2 * beyond))
+                if (Math.Abs(heightAt(place) - place.Z) < level && !index.IsOnAnother(road, place, 2 * beyond)
+                    && IsClearOfLane(road, distance, onRight, model))
                 {
                     bool facesForward = road.Layout.IsOneWay ? road.Layout.Forward > 0 : onRight;
                     Vector3D tangent = road.Curve.TangentAt(distance);
@@ -212,7 +216,7 @@ internal sealed class Population
         double fromKerb = Math.Max(FromKerb, Math.Max(model.Max.X, -model.Min.X) + roomAtKerb);
         Vector3D place = road.Curve.OffsetAt(distance, walkway.OffsetBeyondKerb(-fromKerb));
         const double clearOfOtherRoads = 2;
-        if (index.IsOnAnother(road, place, clearOfOtherRoads))
+        if (index.IsOnAnother(road, place, clearOfOtherRoads) || !IsClearOfLane(road, distance, walkway.OnRight, model))
         {
             return;
         }
@@ -221,6 +225,21 @@ internal sealed class Population
         Vector3D tangent = road.Curve.TangentAt(distance);
         Axes axes = Horizontal.AxesAlong(facesForward ? tangent : -tangent);
         parked.Add(new Prop(_handles.Next(), model, _random.Next(), new Pose(place - (axes.Up * model.Min.Z), axes)));
+    }
+
+    /// <summary>Whether a straight body beside a road leaves the lane free: in a bend towards it, its ends reach into the lane.</summary>
+    private static bool IsClearOfLane(Road road, double distance, bool onRight, Model model)
+    {
+        double half = (model.Max.Y - model.Min.Y) / 2;
+        Vector3D middle = road.Curve.PositionAt(distance);
+        Vector3D right = Horizontal.AxesAlong(road.Curve.TangentAt(distance)).Right;
+        return IsFree(distance - half) && IsFree(distance + half);
+
+        bool IsFree(double end)
+        {
+            double bend = (road.Curve.PositionAt(Math.Clamp(end, 0, road.Length)) - middle).Dot(right);
+            return (onRight ? bend : -bend) <= MostIntoLane;
+        }
     }
 
     private Model Pick(IReadOnlyList<Model> models) => models[_random.Next(models.Count)];

@@ -45,6 +45,21 @@ public sealed class HandoverTests
         Assert.Equal(isHandedBack, handover.Decide(Seen(lanes, lanes), needsOwnDriver: false));
     }
 
+    [Theory]
+    [InlineData(0.25, true)]
+    [InlineData(-0.35, false)]
+    public void Decide_hands_back_where_no_sharp_bend_is_ahead(double bend, bool isHandedBack)
+    {
+        Handover handover = new();
+        LaneObservation seen = Seen(InLane(0), InLane(0) with { Angle = Indicator.Of(bend) });
+        handover.Decide(seen, needsOwnDriver: true);
+        Assert.Equal(isHandedBack, handover.Decide(seen, needsOwnDriver: false));
+    }
+
+    [Fact]
+    public void Decide_controller_keeps_driving_in_a_sharp_bend() =>
+        Assert.True(new Handover().Decide(Seen(InLane(0), InLane(0) with { Angle = Indicator.Of(1) }), needsOwnDriver: false));
+
     /// <summary>A car in a lane.</summary>
     /// <param name="centre">Middle of the lane, metres to the right of the car.</param>
     /// <param name="width">Its width, metres.</param>

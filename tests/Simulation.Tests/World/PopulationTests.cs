@@ -1,4 +1,5 @@
 using Harvester.Geometry;
+using Harvester.Geometry.Roads;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Rendering;
@@ -58,6 +59,17 @@ public sealed class PopulationTests
     }
 
     [Fact]
+    public void Ends_of_parked_vehicles_do_not_reach_far_into_the_lane_of_a_bend()
+    {
+        const double mostIntoLane = 1;
+        const double roundness = 0.15; // The road is a polygon; the curve through its corners is not quite a circle.
+        double[] reaches = [.. Enumerable.Range(1, 20).SelectMany(ReachesOnRing)];
+
+        Assert.True(reaches.Length > 20, $"{reaches.Length} vehicles on the inside of a ring");
+        Assert.InRange(reaches.Max(), mostIntoLane / 4, mostIntoLane + roundness);
+    }
+
+    [Fact]
     public void Classes_of_models_are_those_of_the_game()
     {
         // The classes of the game by their numbers, for models whose class the list of exceptions does not decide.
@@ -66,5 +78,40 @@ public sealed class PopulationTests
             ("trailerlogs", 11), ("rocoto", 2), ("pony", 12), ("banshee", 6)];
         Assert.All(known, pair => Assert.Equal(
             VehicleClasses.Of(ModelHash.Of(pair.Model), pair.GameClass), ModelCatalogue.Shared[pair.Model].Class));
+    }
+
+    /// <summary>
+    /// How much farther outward the ends of vehicles parked on the inside of a ring reach than their middles, metres.
+    /// </summary>
+    private static IEnumerable<double> ReachesOnRing(int seed)
+    {
+        const double radius = 14;
+        const int corners = 44;
+        RoadNode[] nodes =
+        [
+            .. Enumerable.Range(0, corners).Select(i => new RoadNode(
+                0, i, new Vector3D(radius * Math.Cos(Math.Tau * i / corners), radius * Math.Sin(Math.Tau * i / corners), 0), string.Empty,
+                RoadNodeFlags.None)),
+        ];
+        RoadLink[] links = [.. nodes.Select((_, i) => new RoadLink(i, (i + 1) % corners, 1, 1, null, RoadLinkFlags.None))];
+        SimulatedWorld world = new(new SimulationOptions
+        {
+            Seed = seed, Roads = new RoadNetwork(nodes, links), TrafficDensity = 0, ParkedDensity = 2.5, PedestrianDensity = 0, IsWarm = true,
+        });
+        HashSet<int> driving = [.. world.Vehicles.Select(vehicle => vehicle.Handle)];
+        foreach (EntityState entity in world.EntitiesNear(Vector3D.Zero, 50)
+            .Where(entity => VehicleClasses.AreVehicles(entity.Class) && !driving.Contains(entity.Handle)))
+        {
+            Vector3D middle = entity.Pose.ToWorld((entity.ModelMin + entity.ModelMax) * 0.5);
+            if (Across(middle) < radius)
+            {
+                double halfWidth = (entity.ModelMax.X - entity.ModelMin.X) / 2;
+                yield return new[] { entity.ModelMin.Y, entity.ModelMax.Y }
+                    .SelectMany(_ => new[] { entity.ModelMin.X, entity.ModelMax.X }, (y, x) => entity.Pose.ToWorld(new Vector3D(x, y, 0)))
+                    .Max(Across) - Across(middle) - halfWidth;
+            }
+        }
+
+        static double Across(Vector3D place) => Math.Sqrt((place.X * place.X) + (place.Y * place.Y));
     }
 }
