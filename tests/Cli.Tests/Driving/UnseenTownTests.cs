@@ -5,7 +5,7 @@ using Harvester.Evaluation.Scores;
 
 namespace Harvester.Cli.Tests.Driving;
 
-/// <summary>Drives in towns that no constant was chosen for, as docs/driving.md publishes them.</summary>
+/// <summary>Drives in towns that no constant was chosen for, as those of docs/driving.md.</summary>
 [Trait("Category", "Heavy")]
 public sealed class UnseenTownTests
 {
