@@ -1,8 +1,8 @@
 """Lets a network drive through the bridge, and judges the drive by the truth of the game: drive.py MODEL [--kilometres K].
 
 The network sees the images of harvester serve --lockstep, and answers with indicators, by which the game's Stanley controller drives; or,
-if it is a policy, with steering and pedals. Nothing of the truth reaches it. In junctions the built-in driver takes over. Given again, it
-continues with the first town that is not done.
+if it is a policy, which also gets the speed and the route command, with steering and pedals. In junctions the built-in driver takes over.
+Given again, it continues with the first town that is not done.
 """
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ import torch
 from gtaharvest.gym import BridgeError, DrivingEnv, Ending, poisson_interval
 
 import filmstrip
+from commands import STOPPED
 from drivers import Driver, load_driver
 from judge import Judge
 from progress import Progress
@@ -66,7 +67,10 @@ def total_of(episodes: List[Dict[str, Any]]) -> Dict[str, Any]:
 
 def main() -> int:
     """Runs the command line."""
-    parser = argparse.ArgumentParser(description="Lets a network drive in towns that it has not seen, and judges the drive.")
+    parser = argparse.ArgumentParser(
+        description="Lets a network drive in towns that it has not seen, and judges the drive.",
+        epilog="The file of the figures with the suffix .progress has the towns that are done. The same drive given again drives only the "
+        "others, none if it is complete, and writes figures and film strip; delete the file to drive anew.")
     parser.add_argument("model", type=Path, help="file of train.py or imitate.py")
     parser.add_argument("--kilometres", type=float, default=5, help="distance outside junctions, over all towns; default: 5")
     parser.add_argument("--towns", type=int, default=10, help="number of towns; default: 10")
@@ -87,7 +91,7 @@ def main() -> int:
     try:
         driver = load_driver(options.model)
         set_by = {key: value for key, value in vars(options).items() if key not in ("model", "out", "strip", "harvester")}
-        progress = Progress(out.with_suffix(".jsonl"), options.model, set_by)
+        progress = Progress(out.with_suffix(".progress"), options.model, set_by)
         if progress.done:
             print(f"{len(progress.done)} of {options.towns} towns are done.", flush=True)
         ending = Ending(collision=False, outside_seconds=None, seconds=None, standing_seconds=STANDING_SECONDS)
@@ -104,14 +108,17 @@ def main() -> int:
     except (BridgeError, OSError) as problem:
         print(f"drive.py: {problem}", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        print("drive.py: stopped; the same command goes on when it is given again.", file=sys.stderr)
+        return STOPPED
     episodes = [figures for figures, _ in progress.done]
     total = total_of(episodes)
     part = out.with_suffix(".part")
-    part.write_text(json.dumps({"model": options.model.name, "total": total, "episodes": episodes}, indent=1) + "\n", encoding="utf-8")
+    result = {"model": options.model.name, **progress.drive, "total": total, "episodes": episodes}
+    part.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
     os.replace(part, out)
     if options.strip:
         filmstrip.write(options.strip, [picture for _, picture in progress.done if picture is not None])
-    progress.end()
     print(json.dumps(total))
     return 0
 

@@ -8,7 +8,7 @@ import numpy as np
 import torch
 
 from actions import POLICY_OUTPUTS, STEERING_SCALE, extras_of
-from network import Network, as_input, indicators_of
+from network import Network, as_input, indicators_of, load_network
 from pack import shrink
 
 
@@ -53,8 +53,5 @@ class PolicyDriver:
 
 def load_driver(file: Path) -> Driver:
     """The driver of a file that train.py or imitate.py wrote."""
-    saved = torch.load(file)
-    network = Network(saved["outputs"], saved["extras"])
-    network.load_state_dict(saved["network"])
-    network.eval()
-    return PolicyDriver(network) if saved["outputs"] == POLICY_OUTPUTS else IndicatorDriver(network)
+    network = load_network(file)
+    return PolicyDriver(network) if network.out.out_features == POLICY_OUTPUTS else IndicatorDriver(network)

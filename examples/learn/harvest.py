@@ -5,34 +5,36 @@ import argparse
 import json
 import os
 import shlex
-import subprocess
 import sys
 import time
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 from typing import List
 
-from sets import SETS, SessionPlan
+from commands import STOPPED, run_all
+from sets import SETS, Plan, SessionPlan
+
+UNFINISHED = ".harvester-unfinished"
+"""The file with the command that is not done with a folder, also if it was stopped in good order."""
 
 
-def is_whole(folder: Path) -> bool:
-    """Whether the folder has a session that is complete. One that was stopped in good order still has the mark."""
-    if (folder / ".harvester-unfinished").exists():
+def is_done(folder: Path, plan: Plan) -> bool:
+    """Whether the folder has a session of the plan that is complete."""
+    if (folder / UNFINISHED).exists():
         return False
     try:
-        return bool(json.loads((folder / "session.json").read_text(encoding="utf-8"))["state"] == "complete")
+        session = json.loads((folder / "session.json").read_text(encoding="utf-8"))
+        return bool(session["state"] == "complete" and plan.is_of(session))
     except (OSError, ValueError, KeyError):
         return False
 
 
-def harvest(command: List[str], folder: Path, plan: SessionPlan, roads: str | None) -> None:
-    """Harvests a session, or continues it."""
-    folder.parent.mkdir(parents=True, exist_ok=True)
-    done = subprocess.run(
-        [*command, "harvest", "--out", str(folder), "--resume", "--quiet", *plan.options(roads)], stderr=subprocess.PIPE, text=True)
-    if done.returncode != 0:
-        raise RuntimeError(f"{plan.name}: {done.stderr.strip() or f'exit code {done.returncode}'}")
+def command_of(harvester: List[str], folder: Path, plan: SessionPlan, roads: str | None) -> List[str]:
+    """The command that harvests a session, or continues it if it is of this plan. A session of another plan is replaced."""
+    unfinished, begins = folder / UNFINISHED, " ".join(["harvester harvest", *plan.options(None)])
+    is_begun = unfinished.exists() and unfinished.read_text(encoding="utf-8").startswith(begins)
+    return [
+        *harvester, "harvest", "--out", str(folder), "--resume" if is_begun else "--overwrite", "--quiet", *plan.options(roads)]
 
 
 def main() -> int:
@@ -42,7 +44,7 @@ def main() -> int:
     parser.add_argument("sets", nargs="*", help=f"sets to harvest: {', '.join(SETS)}; all without --roads but roads")
     parser.add_argument("--roads", help="road network of the game, for the set roads")
     parser.add_argument("--sessions", type=int, help="harvest only the first sessions of each set")
-    parser.add_argument("--frames", type=int, help="harvest at most so many frames of each session")
+    parser.add_argument("--frames", type=int, help="harvest at most so many frames of each session; those with more stay as they are")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="sessions at a time; default: one for each processor")
     parser.add_argument(
         "--harvester", default=os.environ.get("GTAHARVEST_HARVESTER", "harvester"),
@@ -56,22 +58,28 @@ def main() -> int:
     names = options.sets or [name for name in SETS if name != "roads" or options.roads]
     plans = [
         replace(plan, frames=min(plan.frames, options.frames or plan.frames)) for name in names for plan in SETS[name][:options.sessions]]
-    left = [plan for plan in plans if not is_whole(options.data / plan.name)]
-    total, done = sum(plan.frames for plan in left), 0
+    left = {plan.name: plan for plan in plans if not is_done(options.data / plan.name, plan)}
+    total, done = sum(plan.frames for plan in left.values()), 0
     print(f"{len(plans)} sessions, of which {len(plans) - len(left)} are done; {total} frames to harvest", flush=True)
-    command, begun = shlex.split(options.harvester), time.monotonic()
-    with ThreadPoolExecutor(options.jobs) as pool:
-        jobs = [(plan, pool.submit(harvest, command, options.data / plan.name, plan, options.roads)) for plan in left]
-        try:
-            for plan, job in jobs:
-                job.result()
-                done += plan.frames
-                rate = done / (time.monotonic() - begun)
-                print(f"{plan.name}: {done} of {total} frames, {rate:.0f}/s, {(total - done) / rate / 60:.0f} min left", flush=True)
-        except (OSError, RuntimeError) as problem:
-            pool.shutdown(cancel_futures=True)
-            print(f"harvest.py: {problem}", file=sys.stderr)
-            return 1
+    harvester, begun = shlex.split(options.harvester), time.monotonic()
+
+    def tell(name: str) -> None:
+        nonlocal done
+        done += left[name].frames
+        rate = done / (time.monotonic() - begun)
+        print(f"{name}: {done} of {total} frames, {rate:.0f}/s, {(total - done) / rate / 60:.0f} min left", flush=True)
+
+    try:
+        for name in names:
+            (options.data / name).mkdir(parents=True, exist_ok=True)
+        run_all(
+            {name: command_of(harvester, options.data / name, plan, options.roads) for name, plan in left.items()}, options.jobs, tell)
+    except (OSError, RuntimeError) as problem:
+        print(f"harvest.py: {problem}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("harvest.py: stopped; the same command goes on when it is given again.", file=sys.stderr)
+        return STOPPED
     return 0
 
 

@@ -13,12 +13,18 @@ import numpy as np
 import torch
 from torch import nn
 
-from actions import EXTRAS, POLICY_OUTPUTS, STEERING_SCALE, extras_of, ROUTES
+from actions import EXTRAS, POLICY_OUTPUTS, ROUTES, STEERING_SCALE, extras_of
+from commands import STOPPED
 from network import Network, as_input, predict
 from packed import Packed, load
-from training import add_options, fit, varied
+from training import TrainingError, add_options, fit, varied
 
 SPEED_NOISE = 0.1
+
+
+def controlled(recorded: Packed) -> Packed:
+    """The frames of recorded drives in which the controller drove."""
+    return recorded.where(recorded.by_controller & ~np.isnan(recorded.controls).any(1))
 
 
 def inputs_of(packed: Packed) -> np.ndarray:
@@ -34,24 +40,20 @@ def targets_of(packed: Packed) -> np.ndarray:
 
 def errors_on(network: Network, packed: Packed) -> Dict[str, float]:
     """The errors on some frames."""
-    wrong = np.abs(predict(network, packed.images, inputs_of(packed)) - targets_of(packed)).mean(0)
+    return errors_of(predict(network, packed.images, inputs_of(packed)), packed)
+
+
+def errors_of(outputs: np.ndarray, packed: Packed) -> Dict[str, float]:
+    """The mean absolute errors of outputs, of each frame (n, 2) or the same for all (2,)."""
+    wrong = np.abs(outputs - targets_of(packed)).mean(0)
     return {"steering": float(wrong[0] * STEERING_SCALE), "pedal": float(wrong[1])}
 
 
-def main() -> int:
-    """Runs the command line."""
-    parser = argparse.ArgumentParser(description="Trains a policy on recorded actions. Given again, it continues after the last epoch.")
-    add_options(parser, epochs=12)
-    parser.add_argument("--validation", type=int, default=2, help="sessions to hold out; default: 2")
-    options = parser.parse_args()
-    torch.set_num_threads(options.threads)
-    try:
-        options.model.parent.mkdir(parents=True, exist_ok=True)
-        recorded = load(options.data, "drives")
-    except OSError as problem:
-        print(f"imitate.py: {problem}", file=sys.stderr)
-        return 1
-    driven = recorded.where(recorded.by_controller & ~np.isnan(recorded.controls).any(1))
+def train(options: argparse.Namespace) -> None:
+    """Trains the policy of a command line."""
+    options.model.parent.mkdir(parents=True, exist_ok=True)
+    recorded = load(options.data, "drives")
+    driven = controlled(recorded)
     is_held_out = driven.frames[:, 0] > recorded.frames[:, 0].max() - options.validation
     packed, validation = driven.where(~is_held_out), driven.where(is_held_out)
     extras, targets = torch.from_numpy(inputs_of(packed)), torch.from_numpy(targets_of(packed))
@@ -63,7 +65,26 @@ def main() -> int:
         further[:, 0] *= 1 + SPEED_NOISE * torch.randn(len(batch), generator=random)
         return nn.functional.l1_loss(network(varied(as_input(packed.images[batch.numpy()]), random), further), targets[batch])
 
-    fit(network, len(packed), loss_of, lambda: errors_on(network, validation), options)
+    fit(network, packed, validation, loss_of, errors_on, options)
+
+
+def main() -> int:
+    """Runs the command line."""
+    parser = argparse.ArgumentParser(description="Trains a policy on recorded actions. Given again, it continues after the last epoch.")
+    add_options(parser, epochs=12)
+    parser.add_argument(
+        "--validation", type=int, default=2,
+        help="number of recorded drives to hold out for the curves, the last ones; default: 2, so that it learns from 18 of 20")
+    options = parser.parse_args()
+    torch.set_num_threads(options.threads)
+    try:
+        train(options)
+    except (OSError, TrainingError) as problem:
+        print(f"imitate.py: {problem}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("imitate.py: stopped; the same command goes on when it is given again.", file=sys.stderr)
+        return STOPPED
     return 0
 
 

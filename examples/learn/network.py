@@ -1,6 +1,7 @@
 """The network: 13 indicators, or an action, from the middle of an image of 140x70 pixels."""
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Tuple
 
 import numpy as np
@@ -44,6 +45,14 @@ class Network(nn.Module):
     def forward(self, images: torch.Tensor, extras: torch.Tensor | None = None) -> torch.Tensor:
         seen = self.seen(images)
         return self.out(self.hidden(seen if extras is None else torch.cat((seen, extras), 1)))
+
+
+def load_network(file: Path) -> Network:
+    """The network of a file that train.py or imitate.py wrote."""
+    saved = torch.load(file)
+    network = Network(saved["outputs"], saved["extras"])
+    network.load_state_dict(saved["network"])
+    return network.eval()
 
 
 def as_input(images: np.ndarray, turns: np.ndarray | None = None) -> torch.Tensor:

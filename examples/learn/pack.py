@@ -18,7 +18,7 @@ import numpy as np
 from gtaharvest import SessionError, open_session
 
 import actions
-from sets import SETS
+from sets import DRIVES, SETS
 
 HEIGHT, WIDTH = 70, 140
 
@@ -54,7 +54,8 @@ def pack(data: Path, name: str) -> Path:
     """Packs a set, unless it is packed and no session has changed since; returns the file."""
     folders = sorted(folder for folder in (data / name).iterdir() if (folder / "session.json").exists())
     if not folders:
-        raise SessionError(f"{data / name} has no session; run harvest.py first.")
+        maker = "record.py" if name in DRIVES else "harvest.py"
+        raise SessionError(f"{data / name} has no session; run {maker} first.")
     target = data / "packed" / f"{name}.npz"
     # A folder's own time tells of sessions that were deleted.
     changed = max(path.stat().st_mtime_ns for path in (data / name, *(folder / "session.json" for folder in folders)))
@@ -75,11 +76,11 @@ def pack(data: Path, name: str) -> Path:
 def main() -> int:
     """Runs the command line."""
     parser = argparse.ArgumentParser(description="Packs sets of sessions into arrays.")
-    parser.add_argument("data", type=Path, help="folder of harvest.py")
+    parser.add_argument("data", type=Path, help="folder of harvest.py and record.py")
     parser.add_argument("sets", nargs="*", help="sets to pack; default: all that are there")
     options = parser.parse_args()
     try:
-        names = options.sets or [name for name in (*SETS, "drives") if (options.data / name).is_dir()]
+        names = options.sets or [name for name in (*SETS, *DRIVES) if (options.data / name).is_dir()]
         for name in names:
             print(pack(options.data, name), flush=True)
     except (OSError, SessionError) as problem:

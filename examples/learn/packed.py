@@ -1,6 +1,7 @@
 """A packed set of sessions (pack.py)."""
 from __future__ import annotations
 
+import hashlib
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Optional
@@ -32,6 +33,13 @@ class Packed:
     def where(self, mask: np.ndarray) -> Packed:
         """The frames of a mask."""
         return Packed(*(getattr(self, field.name)[mask] for field in fields(self)))
+
+    def digest(self) -> str:
+        """SHA-256 of the arrays."""
+        digest = hashlib.sha256()
+        for field in fields(self):
+            digest.update(np.ascontiguousarray(getattr(self, field.name)).reshape(-1).view(np.uint8).data)
+        return digest.hexdigest()
 
 
 def load(data: Path, name: str) -> Packed:

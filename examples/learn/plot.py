@@ -5,6 +5,7 @@ import argparse
 import json
 import sys
 from pathlib import Path
+from typing import Dict, List
 
 import matplotlib
 
@@ -12,28 +13,33 @@ matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 
 
+TITLES = {"angle": "angle, rad", "lane": "markings of the ego lane, m", "steering": "steering", "pedal": "pedal"}
+
+
 def main() -> int:
     """Runs the command line."""
     parser = argparse.ArgumentParser(description="Draws the errors on the validation set over the epochs.")
     parser.add_argument("out", type=Path, help="image to write")
-    parser.add_argument("models", nargs="+", type=Path, help="files of train.py")
+    parser.add_argument("models", nargs="+", type=Path, help="files of train.py and imitate.py")
     options = parser.parse_args()
-    figure, axes = pyplot.subplots(1, 2, figsize=(9, 3.2), layout="constrained")
+    curves: Dict[Path, List[Dict[str, float]]] = {}
     try:
         for model in options.models:
-            with open(model.with_suffix(".jsonl"), encoding="utf-8") as log:
-                lines = [json.loads(line) for line in log]
-            for axis, key in zip(axes, ("angle", "lane")):
-                axis.plot([line["epoch"] for line in lines], [line[key] for line in lines], label=model.stem)
+            curves[model] = [json.loads(line) for line in model.with_suffix(".jsonl").read_text(encoding="utf-8").splitlines()]
     except OSError as problem:
         print(f"plot.py: {problem}", file=sys.stderr)
         return 1
-    for axis, title in zip(axes, ("angle, rad", "markings of the ego lane, m")):
-        axis.set_title(f"mean absolute error: {title}", fontsize=9)
+    shown = [key for key in TITLES if any(key in line for lines in curves.values() for line in lines)]
+    figure, axes = pyplot.subplots(1, len(shown), figsize=(4.5 * len(shown), 3.2), layout="constrained", squeeze=False)
+    for key, axis in zip(shown, axes[0]):
+        for model, lines in curves.items():
+            if key in lines[0]:
+                axis.plot([line["epoch"] for line in lines], [line[key] for line in lines], label=model.stem)
+        axis.set_title(f"mean absolute error: {TITLES[key]}", fontsize=9)
         axis.set_xlabel("epoch", fontsize=9)
         axis.set_ylim(bottom=0)
         axis.grid(alpha=0.3)
-    axes[0].legend(fontsize=8)
+        axis.legend(fontsize=8)
     figure.savefig(options.out, dpi=80)
     return 0
 

@@ -1,8 +1,8 @@
-"""The sets of sessions: which towns, weathers and hours are for training and which are held out."""
+"""The sets of sessions and drives: which towns, weathers and hours are for training and which are held out."""
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Dict, List, Optional, Tuple
+from typing import Any, Dict, List, Mapping, Optional, Protocol, Tuple
 
 TRAINING_WEATHERS = ("clear", "rain", "clouds", "extrasunny", "foggy", "neutral", "snow", "overcast", "clearing", "xmas")
 OTHER_WEATHERS = ("smog", "thunder", "snowlight", "blizzard", "halloween")
@@ -10,6 +10,13 @@ OTHER_WEATHERS = ("smog", "thunder", "snowlight", "blizzard", "halloween")
 SIZE = "280x210"
 HZ = 5
 TRAFFIC = 0.7
+
+
+class Plan(Protocol):
+    """A session to make."""
+
+    def is_of(self, session: Mapping[str, Any]) -> bool:
+        """Whether what session.json describes is of this plan, or longer."""
 
 
 @dataclass(frozen=True)
@@ -33,6 +40,10 @@ class SessionPlan:
             "--lane-changes", f"{self.lane_changes:g}", "--places", str(max(1, self.frames // 20)),
             "--rays", "2000", "--ignore-range", "0", "--no-scenes", "--no-report", "--sync", "never"]
         return [*chosen, "--roads", roads] if self.on_roads and roads else chosen
+
+    def is_of(self, session: Mapping[str, Any]) -> bool:
+        """Whether what session.json describes is of this plan, or has more frames."""
+        return bool(session["seed"] == self.seed and session["counters"]["captured"] >= self.frames)
 
 
 def _hour(number: int) -> str:
@@ -62,24 +73,29 @@ of train, driven without wandering and lane changes."""
 
 @dataclass(frozen=True)
 class DrivePlan:
-    """A drive to record: the seed of its town, and the sky."""
+    """A drive to record: the folder's name of its session, the seed of its town, the sky, and the distance."""
 
+    name: str
     seed: int
     weather: str
     time: str
+    metres: int = 1500
 
-    @property
-    def name(self) -> str:
-        """The name of its folder."""
-        return str(self.seed)
-
-    def options(self, metres: int) -> List[str]:
-        """The options of harvester drive for a distance, without its folders."""
+    def options(self) -> List[str]:
+        """The options of harvester drive, without its folders."""
         return [
             "--seed", str(self.seed), "--weather", self.weather, "--time", self.time, "--controller", "stanley", "--perturb",
-            "--traffic", "0.5", "--distance", str(metres), "--duration", "240", "--size", SIZE]
+            "--traffic", "0.5", "--distance", str(self.metres), "--duration", "240", "--size", SIZE]
+
+    def is_of(self, session: Mapping[str, Any]) -> bool:
+        """Whether what session.json describes is of this plan, or goes farther."""
+        return bool(session["seed"] == self.seed and float(session["settings"]["distanceMetres"]) >= self.metres)
 
 
-DRIVES = [
-    DrivePlan(seed, TRAINING_WEATHERS[at % len(TRAINING_WEATHERS)], _hour(at)) for at, seed in enumerate(range(101, 121))]
-"""The drives to imitate, in towns of the set train."""
+def _drives(set_name: str, seeds: range) -> List[DrivePlan]:
+    return [
+        DrivePlan(f"{set_name}/{seed}", seed, TRAINING_WEATHERS[at % len(TRAINING_WEATHERS)], _hour(at)) for at, seed in enumerate(seeds)]
+
+
+DRIVES: Dict[str, List[DrivePlan]] = {"drives": _drives("drives", range(101, 121)), "unseen": _drives("unseen", range(261, 271))}
+"""drives to imitate, in towns of the set train; unseen, in towns that no other set has, only for the evaluation."""

@@ -13,9 +13,10 @@ import numpy as np
 import torch
 from torch import nn
 
+from commands import STOPPED
 from network import INDICATORS, MOST_TURN, SCALE, Network, as_input, indicators_of, predict
 from packed import Packed, load
-from training import add_options, fit, varied
+from training import TrainingError, add_options, fit, varied
 
 ACTIVITY_WEIGHT = 0.3
 
@@ -69,21 +70,10 @@ def errors_on(network: Network, packed: Packed) -> Dict[str, float]:
         "activity": float((active != packed.active).mean())}
 
 
-def main() -> int:
-    """Runs the command line."""
-    parser = argparse.ArgumentParser(description="Trains a network for the indicators. Given again, it continues after the last epoch.")
-    add_options(parser, epochs=32)
-    parser.add_argument("--set", default="train", help="set to learn from; default: train")
-    parser.add_argument("--sessions", type=int, help="use only the first sessions of the set")
-    parser.add_argument("--labels", choices=("true", "shifted", "mirrored"), default="true", help="labels to learn; default: true")
-    options = parser.parse_args()
-    torch.set_num_threads(options.threads)
-    try:
-        options.model.parent.mkdir(parents=True, exist_ok=True)
-        packed, validation = load(options.data, options.set).first(options.sessions), load(options.data, "validation")
-    except OSError as problem:
-        print(f"train.py: {problem}", file=sys.stderr)
-        return 1
+def train(options: argparse.Namespace) -> None:
+    """Trains the network of a command line."""
+    options.model.parent.mkdir(parents=True, exist_ok=True)
+    packed, validation = load(options.data, options.set).first(options.sessions), load(options.data, "validation")
     values, active = labels_of(packed, options.labels)
     wanted = torch.from_numpy(active.astype(np.float32))
     torch.manual_seed(options.seed)
@@ -97,7 +87,26 @@ def main() -> int:
         images = varied(as_input(packed.images[rows], turns), random)
         return loss_of(network(images), torch.from_numpy(targets.astype(np.float32)), wanted[batch])
 
-    fit(network, len(packed), loss_of_batch, lambda: errors_on(network, validation), options)
+    fit(network, packed, validation, loss_of_batch, errors_on, options)
+
+
+def main() -> int:
+    """Runs the command line."""
+    parser = argparse.ArgumentParser(description="Trains a network for the indicators. Given again, it continues after the last epoch.")
+    add_options(parser, epochs=32)
+    parser.add_argument("--set", default="train", help="set to learn from; default: train")
+    parser.add_argument("--sessions", type=int, help="use only the first sessions of the set")
+    parser.add_argument("--labels", choices=("true", "shifted", "mirrored"), default="true", help="labels to learn; default: true")
+    options = parser.parse_args()
+    torch.set_num_threads(options.threads)
+    try:
+        train(options)
+    except (OSError, TrainingError) as problem:
+        print(f"train.py: {problem}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("train.py: stopped; the same command goes on when it is given again.", file=sys.stderr)
+        return STOPPED
     return 0
 
 

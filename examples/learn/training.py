@@ -5,21 +5,33 @@ import argparse
 import json
 import os
 import time
+import zipfile
 from pathlib import Path
-from typing import Any, Callable, Dict
+from typing import Any, Callable, Dict, List
 
 import torch
 
 from network import Network
+from packed import Packed
 
 BATCH = 64
 RATE = 1.5e-3
+
+CHANGES_NOTHING = ("data", "model", "threads")
+"""Options that do not change what is learnt; of the data, a digest counts."""
+
+
+class TrainingError(Exception):
+    """The state file is not one of this training."""
 
 
 def add_options(parser: argparse.ArgumentParser, epochs: int) -> None:
     """Adds the options of a training."""
     parser.add_argument("data", type=Path, help="folder with the packed sets")
-    parser.add_argument("model", type=Path, help="file to write, such as full.pt; the lines of its epochs go to full.jsonl")
+    parser.add_argument(
+        "model", type=Path,
+        help="file to write, such as full.pt; the lines of its epochs go to full.jsonl, and what continuing needs to full.state, which "
+        "another training with this name refuses")
     parser.add_argument("--epochs", type=int, default=epochs, help=f"passes over the images; default: {epochs}")
     parser.add_argument("--seed", type=int, default=1, help="seed of weights, order and variations; default: 1")
     parser.add_argument("--threads", type=int, default=os.cpu_count() or 1, help="processors to use; default: all")
@@ -38,27 +50,28 @@ def varied(images: torch.Tensor, random: torch.Generator) -> torch.Tensor:
 
 def fit(
     network: Network,
-    count: int,
+    packed: Packed,
+    validation: Packed,
     loss_of: Callable[[torch.Tensor, torch.Generator], torch.Tensor],
-    errors: Callable[[], Dict[str, float]],
+    errors_on: Callable[[Network, Packed], Dict[str, float]],
     options: argparse.Namespace,
 ) -> None:
-    """Trains on samples 0 to count - 1 and writes the model. Continues after the last epoch that is in the model's state file.
+    """Trains on packed and writes the model. Continues after the last epoch that is in the model's state file, with the same result as if
+    it had not been stopped; raises TrainingError if the file is of another training.
 
-    loss_of: the loss of a batch of samples. errors: the errors on the validation set, for the log.
+    loss_of: the loss of a batch of frames. errors_on: the errors on validation, for the log.
     """
+    count = len(packed)
     steps = (count + BATCH - 1) // BATCH
     optimiser = torch.optim.AdamW(network.parameters(), RATE, weight_decay=5e-3)
     schedule = torch.optim.lr_scheduler.OneCycleLR(optimiser, RATE, total_steps=steps * options.epochs, pct_start=0.15)
+    parts = {"network": network, "optimiser": optimiser, "schedule": schedule}
     state_file, log_file = options.model.with_suffix(".state"), options.model.with_suffix(".jsonl")
-    begun = 0
-    if state_file.exists():
-        state: Dict[str, Any] = torch.load(state_file)
-        for part, name in ((network, "network"), (optimiser, "optimiser"), (schedule, "schedule")):
-            part.load_state_dict(state[name])
-        begun = state["epochs"]
-    lines = log_file.read_text(encoding="utf-8").splitlines()[:begun] if log_file.exists() else []
-    for epoch in range(begun, options.epochs):
+    training = {
+        **{name: value for name, value in vars(options).items() if name not in CHANGES_NOTHING},
+        "data": [packed.digest(), validation.digest()]}
+    lines = _restored(state_file, training, parts) if state_file.exists() else []
+    for epoch in range(len(lines), options.epochs):
         watch, total = time.monotonic(), 0.0
         random = torch.Generator().manual_seed(options.seed * 1000 + epoch)
         order = torch.randperm(count, generator=random)
@@ -72,14 +85,43 @@ def fit(
             schedule.step()
             total += float(loss) * len(batch)
         lines.append(json.dumps(
-            {"epoch": epoch + 1, "seconds": round(time.monotonic() - watch, 1), "loss": total / count, **errors()}))
+            {"epoch": epoch + 1, "seconds": round(time.monotonic() - watch, 1), "loss": total / count,
+             **errors_on(network, validation)}))
         print(lines[-1], flush=True)
         replace(log_file, lambda file: file.write_text("\n".join(lines) + "\n", encoding="utf-8"))
         replace(state_file, lambda file: torch.save({
-            "network": network.state_dict(), "optimiser": optimiser.state_dict(), "schedule": schedule.state_dict(),
-            "epochs": epoch + 1}, file))
+            "training": training, "lines": lines, "random": torch.get_rng_state(),
+            **{name: part.state_dict() for name, part in parts.items()}}, file))
     replace(options.model, lambda file: torch.save(
         {"network": network.state_dict(), "outputs": network.out.out_features, "extras": network.extras}, file))
+
+
+def _restored(file: Path, training: Dict[str, Any], parts: Dict[str, Any]) -> List[str]:
+    """Puts everything into the state after the last epoch; returns the lines of the epochs."""
+    remedy = f"Choose another name for the model, or delete {file} to begin anew."
+    try:
+        with zipfile.ZipFile(file) as archive:
+            if archive.testzip() is not None:
+                raise zipfile.BadZipFile
+        state = torch.load(file)
+        former = state["training"]
+        if former == training:
+            for name, part in parts.items():
+                part.load_state_dict(state[name])
+            torch.set_rng_state(state["random"])
+            return list(state["lines"])
+    except OSError:
+        raise
+    except Exception as problem:  # Unpickling a damaged file may raise anything.
+        raise TrainingError(f"{file} is damaged, or of another version. {remedy}") from problem
+    differing = [name for name in {**former, **training} if former.get(name) != training.get(name)]
+    raise TrainingError(f"{file} is of a training with {', '.join(_shown(name, former.get(name)) for name in differing)}. {remedy}")
+
+
+def _shown(name: str, value: Any) -> str:
+    if name == "data":
+        return "other data"
+    return f"no --{name}" if value is None else f"--{name} {value}"
 
 
 def replace(file: Path, write: Callable[[Path], Any]) -> None:

@@ -1,21 +1,31 @@
 """The parts of examples/learn that can be computed by hand."""
 from __future__ import annotations
 
+import argparse
+import json
 import math
+import os
+import signal
+import subprocess
+import sys
+import time
 from pathlib import Path
-from typing import Any, Dict, Tuple
+from typing import Any, Dict, List, Tuple
 
 import numpy as np
+import pytest
 import torch
 
+import imitate
 import train
 import training
-from harvest import is_whole
+from harvest import command_of, is_done
 from judge import Judge
-from network import INACTIVE, INDICATORS, MOST_TURN, SCALE, WIDTH, Network, as_input, indicators_of
+from network import INACTIVE, INDICATORS, MOST_TURN, SCALE, WIDTH, Network, as_input, indicators_of, predict
 from packed import Packed
 from progress import Progress
-from record import is_driven
+from record import is_whole
+from sets import DRIVES, SETS
 
 METRES = 0.01
 """Turning the view is computed for small angles; the cosine of the largest, 0.11 rad, changes 2 m by this much."""
@@ -109,6 +119,7 @@ def test_network_takes_further_inputs() -> None:
 def frame(metres: float, outside: bool = False, built_in: bool = False, offset: Any = 0.5, parked: int = 0) -> Dict[str, Any]:
     return {
         "drivenMetres": metres, "timeSeconds": metres / 10, "outsideLanes": outside, "builtInDriver": built_in, "laneOffsetMetres": offset,
+        "road": None if built_in else 1, "lane": None if built_in else 0, "acrossMarking": outside,
         "collisions": [0, parked, 0], "repositioned": 0, "redLightsRun": 0, "stopSignsRun": 0, "position": [0, 0, 0]}
 
 
@@ -123,29 +134,185 @@ def test_judge_counts_what_the_driver_did() -> None:
 
     assert [departure["seconds"] for departure in figures["departures"]] == [2]
     assert figures["collisions"] == {"vehicle": 0, "parked": 1, "pedestrian": 0}
-    # The last two steps began with the built-in driver.
+    # Two steps ended with the built-in driver.
     assert (figures["metres"], figures["driverMetres"], figures["rmsOffsetMetres"]) == (80, 60, 0.5)
 
 
 def test_progress_of_another_model_or_with_other_options_is_not_continued(tmp_path: Path) -> None:
-    model, other = tmp_path / "a.pt", tmp_path / "b.pt"
+    model, other, file = tmp_path / "a.pt", tmp_path / "b.pt", tmp_path / "a.progress"
     model.write_bytes(b"one")
     other.write_bytes(b"another")
     picture = np.arange(24, dtype=np.uint8).reshape(2, 4, 3)
-    Progress(tmp_path / "a.jsonl", model, {"towns": 3}).add({"town": 301}, picture)
+    Progress(file, model, {"towns": 3}).add({"town": 301}, picture)
 
-    (figures, image), = Progress(tmp_path / "a.jsonl", model, {"towns": 3}).done
+    (figures, image), = Progress(file, model, {"towns": 3}).done
     assert figures == {"town": 301}
     np.testing.assert_array_equal(image, picture)
-    assert Progress(tmp_path / "a.jsonl", model, {"towns": 4}).done == []
-    assert Progress(tmp_path / "a.jsonl", other, {"towns": 3}).done == []
+    assert Progress(file, model, {"towns": 4}).done == []
+    assert Progress(file, other, {"towns": 3}).done == []
+
+
+def write_session(folder: Path, **further: Any) -> None:
+    folder.mkdir(exist_ok=True)
+    (folder / "session.json").write_text(json.dumps({"state": "complete", "seed": 101, **further}))
 
 
 def test_harvest_and_drive_that_were_stopped_in_good_order_are_not_done(tmp_path: Path) -> None:
-    (tmp_path / "session.json").write_text('{"state": "complete"}')
+    plan = SETS["train"][0]
+    write_session(tmp_path, counters={"captured": plan.frames})
     (tmp_path / "drive.json").write_text('{"isWhole": false}')
-    assert is_whole(tmp_path) and not is_driven(tmp_path)
+    assert is_done(tmp_path, plan) and not is_whole(tmp_path)
 
     (tmp_path / ".harvester-unfinished").write_text("harvester harvest")
     (tmp_path / "drive.json").write_text('{"isWhole": true}')
-    assert not is_whole(tmp_path) and is_driven(tmp_path)
+    assert not is_done(tmp_path, plan) and is_whole(tmp_path)
+
+
+def test_sessions_of_a_trial_are_not_done(tmp_path: Path) -> None:
+    plan, drive = SETS["train"][0], DRIVES["drives"][0]
+    for frames, is_enough in ((20, False), (plan.frames - 1, False), (plan.frames, True), (plan.frames + 1, True)):
+        write_session(tmp_path, counters={"captured": frames})
+        assert is_done(tmp_path, plan) == is_enough
+    assert not is_done(tmp_path, SETS["train"][1])
+
+    for metres, is_enough in (("30", False), ("1500", True)):
+        write_session(tmp_path, settings={"distanceMetres": metres})
+        assert is_done(tmp_path, drive) == is_enough
+    assert not is_done(tmp_path, DRIVES["drives"][1])
+
+
+def test_only_a_session_of_the_same_plan_is_resumed(tmp_path: Path) -> None:
+    plan, unfinished = SETS["roads"][0], tmp_path / ".harvester-unfinished"
+
+    def command() -> List[str]:
+        return command_of(["harvester"], tmp_path, plan, "a b.zip")
+
+    assert "--overwrite" in command() and "--resume" not in command()
+    unfinished.write_text(" ".join(["harvester harvest", *plan.options(None), "--roads 'a b.zip'"]))
+    assert "--resume" in command() and "--overwrite" not in command()
+    unfinished.write_text("harvester harvest --frames 20 --seed 241")
+    assert "--overwrite" in command() and "--resume" not in command()
+
+
+def test_no_set_but_straight_and_drives_has_towns_of_another() -> None:
+    plans = {**SETS, **DRIVES}
+    towns = [plan.seed for name in plans if name not in ("straight", "drives") for plan in plans[name]]
+
+    assert len(towns) == len(set(towns))
+
+
+@pytest.mark.parametrize("number", (signal.SIGINT, signal.SIGTERM))
+@pytest.mark.parametrize("script", ("harvest", "record"))
+def test_stopping_ends_what_runs_and_starts_nothing_more(tmp_path: Path, script: str, number: signal.Signals) -> None:
+    fake, data = tmp_path / "fake.py", tmp_path / "data"
+    fake.write_text(
+        "import os, sys, time\n"
+        "out = sys.argv[sys.argv.index('--out') + 1]\n"
+        "open(f'{os.path.dirname(out)}/{os.getpid()}.pid', 'w').close()\n"
+        "time.sleep(60)\n")
+    (data / "driven").mkdir(parents=True)
+    with subprocess.Popen(
+            [sys.executable, f"examples/learn/{script}.py", data, "--jobs", "2", "--harvester", f"{sys.executable} {fake}"],
+            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+            # A shell that runs this in the background has it ignored.
+            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler)) as process:
+        begun = time.monotonic()
+        while len(list(data.glob("*/*.pid"))) < 2 and time.monotonic() < begun + 30:
+            time.sleep(0.05)
+        process.send_signal(number)
+        _, errors = process.communicate(timeout=30)
+
+    children = [int(file.stem) for file in data.glob("*/*.pid")]
+    assert process.returncode == 130
+    assert errors == f"{script}.py: stopped; the same command goes on when it is given again.\n"
+    assert len(children) == 2 and not any(os.path.exists(f"/proc/{child}") for child in children)
+
+
+def test_errors_of_a_policy_are_those_of_steering_and_pedal() -> None:
+    recorded = packed(np.zeros((2, INDICATORS), np.float32), np.ones((2, INDICATORS), np.bool_), (0, 0))
+    recorded.by_controller[:] = (True, True)
+    recorded.controls[:] = ((0.1, 0.5, 0), (-0.1, 0, 0.5))
+
+    errors = imitate.errors_of(np.array([0.5, 0.25]), imitate.controlled(recorded))
+
+    # Steering 0.05 and pedal 0.25 for both frames.
+    assert errors == {"steering": pytest.approx(0.1), "pedal": pytest.approx(0.5)}
+
+
+class Stop(Exception):
+    """Stops a training."""
+
+
+def options_of(model: Path, **changed: Any) -> argparse.Namespace:
+    return argparse.Namespace(**{
+        "data": model.parent, "model": model, "epochs": 3, "seed": 1, "threads": 1, "labels": "true", "sessions": None, **changed})
+
+
+def fit(options: argparse.Namespace, frames: int = 8, stop_after: int = 99) -> None:
+    """A small training with everything that is random; raises Stop when so many epochs are done."""
+    torch.manual_seed(options.seed)
+    network = Network(2 * INDICATORS)
+    random = np.random.default_rng(1)
+    data = packed(np.zeros((frames, INDICATORS), np.float32), np.ones((frames, INDICATORS), np.bool_), (0,) * frames)
+    data.images[:] = random.integers(0, 256, data.images.shape)
+    epochs: List[int] = []
+
+    def loss_of(batch: torch.Tensor, generator: torch.Generator) -> torch.Tensor:
+        images = training.varied(as_input(data.images[batch.numpy()]), generator)
+        return train.loss_of(network(images), torch.zeros(len(batch), INDICATORS), torch.ones(len(batch), INDICATORS))
+
+    def errors_on(trained: Network, validation: Packed) -> Dict[str, float]:
+        epochs.append(1)
+        if len(epochs) > stop_after:
+            raise Stop
+        return {"mean": float(predict(trained, validation.images).mean())}
+
+    training.fit(network, data, data, loss_of, errors_on, options)
+
+
+def figures_of(log: Path) -> List[Dict[str, float]]:
+    return [{key: value for key, value in json.loads(line).items() if key != "seconds"} for line in log.read_text().splitlines()]
+
+
+def test_stopped_training_ends_as_one_that_was_not_stopped(tmp_path: Path) -> None:
+    whole, stopped = tmp_path / "whole.pt", tmp_path / "stopped.pt"
+    fit(options_of(whole))
+    with pytest.raises(Stop):
+        fit(options_of(stopped), stop_after=1)
+    assert len(figures_of(stopped.with_suffix(".jsonl"))) == 1 and not stopped.exists()
+
+    fit(options_of(stopped))
+
+    expected, weights = (torch.load(file)["network"] for file in (whole, stopped))
+    assert all(torch.equal(expected[name], weights[name]) for name in expected)
+    assert figures_of(stopped.with_suffix(".jsonl")) == figures_of(whole.with_suffix(".jsonl"))
+
+
+def test_training_with_other_options_or_data_is_refused(tmp_path: Path) -> None:
+    model = tmp_path / "full.pt"
+    fit(options_of(model, epochs=1))
+    before = model.read_bytes()
+
+    for frames, changed, told in (
+            (8, {"epochs": 2}, "--epochs 1"), (8, {"epochs": 1, "labels": "mirrored"}, "--labels true"),
+            (8, {"epochs": 1, "sessions": 1}, "no --sessions"), (9, {"epochs": 1}, "other data")):
+        with pytest.raises(training.TrainingError) as refusal:
+            fit(options_of(model, **changed), frames)
+        remedy = f"Choose another name for the model, or delete {tmp_path / 'full.state'} to begin anew."
+        assert str(refusal.value) == f"{tmp_path / 'full.state'} is of a training with {told}. {remedy}"
+    fit(options_of(model, epochs=1, threads=2))
+    assert model.read_bytes() == before
+
+
+@pytest.mark.parametrize("damage", ("empty", "cut", "changed", "foreign"))
+def test_damaged_state_is_refused(tmp_path: Path, damage: str) -> None:
+    model, state = tmp_path / "full.pt", tmp_path / "full.state"
+    fit(options_of(model, epochs=1))
+    whole = state.read_bytes()
+    middle = len(whole) // 2
+    state.write_bytes({
+        "empty": b"", "cut": whole[:middle], "changed": whole[:middle] + bytes(64) + whole[middle + 64:], "foreign": model.read_bytes()
+    }[damage])
+
+    with pytest.raises(training.TrainingError, match="is damaged, or of another version"):
+        fit(options_of(model, epochs=1))

@@ -1,0 +1,45 @@
+"""Runs several commands at a time."""
+from __future__ import annotations
+
+import signal
+import subprocess
+import time
+from tempfile import TemporaryFile
+from typing import IO, Callable, Dict, List, Mapping, Tuple
+
+POLL_SECONDS = 0.1
+
+STOPPED = 130
+"""Exit code of a program that was stopped."""
+
+
+def run_all(commands: Mapping[str, List[str]], jobs: int, on_end: Callable[[str], None]) -> None:
+    """Runs commands, so many at a time, and tells the name of each that has ended.
+
+    Raises RuntimeError if a command fails, and KeyboardInterrupt at SIGINT and SIGTERM; those that still run are ended first.
+    """
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    waiting = list(commands.items())
+    running: Dict[str, Tuple[subprocess.Popen[bytes], IO[str]]] = {}
+    try:
+        while waiting or running:
+            while waiting and len(running) < max(1, jobs):
+                name, command = waiting.pop(0)
+                errors = TemporaryFile("w+", encoding="utf-8", errors="replace")
+                running[name] = subprocess.Popen(command, stderr=errors), errors
+            for name in [name for name, (process, _) in running.items() if process.poll() is not None]:
+                _check(name, *running.pop(name))
+                on_end(name)
+            time.sleep(POLL_SECONDS)
+    finally:
+        for process, _ in running.values():
+            process.terminate()
+        for process, _ in running.values():
+            process.wait()
+
+
+def _check(name: str, process: subprocess.Popen[bytes], errors: IO[str]) -> None:
+    with errors:
+        errors.seek(0)
+        if process.returncode != 0:
+            raise RuntimeError(f"{name}: {errors.read().strip() or f'exit code {process.returncode}'}")
