@@ -96,7 +96,12 @@ public sealed class PopulationTests
         RoadLink[] links = [.. nodes.Select((_, i) => new RoadLink(i, (i + 1) % corners, 1, 1, null, RoadLinkFlags.None))];
         SimulatedWorld world = new(new SimulationOptions
         {
-            Seed = seed, Roads = new RoadNetwork(nodes, links), TrafficDensity = 0, ParkedDensity = 2.5, PedestrianDensity = 0, IsWarm = true,
+            Seed = seed,
+            Roads = new RoadNetwork(nodes, links),
+            TrafficDensity = 0,
+            ParkedDensity = 2.5,
+            PedestrianDensity = 0,
+            IsWarm = true,
         });
         HashSet<int> driving = [.. world.Vehicles.Select(vehicle => vehicle.Handle)];
         foreach (EntityState entity in world.EntitiesNear(Vector3D.Zero, 50)
