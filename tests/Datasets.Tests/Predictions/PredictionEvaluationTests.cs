@@ -76,7 +76,7 @@ public sealed class PredictionEvaluationTests : IDisposable
     [Fact]
     public void Boxes_are_rounded_as_in_the_export()
     {
-        // The export has 38.625 - 0.5 as 38.13, not 38.12. The prediction covers 2.187 of 4.37 pixels, 50.05 %; of 4.38 it would be 49.93 %.
+        // The export has 38.625 - 0.5 as 38.13, not 38.12. The prediction covers 2.187 of 4.37 pixels, 50.05 %; of 4.38 less.
         _session.Car(0)["box2dVisible"] = new JsonArray(38.625, 28, 43, 33);
         WriteKitti(0, "Car -1 -1 -10 38.2 27.5 40.387 32.5 -1 -1 -1 -1000 -1000 -1000 -10 0.9\n");
         WriteKitti(1, "");

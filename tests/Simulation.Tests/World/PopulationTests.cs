@@ -59,7 +59,7 @@ public sealed class PopulationTests
     }
 
     [Fact]
-    public void Ends_of_parked_vehicles_do_not_reach_far_into_the_lane_of_a_bend()
+    public void Parked_vehicles_leave_the_lane_of_a_sharp_bend_free()
     {
         const double mostIntoLane = 1;
         const double roundness = 0.15; // The road is a polygon; the curve through its corners is not quite a circle.
