@@ -246,11 +246,14 @@ def test_plain_spaces_sample_within_their_bounds() -> None:
 
 
 def test_step_after_an_interrupted_one_is_refused_and_reset_connects_anew(games: List[FakeGame]) -> None:
-    with environment(games, frames({})) as env:
+    with environment(games, frames({}), render_mode="rgb_array") as env:
         env.reset(seed=1)
+        with pytest.raises(RuntimeError, match="send_step"):
+            env.receive_step()
         env.send_step([0, 1, 0])
-        with pytest.raises(RuntimeError, match="call reset"):
-            env.send_step([0, 1, 0])
+        for refused in (lambda: env.send_step([0, 1, 0]), env.render):
+            with pytest.raises(RuntimeError, match="call reset"):
+                refused()
         _, info = env.reset(seed=2)
         # The interrupted step's frame would have been the one at 0.1 s.
         assert info["frame"]["timeSeconds"] == 0

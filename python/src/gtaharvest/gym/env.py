@@ -144,9 +144,7 @@ class DrivingEnv(Env):
 
         Raises BridgeError, and RuntimeError if receive_step has not followed the last call.
         """
-        link, _ = self._ready()
-        if self._is_awaiting:
-            raise RuntimeError("The frame of the step before has not been received; call reset.")
+        link = self._idle()
         values = [float(value) for value in np.asarray(action, np.float64).reshape(-1)]
         if len(values) != self.action_space.shape[0] or not np.all(np.isfinite(values)):
             raise ValueError(f"An action has {self.action_space.shape[0]} finite numbers, not {action!r}.")
@@ -162,6 +160,8 @@ class DrivingEnv(Env):
     def receive_step(self) -> StepResult:
         """The second half of a step: waits for the frame at its end."""
         _, rules = self._ready()
+        if not self._is_awaiting:
+            raise RuntimeError("No step has been sent; call send_step first.")
         before = self._frame
         try:
             self._take(before["timeSeconds"] + self._step_seconds / 2, self._has_image)
@@ -176,7 +176,7 @@ class DrivingEnv(Env):
         """The image of the current frame, (height, width, 3); None without the render mode `rgb_array`."""
         if self.render_mode is None:
             return None
-        link, _ = self._ready()
+        link = self._idle()
         if self._picture is None:
             self._is_awaiting = True
             try:
@@ -202,6 +202,12 @@ class DrivingEnv(Env):
         if self._link is None or self._rules is None:
             raise RuntimeError("The environment has no episode; call reset first.")
         return self._link, self._rules
+
+    def _idle(self) -> BridgeLink:
+        link, _ = self._ready()
+        if self._is_awaiting:
+            raise RuntimeError("The frame of the step before has not been received; call reset.")
+        return link
 
     def _begin(self, episode: int, options: DictOf[str, Any]) -> None:
         link = self._connected()
