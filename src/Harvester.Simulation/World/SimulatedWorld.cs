@@ -58,8 +58,8 @@ internal sealed class SimulatedWorld
         int seed = (options.TrafficSeed ?? options.Seed) ^ (place * SeedStep);
         Vector3D start = options.Near is { } near ? new Vector3D(near.X, near.Y, 0) : options.Roads is { } roads ? Middle(roads)
             : Vector3D.Zero;
-        Site site = options.Roads is null ? Sites.Town(options.Seed)
-            : Sites.Roads(options.Seed, options.Roads, start, options.RadiusMetres);
+        Site site = options.Roads is null ? SiteCache.Shared.Town(options.Seed)
+            : SiteCache.Shared.Roads(options.Seed, options.Roads, start, options.RadiusMetres);
         if (!site.Network.Nodes.Any(node => Horizontal.Distance(node.Position, start) < options.RadiusMetres))
         {
             throw new ArgumentException(FormattableString.Invariant(

@@ -33,7 +33,7 @@ public sealed class DrivableStreetsTests
     [Fact]
     public void Lanes_of_the_generated_town_can_be_driven()
     {
-        Site site = Sites.Town(1);
+        Site site = SiteCache.Shared.Town(1);
 
         LaneFault[] faults = [.. new LaneJudge(site.Ground).Faults(site.Lanes.Paths)];
 
@@ -108,7 +108,7 @@ public sealed class DrivableStreetsTests
     [Fact]
     public void Generated_town_has_high_rises_in_its_centre_only()
     {
-        Site site = Sites.Town(1);
+        Site site = SiteCache.Shared.Town(1);
         AssertBuildingsAreOffRoads(site);
         Prop[] high = [.. BuildingsOf(site).Where(building => building.Model.Max.Z > HighRise)];
         Assert.NotEmpty(high);

@@ -5,19 +5,20 @@ using Harvester.Simulation.World;
 
 namespace Harvester.Simulation.Tests.World;
 
-public class SitesTests
+public class SiteCacheTests
 {
     [Fact]
     public void Worlds_of_one_seed_share_a_site_until_it_is_released()
     {
-        Site first = Sites.Town(51);
-        Assert.Same(first, Sites.Town(51));
+        var sites = new SiteCache();
+        Site first = sites.Town(51);
+        Assert.Same(first, sites.Town(51));
         foreach (int other in Enumerable.Range(52, 3))
         {
-            Assert.NotSame(first, Sites.Town(other));
+            Assert.NotSame(first, sites.Town(other));
         }
 
-        Assert.NotSame(first, Sites.Town(51));
+        Assert.NotSame(first, sites.Town(51));
     }
 
     [Fact]

@@ -10,35 +10,38 @@ namespace Harvester.Simulation.World;
 /// A cache of recent sites. A program that runs several games usually uses the same roads, and a site takes far longer to build than what
 /// moves on it.
 /// </summary>
-internal static class Sites
+internal sealed class SiteCache
 {
     /// <summary>Maximum number of cached sites; a town takes some 30 MB.</summary>
     private const int MaxKept = 3;
 
-    private static readonly Lock Guard = new();
-    private static readonly List<(object Key, Lazy<Site> Site)> Kept = [];
+    private readonly Lock guard = new();
+    private readonly List<(object Key, Lazy<Site> Site)> kept = [];
+
+    /// <summary>The cache of the program's worlds.</summary>
+    public static SiteCache Shared { get; } = new();
 
     /// <summary>A town generated from a seed.</summary>
-    public static Site Town(int seed) => Of(seed, () => Site.OfTown(seed));
+    public Site Town(int seed) => Of(seed, () => Site.OfTown(seed));
 
     /// <summary>The part of given roads within a radius of a point.</summary>
     /// <exception cref="ArgumentException">No road lies there.</exception>
-    public static Site Roads(int seed, RoadNetwork network, Vector3D centre, double radiusMetres) =>
+    public Site Roads(int seed, RoadNetwork network, Vector3D centre, double radiusMetres) =>
         Of((seed, network, centre, radiusMetres), () => Site.OfRoads(seed, network, centre, radiusMetres));
 
-    private static Site Of(object key, Func<Site> build)
+    private Site Of(object key, Func<Site> build)
     {
         Lazy<Site> site;
-        lock (Guard)
+        lock (guard)
         {
-            int index = Kept.FindIndex(kept => kept.Key.Equals(key));
-            site = index >= 0 ? Kept[index].Site : new Lazy<Site>(build);
-            if (index >= 0 || Kept.Count == MaxKept)
+            int index = kept.FindIndex(entry => entry.Key.Equals(key));
+            site = index >= 0 ? kept[index].Site : new Lazy<Site>(build);
+            if (index >= 0 || kept.Count == MaxKept)
             {
-                Kept.RemoveAt(Math.Max(0, index));
+                kept.RemoveAt(Math.Max(0, index));
             }
 
-            Kept.Add((key, site));
+            kept.Add((key, site));
         }
 
         // Built outside the lock: only callers that want the same site wait for it.
