@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import hashlib
 import importlib
 import inspect
 import json
 import os
 import signal
+import warnings
 from pathlib import Path
 from typing import Any, Iterator, List
 
@@ -155,11 +157,38 @@ def test_hung_game_is_told_and_ended() -> None:
             os.kill(pid, 0)
 
 
-@pytest.mark.skipif(spaces.gymnasium_module is None, reason="gymnasium is not installed")
-def test_check_env_of_gymnasium() -> None:
+needs_gymnasium = pytest.mark.skipif(spaces.gymnasium_module is None, reason="gymnasium is not installed")
+
+
+@needs_gymnasium
+@pytest.mark.parametrize("observation", ["both", "state", "image"])
+def test_check_env_of_gymnasium(observation: str) -> None:
     checker = importlib.import_module("gymnasium.utils.env_checker")
-    with create() as env:
-        checker.check_env(env)
+    with spaces.gymnasium_module.make("gtaharvest/Driving-v0", observation=observation, size=SIZE) as env, warnings.catch_warnings():
+        warnings.simplefilter("error")
+        checker.check_env(env.unwrapped)
+
+
+@needs_gymnasium
+def test_vector_environments_of_gymnasium_give_the_same_steps() -> None:
+    def digest(mode: str) -> str:
+        made = spaces.gymnasium_module.make_vec(
+            "gtaharvest/Driving-v0", num_envs=2, vectorization_mode=mode, observation="state", ending=gym.Ending(seconds=1))
+        result = hashlib.sha256()
+        try:
+            observations, _ = made.reset(seed=5)
+            result.update(observations.tobytes())
+            ended = 0
+            for _ in range(25):
+                observations, rewards, terminated, truncated, _ = made.step(np.tile(np.float32([0.1, 0.5, 0]), (2, 1)))
+                result.update(b"".join(part.tobytes() for part in (observations, rewards, terminated, truncated)))
+                ended += int(np.sum(truncated))
+        finally:
+            made.close()
+        assert ended >= 2, "the steps go over ends of episodes"
+        return result.hexdigest()
+
+    assert digest("sync") == digest("async")
 
 
 @pytest.mark.skipif(spaces.gymnasium_module is not None, reason="test_check_env_of_gymnasium")

@@ -16,8 +16,6 @@ internal sealed class MarkingLayer
     /// </summary>
     private const double DepthRoom = 1e-3;
 
-    private const int DepthElement = 2;
-
     /// <summary>Markings farther away than this are too thin to show, metres.</summary>
     private const double MaxDepth = 250;
 
@@ -124,8 +122,7 @@ internal sealed class MarkingLayer
     private static MarkingTriangle[] TrianglesOf(in MeshInstance instance, View view, DepthTiles tiles)
     {
         var toClip = new ClipTransform(view.Matrix * Matrix4.ToWorld(instance.Pose));
-        if (ScreenBox.Of(instance.Mesh.Bounds, toClip, view) is { } box
-            && (box.Nearness * MaxDepth < view.NearClip || tiles.Hide(box.Pixels, box.Nearness * (1 + DepthRoom))))
+        if (ScreenBox.Of(instance.Mesh.Bounds, toClip, view) is { } box && box.Nearness * MaxDepth < view.NearClip)
         {
             return [];
         }
@@ -141,11 +138,18 @@ internal sealed class MarkingLayer
                 (Vector256<double> a, Vector256<double> b, Vector256<double> c) = (corners[0], corners[i - 1], corners[i]);
                 Vector256<double> min = Vector256.MinNative(a, Vector256.MinNative(b, c));
                 Vector256<double> max = Vector256.MaxNative(a, Vector256.MaxNative(b, c));
-                PixelRectangle pixels = view.PixelsIn(min[0] - 1, min[1] - 1, max[0] + 1, max[1] + 1);
+                (min, max) = (min - Vector256<double>.One, max + Vector256<double>.One);
+                PixelRectangle pixels = view.PixelsIn(min[0], min[1], max[0], max[1]);
                 double doubleArea = ((b[0] - a[0]) * (c[1] - a[1])) - ((b[1] - a[1]) * (c[0] - a[0]));
-                if (!pixels.IsEmpty && doubleArea != 0 && !tiles.Hide(pixels, max[DepthElement] * (1 + DepthRoom)))
+                if (pixels.IsEmpty || doubleArea == 0)
                 {
-                    triangles.Add(new MarkingTriangle(a, b, c, doubleArea, pixels, triangle.Colour));
+                    continue;
+                }
+
+                var projected = new MarkingTriangle(a, b, c, doubleArea, pixels, triangle.Colour);
+                if (!tiles.Hide(pixels, projected.MaxNearness(min, max) * (1 + DepthRoom)))
+                {
+                    triangles.Add(projected);
                 }
             }
         }

@@ -57,6 +57,15 @@ internal readonly struct MarkingTriangle
     public double NearnessAt(double x, double y) => (_slopeX * x) + (_slopeY * y) + _atOrigin;
 
     /// <summary>
+    /// The greatest nearness of its plane in a rectangle of the image. A pixel that the triangle covers in part may show nearer ground than
+    /// any of its corners.
+    /// </summary>
+    /// <param name="min">The rectangle's least x and y.</param>
+    /// <param name="max">Its greatest x and y.</param>
+    public double MaxNearness(Vector256<double> min, Vector256<double> max) =>
+        NearnessAt(_slopeX > 0 ? max[0] : min[0], _slopeY > 0 ? max[1] : min[1]);
+
+    /// <summary>
     /// The fraction of a pixel that is covered, as far as the edges can be looked at one by one. Triangles that share an edge share the
     /// pixels along it without gap or overlap.
     /// </summary>

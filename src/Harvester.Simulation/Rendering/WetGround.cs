@@ -40,8 +40,9 @@ internal sealed class WetGround(View view, ScreenTriangles triangles, int[] ids,
         Array.Copy(target.Colour, before, before.Length);
         Parallel.For(0, (target.Height + Block - 1) / Block, block =>
         {
+            // Ground at the horizon and above it is not level.
             int top = block * Block;
-            for (int column = 0; top + 1 > _horizon && column < target.Width; column += Block)
+            for (int column = 0; top + 0.5 > _horizon && column < target.Width; column += Block)
             {
                 ReflectBlock(wetness, target, before, column, top);
             }
@@ -77,6 +78,7 @@ internal sealed class WetGround(View view, ScreenTriangles triangles, int[] ids,
 
     /// <summary>
     /// The row that is seen in the ground at a pixel: the first one upward that lies as high above its foot as the pixel lies below it.
+    /// What stands before the ground there, with its foot below the pixel, is passed over.
     /// </summary>
     /// <param name="column">The pixel's column.</param>
     /// <param name="row">The pixel's row.</param>
@@ -87,7 +89,7 @@ internal sealed class WetGround(View view, ScreenTriangles triangles, int[] ids,
         for (int other = row - SearchStep; other > 0; other -= SearchStep)
         {
             double foot = _horizon + (below * nearness[(other * width) + column] / view.NearClip);
-            if (other <= (2 * foot) - row)
+            if (foot <= row + 1 && other <= (2 * foot) - row)
             {
                 return other;
             }

@@ -22,6 +22,9 @@ public sealed class CounterfactualTests(ITestOutputHelper output)
     [InlineData(5, "signs,nearest-vehicle,people")]
     [InlineData(15, "nearest-sign,vehicles,nearest-person")]
     [InlineData(23, "nearest-vehicle,trafficLight")]
+    [InlineData(17, "nearest-vehicle,trafficLight")]
+    [InlineData(30, "signs,nearest-vehicle,people")]
+    [InlineData(49, "nearest-sign,vehicles,nearest-person")]
     [Trait("Category", "Heavy")]
     public void Pictures_differ_only_in_object_shadow_and_reflection(int seed, string without) =>
         Judge(seed, Detail.Full, "clear,thunder,snow,foggy", "0,7,12,18", without);

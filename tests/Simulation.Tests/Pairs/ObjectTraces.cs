@@ -6,8 +6,9 @@ namespace Harvester.Simulation.Tests.Pairs;
 
 /// <summary>
 /// Where a picture may show objects: their own pixels by the handles that the renderer wrote; their shadows, where a ray from the place
-/// that a pixel shows towards the sun or the zenith meets their boxes; and their reflections, where the mirrored line of sight does.
-/// Places come from the depths that the renderer wrote.
+/// that a pixel shows towards the sun or the zenith meets their boxes; and their reflections, where the mirrored line of sight does, and
+/// where it leads to one of their shadows. Reflections are taken from the picture, so those of what objects hide may change as well. Places
+/// come from the depths that the renderer wrote.
 /// </summary>
 internal sealed class ObjectTraces
 {
@@ -27,6 +28,7 @@ internal sealed class ObjectTraces
     /// <summary>Reflections are found in steps of three rows, for blocks of two pixels.</summary>
     private const double ReflectionPixels = 6;
     private const double ReflectionMetres = 0.3;
+    private const int ReflectionBlock = 2;
 
     private readonly CameraState _camera;
     private readonly RenderTarget _drawn;
@@ -43,9 +45,11 @@ internal sealed class ObjectTraces
         (_camera, _drawn) = (scene.Camera, drawn);
         _objects = [.. scene.Entities.Where(entity => handles.Contains(entity.Handle))];
         Object = [.. drawn.Handles.Select(handles.Contains)];
-        bool[] traces = [.. Enumerable.Range(0, Object.Length).Select(pixel =>
-            Object[pixel] || (detail == Detail.Full
-                && (IsShaded(pixel, lighting.SunDirection) || (lighting.RainFraction > 0 && IsMirroring(pixel)))))];
+        bool[] shaded = [.. Enumerable.Range(0, Object.Length).Select(pixel =>
+            detail == Detail.Full && IsShaded(pixel, lighting.SunDirection))];
+        bool isMirrored = detail == Detail.Full && lighting.RainFraction > 0;
+        bool[] traces = [.. Enumerable.Range(0, Object.Length).Select(pixel => Object[pixel] || shaded[pixel]
+            || (isMirrored && (IsMirroring(pixel) || MirrorsWhatObjectsChange(pixel, shaded))))];
         Allowed = Widened(traces);
     }
 
@@ -80,6 +84,43 @@ internal sealed class ObjectTraces
         return _objects.Any(entity => IsMet(
             entity, place, sight with { Z = Math.Abs(sight.Z) },
             ReflectionMetres + (ReflectionPixels / focal * (entity.Pose.Position - _camera.Pose.Position).Length)));
+    }
+
+    /// <summary>
+    /// Whether an object in the columns above hides what the ground at a pixel would mirror, or a shadow there is mirrored in it.
+    /// </summary>
+    private bool MirrorsWhatObjectsChange(int pixel, bool[] shaded)
+    {
+        int row = pixel / _drawn.Width;
+        int column = pixel % _drawn.Width;
+        double ground = PlaceAt(pixel).Z;
+        for (int x = Math.Max(0, column - ReflectionBlock); x <= Math.Min(_drawn.Width - 1, column + ReflectionBlock); x++)
+        {
+            for (int y = 0; y < row; y++)
+            {
+                int other = (y * _drawn.Width) + x;
+                if (Object[other] && _drawn.Depth[other] < _drawn.Depth[pixel])
+                {
+                    return true;
+                }
+
+                if (shaded[other] && PlaceAt(other) is var place
+                    && Math.Abs(RowOf(place with { Z = (2 * ground) - place.Z }) - (row + 0.5)) < ReflectionPixels)
+                {
+                    return true;
+                }
+            }
+        }
+
+        return false;
+    }
+
+    private double RowOf(Vector3D place)
+    {
+        Vector3D away = place - _camera.Pose.Position;
+        Axes axes = _camera.Pose.Axes;
+        double tangent = Math.Tan(_camera.VerticalFovDegrees * Math.PI / 360);
+        return (1 - (away.Dot(axes.Up) / away.Dot(axes.Forward) / tangent)) * _drawn.Height / 2;
     }
 
     /// <summary>The place in the world that the centre of a pixel shows.</summary>

@@ -30,15 +30,18 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
     private const double MinMeanIou = 0.985;
     private const double MinIou = 0.90;
 
-    /// <summary>
-    /// The largest fraction of large objects below <see cref="MinIou"/>: none of 102 was with the traffic of an earlier version, and one of
-    /// 111, with 0.449, is now.
-    /// </summary>
-    private const double MaxUnder = 0.01;
     private const double MinMeanAmodalIou = 0.97;
 
-    /// <summary>The required fraction of small objects that are found: all but one of 79.</summary>
-    private const double MinFound = 0.98;
+    private const double MinFound = 0.99;
+
+    /// <summary>
+    /// Pedestrians of the simulation walk through one another. Of two whose centres are so close, neither is before the other, and only
+    /// the mean counts.
+    /// </summary>
+    private const double MergedMetres = 0.3;
+
+    /// <summary>If more were, the lowest IoU of the others would say little.</summary>
+    private const int MaxMerged = 4;
 
     /// <summary>What is reached by code words alone, without noise and shadows, so that a change for the worse is noticed.</summary>
     private const double MinMeanIouOfCodeWords = 0.90;
@@ -120,7 +123,8 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
         Scores scores = Judge([701, 702, 703, 704, 705, 706], 2, new ImageSize(800, 600), Detail.Full, Hard);
 
         Assert.InRange(scores.Large.Average(), MinMeanIou, 1);
-        Assert.InRange(scores.Large.Average(iou => iou < MinIou ? 1.0 : 0), 0, MaxUnder);
+        Assert.InRange(scores.Apart.Min(), MinIou, 1);
+        Assert.InRange(scores.Large.Count - scores.Apart.Count, 0, MaxMerged);
         Assert.InRange(scores.SmallFound.Average(found => found ? 1.0 : 0), MinFound, 1);
         Assert.InRange(scores.Amodal.Average(), MinMeanAmodalIou, 1);
         Assert.InRange(scores.MaxPictures, MinPictures, MaxPictures);
@@ -157,6 +161,7 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
         MaxFrames = frames,
         RangeMetres = RangeMetres,
         RateHz = 0.25,
+        MaxOccludedFraction = 1,
         Masks = true,
         MaskMethod = method,
         MaxPictureLagTicks = 2,
@@ -193,6 +198,11 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
             if (pixels.Count >= LargePixels)
             {
                 scores.Large.Add(iou);
+                if (objects.Count(other => (other.Box3D.Centre - item.Box3D.Centre).Length < MergedMetres) == 1)
+                {
+                    scores.Apart.Add(iou);
+                }
+
                 scores.Amodal.Add(item.AmodalMask is { } mask ? AmodalIou(game, mask.ToMap(image), handle, labelled) : 0);
             }
             else if (pixels.Count is >= SmallPixels and < SmallEnd)
@@ -209,6 +219,7 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
             if (pixels >= LargePixels)
             {
                 scores.Large.Add(0);
+                scores.Apart.Add(0);
             }
             else if (pixels is >= SmallPixels and < SmallEnd)
             {
@@ -238,6 +249,9 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
     {
         public List<double> Large { get; } = [];
 
+        /// <summary>Those of <see cref="Large"/> that no other object stands in.</summary>
+        public List<double> Apart { get; } = [];
+
         public List<double> Amodal { get; } = [];
 
         public List<bool> SmallFound { get; } = [];
@@ -248,7 +262,7 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
 
         public override string ToString() => string.Create(
             CultureInfo.InvariantCulture,
-            $"{Large.Count} large: mean {Large.Average():F4}, least {Large.Min():F3}, under 0.9: {Large.Count(iou => iou < 0.9)}; "
+            $"{Large.Count} large: mean {Large.Average():F4}, least {Large.Min():F3}; {Apart.Count} apart: least {Apart.Min():F3}; "
                 + $"amodal mean {Amodal.Average():F4}, least {Amodal.Min():F3}; small found {SmallFound.Count(found => found)} of "
                 + $"{SmallFound.Count}; at most {MaxPictures} pictures and {MaxRays} rays");
     }

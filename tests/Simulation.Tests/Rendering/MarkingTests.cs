@@ -61,6 +61,26 @@ public sealed class MarkingTests
     }
 
     [Fact]
+    public void Body_changes_no_marking_beside_it()
+    {
+        // A wall whose foot is at row 122.497 hides all but a tenth of a pixel of a marking, in columns 161 to 168. A body in columns 168
+        // to 178 hides all else that is farther than the marking in that part of the picture.
+        var white = new Rgb(255, 255, 255);
+        MeshInstance marking = Quad(new(0.5, 48.1, -1), new(4, 48.1, -1), new(4, 50, -1), new(0.5, 50, -1));
+        MeshInstance wall = TestScene.AtOrigin(
+            new MeshBuilder().AddQuad(new(0, 48.05, -1), new(3.2, 48.05, -1), new(3.2, 48.05, 4), new(0, 48.05, 4), white).Build(), 1);
+        MeshInstance body = TestScene.AtOrigin(
+            new MeshBuilder().AddBox(new(1.33, 20, -1), new(3, 21, 2), new Rgb(0, 0, 0)).Build(), 2);
+        Range beside = ((122 * TestScene.Width) + 162)..((122 * TestScene.Width) + 167);
+
+        int[] without = [.. Render(marking, wall).Colour.Chunk(3).Take(beside).Select(pixel => (int)pixel[0])];
+        int[] with = [.. Render(marking, wall, body).Colour.Chunk(3).Take(beside).Select(pixel => (int)pixel[0])];
+
+        Assert.All(without, red => Assert.InRange(red, 1, 254));
+        Assert.Equal(without, with);
+    }
+
+    [Fact]
     public void Depths_are_those_of_the_ground_below()
     {
         RenderTarget picture = Render(LineAlong(0));

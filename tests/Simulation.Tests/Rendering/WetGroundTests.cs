@@ -24,6 +24,17 @@ public sealed class WetGroundTests
     }
 
     [Fact]
+    public void Ground_seen_below_a_body_mirrors_what_is_behind_it()
+    {
+        // The body, 5 m ahead, would have its foot at row 144, and its lower edge, half a metre above the ground, is at row 132: rows 132
+        // to 144 show ground behind it. Its mirror image reaches from row 156 to row 192.
+        RenderTarget wet = Render(1, body: new MeshBuilder().AddBox(new(-4, 5, -0.5), new(4, 5.1, 1), new Rgb(255, 40, 40)).Build());
+
+        Assert.InRange(RednessOf(wet, 134, 142), -NotReddish, NotReddish);
+        Assert.InRange(RednessOf(wet, 158, 164), Reddish, 255);
+    }
+
+    [Fact]
     public void Dry_asphalt_mirrors_nothing() => Assert.InRange(RednessOf(Render(0), 136, 150), -NotReddish, NotReddish);
 
     [Fact]
@@ -49,12 +60,12 @@ public sealed class WetGroundTests
             .Average(pixel => picture.Colour[pixel * 3] - (double)picture.Colour[(pixel * 3) + 1]);
     }
 
-    private static RenderTarget Render(double rain, Surface surface = Surface.Asphalt)
+    private static RenderTarget Render(double rain, Surface surface = Surface.Asphalt, Mesh? body = null)
     {
         Mesh ground = new MeshBuilder().AddQuad(
             new(-300, 0, -1), new(300, 0, -1), new(300, 300, -1), new(-300, 300, -1), new Rgb(60, 60, 60), surface).Build();
-        Mesh wall = new MeshBuilder().AddBox(new(-4, 10, -1), new(4, 11, 1), new Rgb(255, 40, 40)).Build();
-        var scene = new RenderScene([TestScene.AtOrigin(ground, 0), TestScene.AtOrigin(wall, 0)])
+        body ??= new MeshBuilder().AddBox(new(-4, 10, -1), new(4, 11, 1), new Rgb(255, 40, 40)).Build();
+        var scene = new RenderScene([TestScene.AtOrigin(ground, 0), TestScene.AtOrigin(body, 0)])
         {
             Lighting = new Lighting
             {
