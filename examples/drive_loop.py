@@ -26,5 +26,5 @@ if __name__ == "__main__":
         while time.monotonic() < end:
             state, picture_png = receive(stream)
             send(stream, type="controls", frame=state["frame"], **keep_lane(state))
-    except (OSError, ValueError, struct.error) as problem:
-        sys.exit(f"The bridge failed: {problem}")
+    except (OSError, ValueError, KeyError, TypeError, struct.error) as problem:
+        sys.exit(f"The bridge failed: {problem!r}")

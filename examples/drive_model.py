@@ -67,22 +67,30 @@ def decode_slowly(lines, stride):
 
 
 def look(stream):
-    """Returns the next frame. A malformed frame is a failure of the bridge; errors of the model are left to the model."""
+    """Returns the number of the next frame and its image. Errors of the model are left to the model."""
     try:
         state, png = receive(stream)
-        return state, decode(png)
-    except (ValueError, struct.error, zlib.error) as problem:
-        raise ConnectionError(f"malformed frame: {problem}") from problem
+        return state["frame"], decode(png)
+    except (ValueError, KeyError, TypeError, struct.error, zlib.error) as problem:
+        raise ConnectionError(f"malformed frame: {problem!r}") from problem
+
+
+def greet(stream, token):
+    """Exchanges hellos."""
+    send(stream, type="hello", version=1, **({"token": token} if token else {}))
+    try:
+        receive(stream)
+    except (ValueError, KeyError, TypeError, struct.error) as problem:
+        raise ConnectionError(f"malformed hello: {problem!r}") from problem
 
 
 def drive(predict, host, port, seconds, token):
     end = time.monotonic() + seconds
     with socket.create_connection((host, port), timeout=MOST_SILENCE).makefile("rwb") as stream:
-        send(stream, type="hello", version=1, **({"token": token} if token else {}))
-        receive(stream)  # The hello of the game.
+        greet(stream, token)
         while time.monotonic() < end:
-            state, picture = look(stream)
-            send(stream, type="indicators", frame=state["frame"], values=[float(value) for value in predict(picture)])
+            frame, picture = look(stream)
+            send(stream, type="indicators", frame=frame, values=[float(value) for value in predict(picture)])
 
 
 if __name__ == "__main__":

@@ -9,6 +9,12 @@ from typing import IO, Callable, Dict, List, Mapping, Tuple
 
 POLL_SECONDS = 0.1
 
+STOP_SECONDS = 10
+"""Time that a command has to end after it was asked to; then it is killed."""
+
+LIMIT_SECONDS = 3600
+"""A command that takes longer than this hangs: the longest takes some minutes."""
+
 STOPPED = 130
 """Exit code of a program that was stopped."""
 
@@ -16,26 +22,36 @@ STOPPED = 130
 def run_all(commands: Mapping[str, List[str]], jobs: int, on_end: Callable[[str], None]) -> None:
     """Runs commands, so many at a time, and tells the name of each that has ended.
 
-    Raises RuntimeError if a command fails, and KeyboardInterrupt at SIGINT and SIGTERM; those that still run are ended first.
+    Raises RuntimeError if a command fails or hangs, and KeyboardInterrupt at SIGINT and SIGTERM; those that still run are ended first.
     """
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     waiting = list(commands.items())
     running: Dict[str, Tuple[subprocess.Popen[bytes], IO[str]]] = {}
+    begun: Dict[str, float] = {}
     try:
         while waiting or running:
             while waiting and len(running) < max(1, jobs):
                 name, command = waiting.pop(0)
                 errors = TemporaryFile("w+", encoding="utf-8", errors="replace")
                 running[name] = subprocess.Popen(command, stderr=errors), errors
+                begun[name] = time.monotonic()
             for name in [name for name, (process, _) in running.items() if process.poll() is not None]:
                 _check(name, *running.pop(name))
                 on_end(name)
+            for name in running:
+                if time.monotonic() - begun[name] > LIMIT_SECONDS:
+                    raise RuntimeError(f"{name}: the command has not ended within {LIMIT_SECONDS / 60:.0f} minutes, and was stopped.")
             time.sleep(POLL_SECONDS)
     finally:
         for process, _ in running.values():
             process.terminate()
+        until = time.monotonic() + STOP_SECONDS
         for process, _ in running.values():
-            process.wait()
+            try:
+                process.wait(max(0.0, until - time.monotonic()))
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
 
 
 def _check(name: str, process: subprocess.Popen[bytes], errors: IO[str]) -> None:

@@ -2,7 +2,7 @@
 
 The network sees the images of harvester serve --lockstep, and answers with indicators, by which the game's Stanley controller drives; or,
 if it is a policy, which also gets the speed and the route command, with steering and pedals. In junctions the built-in driver takes over.
-Given again, it continues with the first town that is not done.
+Run again, it continues with the first town that is not done.
 """
 from __future__ import annotations
 
@@ -19,10 +19,12 @@ import torch
 from gtaharvest.gym import BridgeError, DrivingEnv, Ending, poisson_interval
 
 import filmstrip
+from arguments import model_file, output_file, output_image, positive, positive_real
 from commands import STOPPED
 from drivers import Driver, load_driver
 from judge import Judge
-from progress import Progress
+from network import NetworkError
+from progress import Progress, ProgressError
 from sets import TRAINING_WEATHERS
 
 FIRST_TOWN = 301
@@ -53,35 +55,39 @@ def drive(
 
 
 def total_of(episodes: List[Dict[str, Any]]) -> Dict[str, Any]:
-    """The sums over all episodes, the departures per kilometre with their interval of 95 %, and the mean score."""
+    """The sums over all episodes, the departures per kilometre with their interval of 95 %, and the mean score. What is per distance is
+    None without any.
+    """
     metres = sum(episode["driverMetres"] for episode in episodes)
     departures = sum(len(episode["departures"]) for episode in episodes)
     collisions = {kind: sum(episode["collisions"][kind] for episode in episodes) for kind in episodes[0]["collisions"]}
-    squares = sum(episode["rmsOffsetMetres"] ** 2 * episode["driverMetres"] for episode in episodes)
+    in_lane = sum(episode["inLaneMetres"] for episode in episodes)
+    squares = sum(episode["rmsOffsetMetres"] ** 2 * episode["inLaneMetres"] for episode in episodes)
     return {"driverMetres": round(metres, 1), "departures": departures,
-            "departuresPerKilometre": round(departures / max(metres, 1) * 1000, 3),
-            "interval": [round(bound / max(metres, 1) * 1000, 3) for bound in poisson_interval(departures)],
+            "departuresPerKilometre": round(departures / metres * 1000, 3) if metres > 0 else None,
+            "interval": [round(bound / metres * 1000, 3) for bound in poisson_interval(departures)] if metres > 0 else None,
             "score": round(sum(episode["score"] for episode in episodes) / len(episodes), 1), "collisions": collisions,
-            "rmsOffsetMetres": round((squares / max(metres, 1)) ** 0.5, 3)}
+            "inLaneMetres": round(in_lane, 1), "rmsOffsetMetres": round((squares / in_lane) ** 0.5, 3) if in_lane > 0 else None}
 
 
 def main() -> int:
     """Runs the command line."""
     parser = argparse.ArgumentParser(
         description="Lets a network drive in towns that it has not seen, and judges the drive.",
-        epilog="The file of the figures with the suffix .progress has the towns that are done. The same drive given again drives only the "
-        "others, none if it is complete, and writes figures and film strip; delete the file to drive anew.")
-    parser.add_argument("model", type=Path, help="file of train.py or imitate.py")
-    parser.add_argument("--kilometres", type=float, default=5, help="distance outside junctions, over all towns; default: 5")
-    parser.add_argument("--towns", type=int, default=10, help="number of towns; default: 10")
+        epilog="The file of the figures with the suffix .progress has the towns that are done. The same command, run again, drives only "
+        "in the others, in none if the drive is complete, and writes figures and film strip. Another drive needs another --out. Delete the "
+        "file to start over.")
+    parser.add_argument("model", type=model_file, help="file of train.py or imitate.py")
+    parser.add_argument("--kilometres", type=positive_real, default=5, help="distance outside junctions, over all towns; default: 5")
+    parser.add_argument("--towns", type=positive, default=10, help="number of towns; default: 10")
     parser.add_argument("--first-town", type=int, default=FIRST_TOWN, help=f"seed of the first; default: {FIRST_TOWN}")
     parser.add_argument("--weathers", nargs="+", default=list(TRAINING_WEATHERS), help="weathers, in turn; default: those of the training")
     parser.add_argument("--traffic", type=float, default=0.5, help="factor on the number of vehicles; default: 0.5")
-    parser.add_argument("--seconds", type=float, default=600, help="time limit for each town, seconds of the game; default: 600")
+    parser.add_argument("--seconds", type=positive_real, default=600, help="time limit for each town, seconds of the game; default: 600")
     parser.add_argument("--roads", help="road network of the game in place of towns, with --near")
     parser.add_argument("--near", help="start on the road network, as X,Y")
-    parser.add_argument("--out", type=Path, help="file for the figures; default: the model's name with .drive.json")
-    parser.add_argument("--strip", type=Path, help="image to write a film strip to, with an image of each town")
+    parser.add_argument("--out", type=output_file, help="file for the figures; default: the model's name with .drive.json")
+    parser.add_argument("--strip", type=output_image, help="image to write a film strip to, .png or .jpg, with an image of each town")
     parser.add_argument("--harvester", help="command that runs harvester; default: GTAHARVEST_HARVESTER, or harvester")
     options = parser.parse_args()
     torch.set_num_threads(1)
@@ -91,7 +97,8 @@ def main() -> int:
     try:
         driver = load_driver(options.model)
         set_by = {key: value for key, value in vars(options).items() if key not in ("model", "out", "strip", "harvester")}
-        progress = Progress(out.with_suffix(".progress"), options.model, set_by)
+        roads_file = Path(options.roads) if options.roads else None
+        progress = Progress(out.with_suffix(".progress"), options.model, set_by, roads_file)
         if progress.done:
             print(f"{len(progress.done)} of {options.towns} towns are done.", flush=True)
         ending = Ending(collision=False, outside_seconds=None, seconds=None, standing_seconds=STANDING_SECONDS)
@@ -105,11 +112,11 @@ def main() -> int:
                     options.kilometres * 1000 / options.towns, options.seconds)
                 progress.add(figures, picture)
                 print(json.dumps({**figures, "departures": len(figures["departures"])}), flush=True)
-    except (BridgeError, OSError) as problem:
+    except (BridgeError, NetworkError, OSError, ProgressError) as problem:
         print(f"drive.py: {problem}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
-        print("drive.py: stopped; the same command goes on when it is given again.", file=sys.stderr)
+        print("drive.py: stopped; run the same command again to continue.", file=sys.stderr)
         return STOPPED
     episodes = [figures for figures, _ in progress.done]
     total = total_of(episodes)
@@ -117,9 +124,13 @@ def main() -> int:
     result = {"model": options.model.name, **progress.drive, "total": total, "episodes": episodes}
     part.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
     os.replace(part, out)
-    if options.strip:
-        filmstrip.write(options.strip, [picture for _, picture in progress.done if picture is not None])
     print(json.dumps(total))
+    if options.strip:
+        try:
+            filmstrip.write(options.strip, [picture for _, picture in progress.done if picture is not None])
+        except OSError as problem:
+            print(f"drive.py: {problem}", file=sys.stderr)
+            return 1
     return 0
 
 

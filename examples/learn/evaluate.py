@@ -22,8 +22,8 @@ from gtaharvest import INDICATOR_NAMES
 
 import imitate
 from actions import POLICY_OUTPUTS
-from network import INACTIVE, INDICATORS, SCALE, Network, indicators_of, load_network, predict
-from packed import Packed, load
+from network import INACTIVE, INDICATORS, SCALE, Network, NetworkError, indicators_of, load_network, predict
+from packed import Packed, PackedError, load
 
 GROUPS: Dict[str, List[str]] = {
     "angle (rad)": ["angle"],
@@ -99,7 +99,7 @@ def main() -> int:
         others = {file: network for file, network in networks.items() if file not in policies}
         tables = [indicator_table(others, options.data, options.sets, options.all)] if others else []
         tables += [policy_table(policies, options.data)] if policies else []
-    except OSError as problem:
+    except (NetworkError, OSError, PackedError) as problem:
         print(f"evaluate.py: {problem}", file=sys.stderr)
         return 1
     print("\n\n".join(markdown(table) for table in tables))

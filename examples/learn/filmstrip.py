@@ -30,13 +30,14 @@ def picture_of(image: np.ndarray, frame: Dict[str, Any], answer: Optional[np.nda
 
 
 def write(file: Path, pictures: List[np.ndarray]) -> None:
-    """Writes pictures as one, in rows; nothing if there are none."""
+    """Writes pictures as one, in rows; nothing if there are none. Raises OSError."""
     if not pictures:
         return
     blanks = [np.zeros_like(pictures[0])] * (-len(pictures) % COLUMNS)
     shown = [*pictures, *blanks]
     rows = [np.hstack(shown[at:at + COLUMNS]) for at in range(0, len(shown), COLUMNS)]
-    cv2.imwrite(str(file), cv2.cvtColor(np.vstack(rows), cv2.COLOR_RGB2BGR))
+    if not cv2.imwrite(str(file), cv2.cvtColor(np.vstack(rows), cv2.COLOR_RGB2BGR)):
+        raise OSError(f"{file} cannot be written.")
 
 
 def _draw(image: np.ndarray, marking: float, angle: float, colour: Any) -> None:

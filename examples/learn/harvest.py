@@ -1,4 +1,4 @@
-"""Harvests the sessions: harvest.py DATA [SET...]. Given again, it continues where it was stopped."""
+"""Harvests the sessions: harvest.py DATA [SET...]. Run again, it continues where it was stopped."""
 from __future__ import annotations
 
 import argparse
@@ -11,6 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import List
 
+from arguments import positive
 from commands import STOPPED, run_all
 from sets import SETS, Plan, SessionPlan
 
@@ -39,13 +40,13 @@ def command_of(harvester: List[str], folder: Path, plan: SessionPlan, roads: str
 
 def main() -> int:
     """Runs the command line."""
-    parser = argparse.ArgumentParser(description="Harvests the sessions to learn from. Given again, it continues.")
+    parser = argparse.ArgumentParser(description="Harvests the sessions to learn from. Run again, it continues.")
     parser.add_argument("data", type=Path, help="folder for the sessions")
     parser.add_argument("sets", nargs="*", help=f"sets to harvest: {', '.join(SETS)}; all without --roads but roads")
     parser.add_argument("--roads", help="road network of the game, for the set roads")
-    parser.add_argument("--sessions", type=int, help="harvest only the first sessions of each set")
-    parser.add_argument("--frames", type=int, help="harvest at most so many frames of each session; those with more stay as they are")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="sessions at a time; default: one for each processor")
+    parser.add_argument("--sessions", type=positive, help="harvest only the first sessions of each set")
+    parser.add_argument("--frames", type=positive, help="harvest at most so many frames of each session; those with more stay as they are")
+    parser.add_argument("--jobs", type=positive, default=os.cpu_count() or 1, help="sessions at a time; default: one for each processor")
     parser.add_argument(
         "--harvester", default=os.environ.get("GTAHARVEST_HARVESTER", "harvester"),
         help="command that runs harvester; default: the environment variable GTAHARVEST_HARVESTER, or harvester")
@@ -78,7 +79,7 @@ def main() -> int:
         print(f"harvest.py: {problem}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
-        print("harvest.py: stopped; the same command goes on when it is given again.", file=sys.stderr)
+        print("harvest.py: stopped; run the same command again to continue.", file=sys.stderr)
         return STOPPED
     return 0
 

@@ -1,4 +1,4 @@
-"""Trains a policy on recorded actions: imitate.py DATA MODEL. Given again, it continues after the last epoch.
+"""Trains a policy on recorded actions: imitate.py DATA MODEL. Run again, it continues after the last epoch.
 
 The policy sees the image, the speed and the route command, and answers with steering and pedal, as the recorded controller did outside
 junctions. The model's .jsonl has, for each epoch, the mean absolute errors of both on the last sessions, which it does not learn from.
@@ -14,9 +14,10 @@ import torch
 from torch import nn
 
 from actions import EXTRAS, POLICY_OUTPUTS, ROUTES, STEERING_SCALE, extras_of
+from arguments import positive
 from commands import STOPPED
 from network import Network, as_input, predict
-from packed import Packed, load
+from packed import Packed, PackedError, load
 from training import TrainingError, add_options, fit, varied
 
 SPEED_NOISE = 0.1
@@ -56,6 +57,10 @@ def train(options: argparse.Namespace) -> None:
     driven = controlled(recorded)
     is_held_out = driven.frames[:, 0] > recorded.frames[:, 0].max() - options.validation
     packed, validation = driven.where(~is_held_out), driven.where(is_held_out)
+    if len(packed) == 0 or len(validation) == 0:
+        raise PackedError(
+            f"The set drives has {int(recorded.frames[:, 0].max()) + 1} drives, too few to hold out {options.validation} and to learn from "
+            "others; record more, or give another --validation.")
     extras, targets = torch.from_numpy(inputs_of(packed)), torch.from_numpy(targets_of(packed))
     torch.manual_seed(options.seed)
     network = Network(POLICY_OUTPUTS, EXTRAS)
@@ -70,20 +75,20 @@ def train(options: argparse.Namespace) -> None:
 
 def main() -> int:
     """Runs the command line."""
-    parser = argparse.ArgumentParser(description="Trains a policy on recorded actions. Given again, it continues after the last epoch.")
+    parser = argparse.ArgumentParser(description="Trains a policy on recorded actions. Run again, it continues after the last epoch.")
     add_options(parser, epochs=12)
     parser.add_argument(
-        "--validation", type=int, default=2,
+        "--validation", type=positive, default=2,
         help="number of recorded drives to hold out for the curves, the last ones; default: 2, so that it learns from 18 of 20")
     options = parser.parse_args()
     torch.set_num_threads(options.threads)
     try:
         train(options)
-    except (OSError, TrainingError) as problem:
+    except (OSError, PackedError, TrainingError) as problem:
         print(f"imitate.py: {problem}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
-        print("imitate.py: stopped; the same command goes on when it is given again.", file=sys.stderr)
+        print("imitate.py: stopped; run the same command again to continue.", file=sys.stderr)
         return STOPPED
     return 0
 

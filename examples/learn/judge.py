@@ -46,4 +46,4 @@ class Judge:
         return {
             "metres": round(episode.driven_metres, 1), "score": round(100 * completion * episode.penalty, 1),
             "driverMetres": round(self.driver_metres, 1), "departures": departures,
-            "collisions": self._collisions, "rmsOffsetMetres": round((self._squares / max(1, self._in_lane_metres)) ** 0.5, 3)}
+            "collisions": self._collisions, "inLaneMetres": round(self._in_lane_metres, 1), "rmsOffsetMetres": round((self._squares / max(1, self._in_lane_metres)) ** 0.5, 3)}

@@ -24,6 +24,10 @@ MOST_TURN = 12
 """Most pixels by which a view can be turned to either side."""
 
 
+class NetworkError(Exception):
+    """A file is not a network of train.py or imitate.py."""
+
+
 class Network(nn.Module):
     """Convolutions over the image, then two linear layers, which also take the further inputs.
 
@@ -48,10 +52,15 @@ class Network(nn.Module):
 
 
 def load_network(file: Path) -> Network:
-    """The network of a file that train.py or imitate.py wrote."""
-    saved = torch.load(file)
-    network = Network(saved["outputs"], saved["extras"])
-    network.load_state_dict(saved["network"])
+    """The network of a file that train.py or imitate.py wrote. Raises NetworkError, and OSError."""
+    try:
+        saved = torch.load(file)
+        network = Network(saved["outputs"], saved["extras"])
+        network.load_state_dict(saved["network"])
+    except OSError:
+        raise
+    except Exception as problem:  # Unpickling a damaged file may raise anything.
+        raise NetworkError(f"{file} is not a network of train.py or imitate.py, or is damaged.") from problem
     return network.eval()
 
 

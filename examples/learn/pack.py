@@ -18,6 +18,7 @@ import numpy as np
 from gtaharvest import SessionError, open_session
 
 import actions
+from commands import STOPPED
 from sets import DRIVES, SETS
 
 HEIGHT, WIDTH = 70, 140
@@ -52,10 +53,13 @@ def rows_of(session_number: int, folder: Path) -> Dict[str, List[Any]]:
 
 def pack(data: Path, name: str) -> Path:
     """Packs a set, unless it is packed and no session has changed since; returns the file."""
-    folders = sorted(folder for folder in (data / name).iterdir() if (folder / "session.json").exists())
+    folders = sorted(folder for folder in (data / name).glob("*") if (folder / "session.json").exists())
+    maker = "record.py" if name in DRIVES else "harvest.py"
     if not folders:
-        maker = "record.py" if name in DRIVES else "harvest.py"
         raise SessionError(f"{data / name} has no session; run {maker} first.")
+    planned = len((DRIVES if name in DRIVES else SETS)[name])
+    if len(folders) < planned:
+        print(f"pack.py: {data / name} has {len(folders)} of {planned} sessions; {maker} makes the others.", file=sys.stderr)
     target = data / "packed" / f"{name}.npz"
     # A folder's own time tells of sessions that were deleted.
     changed = max(path.stat().st_mtime_ns for path in (data / name, *(folder / "session.json" for folder in folders)))
@@ -79,13 +83,21 @@ def main() -> int:
     parser.add_argument("data", type=Path, help="folder of harvest.py and record.py")
     parser.add_argument("sets", nargs="*", help="sets to pack; default: all that are there")
     options = parser.parse_args()
+    unknown = set(options.sets) - {*SETS, *DRIVES}
+    if unknown:
+        parser.error(f"unknown set '{min(unknown)}'; sets are {', '.join((*SETS, *DRIVES))}")
     try:
         names = options.sets or [name for name in (*SETS, *DRIVES) if (options.data / name).is_dir()]
+        if not names:
+            raise SessionError(f"{options.data} has no set; run harvest.py first.")
         for name in names:
             print(pack(options.data, name), flush=True)
     except (OSError, SessionError) as problem:
         print(f"pack.py: {problem}", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        print("pack.py: stopped; run the same command again to continue with the set that was cut off.", file=sys.stderr)
+        return STOPPED
     return 0
 
 

@@ -5,8 +5,13 @@ import hashlib
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Optional
+from zipfile import BadZipFile
 
 import numpy as np
+
+
+class PackedError(Exception):
+    """A packed set is damaged, or too small."""
 
 
 @dataclass(frozen=True)
@@ -43,9 +48,12 @@ class Packed:
 
 
 def load(data: Path, name: str) -> Packed:
-    """Loads a packed set."""
+    """Loads a packed set. Raises PackedError, and OSError."""
     file = data / "packed" / f"{name}.npz"
     if not file.exists():
         raise FileNotFoundError(f"{file} does not exist; run pack.py {data} {name} first.")
-    with np.load(file) as arrays:
-        return Packed(*(arrays[field.name] for field in fields(Packed)))
+    try:
+        with np.load(file) as arrays:
+            return Packed(*(arrays[field.name] for field in fields(Packed)))
+    except (BadZipFile, EOFError, KeyError, ValueError) as problem:
+        raise PackedError(f"{file} is damaged, or of another version; delete it, and run pack.py {data} {name}.") from problem

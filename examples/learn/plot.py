@@ -12,6 +12,8 @@ import matplotlib
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 
+from arguments import output_image  # noqa: E402
+
 
 TITLES = {"angle": "angle, rad", "lane": "markings of the ego lane, m", "steering": "steering", "pedal": "pedal"}
 
@@ -19,14 +21,17 @@ TITLES = {"angle": "angle, rad", "lane": "markings of the ego lane, m", "steerin
 def main() -> int:
     """Runs the command line."""
     parser = argparse.ArgumentParser(description="Draws the errors on the validation set over the epochs.")
-    parser.add_argument("out", type=Path, help="image to write")
+    parser.add_argument("out", type=output_image, help="image to write, .png or .jpg")
     parser.add_argument("models", nargs="+", type=Path, help="files of train.py and imitate.py")
     options = parser.parse_args()
     curves: Dict[Path, List[Dict[str, float]]] = {}
     try:
         for model in options.models:
-            curves[model] = [json.loads(line) for line in model.with_suffix(".jsonl").read_text(encoding="utf-8").splitlines()]
-    except OSError as problem:
+            log = model.with_suffix(".jsonl")
+            curves[model] = [json.loads(line) for line in log.read_text(encoding="utf-8").splitlines()]
+            if not all(isinstance(line, dict) and "epoch" in line for line in curves[model] or [None]):
+                raise ValueError(f"{log} is not the log of a training.")
+    except (OSError, ValueError) as problem:
         print(f"plot.py: {problem}", file=sys.stderr)
         return 1
     shown = [key for key in TITLES if any(key in line for lines in curves.values() for line in lines)]

@@ -1,6 +1,6 @@
 """Records drives of the Stanley controller, with disturbances, for imitate.py and evaluate.py: record.py DATA [SET...].
 
-Given again, it continues with the drives that are not done.
+Run again, it continues with the drives that are not done.
 """
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import List
 
+from arguments import positive
 from commands import STOPPED, run_all
 from harvest import is_done
 from sets import DRIVES, DrivePlan
@@ -39,12 +40,12 @@ def command_of(harvester: List[str], data: Path, plan: DrivePlan) -> List[str]:
 
 def main() -> int:
     """Runs the command line."""
-    parser = argparse.ArgumentParser(description="Records drives of a controller to imitate. Given again, it continues.")
+    parser = argparse.ArgumentParser(description="Records drives of a controller to imitate. Run again, it continues.")
     parser.add_argument("data", type=Path, help="folder for the sessions")
     parser.add_argument("sets", nargs="*", help=f"sets to record: {', '.join(DRIVES)}; default: all")
-    parser.add_argument("--drives", type=int, help="record only the first drives of each set")
-    parser.add_argument("--metres", type=int, default=1500, help="distance of each drive; longer ones stay as they are; default: 1500")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="drives at a time; default: one for each processor")
+    parser.add_argument("--drives", type=positive, help="record only the first drives of each set")
+    parser.add_argument("--metres", type=positive, default=1500, help="distance of each drive; longer ones stay as they are; default: 1500")
+    parser.add_argument("--jobs", type=positive, default=os.cpu_count() or 1, help="drives at a time; default: one for each processor")
     parser.add_argument(
         "--harvester", default=os.environ.get("GTAHARVEST_HARVESTER", "harvester"),
         help="command that runs harvester; default: the environment variable GTAHARVEST_HARVESTER, or harvester")
@@ -71,7 +72,7 @@ def main() -> int:
         print(f"record.py: {problem}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
-        print("record.py: stopped; the same command goes on when it is given again.", file=sys.stderr)
+        print("record.py: stopped; run the same command again to continue.", file=sys.stderr)
         return STOPPED
     return 0
 

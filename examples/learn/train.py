@@ -1,4 +1,4 @@
-"""Trains a network for the indicators: train.py DATA MODEL [--labels KIND]. Given again, it continues after the last epoch.
+"""Trains a network for the indicators: train.py DATA MODEL [--labels KIND]. Run again, it continues after the last epoch.
 
 The model's .jsonl has a line for each epoch: seconds, loss, and on the validation set the mean absolute errors of the angle (rad) and of
 the markings of the ego lane (m), and the fraction of indicators whose activity is wrong.
@@ -13,9 +13,10 @@ import numpy as np
 import torch
 from torch import nn
 
+from arguments import positive
 from commands import STOPPED
 from network import INDICATORS, MOST_TURN, SCALE, Network, as_input, indicators_of, predict
-from packed import Packed, load
+from packed import Packed, PackedError, load
 from training import TrainingError, add_options, fit, varied
 
 ACTIVITY_WEIGHT = 0.3
@@ -92,20 +93,20 @@ def train(options: argparse.Namespace) -> None:
 
 def main() -> int:
     """Runs the command line."""
-    parser = argparse.ArgumentParser(description="Trains a network for the indicators. Given again, it continues after the last epoch.")
+    parser = argparse.ArgumentParser(description="Trains a network for the indicators. Run again, it continues after the last epoch.")
     add_options(parser, epochs=32)
     parser.add_argument("--set", default="train", help="set to learn from; default: train")
-    parser.add_argument("--sessions", type=int, help="use only the first sessions of the set")
+    parser.add_argument("--sessions", type=positive, help="use only the first sessions of the set")
     parser.add_argument("--labels", choices=("true", "shifted", "mirrored"), default="true", help="labels to learn; default: true")
     options = parser.parse_args()
     torch.set_num_threads(options.threads)
     try:
         train(options)
-    except (OSError, TrainingError) as problem:
+    except (OSError, PackedError, TrainingError) as problem:
         print(f"train.py: {problem}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
-        print("train.py: stopped; the same command goes on when it is given again.", file=sys.stderr)
+        print("train.py: stopped; run the same command again to continue.", file=sys.stderr)
         return STOPPED
     return 0
 

@@ -11,6 +11,7 @@ from typing import Any, Callable, Dict, List
 
 import torch
 
+from arguments import model_file, positive
 from network import Network
 from packed import Packed
 
@@ -29,12 +30,12 @@ def add_options(parser: argparse.ArgumentParser, epochs: int) -> None:
     """Adds the options of a training."""
     parser.add_argument("data", type=Path, help="folder with the packed sets")
     parser.add_argument(
-        "model", type=Path,
+        "model", type=model_file,
         help="file to write, such as full.pt; the lines of its epochs go to full.jsonl, and what continuing needs to full.state, which "
         "another training with this name refuses")
-    parser.add_argument("--epochs", type=int, default=epochs, help=f"passes over the images; default: {epochs}")
+    parser.add_argument("--epochs", type=positive, default=epochs, help=f"epochs; default: {epochs}")
     parser.add_argument("--seed", type=int, default=1, help="seed of weights, order and variations; default: 1")
-    parser.add_argument("--threads", type=int, default=os.cpu_count() or 1, help="processors to use; default: all")
+    parser.add_argument("--threads", type=positive, default=os.cpu_count() or 1, help="processors to use; default: all")
 
 
 def varied(images: torch.Tensor, random: torch.Generator) -> torch.Tensor:
@@ -98,7 +99,7 @@ def fit(
 
 def _restored(file: Path, training: Dict[str, Any], parts: Dict[str, Any]) -> List[str]:
     """Puts everything into the state after the last epoch; returns the lines of the epochs."""
-    remedy = f"Choose another name for the model, or delete {file} to begin anew."
+    remedy = f"Choose another name for the model, or delete {file} to start over."
     try:
         with zipfile.ZipFile(file) as archive:
             if archive.testzip() is not None:
@@ -115,7 +116,7 @@ def _restored(file: Path, training: Dict[str, Any], parts: Dict[str, Any]) -> Li
     except Exception as problem:  # Unpickling a damaged file may raise anything.
         raise TrainingError(f"{file} is damaged, or of another version. {remedy}") from problem
     differing = [name for name in {**former, **training} if former.get(name) != training.get(name)]
-    raise TrainingError(f"{file} is of a training with {', '.join(_shown(name, former.get(name)) for name in differing)}. {remedy}")
+    raise TrainingError(f"{file} belongs to a training with {', '.join(_shown(name, former.get(name)) for name in differing)}. {remedy}")
 
 
 def _shown(name: str, value: Any) -> str:

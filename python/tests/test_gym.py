@@ -196,6 +196,40 @@ def test_game_that_fails_is_told_and_a_reset_begins_anew(games: List[FakeGame], 
         env.step([0, 0, 0])
 
 
+@pytest.mark.parametrize(("fields", "missing", "error", "words"), [
+    ({}, "fast", gym.VersionError, "without 'fast', as another version does"),
+    ({}, "acrossMarking", gym.VersionError, "without 'acrossMarking'"),
+    ({"speedMetresPerSecond": "fast"}, "", gym.GameRefusedError, "malformed 'speedMetresPerSecond': 'fast'"),
+    ({"position": 5}, "", gym.GameRefusedError, "malformed 'position': 5"),
+    ({"indicators": [0] * 12}, "", gym.GameRefusedError, "malformed 'indicators'"),
+])
+def test_malformed_frame_is_one_clear_line(games: List[FakeGame], fields: Message, missing: str, error: Any, words: str) -> None:
+    counted = frames()
+
+    def answer(message: Message) -> Answer:
+        reply = counted(message)
+        assert isinstance(reply, dict)
+        return {name: value for name, value in {**reply, **fields}.items() if name != missing}
+
+    with environment(games, answer) as env, pytest.raises(error, match=words) as caught:
+        env.reset(seed=1)
+    assert "\n" not in str(caught.value)
+
+
+def test_game_whose_start_is_interrupted_is_ended(monkeypatch: pytest.MonkeyPatch) -> None:
+    serving = ["sh", "-c", "echo Serving at 127.0.0.1:9; exec sleep 60"]
+
+    def interrupted(*_: Any) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("gtaharvest.gym.env.BridgeLink", interrupted)
+    monkeypatch.setattr("gtaharvest.gym.server._ENDING_SECONDS", 0.1)
+    with gym.DrivingEnv(harvester=serving) as env:
+        with pytest.raises(KeyboardInterrupt):
+            env.reset(seed=1)
+        assert env._server is None
+
+
 def test_nobody_at_the_port_is_told() -> None:
     env = gym.DrivingEnv(address=("127.0.0.1", 9))
     with pytest.raises(gym.GameStartError, match="Cannot connect to a game at 127.0.0.1:9"):
@@ -220,7 +254,9 @@ def test_harvester_that_hangs_is_ended() -> None:
 
 
 def test_wrong_arguments_are_refused(games: List[FakeGame]) -> None:
-    for wrong in ({"observation": "sound"}, {"action": "thoughts"}, {"step_seconds": 0}, {"render_mode": "human"}):
+    for wrong in (
+            {"observation": "sound"}, {"action": "thoughts"}, {"step_seconds": 0}, {"render_mode": "human"}, {"patience": 0},
+            {"start_patience": -1}):
         with pytest.raises(ValueError):
             gym.DrivingEnv(**wrong)
     with environment(games, frames()) as env:

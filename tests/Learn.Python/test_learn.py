@@ -16,14 +16,16 @@ import numpy as np
 import pytest
 import torch
 
+import commands
+import drive
 import imitate
 import train
 import training
 from harvest import command_of, is_done
 from judge import Judge
 from network import INACTIVE, INDICATORS, MOST_TURN, SCALE, WIDTH, Network, as_input, indicators_of, predict
-from packed import Packed
-from progress import Progress
+from packed import Packed, PackedError
+from progress import Progress, ProgressError
 from record import is_whole
 from sets import DRIVES, SETS
 
@@ -148,8 +150,17 @@ def test_progress_of_another_model_or_with_other_options_is_not_continued(tmp_pa
     (figures, image), = Progress(file, model, {"towns": 3}).done
     assert figures == {"town": 301}
     np.testing.assert_array_equal(image, picture)
-    assert Progress(file, model, {"towns": 4}).done == []
-    assert Progress(file, other, {"towns": 3}).done == []
+    roads = tmp_path / "roads.zip"
+    roads.write_bytes(b"roads")
+    for wanted, difference in (
+            ((model, {"towns": 4}), "another --towns"), ((other, {"towns": 3}), "another model"),
+            ((model, {"towns": 3}, roads), "another road network")):
+        with pytest.raises(ProgressError, match=difference):
+            Progress(file, *wanted)
+    for damage in ("", "{}\n", '{"sha256": 1}\n'):
+        file.write_text(damage)
+        with pytest.raises(ProgressError, match="damaged"):
+            Progress(file, model, {"towns": 3})
 
 
 def write_session(folder: Path, **further: Any) -> None:
@@ -224,8 +235,76 @@ def test_stopping_ends_what_runs_and_starts_nothing_more(tmp_path: Path, script:
 
     children = [int(file.stem) for file in data.glob("*/*.pid")]
     assert process.returncode == 130
-    assert errors == f"{script}.py: stopped; the same command goes on when it is given again.\n"
+    assert errors == f"{script}.py: stopped; run the same command again to continue.\n"
     assert len(children) == 2 and not any(os.path.exists(f"/proc/{child}") for child in children)
+
+
+def test_command_that_hangs_is_ended_even_if_it_ignores_that(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pid = tmp_path / "pid"
+    deaf = f"import os, signal, time; signal.signal(15, 1); open({str(pid)!r}, 'w').write(str(os.getpid())); time.sleep(60)"
+    monkeypatch.setattr(commands, "LIMIT_SECONDS", 1)
+    monkeypatch.setattr(commands, "STOP_SECONDS", 0.2)
+
+    with pytest.raises(RuntimeError, match="^train/101: the command has not ended within"):
+        commands.run_all({"train/101": [sys.executable, "-c", deaf]}, 1, lambda _: None)
+
+    assert not os.path.exists(f"/proc/{pid.read_text()}")
+
+
+def town_of(metres: float, in_lane: float, offset: float, departures: int) -> Dict[str, Any]:
+    return {
+        "driverMetres": metres, "inLaneMetres": in_lane, "rmsOffsetMetres": offset, "departures": [{}] * departures, "score": 50.0,
+        "collisions": {"vehicle": 1}}
+
+
+def test_total_weighs_the_offset_by_the_distance_in_a_lane() -> None:
+    total = drive.total_of([town_of(1000, 100, 3.0, 2), town_of(1000, 300, 1.0, 2)])
+
+    # The root of (9 * 100 + 1 * 300) / 400.
+    assert total["rmsOffsetMetres"] == 1.732
+    assert total["departuresPerKilometre"] == 2 and total["collisions"] == {"vehicle": 2}
+    nowhere = drive.total_of([town_of(0, 0, 0.0, 0)])
+    assert (nowhere["departuresPerKilometre"], nowhere["interval"], nowhere["rmsOffsetMetres"]) == (None, None, None)
+
+
+@pytest.mark.parametrize(("arguments", "words"), [
+    (("train", "data", "full.state"), "'full.state' is not the name of a file that ends with .pt"),
+    (("train", "data", "full.pt", "--epochs", "0"), "'0' is not a whole number of at least 1"),
+    (("harvest", "data", "--frames", "0"), "'0' is not a whole number of at least 1"),
+    (("drive", "full.pt", "--kilometres", "nan"), "'nan' is not a number greater than 0"),
+    (("drive", "full.pt", "--out", "none/x.json"), "'none/x.json' is no file that can be written"),
+    (("drive", "full.pt", "--strip", "strip"), "'strip' does not end with .png or .jpg"),
+    (("pack", "data", "none"), "unknown set 'none'; sets are train, validation"),
+    (("pack", "none"), "none has no set; run harvest.py first."),
+    (("pack", "none", "train"), "none/train has no session; run harvest.py first."),
+    (("evaluate", "data", "damaged.pt"), "damaged.pt is not a network of train.py or imitate.py, or is damaged."),
+    (("drive", "damaged.pt"), "damaged.pt is not a network of train.py or imitate.py, or is damaged."),
+    (("plot", "curves.png", "damaged.pt"), "damaged.jsonl is not the log of a training."),
+    (("train", "data", "new.pt"), "train.npz is damaged, or of another version"),
+])
+def test_bad_input_is_one_clear_line(tmp_path: Path, arguments: Tuple[str, ...], words: str) -> None:
+    (tmp_path / "damaged.pt").write_bytes(b"PK")
+    (tmp_path / "damaged.jsonl").write_text("")
+    (tmp_path / "data" / "packed").mkdir(parents=True)
+    (tmp_path / "data" / "packed" / "train.npz").write_bytes(b"PK")
+    script, *rest = arguments
+
+    run = subprocess.run(
+        [sys.executable, Path("examples/learn").resolve() / f"{script}.py", *rest], cwd=tmp_path, text=True, capture_output=True,
+        env={**os.environ, "PYTHONPATH": str(Path("python/src").resolve())}, timeout=60)
+
+    assert run.returncode != 0
+    assert words in run.stderr.splitlines()[-1] and "Traceback" not in run.stderr
+
+
+def test_policy_needs_drives_to_learn_from(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    recorded = packed(np.zeros((2, INDICATORS), np.float32), np.ones((2, INDICATORS), np.bool_), (0, 1))
+    recorded.by_controller[:] = True
+    recorded.controls[:] = 0
+    monkeypatch.setattr(imitate, "load", lambda *_: recorded)
+
+    with pytest.raises(PackedError, match="The set drives has 2 drives, too few to hold out 2"):
+        imitate.train(options_of(tmp_path / "policy.pt", validation=2))
 
 
 def test_errors_of_a_policy_are_those_of_steering_and_pedal() -> None:
@@ -298,8 +377,8 @@ def test_training_with_other_options_or_data_is_refused(tmp_path: Path) -> None:
             (8, {"epochs": 1, "sessions": 1}, "no --sessions"), (9, {"epochs": 1}, "other data")):
         with pytest.raises(training.TrainingError) as refusal:
             fit(options_of(model, **changed), frames)
-        remedy = f"Choose another name for the model, or delete {tmp_path / 'full.state'} to begin anew."
-        assert str(refusal.value) == f"{tmp_path / 'full.state'} is of a training with {told}. {remedy}"
+        remedy = f"Choose another name for the model, or delete {tmp_path / 'full.state'} to start over."
+        assert str(refusal.value) == f"{tmp_path / 'full.state'} belongs to a training with {told}. {remedy}"
     fit(options_of(model, epochs=1, threads=2))
     assert model.read_bytes() == before
 

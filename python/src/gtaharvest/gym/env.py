@@ -69,6 +69,9 @@ class DrivingEnv(Env):
             raise ValueError(f"action is one of {', '.join(_ACTIONS)}, not '{action}'.")
         if not 0 < step_seconds <= 10:
             raise ValueError(f"step_seconds is greater than 0 and at most 10, not {step_seconds}.")
+        for name, seconds in (("patience", patience), ("start_patience", start_patience)):
+            if not seconds > 0:
+                raise ValueError(f"{name} is greater than 0 seconds, not {seconds}.")
         if render_mode not in (None, "rgb_array"):
             raise ValueError(f"render_mode is None or 'rgb_array', not '{render_mode}'.")
         self.render_mode = render_mode
@@ -125,7 +128,7 @@ class DrivingEnv(Env):
             self.close()
         try:
             self._begin(episode, wanted)
-        except BridgeError:
+        except BaseException:
             self.close()
             raise
         self._rules = Rules(self._ending, self._frame)

@@ -18,7 +18,11 @@ _LONGEST = 256 * 1024 * 1024
 
 _MEASURED = (
     "timeSeconds", "speedMetresPerSecond", "headingDegrees", "drivenMetres", "laneOffsetMetres", "laneAngleRadians", "routeMetres")
-_MEASURED_LISTS = ("position", "indicators", "torcsEquivalent", "appliedControls")
+_MEASURED_LISTS = {"position": 3, "indicators": 13, "torcsEquivalent": 13, "appliedControls": 3}
+_REQUIRED = ("timeSeconds", "speedMetresPerSecond", "position", "lanesKnown", "fast", "indicators", "torcsEquivalent")
+_OF_A_TRUE_DRIVE = (
+    "collisions", "outsideLanes", "road", "lane", "acrossMarking", "laneOffsetMetres", "redLightsRun", "stopSignsRun", "repositioned",
+    "builtInDriver")
 
 Header = Dict[str, Any]
 
@@ -93,16 +97,32 @@ class BridgeLink:
         return header, payload
 
     def frame(self) -> Tuple[Header, bytes]:
-        """The next frame: its state and its image as PNG, empty if none was asked for. What is measured is a float, also if it is whole."""
+        """The next frame: its state and its image as PNG, empty if none was asked for. What is measured is a float, also if it is whole.
+
+        Raises VersionError if the frame lacks a field, and GameRefusedError if one is malformed.
+        """
         header, payload = self.receive()
         if header.get("type") != "frame":
             raise GameRefusedError(f"{self._place} sends '{header.get('type')}' instead of a frame.")
-        for name in _MEASURED:
-            if header.get(name) is not None:
-                header[name] = float(header[name])
-        for name in _MEASURED_LISTS:
-            if header.get(name) is not None:
-                header[name] = [float(number) for number in header[name]]
+        missing = [name for name in _REQUIRED if header.get(name) is None]
+        if header.get("drivenMetres") is not None:
+            missing += [name for name in _OF_A_TRUE_DRIVE if name not in header]
+        if missing:
+            raise VersionError(
+                f"The game at {self._place} sends frames without '{missing[0]}', as another version does; install matching versions.")
+        name = ""
+        try:
+            for name in _MEASURED:
+                if header.get(name) is not None:
+                    header[name] = float(header[name])
+            for name, count in _MEASURED_LISTS.items():
+                if header.get(name) is not None:
+                    header[name] = [float(number) for number in header[name]]
+                    if len(header[name]) != count:
+                        raise ValueError
+        except (TypeError, ValueError):
+            raise GameRefusedError(
+                f"{self._place} sends a frame with a malformed '{name}': {header[name]!r:.80}; is it the bridge of a game?") from None
         return header, payload
 
     def close(self) -> None:

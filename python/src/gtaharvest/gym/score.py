@@ -180,7 +180,7 @@ def poisson_interval(events: int, confidence: float = 0.95) -> Tuple[float, floa
 
 def mean_interval(values: Sequence[float], confidence: float = 0.95, seed: int = 1, resamples: int = 10_000) -> Tuple[float, float, float]:
     """The mean of some values and its percentile bootstrap interval; the same seed gives the same interval."""
-    if not values:
+    if len(values) == 0:
         raise ValueError("A mean takes at least one value.")
     sample = np.asarray(values, np.float64)
     means = np.random.default_rng(seed).choice(sample, (resamples, len(sample))).mean(axis=1)
