@@ -29,7 +29,29 @@ internal sealed class FakeBridge : IDrivingBridge
         _inbox.Welcome(this);
     }
 
-    public void Publish(BridgeState state, PixelBuffer picture) => Frames.Add((state, FakeGame.StateOf(picture)));
+    public bool HasClientGone => _inbox.HasClientGone;
+
+    /// <summary>Whether a frame would be sent at once.</summary>
+    public bool IsFrameAwaited { get; set; } = true;
+
+    /// <summary>Whether the client is replaced while the next frame is made.</summary>
+    public bool IsReplacedBeforeNextFrame { get; set; }
+
+    public bool Publish(BridgeState state, PixelBuffer picture)
+    {
+        if (IsReplacedBeforeNextFrame)
+        {
+            IsReplacedBeforeNextFrame = false;
+            ReplaceClient();
+        }
+
+        if (!HasClientGone)
+        {
+            Frames.Add((state, FakeGame.StateOf(picture)));
+        }
+
+        return !HasClientGone;
+    }
 
     public bool TryReceive([NotNullWhen(true)] out ClientMessage? message) => _inbox.TryTake(out message);
 

@@ -125,6 +125,7 @@ internal sealed class ServeCommand
             IsLockStep = isLockStep,
         };
         RecordPlan? plan = Record.Parse(parsed, options.Picture, isLockStep, [.. RecordedSettings(parsed, world)]);
+        options = options with { WaitsForAnswers = plan is not null };
         using DriveRecording? recording = plan is { } record
             ? new DriveRecording(terminal, record, CommandText.Of(parsed), parsed.GetValue(Overwrite))
             : null;

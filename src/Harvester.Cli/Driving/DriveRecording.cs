@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Cli.Terminals;
@@ -16,9 +15,11 @@ internal sealed class DriveRecording : IDisposable
 {
     private readonly Terminal _terminal;
     private readonly RecordPlan _plan;
-    private readonly List<GameRecording> _recordings = [];
+    private readonly List<GameRecording> _open = [];
     private readonly NumberedSessions? _numbered;
     private readonly SessionOutput? _single;
+    private int _frames;
+    private string? _fault;
 
     /// <summary>Locks and checks where the recording goes. Nothing is written before the first frame.</summary>
     /// <param name="terminal">Where warnings go.</param>
@@ -56,7 +57,7 @@ internal sealed class DriveRecording : IDisposable
             Settings = [.. _plan.Settings, .. further ?? []],
         };
         var recording = new GameRecording(game, roads, _plan, origin, () => _single ?? _numbered!.Next(), Release);
-        _recordings.Add(recording);
+        _open.Add(recording);
         return recording;
     }
 
@@ -65,9 +66,9 @@ internal sealed class DriveRecording : IDisposable
     public void Close()
     {
         FinishSessions();
-        if (_recordings.Select(recording => recording.Fault).FirstOrDefault(fault => fault is not null) is { } fault)
+        if (_fault is not null)
         {
-            throw new IOException(fault);
+            throw new IOException(_fault);
         }
     }
 
@@ -79,14 +80,14 @@ internal sealed class DriveRecording : IDisposable
     public void Finish()
     {
         Close();
-        if (_recordings.Exists(recording => recording.Frames > 0))
+        if (_frames > 0)
         {
             _single?.Complete();
         }
 
         _numbered?.Complete();
         string sessions = _numbered is { } numbered ? $" in {Counted.Of(numbered.Count, "session")}" : "";
-        string frames = Counted.Of(_recordings.Sum(recording => recording.Frames), "frame");
+        string frames = Counted.Of(_frames, "frame");
         _terminal.Out.WriteLine($"recorded {frames}{sessions}  {_plan.Folder}");
     }
 
@@ -100,16 +101,22 @@ internal sealed class DriveRecording : IDisposable
 
     private void FinishSessions()
     {
-        foreach (GameRecording recording in _recordings)
+        foreach (GameRecording recording in _open.ToArray())
         {
             recording.Dispose();
         }
     }
 
-    /// <summary>Completes one of several sessions that is whole; a single one is complete when all of the command is.</summary>
-    private void Release(SessionOutput output, bool isWhole)
+    /// <summary>
+    /// Lets go of a recording, and with it of its game. Completes one of several sessions that is whole; a single one is complete when all
+    /// of the command is.
+    /// </summary>
+    private void Release(GameRecording recording, SessionOutput? output, bool isWhole)
     {
-        if (_numbered is null)
+        _open.Remove(recording);
+        _frames += recording.Frames;
+        _fault ??= recording.Fault;
+        if (_numbered is null || output is null)
         {
             return;
         }

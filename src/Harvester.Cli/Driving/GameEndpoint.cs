@@ -14,6 +14,7 @@ namespace Harvester.Cli.Driving;
 internal sealed class GameEndpoint : IDisposable
 {
     private readonly SimulatedGame _game;
+    private readonly IDrivingBridge _bridge;
     private readonly AssistedCar? _assisted;
     private readonly DrivingSession _session;
     private (EgoState Ego, double Seconds) _before;
@@ -28,7 +29,7 @@ internal sealed class GameEndpoint : IDisposable
     public GameEndpoint(
         SimulatedGame game, IRoads roads, DrivingOptions options, IDrivingBridge bridge, Func<IController> newController, bool isAssisted)
     {
-        _game = game;
+        (_game, _bridge) = (game, bridge);
         _assisted = isAssisted ? new AssistedCar(game, roads, () => _session!.IsClientAlive) : null;
         GamePorts ports = game.Ports with { Roads = roads, Car = _assisted ?? game.Ports.Car };
 
@@ -77,13 +78,19 @@ internal sealed class GameEndpoint : IDisposable
     {
         long answers = _session.Answers;
         long frames = _session.Status.Frames;
+        long resets = _session.Resets;
         DrivingStatus status = _session.Tick();
+        if (_session.Resets != resets)
+        {
+            Recording?.Forget();
+        }
+
         if (_session.Answers != answers)
         {
             Recording?.Answer(status.Controls, _session.AnsweredIndicators, _session.AnsweredTarget, _session.AnsweredFrame);
         }
 
-        if (status.Frames != frames)
+        if (status.Frames != frames && _bridge.Client is not null)
         {
             Recording?.Look(status.Frames - 1);
         }
@@ -98,7 +105,7 @@ internal sealed class GameEndpoint : IDisposable
         _game.Tick(seconds);
         if (_game.Ports.World.TimeSeconds != _before.Seconds)
         {
-            Recording?.Tick(!IsByClient ? DriverKind.BuiltIn : _session.IsClientAlive ? DriverKind.Client : DriverKind.None);
+            Recording?.Tick(!IsByClient ? DriverKind.BuiltIn : Status.IsClientAlive ? DriverKind.Client : DriverKind.None);
         }
 
         EgoState now = _game.Ports.World.ReadEgo();

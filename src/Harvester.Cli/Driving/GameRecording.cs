@@ -20,10 +20,10 @@ namespace Harvester.Cli.Driving;
 /// <param name="plan">How it is recorded.</param>
 /// <param name="origin">Where the session comes from.</param>
 /// <param name="newOutput">Makes room for the session.</param>
-/// <param name="release">Takes the room back, and whether the session is whole.</param>
+/// <param name="release">Takes the room back, null if there was none, and whether the session is whole.</param>
 internal sealed class GameRecording(
     SimulatedGame game, IRoads roads, RecordPlan plan, SessionOrigin origin, Func<SessionOutput> newOutput,
-    Action<SessionOutput, bool> release) : IDisposable
+    Action<GameRecording, SessionOutput?, bool> release) : IDisposable
 {
     /// <summary>Label range of a harvest, metres.</summary>
     private const double RangeMetres = 80;
@@ -35,6 +35,7 @@ internal sealed class GameRecording(
     private SessionWriter? _writer;
     private DriveRecorder? _recorder;
     private WatchedController? _watched;
+    private bool _isOver;
 
     /// <summary>Number of frames recorded.</summary>
     public int Frames => _recorder?.Frames ?? 0;
@@ -82,18 +83,21 @@ internal sealed class GameRecording(
     public void Answer(DrivingControls controls, IReadOnlyList<double>? indicators, DriveTarget? target, long? bridgeFrame) =>
         _recorder?.Answer(controls, indicators, target, bridgeFrame);
 
+    /// <summary>Forgets how the car moved: a client has placed it elsewhere.</summary>
+    public void Forget() => _recorder?.Forget();
+
     /// <summary>Records a tick in which the world has moved.</summary>
     public void Tick(DriverKind driver, bool isDisturbed = false) => _recorder?.Tick(driver, isDisturbed);
 
     /// <summary>Finishes the session. Further calls do nothing.</summary>
     public void Dispose()
     {
-        if (_output is not { } output)
+        if (_isOver)
         {
             return;
         }
 
-        _output = null;
+        _isOver = true;
         bool isWritten = false;
         try
         {
@@ -102,7 +106,7 @@ internal sealed class GameRecording(
         }
         finally
         {
-            release(output, isWritten);
+            release(this, _output, isWritten);
         }
     }
 

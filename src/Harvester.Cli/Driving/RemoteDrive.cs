@@ -50,7 +50,8 @@ internal sealed class RemoteDrive(
     /// <exception cref="IOException">No client has driven for too long.</exception>
     public void Run(double metres, double seconds, bool isRealTime, CancellationToken cancellation)
     {
-        using GameEndpoint bridged = new(game, roads, new DrivingOptions(), bridge, newController, isAssisted: true)
+        var options = new DrivingOptions { WaitsForAnswers = Recording is not null };
+        using GameEndpoint bridged = new(game, roads, options, bridge, newController, isAssisted: true)
         {
             Recording = Recording,
         };

@@ -49,6 +49,9 @@ internal sealed class BridgeClient : IDisposable
         new Thread(client.Receive) { IsBackground = true, Name = "Harvester socket bridge: receive" }.Start();
     }
 
+    /// <summary>Whether the client has answered the last frame.</summary>
+    public bool HasAnswered => _credit.IsAnswered;
+
     /// <summary>Whether the client may be sent a frame now; if so, the frame counts as sent.</summary>
     public bool MayGet(BridgeState state) => _credit.TrySpend(state);
 
@@ -133,7 +136,7 @@ internal sealed class BridgeClient : IDisposable
     {
         if (word is RestartMessage && !_reception.Options.CanRestart)
         {
-            throw new BridgeException("this game cannot be restarted; the simulated game can, if served with --lockstep.");
+            throw new BridgeException(BridgeProtocol.NoRestart);
         }
 
         _credit.Hear(word);

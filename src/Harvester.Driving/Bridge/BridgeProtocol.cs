@@ -14,6 +14,9 @@ public static class BridgeProtocol
     /// <summary>Name of the file that holds the game's hello in a shared folder.</summary>
     public const string HelloFile = "bridge.json";
 
+    /// <summary>The answer to a client that asks for a restart of a game that has none.</summary>
+    internal const string NoRestart = "this game cannot be restarted; the simulated game can, if served with --lockstep.";
+
     /// <summary>The game's hello.</summary>
     public static string HelloOfGame { get; } = FormattableString.Invariant($"{{\"type\":\"{HelloType}\",\"version\":{Version}}}");
 

@@ -9,8 +9,9 @@ namespace Harvester.Driving.Bridge;
 /// indicators. A reset voids those sent before it; those sent after it wait until it is done.
 /// </summary>
 /// <param name="bridge">The bridge to the client.</param>
+/// <param name="canRestart">Whether the game can be restarted; a restart is refused otherwise.</param>
 /// <param name="report">Receives a message for each fault of the client.</param>
-internal sealed class ClientAgenda(IDrivingBridge bridge, Action<string> report)
+internal sealed class ClientAgenda(IDrivingBridge bridge, bool canRestart, Action<string> report)
 {
     /// <summary>Limits the work of a tick if a client sends faster than the game ticks.</summary>
     private const int MaxMessagesPerTick = 300;
@@ -32,7 +33,7 @@ internal sealed class ClientAgenda(IDrivingBridge bridge, Action<string> report)
     {
         bool isClientGone = false;
         for (int taken = 0;
-            !_isRestartWaiting && taken < MaxMessagesPerTick && bridge.TryReceive(out ClientMessage? message);
+            (!_isRestartWaiting || bridge.HasClientGone) && taken < MaxMessagesPerTick && bridge.TryReceive(out ClientMessage? message);
             taken++)
         {
             if (message is ClientGoneMessage)
@@ -41,6 +42,7 @@ internal sealed class ClientAgenda(IDrivingBridge bridge, Action<string> report)
                 _commands.Clear();
                 _newest = null;
                 _resetsWaiting = 0;
+                _isRestartWaiting = false;
             }
             else if (message is ControlsMessage or IndicatorsMessage)
             {
@@ -78,6 +80,12 @@ internal sealed class ClientAgenda(IDrivingBridge bridge, Action<string> report)
 
     private void Add(ClientMessage command)
     {
+        if (command is RestartMessage && !canRestart)
+        {
+            report(BridgeProtocol.NoRestart);
+            return;
+        }
+
         if (_commands.Count >= MaxCommandsWaiting)
         {
             report("the client sends commands faster than they can be executed; the newest are dropped.");

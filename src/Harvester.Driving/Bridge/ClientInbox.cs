@@ -37,6 +37,18 @@ internal sealed class ClientInbox<TClient>
         }
     }
 
+    /// <summary>Whether the next message is a <see cref="ClientGoneMessage"/>.</summary>
+    public bool HasClientGone
+    {
+        get
+        {
+            lock (_gate)
+            {
+                return _isClientGone;
+            }
+        }
+    }
+
     /// <summary>Makes a client the current one, in place of another.</summary>
     /// <returns>The client to disconnect: the earlier one, or the newcomer if the inbox is closed; null if there is none.</returns>
     public TClient? Welcome(TClient newcomer)

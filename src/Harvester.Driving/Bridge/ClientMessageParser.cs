@@ -3,6 +3,7 @@ using System.Globalization;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Driving.Bridge;
@@ -24,7 +25,7 @@ public static class ClientMessageParser
         {
             "controls" => new ControlsMessage(
                 new DrivingControls(fields.Number("steering"), fields.Number("throttle"), fields.Number("brake")), FrameOf(fields)),
-            "indicators" => new IndicatorsMessage(fields.Numbers("values", IndicatorTable.Count), FrameOf(fields)),
+            "indicators" => IndicatorsOf(fields.Numbers("values", IndicatorTable.Count), FrameOf(fields)),
             "reset" => new ResetMessage(PositionOf(fields), HeadingOf(fields)),
             "environment" => new EnvironmentMessage(
                 fields.Has("weather") ? WeatherOf(fields) : null, fields.Has("timeOfDay") ? TimeOf(fields) : null),
@@ -38,6 +39,14 @@ public static class ClientMessageParser
                     + "restart."),
         };
     }
+
+    /// <summary>A message with thirteen indicators.</summary>
+    /// <exception cref="BridgeException">One is out of range.</exception>
+    internal static IndicatorsMessage IndicatorsOf(double[] values, long? frame) =>
+        Array.TrueForAll(values, value => Math.Abs(value) <= IndicatorOrder.MaxValue)
+            ? new IndicatorsMessage(values, frame)
+            : throw new BridgeException(
+                FormattableString.Invariant($"indicators must be from -{IndicatorOrder.MaxValue} to {IndicatorOrder.MaxValue}."));
 
     /// <summary>Converts a number to a frame number.</summary>
     /// <exception cref="BridgeException">The number is not a whole number of 0 or more.</exception>

@@ -89,7 +89,13 @@ public sealed class FolderBridge : IAwaitableBridge
     public string? Client => _inbox.Client is null ? null : _folder;
 
     /// <inheritdoc/>
-    public void Publish(BridgeState state, PixelBuffer picture) => _outbox.Put(state, picture);
+    public bool HasClientGone => _inbox.HasClientGone;
+
+    /// <inheritdoc/>
+    public bool IsFrameAwaited => _outbox.IsEmpty;
+
+    /// <inheritdoc/>
+    public bool Publish(BridgeState state, PixelBuffer picture) => _outbox.Put(state, picture, () => HasClientGone);
 
     /// <inheritdoc/>
     public bool TryReceive([NotNullWhen(true)] out ClientMessage? message) => _inbox.TryTake(out message);
@@ -175,8 +181,11 @@ public sealed class FolderBridge : IAwaitableBridge
                 BridgeProtocol.CheckClient(command);
             }
 
-            _inbox.Leave(this);
-            _inbox.Welcome(this);
+            _outbox.Clear(() =>
+            {
+                _inbox.Leave(this);
+                _inbox.Welcome(this);
+            });
         }
         else
         {

@@ -17,7 +17,7 @@ internal static class FolderMessages
     public static ClientMessage ParseIndicators(string text)
     {
         double[] numbers = Numbers(text, IndicatorTable.Count, "indicators.txt");
-        return new IndicatorsMessage(
+        return ClientMessageParser.IndicatorsOf(
             [.. new ArraySegment<double>(numbers, 0, IndicatorTable.Count)], FrameOf(numbers, IndicatorTable.Count));
     }
 

@@ -10,6 +10,18 @@ internal sealed class FrameCredit
     private long _lastSent;
     private bool _isAnswered = true;
 
+    /// <summary>Whether the client has answered the last frame.</summary>
+    public bool IsAnswered
+    {
+        get
+        {
+            lock (_gate)
+            {
+                return _isAnswered;
+            }
+        }
+    }
+
     /// <summary>
     /// Spends the credit for a frame, if it may be sent. A requested frame needs no answer: the client wants it, and while the game is
     /// paused it may show what the client has seen and answered already.

@@ -18,9 +18,25 @@ internal sealed class FrameOutbox(ImageSize size)
     private BridgeState? _state;
     private bool _closed;
 
+    /// <summary>Whether no frame waits.</summary>
+    public bool IsEmpty
+    {
+        get
+        {
+            lock (_gate)
+            {
+                return _state is null;
+            }
+        }
+    }
+
     /// <summary>Stores a frame in place of the one that waits.</summary>
+    /// <param name="state">The frame's state.</param>
+    /// <param name="picture">The frame's image.</param>
+    /// <param name="isStale">Whether it is for a client that is gone; asked in one step with changes by <see cref="Clear"/>.</param>
+    /// <returns>Whether the frame was stored; one for a client that is gone is not.</returns>
     /// <exception cref="ArgumentException">The image has another size.</exception>
-    public void Put(BridgeState state, PixelBuffer picture)
+    public bool Put(BridgeState state, PixelBuffer picture, Func<bool> isStale)
     {
         if (picture.Size != size)
         {
@@ -29,6 +45,11 @@ internal sealed class FrameOutbox(ImageSize size)
 
         lock (_gate)
         {
+            if (isStale())
+            {
+                return false;
+            }
+
             if (state.HasPicture)
             {
                 Buffer.BlockCopy(picture.Bytes, 0, _waiting.Bytes, 0, picture.Bytes.Length);
@@ -36,6 +57,7 @@ internal sealed class FrameOutbox(ImageSize size)
 
             _state = _state is { IsAskedFor: true } ? state with { IsAskedFor = true } : state;
             Monitor.PulseAll(_gate);
+            return true;
         }
     }
 

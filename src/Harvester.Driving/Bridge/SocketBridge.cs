@@ -63,7 +63,13 @@ public sealed class SocketBridge : IAwaitableBridge
     internal int Pending => _reception.Pending.Count;
 
     /// <inheritdoc/>
-    public void Publish(BridgeState state, PixelBuffer picture) => _reception.Outbox.Put(state, picture);
+    public bool HasClientGone => _reception.Inbox.HasClientGone;
+
+    /// <inheritdoc/>
+    public bool IsFrameAwaited => _reception.Outbox.IsEmpty && _reception.Inbox.Client is { HasAnswered: true };
+
+    /// <inheritdoc/>
+    public bool Publish(BridgeState state, PixelBuffer picture) => _reception.Outbox.Put(state, picture, () => HasClientGone);
 
     /// <inheritdoc/>
     public bool TryReceive([NotNullWhen(true)] out ClientMessage? message) => _reception.Inbox.TryTake(out message);

@@ -101,6 +101,9 @@ public sealed class DriveRecorder : IDisposable
         DrivingControls controls, IReadOnlyList<double>? indicators, DriveTarget? target = null, long? bridgeFrame = null) =>
         _action?.Answer(controls, indicators, target, bridgeFrame, _world.TimeSeconds);
 
+    /// <summary>Forgets how the car moved: it has been placed elsewhere since the last tick.</summary>
+    public void Forget() => _inertia.Forget();
+
     /// <summary>Records a tick in which the world has moved.</summary>
     /// <param name="driver">Who drove in it.</param>
     /// <param name="isDisturbed">Whether the steering was disturbed in it.</param>

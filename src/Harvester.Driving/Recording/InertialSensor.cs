@@ -42,6 +42,13 @@ internal sealed class InertialSensor
         _beforeSeconds = timeSeconds;
     }
 
+    /// <summary>Forgets the last state: the car has been placed elsewhere.</summary>
+    public void Forget()
+    {
+        _before = null;
+        Acceleration = AngularRate = null;
+    }
+
     private static bool IsDisplaced(EgoState before, EgoState now, double seconds) =>
         (now.Pose.Position - before.Pose.Position).Length
             > Displaced + (Math.Max(before.Velocity.Length, now.Velocity.Length) * seconds);

@@ -35,11 +35,11 @@ internal sealed class OpenAction(double timeSeconds, double speed)
     /// <summary>What a simulated game knows at the frame; null in GTA V.</summary>
     public DrivingTruth? Truth { get; set; }
 
-    /// <summary>Takes the answer to the frame; later answers, and answers to earlier frames, are those of other frames.</summary>
+    /// <summary>Takes the answer to the frame; later answers, and answers to other frames, are not taken.</summary>
     public void Answer(
         DrivingControls controls, IReadOnlyList<double>? indicators, DriveTarget? target, long? answered, double nowSeconds)
     {
-        if (_answer is null && !(answered < BridgeFrame))
+        if (_answer is null && (answered is null || BridgeFrame is null || answered == BridgeFrame))
         {
             _answer = Recorded(controls);
             _answerSeconds = nowSeconds - timeSeconds;

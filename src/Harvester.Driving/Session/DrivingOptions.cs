@@ -48,6 +48,12 @@ public sealed record DrivingOptions
     /// </summary>
     public bool IsLockStep { get; init; }
 
+    /// <summary>
+    /// Whether a frame of the running world is sent only when the client has answered the last one, and then at once, so that none is
+    /// replaced on its way: for recordings. Otherwise the newest frame waits for the answer.
+    /// </summary>
+    public bool WaitsForAnswers { get; init; }
+
     private static double Positive(double value, string name) =>
         value > 0 && !double.IsInfinity(value) ? value
             : throw new ArgumentOutOfRangeException(name, value, $"{name} must be greater than 0.");

@@ -51,7 +51,7 @@ public sealed class DrivingSession : IDisposable
         _game = game ?? throw new ArgumentNullException(nameof(game));
         _car = game.Car ?? throw new ArgumentException("This game has no car that can be driven.", nameof(game));
         _bridge = bridge ?? throw new ArgumentNullException(nameof(bridge));
-        _agenda = new ClientAgenda(bridge, problem => Problem = problem);
+        _agenda = new ClientAgenda(bridge, options.IsLockStep, problem => Problem = problem);
         _newController = newController ?? throw new ArgumentNullException(nameof(newController));
         _controller = newController();
         _watch = new SilenceWatch(new WorldClock(game.World), options.PatienceSeconds);
@@ -88,6 +88,9 @@ public sealed class DrivingSession : IDisposable
 
     /// <summary>The controller's target for these indicators; null if it brought controls, or if the target is unknown.</summary>
     public DriveTarget? AnsweredTarget { get; private set; }
+
+    /// <summary>Number of times that the client has placed the car elsewhere.</summary>
+    public long Resets { get; private set; }
 
     /// <summary>The frames that are sent.</summary>
     public SentFrames Sent { get; }
@@ -223,6 +226,7 @@ public sealed class DrivingSession : IDisposable
                 _car.Reset(reset.Position, reset.HeadingDegrees);
                 _pace.Unsettle();
                 Forget();
+                Resets++;
                 break;
             case EnvironmentMessage environment:
                 SetEnvironment(environment);
@@ -240,7 +244,7 @@ public sealed class DrivingSession : IDisposable
             case RequestFrameMessage request:
                 _frames.Ask(request.HasPicture);
                 break;
-            case RestartMessage restart when _isLockStep:
+            case RestartMessage restart:
                 Restart = restart;
                 break;
             default:

@@ -82,7 +82,8 @@ internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge brid
 
     private bool IsTime()
     {
-        bool isDue = IsLedDue(!pace.IsStepping && _schedule.TakeIfDue(_nowSeconds) && !pace.IsPaused);
+        bool isWanted = !options.WaitsForAnswers || bridge.IsFrameAwaited;
+        bool isDue = IsLedDue(!pace.IsStepping && isWanted && _schedule.TakeIfDue(_nowSeconds) && !pace.IsPaused);
 
         // What was drawn before the request must have disappeared from the image.
         bool isAskedFor = (_isAskedFor || _isMissed) && _quietTicks >= options.SettleTicks;
@@ -124,8 +125,7 @@ internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge brid
             return $"the game's picture cannot be used: {refusal}.";
         }
 
-        bridge.Publish(state with { IsAskedFor = _isAskedFor || isStepOver }, view.Picture);
-        Frames++;
+        Frames += bridge.Publish(state with { IsAskedFor = _isAskedFor || isStepOver }, view.Picture) ? 1 : 0;
         _isAskedFor = _isMissed = false;
         _hasPicture = true;
         return null;

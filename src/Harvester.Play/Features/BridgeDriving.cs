@@ -134,7 +134,8 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
         {
             _problem = null;
             _problems = 0;
-            _session = new DrivingSession(_settings.Driving, _game, bridge, _settings.Controller.New);
+            DrivingOptions driving = _settings.Driving with { WaitsForAnswers = Recording is not null };
+            _session = new DrivingSession(driving, _game, bridge, _settings.Controller.New);
             Recording?.Begin();
             _messages.Tell($"The car waits for a client at {_settings.Place}. Any driving key takes it back.");
         }

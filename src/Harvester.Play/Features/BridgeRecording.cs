@@ -38,6 +38,7 @@ public sealed class BridgeRecording
     private double _leftOutSeconds = double.NegativeInfinity;
     private double _lastSeconds;
     private long _answers;
+    private long _resets;
     private long _frames;
 
     /// <summary>Creates a recording; nothing is recorded before the first drive.</summary>
@@ -84,7 +85,7 @@ public sealed class BridgeRecording
     public void BeforeTick(DrivingSession drive)
     {
         _ = drive ?? throw new ArgumentNullException(nameof(drive));
-        (_answers, _frames) = (drive.Answers, drive.Status.Frames);
+        (_answers, _frames, _resets) = (drive.Answers, drive.Status.Frames, drive.Resets);
         drive.Sent.LeadTicks = _recorder is null ? 0 : _lagTicks;
         if (_recorder is { } recorder)
         {
@@ -154,6 +155,11 @@ public sealed class BridgeRecording
         if (_recorder is { } recorder && drive.Answers != _answers)
         {
             recorder.Answer(drive.Status.Controls, drive.AnsweredIndicators, drive.AnsweredTarget, drive.AnsweredFrame);
+        }
+
+        if (drive.Resets != _resets)
+        {
+            _recorder?.Forget();
         }
 
         bool isForClient = drive.Status.Frames != _frames && hasClient;

@@ -11,7 +11,7 @@ namespace Harvester.Sessions.Labels;
 public static class IndicatorOrder
 {
     /// <summary>Maximum absolute value, metres or radians; larger values cannot come from a road and are rejected.</summary>
-    private const double MaxValue = 1000;
+    public const double MaxValue = 1000;
 
     /// <summary>The values in order; an inactive indicator has its inactive value.</summary>
     /// <exception cref="ArgumentNullException"><paramref name="indicators"/> is null.</exception>

@@ -13,14 +13,20 @@ internal sealed class AnsweringBridge(Func<BridgeState, IEnumerable<ClientMessag
 
     public string? Problem => null;
 
-    public string? Client => null;
+    public string? Client => "the test";
 
-    public void Publish(BridgeState state, PixelBuffer picture)
+    public bool HasClientGone => false;
+
+    public bool IsFrameAwaited => _messages.Count == 0;
+
+    public bool Publish(BridgeState state, PixelBuffer picture)
     {
         foreach (ClientMessage message in answer(state))
         {
             _messages.Enqueue(message);
         }
+
+        return true;
     }
 
     public bool TryReceive([NotNullWhen(true)] out ClientMessage? message) => _messages.TryDequeue(out message);

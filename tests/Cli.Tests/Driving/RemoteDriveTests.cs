@@ -144,7 +144,11 @@ public sealed class BridgedDriveTests
 
         public TimeSpan SinceFirstAfterPause { get; private set; }
 
-        public void Publish(BridgeState state, PixelBuffer picture)
+        public bool HasClientGone => false;
+
+        public bool IsFrameAwaited => _messages.Count == 0;
+
+        public bool Publish(BridgeState state, PixelBuffer picture)
         {
             _messages.Enqueue(new ControlsMessage(Gentle, state.Frame));
             if (_isOver)
@@ -158,6 +162,8 @@ public sealed class BridgedDriveTests
                 _messages.Enqueue(new PauseMessage(true));
                 _paused.Start();
             }
+
+            return true;
         }
 
         public bool TryReceive([NotNullWhen(true)] out ClientMessage? message)

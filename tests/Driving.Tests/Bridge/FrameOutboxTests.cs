@@ -45,7 +45,7 @@ public sealed class FrameOutboxTests
     [Fact]
     public void Frame_that_replaces_a_requested_one_counts_as_requested()
     {
-        _outbox.Put(Frames.State(1) with { IsAskedFor = true }, Frames.Picture(1));
+        _outbox.Put(Frames.State(1) with { IsAskedFor = true }, Frames.Picture(1), static () => false);
         Put(2);
         Assert.True(_outbox.TryTake(TimeSpan.Zero, static state => state.IsAskedFor, out BridgeState? second, out _));
         Put(3);
@@ -66,7 +66,7 @@ public sealed class FrameOutboxTests
         Assert.Null(Take());
     }
 
-    private void Put(byte frame) => _outbox.Put(Frames.State(frame), Frames.Picture(frame));
+    private void Put(byte frame) => _outbox.Put(Frames.State(frame), Frames.Picture(frame), static () => false);
 
     private (long Frame, byte Shade)? Take() =>
         _outbox.TryTake(TimeSpan.Zero, static _ => true, out BridgeState? state, out PixelBuffer picture)

@@ -68,7 +68,11 @@ public sealed class FrameToControlTests : IDisposable
 
         public void AwaitMessage() => _there.Enqueue(Frames.AwaitMessage(bridge));
 
-        public void Publish(BridgeState state, PixelBuffer picture) => bridge.Publish(state, picture);
+        public bool HasClientGone => bridge.HasClientGone;
+
+        public bool IsFrameAwaited => bridge.IsFrameAwaited;
+
+        public bool Publish(BridgeState state, PixelBuffer picture) => bridge.Publish(state, picture);
 
         public bool TryReceive([NotNullWhen(true)] out ClientMessage? message) => _there.TryDequeue(out message);
 

@@ -77,6 +77,40 @@ public sealed class SocketBridgeTests
     }
 
     [Fact]
+    public void Frame_made_for_a_replaced_client_is_not_sent_to_the_next()
+    {
+        using var bridge = new SocketBridge(AnyPort, Frames.Size);
+        using var first = new SocketClient(bridge.EndPoint);
+        first.Send("""{"type":"requestFrame"}""");
+        Frames.AwaitMessage(bridge);
+        using var second = new SocketClient(bridge.EndPoint);
+        Frames.Await(() => bridge.HasClientGone, "the second client");
+
+        Assert.False(bridge.Publish(Frames.State(1) with { IsAskedFor = true }, Frames.Picture(1)));
+        Assert.IsType<ClientGoneMessage>(Frames.AwaitMessage(bridge));
+        Assert.True(bridge.Publish(Frames.State(2) with { IsAskedFor = true }, Frames.Picture(2)));
+
+        Assert.Equal(2, second.Receive().Header.GetProperty("frame").GetInt64());
+    }
+
+    [Fact]
+    public void Frame_is_awaited_until_it_is_sent_and_after_its_answer()
+    {
+        using var bridge = new SocketBridge(AnyPort, Frames.Size);
+        Assert.False(bridge.IsFrameAwaited);
+        using var client = new SocketClient(bridge.EndPoint);
+        Frames.Await(() => bridge.IsFrameAwaited, "a client");
+
+        bridge.Publish(Frames.State(1), Frames.Picture(1));
+        client.Receive();
+        Assert.False(bridge.IsFrameAwaited);
+
+        client.Send("""{"type":"controls","steering":0,"throttle":0,"brake":0,"frame":1}""");
+        Frames.AwaitMessage(bridge);
+        Assert.True(bridge.IsFrameAwaited);
+    }
+
+    [Fact]
     public void Newer_client_replaces_the_older()
     {
         using var bridge = new SocketBridge(AnyPort, Frames.Size);
@@ -100,6 +134,7 @@ public sealed class SocketBridgeTests
     [InlineData("""{"type":"step","seconds":-1}""")]
     [InlineData("""{"type":"reset","position":[1,2],"headingDegrees":0}""")]
     [InlineData("""{"type":"reset","position":[1,2,3],"headingDegrees":1e300}""")]
+    [InlineData("""{"type":"indicators","values":[0,0,0,0,0,0,0,0,0,0,0,0,1001]}""")]
     [InlineData("""{"type":"reset","position":[1,2,3],"headingDegrees":-360.5}""")]
     [InlineData("""{"type":"reset","position":[1e39,2,3],"headingDegrees":0}""")]
     [InlineData("""{"type":"environment","timeOfDay":"25:00"}""")]

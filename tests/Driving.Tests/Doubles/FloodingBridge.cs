@@ -14,9 +14,11 @@ internal sealed class FloodingBridge : IDrivingBridge
 
     public string? Client => null;
 
-    public void Publish(BridgeState state, PixelBuffer picture)
-    {
-    }
+    public bool HasClientGone => false;
+
+    public bool IsFrameAwaited => true;
+
+    public bool Publish(BridgeState state, PixelBuffer picture) => true;
 
     public bool TryReceive([NotNullWhen(true)] out ClientMessage? message)
     {

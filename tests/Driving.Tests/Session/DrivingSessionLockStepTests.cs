@@ -1,5 +1,6 @@
 using Harvester.Driving.Bridge;
 using Harvester.Driving.Session;
+using Harvester.TestSupport;
 
 namespace Harvester.Driving.Tests.Session;
 
@@ -67,7 +68,40 @@ public sealed class DrivingSessionLockStepTests : DrivenGame
         Run(session, 5);
 
         Assert.Null(session.Restart);
-        Assert.NotNull(session.Problem);
+        Assert.Contains("cannot be restarted", session.Problem);
+
+        Bridge.Say(new ControlsMessage(Left, null));
+        Run(session, 5);
+        Assert.Equal(Left, Car.Driven[^1]);
+    }
+
+    [Fact]
+    public void Client_that_goes_takes_its_step_and_restart_with_it()
+    {
+        using DrivingSession session = Session(options: InLockStep);
+        Bridge.Say(new StepMessage(10), new RestartMessage(7));
+        Run(session, 5);
+        long begun = Game.State;
+
+        Bridge.ReplaceClient();
+        Bridge.Say(new RequestFrameMessage());
+        Run(session, 5);
+
+        Assert.Null(session.Restart);
+        (BridgeState state, _) = Assert.Single(Bridge.Frames);
+        Assert.Equal(begun, FakeGame.StateAt(state.TimeSeconds));
+    }
+
+    [Fact]
+    public void Frame_of_a_client_that_has_gone_is_not_counted()
+    {
+        using DrivingSession session = Session(options: InLockStep);
+        Bridge.Say(new RequestFrameMessage());
+        Bridge.IsReplacedBeforeNextFrame = true;
+        Run(session, 1);
+
+        Assert.Empty(Bridge.Frames);
+        Assert.Equal(0, session.Status.Frames);
     }
 
     [Fact]

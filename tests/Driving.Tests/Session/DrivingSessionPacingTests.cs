@@ -28,6 +28,22 @@ public sealed class DrivingSessionPacingTests : DrivenGame
         Assert.Equal(Game.State, FakeGame.StateAt(state.TimeSeconds));
     }
 
+    [Fact]
+    public void Frame_of_a_recording_waits_for_the_answer_to_the_last()
+    {
+        using DrivingSession session = Session(options: new DrivingOptions { WaitsForAnswers = true });
+        Bridge.IsFrameAwaited = false;
+        Run(session, 60);
+        Assert.Empty(Bridge.Frames);
+
+        // One is due, and goes at once; the next is due six ticks later.
+        Bridge.IsFrameAwaited = true;
+        Run(session, 1);
+        Assert.Single(Bridge.Frames);
+        Run(session, 6);
+        Assert.Equal(2, Bridge.Frames.Count);
+    }
+
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
