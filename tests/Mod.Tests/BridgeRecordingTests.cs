@@ -68,8 +68,9 @@ public sealed class BridgeRecordingTests : ServedGame
         Assert.StartsWith("drive-", Path.GetFileName(Session(driver)), StringComparison.Ordinal);
     }
 
+    /// <summary>The test's game runs faster than real time, so answers come some ticks late, and frames with them.</summary>
     [Fact]
-    public void Frames_of_a_running_game_are_recorded_at_their_rate()
+    public void Frames_of_a_running_game_are_recorded_with_their_answers()
     {
         using ScriptDriver driver = Driven("Record = On\nRecordSeconds = 0.2\n");
         using (SocketClient client = Connect())
@@ -78,17 +79,17 @@ public sealed class BridgeRecordingTests : ServedGame
             {
                 Answer(driver, client);
             }
+
+            Until(driver, () => client.Stream.DataAvailable);
         }
 
         FrameLabel[] labels = End(driver);
 
         Assert.True(labels.Length > Steps / 2);
-        Assert.All(labels.Zip(labels.Skip(1)), pair =>
-            Assert.Equal(0.2, pair.Second.TimeSeconds - pair.First.TimeSeconds, LabelTolerance));
-        Assert.All(
-            labels.Where(label => label.Drive!.Controls is not null),
-            label => Assert.True(label.Drive!.BridgeFrame <= FrameOf(label.Drive.Controls!.Value)));
-        Assert.Contains(labels, label => label.Drive!.Controls is not null);
+
+        // At most one in each period, counted from the first; one may be early by a quarter of it.
+        Assert.Distinct(labels.Select(label => Math.Floor(((label.TimeSeconds - labels[0].TimeSeconds) / 0.2) + 0.25 + LabelTolerance)));
+        Assert.All(labels[..^1], label => Assert.Equal(label.Drive!.BridgeFrame, FrameOf(label.Drive.Controls!.Value)));
     }
 
     [Theory]
