@@ -108,6 +108,7 @@ public sealed class ServeCommandTests
     [InlineData("--controller", "rails", "'rails'")]
     [InlineData("--weather", "hail", "'hail'")]
     [InlineData("--duration", "0", "greater than 0")]
+    [InlineData("--record-every", "0.2", "--record-every needs --record.")]
     public void Impossible_option_value_is_refused(string option, string value, string message) =>
         CliRun.Of("serve", option, value).AssertFailed(ExitCode.Usage, message);
 

@@ -175,6 +175,7 @@ public sealed class RecordedDriveTests
 
     [Theory]
     [InlineData("--size needs --record.", "--size", "80x60")]
+    [InlineData("--record-every needs --record.", "--record-every", "0.2")]
     [InlineData("--record and --out name the same folder", "--record", "same")]
     [InlineData("a multiple of 0.1", "--record", "other", "--record-every", "0.25")]
     [InlineData("--perturb needs a drive without a bridge.", "--perturb", "--bridge", "socket")]
