@@ -180,15 +180,27 @@ internal sealed class DriveCommand
             throw new UsageException("--perturb needs a drive without a bridge.");
         }
 
-        if (record is not null && parsed.GetValue(Out) is { } folder && Path.GetFullPath(folder) == Path.GetFullPath(record.Folder))
+        if (bridge.Role != DriveRole.Client)
         {
-            throw new UsageException("--record and --out name the same folder; give the session one of its own.");
+            CheckFolders(parsed.GetValue(Out), record?.Folder, bridge);
         }
 
         ImageSize sent = new DrivingOptions().Picture;
         if (record is not null && plan.Bridge is not null && record.Size.Width * sent.Height != record.Size.Height * sent.Width)
         {
             throw new UsageException("--size with --bridge must have the shape of the images on the bridge, 4 to 3.");
+        }
+    }
+
+    /// <summary>Checks that each folder has a place of its own. Only the shared folder has one in that of the drive.</summary>
+    private static void CheckFolders(string? output, string? recorded, BridgePlan bridge)
+    {
+        string? shared = bridge.Kind == BridgeName.Folder ? bridge.Folder : null;
+        SeparateFolders.Check(("--record", recorded), ("--out", output));
+        SeparateFolders.Check(("--record", recorded), ("--folder", shared));
+        if (shared is not null && output is not null && !BridgeFolder.IsDefaultIn(output, shared))
+        {
+            SeparateFolders.Check(("--folder", shared), ("--out", output));
         }
     }
 

@@ -115,6 +115,7 @@ internal sealed class ServeCommand
 
     private int Run(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
     {
+        SeparateFolders.Check(("--record", Record.FolderOf(parsed)), ("--folder", Bridge.FolderOf(parsed)));
         ControllerPlan controller = Controller.Parse(parsed) with { LookAheadMetres = 0 };
         SimulationOptions world = WorldOf(parsed);
         SimulationOptions current = world;
