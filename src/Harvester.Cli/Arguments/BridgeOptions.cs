@@ -38,6 +38,9 @@ internal sealed class BridgeOptions
         command.Options.Add(_token);
     }
 
+    /// <summary>The folder of a folder bridge as it was given; null for a socket.</summary>
+    public string? FolderOf(ParseResult parsed) => parsed.GetValue(_folder);
+
     /// <summary>Opens the bridge of a command line.</summary>
     /// <param name="parsed">The command line.</param>
     /// <param name="driving">Has the size of the images.</param>

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.CommandLine;
 using Harvester.Cli.Driving;
+using Harvester.Cli.Terminals;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Cli.Arguments;
@@ -28,15 +29,24 @@ internal sealed class RecordOptions
     /// <summary>The options.</summary>
     public IEnumerable<Option> All => [_folder, _every];
 
+    /// <summary>The folder of the recording; null if nothing is recorded.</summary>
+    public string? FolderOf(ParseResult parsed) => parsed.GetValue(_folder);
+
     /// <summary>The plan that the options describe; null if nothing is recorded.</summary>
     /// <param name="parsed">The command line.</param>
     /// <param name="size">Size of the images, pixels.</param>
     /// <param name="isNumbered">Whether there may be several drives, each with a session.</param>
     /// <param name="settings">Settings of the drive for session.json.</param>
-    public RecordPlan? Parse(ParseResult parsed, ImageSize size, bool isNumbered, IReadOnlyList<KeyValuePair<string, string>> settings) =>
-        parsed.GetValue(_folder) is { } folder
-            ? new RecordPlan(folder, parsed.GetValue(_every), size) { IsNumbered = isNumbered, Settings = settings }
-            : null;
+    /// <exception cref="UsageException">Nothing is recorded, but a period is given.</exception>
+    public RecordPlan? Parse(ParseResult parsed, ImageSize size, bool isNumbered, IReadOnlyList<KeyValuePair<string, string>> settings)
+    {
+        if (FolderOf(parsed) is { } folder)
+        {
+            return new RecordPlan(folder, parsed.GetValue(_every), size) { IsNumbered = isNumbered, Settings = settings };
+        }
+
+        return parsed.GetResult(_every) is { Implicit: false } ? throw new UsageException($"{_every.Name} needs {_folder.Name}.") : null;
+    }
 
     private static bool IsPeriod(double seconds) =>
         seconds is > 0 and <= 60 && Math.Abs(Math.Round(seconds / PeriodSeconds) - (seconds / PeriodSeconds)) < Rounding

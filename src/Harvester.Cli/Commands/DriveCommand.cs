@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
 using System.Linq;
@@ -88,24 +87,26 @@ internal sealed class DriveCommand
 
         // The recording is finished after the drive.
         string recordingCommand = CommandText.WithOutput(parsed, folder);
-        Dictionary<string, string> settings = Drive.Settings(parsed, plan);
-        bool wasStopped = recorded is not null && UnfinishedMark.CommandIn(recorded.Folder) == recordingCommand;
+        NotedDrive? noted = recorded is null ? null : new NotedDrive(recorded.Folder, recordingCommand, folder);
+        bool isRepeated = noted?.IsThere() ?? false;
         using DriveRecording? recording = recorded is null ? null
             : new DriveRecording(terminal, recorded, recordingCommand, parsed.GetValue(Overwrite));
-        var output = new DriveFolder(folder, CommandText.Of(parsed), parsed.GetValue(Overwrite), wasStopped ? settings : null);
+        var output = new DriveFolder(folder, CommandText.Of(parsed), parsed.GetValue(Overwrite), isRepeated);
         int metres = (int)Math.Ceiling(plan.Metres * plan.Episodes.Count);
         var drives = new SimulatedDrives(plan, terminal.Out) { Recording = recording };
         ExceptionDispatchInfo? fault = new JobProgress(terminal, metres, "m").Run(report => FaultOf(drives, report, cancellation));
+        ExceptionDispatchInfo? unrecorded = recording is null ? null : FaultOf(recording);
 
         // A drive whose recording has failed replaces no former one.
-        recording?.Close();
-        DriveRecord record = DriveRecord.Of(
-            settings, drives.Episodes, isWhole: fault is null && !cancellation.IsCancellationRequested);
-        string? former = output.Write(written =>
+        if (output.Replaces)
         {
-            AtomicFile.Write(Path.Combine(written, DriveRecord.FileName), record.Write);
-            AtomicFile.Write(Path.Combine(written, DriveReport.FileName), stream => DriveReport.Write(stream, record));
-        });
+            unrecorded?.Throw();
+        }
+
+        fault = unrecorded ?? fault;
+        DriveRecord record = DriveRecord.Of(
+            Drive.Settings(parsed, plan), drives.Episodes, isWhole: fault is null && !cancellation.IsCancellationRequested);
+        string? former = Write(output, record, noted, unrecorded);
         if (former is not null)
         {
             terminal.WriteError($"The former drive is replaced, but its files in '{former}' cannot be deleted. Delete them yourself.");
@@ -152,6 +153,43 @@ internal sealed class DriveCommand
         }
     }
 
+    /// <summary>Finishes a recording; returns the fault that ended it early, or null.</summary>
+    private static ExceptionDispatchInfo? FaultOf(DriveRecording recording)
+    {
+        try
+        {
+            recording.Close();
+            return null;
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            return ExceptionDispatchInfo.Capture(e);
+        }
+    }
+
+    /// <summary>Writes a drive. If that fails after its recording has, the fault of the recording is thrown.</summary>
+    /// <returns>Where the former drive still is, if it could not be deleted; otherwise null.</returns>
+    private static string? Write(DriveFolder output, DriveRecord record, NotedDrive? noted, ExceptionDispatchInfo? unrecorded)
+    {
+        using var json = new MemoryStream();
+        record.Write(json);
+        byte[] bytes = json.ToArray();
+        noted?.Note(bytes);
+        try
+        {
+            return output.Write(folder =>
+            {
+                AtomicFile.Write(Path.Combine(folder, DriveRecord.FileName), stream => stream.Write(bytes));
+                AtomicFile.Write(Path.Combine(folder, DriveReport.FileName), stream => DriveReport.Write(stream, record));
+            });
+        }
+        catch (Exception e) when (unrecorded is not null && e is IOException or UnauthorizedAccessException)
+        {
+            unrecorded?.Throw();
+            throw;
+        }
+    }
+
     private static int RunClient(Terminal terminal, DrivePlan plan, BridgePlan bridge, CancellationToken cancellation)
     {
         ClientDriver driver = new RemoteDrives(bridge, terminal.Out)
@@ -180,15 +218,27 @@ internal sealed class DriveCommand
             throw new UsageException("--perturb needs a drive without a bridge.");
         }
 
-        if (record is not null && parsed.GetValue(Out) is { } folder && Path.GetFullPath(folder) == Path.GetFullPath(record.Folder))
+        if (bridge.Role != DriveRole.Client)
         {
-            throw new UsageException("--record and --out name the same folder; give the session one of its own.");
+            CheckFolders(parsed.GetValue(Out), record?.Folder, bridge);
         }
 
         ImageSize sent = new DrivingOptions().Picture;
         if (record is not null && plan.Bridge is not null && record.Size.Width * sent.Height != record.Size.Height * sent.Width)
         {
             throw new UsageException("--size with --bridge must have the shape of the images on the bridge, 4 to 3.");
+        }
+    }
+
+    /// <summary>Checks that each folder has a place of its own. Only the shared folder has one in that of the drive.</summary>
+    private static void CheckFolders(string? output, string? recorded, BridgePlan bridge)
+    {
+        string? shared = bridge.Kind == BridgeName.Folder ? bridge.Folder : null;
+        SeparateFolders.Check(("--record", recorded), ("--out", output));
+        SeparateFolders.Check(("--record", recorded), ("--folder", shared));
+        if (shared is not null && output is not null && !BridgeFolder.IsDefaultIn(output, shared))
+        {
+            SeparateFolders.Check(("--folder", shared), ("--out", output));
         }
     }
 

@@ -46,8 +46,10 @@ internal sealed class ServeCommand
         HelpName = "FILE",
     };
 
-    private Option<Vector2D?> Near { get; } =
-        ValueParsers.Point("--near", "X,Y", "Start position, metres [default: the middle of the road network]");
+    private Option<Vector2D?> Near { get; } = ValueParsers.Point(
+        "--near",
+        "X,Y",
+        "Start position of the first game, metres; a restart takes its start from its seed [default: the middle of the road network]");
     private Option<double> Traffic { get; } = WithDefault(
         ValueParsers.Number("--traffic", "F", "Factor on the number of vehicles and pedestrians", value =>
             value is >= 0 and <= 10, "a number from 0 to 10"), 1);
@@ -113,6 +115,7 @@ internal sealed class ServeCommand
 
     private int Run(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
     {
+        SeparateFolders.Check(("--record", Record.FolderOf(parsed)), ("--folder", Bridge.FolderOf(parsed)));
         ControllerPlan controller = Controller.Parse(parsed) with { LookAheadMetres = 0 };
         SimulationOptions world = WorldOf(parsed);
         SimulationOptions current = world;

@@ -25,6 +25,12 @@ internal static class BridgeFolder
     private static readonly string[] Signs =
         [BridgeProtocol.HelloFile, "state.txt", "indicators.txt", "controls.txt", "command.json", "alive.txt"];
 
+    /// <summary>Whether a shared folder has its default place in the folder of the drive.</summary>
+    /// <param name="output">The folder of the drive.</param>
+    /// <param name="folder">The shared folder.</param>
+    public static bool IsDefaultIn(string output, string folder) =>
+        Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder)) == Path.Combine(Path.GetFullPath(output), DefaultName);
+
     /// <summary>Checks that a bridge may be opened in a folder. Changes nothing.</summary>
     /// <exception cref="OccupiedFolderException">The folder has files that are not a bridge's.</exception>
     public static void Check(string folder)

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Harvester.Cli.Terminals;
@@ -17,18 +16,14 @@ internal sealed class DriveFolder
 
     private readonly string _folder;
     private readonly string _command;
-    private readonly bool _replaces;
-
     /// <summary>Checks that a drive may be written to a folder, and creates the folder.</summary>
     /// <param name="folder">The folder.</param>
     /// <param name="command">The command, as <see cref="CommandText"/> gives it.</param>
     /// <param name="overwrite">Whether an existing drive is replaced.</param>
-    /// <param name="stopped">
-    /// The settings of a drive there that this command had written when it was stopped; null if it had not been stopped.
-    /// </param>
+    /// <param name="isRepeated">Whether the drive there is one that this command had written when it was stopped.</param>
     /// <exception cref="IOException">The folder, or one above it, is a file.</exception>
     /// <exception cref="OccupiedFolderException">The folder has files that must not be replaced.</exception>
-    public DriveFolder(string folder, string command, bool overwrite, IReadOnlyDictionary<string, string>? stopped)
+    public DriveFolder(string folder, string command, bool overwrite, bool isRepeated)
     {
         _folder = folder;
         _command = command;
@@ -46,9 +41,8 @@ internal sealed class DriveFolder
         }
 
         string? unfinished = UnfinishedMark.CommandIn(folder);
-        _replaces = unfinished != command && found.Intersect(Files).Any();
-        bool isRepeated = stopped is not null && DriveRecord.Has(Path.Combine(folder, DriveRecord.FileName), stopped);
-        if (_replaces && !overwrite && !isRepeated)
+        Replaces = unfinished != command && found.Intersect(Files).Any();
+        if (Replaces && !overwrite && !isRepeated)
         {
             throw new OccupiedFolderException(unfinished is null
                 ? $"'{folder}' already has a drive. Name another folder with --out, or replace it with --overwrite."
@@ -57,6 +51,9 @@ internal sealed class DriveFolder
         }
     }
 
+    /// <summary>Whether a former drive is replaced.</summary>
+    public bool Replaces { get; }
+
     /// <summary>Writes a drive. One that is to be replaced is whole until the new one is.</summary>
     /// <param name="fill">Writes all files of the drive into the folder that it is given.</param>
     /// <returns>Where the drive that was replaced still is, if it could not be deleted; otherwise null.</returns>
@@ -64,7 +61,7 @@ internal sealed class DriveFolder
     /// <exception cref="UnauthorizedAccessException">The drive may not be written.</exception>
     public string? Write(Action<string> fill)
     {
-        if (_replaces)
+        if (Replaces)
         {
             return Replace(fill);
         }

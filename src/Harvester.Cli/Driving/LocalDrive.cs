@@ -37,8 +37,11 @@ internal sealed class LocalDrive(SimulatedGame game, IRoads roads, Func<IControl
     /// <summary>Disturbs the steering now and then; null for none.</summary>
     public SteeringDisturbance? Disturbance { get; init; }
 
+    /// <summary>The samples until now, also after a fault.</summary>
+    public IReadOnlyList<DriveSample> Samples => _sampler.Samples;
+
     /// <summary>Drives until the distance (metres) or the time limit (seconds of game time) is reached.</summary>
-    public IReadOnlyList<DriveSample> Run(double metres, double seconds, Action<double> report, CancellationToken cancellation)
+    public void Run(double metres, double seconds, Action<double> report, CancellationToken cancellation)
     {
         IDrivenCar car = game.Ports.Car!;
         DrivingControls controls = DrivingControls.Stop;
@@ -80,8 +83,6 @@ internal sealed class LocalDrive(SimulatedGame game, IRoads roads, Func<IControl
                 }
             }
         }
-
-        return _sampler.Samples;
     }
 
     private LaneObservation? Look(EgoState ego) =>

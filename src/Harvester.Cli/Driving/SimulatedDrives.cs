@@ -112,7 +112,14 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
                     Recording = recording,
                     Disturbance = plan.IsDisturbed ? new SteeringDisturbance(seed, plan.Controller.Car) : null,
                 };
-                samples.AddRange(drive.Run(plan.Metres, plan.Seconds, Report, cancellation));
+                try
+                {
+                    drive.Run(plan.Metres, plan.Seconds, Report, cancellation);
+                }
+                finally
+                {
+                    samples.AddRange(drive.Samples);
+                }
             }
 
             isStopped = cancellation.IsCancellationRequested;

@@ -169,7 +169,11 @@ internal sealed class BridgeClient : IDisposable
         if (_reception.Pending.TryLeave(this))
         {
             Send(Encoding.UTF8.GetBytes(BridgeProtocol.HelloOfGame), default);
-            if (!_isClosed)
+            if (_isClosed)
+            {
+                _reception.Inbox.CountMissed();
+            }
+            else
             {
                 BecomeClient();
             }

@@ -22,6 +22,7 @@ internal sealed class ClientInbox<TClient>
     private readonly Queue<ClientMessage> _commands = new();
     private ClientMessage? _newest;
     private TClient? _client;
+    private int _clientsGone;
     private bool _isClientGone;
     private bool _isClosed;
 
@@ -77,6 +78,27 @@ internal sealed class ClientInbox<TClient>
         {
             _isClosed = true;
             return Seat(null);
+        }
+    }
+
+    /// <summary>Number of clients that have disconnected or been replaced, also before they were the current one.</summary>
+    public int ClientsGone
+    {
+        get
+        {
+            lock (_gate)
+            {
+                return _clientsGone;
+            }
+        }
+    }
+
+    /// <summary>Counts a client that has disconnected before it could be the current one.</summary>
+    public void CountMissed()
+    {
+        lock (_gate)
+        {
+            _clientsGone++;
         }
     }
 
@@ -161,6 +183,7 @@ internal sealed class ClientInbox<TClient>
 
         TClient? earlier = _client;
         _client = client;
+        _clientsGone += earlier is null ? 0 : 1;
         _isClientGone |= earlier is not null;
         _commands.Clear();
         _newest = null;

@@ -103,6 +103,9 @@ public sealed class FolderBridge : IAwaitableBridge
     /// <inheritdoc/>
     public bool AwaitMessage(TimeSpan patience) => _inbox.Await(patience);
 
+    /// <inheritdoc/>
+    public int ClientsGone => _inbox.ClientsGone;
+
     /// <summary>Ends the bridge's thread; the last files stay in the folder.</summary>
     public void Dispose()
     {

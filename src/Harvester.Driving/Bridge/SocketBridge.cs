@@ -59,6 +59,9 @@ public sealed class SocketBridge : IAwaitableBridge
     /// <inheritdoc/>
     public string? Client => _reception.Inbox.Client?.Place;
 
+    /// <inheritdoc/>
+    public int ClientsGone => _reception.Inbox.ClientsGone;
+
     /// <summary>Number of connections that have not sent a valid hello yet.</summary>
     internal int Pending => _reception.Pending.Count;
 

@@ -28,7 +28,7 @@ public sealed record DriveRecord
     /// <summary>The options of the drive; "controller" is always among them.</summary>
     public required IReadOnlyDictionary<string, string> Settings { get; init; }
 
-    /// <summary>Whether the drive was completed; false if it was cancelled.</summary>
+    /// <summary>Whether the drive was completed; false if it was cancelled or a fault ended it.</summary>
     public required bool IsWhole { get; init; }
 
     /// <summary>The figures of all episodes together.</summary>
@@ -63,31 +63,6 @@ public sealed record DriveRecord
             Departures = Events(episodes, samples => new LaneKeeping(samples).Departures),
             Collisions = Events(episodes, Evaluation.Figures.Collisions.In),
         };
-    }
-
-    /// <summary>Whether a file is the record of drives with these settings. One that is missing or damaged is not.</summary>
-    /// <param name="file">The file.</param>
-    /// <param name="settings">The settings, in any order.</param>
-    /// <exception cref="IOException">The file cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file may not be read.</exception>
-    public static bool Has(string file, IReadOnlyDictionary<string, string> settings)
-    {
-        ArgumentNullException.ThrowIfNull(settings);
-        if (!File.Exists(file))
-        {
-            return false;
-        }
-
-        try
-        {
-            using JsonDocument record = JsonDocument.Parse(File.ReadAllBytes(file));
-            return record.RootElement.GetProperty("settings").Deserialize<Dictionary<string, string>>() is { } found
-                && found.Count == settings.Count && settings.All(setting => found.GetValueOrDefault(setting.Key) == setting.Value);
-        }
-        catch (Exception e) when (e is JsonException or InvalidOperationException or KeyNotFoundException)
-        {
-            return false;
-        }
     }
 
     /// <summary>Writes the record as JSON.</summary>

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 
@@ -15,34 +16,30 @@ public static class UnfinishedMark
     // Longer than any command line.
     private const int MaxCharacters = 4 << 20;
 
+    // No command line has it.
+    private const char Separator = '\0';
+
     /// <summary>The command under way in a folder; null for a folder without the mark.</summary>
     /// <exception cref="IOException">The file is a link, which would show another file, or cannot be read.</exception>
     /// <exception cref="System.UnauthorizedAccessException">The file may not be read.</exception>
-    public static string? CommandIn(string folder)
-    {
-        string path = PathIn(folder);
-        if (!File.Exists(path))
-        {
-            return null;
-        }
+    public static string? CommandIn(string folder) => TextIn(folder)?.Split(Separator)[0];
 
-        if (AppendedFile.IsLink(path))
-        {
-            throw new IOException($"'{path}' is a link, which is not followed. Delete it, or name another folder.");
-        }
-
-        using var text = new StreamReader(RegularFile.OpenRead(path));
-        char[] command = new char[MaxCharacters];
-        return new string(command, 0, text.ReadBlock(command, 0, MaxCharacters));
-    }
+    /// <summary>What the command has noted in its mark; empty for a folder without the mark.</summary>
+    /// <exception cref="IOException">The file is a link, which would show another file, or cannot be read.</exception>
+    /// <exception cref="System.UnauthorizedAccessException">The file may not be read.</exception>
+    public static IReadOnlyList<string> NotesIn(string folder) => [.. (TextIn(folder) ?? "").Split(Separator).Skip(1)];
 
     /// <summary>Whether a folder has the mark.</summary>
     public static bool IsIn(string folder) => File.Exists(PathIn(folder));
 
     /// <summary>Marks a folder, which must exist. The mark survives a loss of power, since what follows may.</summary>
+    /// <param name="folder">The folder.</param>
+    /// <param name="command">The command.</param>
+    /// <param name="notes">What the command notes for when it is given again; without the character 0.</param>
     /// <exception cref="IOException">The file cannot be written.</exception>
     /// <exception cref="System.UnauthorizedAccessException">The file may not be written.</exception>
-    public static void Write(string folder, string command) => AtomicFile.Write(PathIn(folder), command);
+    public static void Write(string folder, string command, params string[] notes) =>
+        AtomicFile.Write(PathIn(folder), string.Join(Separator.ToString(), [command, .. notes]));
 
     /// <summary>
     /// Takes the mark away, and what writing it left when it was stopped. A loss of power does not bring it back.
@@ -67,4 +64,22 @@ public static class UnfinishedMark
         Directory.EnumerateFileSystemEntries(folder).All(entry => Is(Path.GetFileName(entry)));
 
     private static string PathIn(string folder) => Path.Combine(folder, FileName);
+
+    private static string? TextIn(string folder)
+    {
+        string path = PathIn(folder);
+        if (!File.Exists(path))
+        {
+            return null;
+        }
+
+        if (AppendedFile.IsLink(path))
+        {
+            throw new IOException($"'{path}' is a link, which is not followed. Delete it, or name another folder.");
+        }
+
+        using var text = new StreamReader(RegularFile.OpenRead(path));
+        char[] command = new char[MaxCharacters];
+        return new string(command, 0, text.ReadBlock(command, 0, MaxCharacters));
+    }
 }

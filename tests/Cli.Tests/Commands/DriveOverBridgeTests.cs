@@ -93,6 +93,16 @@ public sealed class DriveOverBridgeTests : IDisposable
     }
 
     [Fact]
+    public void Default_shared_folder_may_also_be_named()
+    {
+        CliRun run = CliRun.Of(
+            "drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--folder", _folder.PathOf("out/bridge/"), "--role", "game",
+            "--patience", "0.2", "--traffic", "0");
+
+        Assert.Equal((ExitCode.InputOutput, "harvester: No client has driven for 0.2 s.\n"), (run.ExitCode, run.Error));
+    }
+
+    [Fact]
     [Trait("Category", "Heavy")]
     public async Task Game_that_loses_its_client_keeps_the_record()
     {

@@ -42,9 +42,10 @@ public sealed class KilledRecordingTests : IDisposable
         CliRun.Of(drive).AssertFailed(ExitCode.Usage, "already has a drive");
         Assert.Equal(other, File.ReadAllBytes(_folder.PathOf("out/drive.json")));
 
-        // The drive that the command itself had written is replaced.
+        // Nor is one with the same settings: the command had not written it.
         CliRun.Of("drive", "--out", _folder.PathOf("out"), "--seed", "1", "--distance", "80", "--traffic", "0", "--overwrite").AssertDone();
-        CliRun.Of(drive).AssertDone();
+        CliRun.Of(drive).AssertFailed(ExitCode.Usage, "already has a drive");
+        CliRun.Of([.. drive, "--overwrite"]).AssertDone();
     }
 
     [Fact]

@@ -89,6 +89,19 @@ public sealed class ServeCommandTests
     }
 
     [Theory]
+    [InlineData("one", "one")]
+    [InlineData("one", "one/session")]
+    [InlineData("one/bridge", "one")]
+    public void Recording_and_bridge_within_each_other_are_refused(string bridge, string session)
+    {
+        using var folder = new TemporaryFolder();
+
+        CliRun.Of("serve", "--folder", folder.PathOf(bridge), "--record", folder.PathOf(session))
+            .AssertFailed(ExitCode.Usage, bridge == session ? "name the same folder, '" : ", is inside that of --");
+        Assert.Empty(Directory.EnumerateFileSystemEntries(folder.Path));
+    }
+
+    [Theory]
     [InlineData("controls.txt.tmp")]
     [InlineData("state.txt.0123456789abcdef.partial")]
     [InlineData("frame_00000007.png.0123456789abcdef.partial")]
@@ -108,6 +121,7 @@ public sealed class ServeCommandTests
     [InlineData("--controller", "rails", "'rails'")]
     [InlineData("--weather", "hail", "'hail'")]
     [InlineData("--duration", "0", "greater than 0")]
+    [InlineData("--record-every", "0.2", "--record-every needs --record.")]
     public void Impossible_option_value_is_refused(string option, string value, string message) =>
         CliRun.Of("serve", option, value).AssertFailed(ExitCode.Usage, message);
 

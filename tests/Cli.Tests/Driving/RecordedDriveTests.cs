@@ -175,11 +175,19 @@ public sealed class RecordedDriveTests
 
     [Theory]
     [InlineData("--size needs --record.", "--size", "80x60")]
+    [InlineData("--record-every needs --record.", "--record-every", "0.2")]
     [InlineData("--record and --out name the same folder", "--record", "same")]
+    [InlineData("The folder of --record, 'same/rec', is inside that of --out, 'same'.", "--record", "same/rec")]
+    [InlineData("The folder of --out, 'same', is inside that of --record, '.'.", "--record", ".")]
+    [InlineData("--record and --folder name the same folder", "--record", "one", "--bridge", "folder", "--folder", "one")]
+    [InlineData("The folder of --folder, '", "--bridge", "folder", "--folder", "same/other")]
     [InlineData("a multiple of 0.1", "--record", "other", "--record-every", "0.25")]
     [InlineData("--perturb needs a drive without a bridge.", "--perturb", "--bridge", "socket")]
-    public void Contradictory_options_are_refused(string message, params string[] options) =>
+    public void Contradictory_options_are_refused(string message, params string[] options)
+    {
         CliRun.Of(["drive", "--out", "same", .. options]).AssertFailed(2, message);
+        Assert.False(Directory.Exists("same"));
+    }
 
     private static void Drive(TemporaryFolder folder, string name, params string[] options) =>
         CliRun.Of([

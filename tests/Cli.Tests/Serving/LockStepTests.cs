@@ -168,6 +168,39 @@ public sealed class LockStepTests
         Assert.EndsWith("2 frames, 0 m driven in 0.1 s\n", run.Out, StringComparison.Ordinal);
     }
 
+    [Fact]
+    public async Task Restart_takes_its_start_from_the_seed_not_from_near()
+    {
+        (JsonElement First, JsonElement Restarted) here = await StartsAsync("0,0");
+        (JsonElement First, JsonElement Restarted) there = await StartsAsync("50,50");
+
+        Assert.NotEqual(here.First.GetRawText(), there.First.GetRawText());
+        Assert.Equal(here.Restarted.GetRawText(), there.Restarted.GetRawText());
+        Assert.Contains("a restart takes its start from its seed", OnOneLine(CliRun.Of("serve", "--help").Out), StringComparison.Ordinal);
+    }
+
+    private static string OnOneLine(string text) => string.Join(' ', text.Split([' ', '\n'], StringSplitOptions.RemoveEmptyEntries));
+
+    /// <summary>Where the car of a game stands first, and where after a restart.</summary>
+    private static async Task<(JsonElement First, JsonElement Restarted)> StartsAsync(string near)
+    {
+        IPEndPoint at = new(IPAddress.Loopback, FreePort.Find());
+        Task<CliRun> serve = CliRun.BesideAsync(
+            CancellationToken.None, "serve", "--lockstep", "--once", "--port", at.Port.ToString(CultureInfo.InvariantCulture),
+            "--traffic", "0", "--size", "80x60", "--near", near);
+        (JsonElement First, JsonElement Restarted) starts;
+        using (SocketClient client = Connect(at, serve))
+        {
+            client.Send("""{"type":"requestFrame","image":false}""");
+            JsonElement first = client.Receive().Header.GetProperty("position");
+            client.Send("""{"type":"restart","seed":2,"image":false}""");
+            starts = (first, client.Receive().Header.GetProperty("position"));
+        }
+
+        await serve.WaitAsync(TimeSpan.FromSeconds(60));
+        return starts;
+    }
+
     private static double TimeOf(SocketClient client) => client.Receive().Header.GetProperty("timeSeconds").GetDouble();
 
     private static SocketClient Connect(IPEndPoint at, Task<CliRun> serve)

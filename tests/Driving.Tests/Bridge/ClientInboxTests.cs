@@ -81,12 +81,27 @@ public sealed class ClientInboxTests
     }
 
     [Fact]
+    public void Each_client_that_left_or_was_replaced_is_counted()
+    {
+        Assert.Equal(0, _inbox.ClientsGone);
+        _inbox.Welcome(First);
+        _inbox.Welcome(Second);
+        Assert.Equal(1, _inbox.ClientsGone);
+        _inbox.Leave(First);
+        _inbox.Leave(Second);
+        Assert.Equal(2, _inbox.ClientsGone);
+        _inbox.CountMissed();
+        Assert.Equal(3, _inbox.ClientsGone);
+    }
+
+    [Fact]
     public void Welcoming_the_same_client_again_reports_nobody_gone()
     {
         Assert.Null(_inbox.Welcome(First));
         _inbox.TryPut(First, new StepMessage(1));
         Assert.Null(_inbox.Welcome(First));
 
+        Assert.Equal(0, _inbox.ClientsGone);
         Assert.Equal([new StepMessage(1)], All());
     }
 
