@@ -20,10 +20,16 @@ internal static class BridgeFolder
 
     private const string Picture = "frame_";
 
+    /// <summary>What the names of the locks beside the shared folder begin with; killed processes leave them.</summary>
+    private const string DefaultLock = $".{DefaultName}.harvester-lock";
+
     // Files that game and client write, under these names or temporary names derived from them; docs/bridge.md. Images do not identify a
     // bridge, because other tools use the same names.
     private static readonly string[] Signs =
         [BridgeProtocol.HelloFile, "state.txt", "indicators.txt", "controls.txt", "command.json", "alive.txt"];
+
+    /// <summary>Whether a name in the folder of a drive is that of the shared folder in its default place, or of its lock.</summary>
+    public static bool IsDefault(string name) => name == DefaultName || name.StartsWith(DefaultLock, StringComparison.Ordinal);
 
     /// <summary>Whether a shared folder has its default place in the folder of the drive.</summary>
     /// <param name="output">The folder of the drive.</param>

@@ -16,6 +16,7 @@ internal sealed class DriveFolder
 
     private readonly string _folder;
     private readonly string _command;
+
     /// <summary>Checks that a drive may be written to a folder, and creates the folder.</summary>
     /// <param name="folder">The folder.</param>
     /// <param name="command">The command, as <see cref="CommandText"/> gives it.</param>
@@ -34,7 +35,7 @@ internal sealed class DriveFolder
 
         Directory.CreateDirectory(folder);
         string[] found = [.. Directory.EnumerateFileSystemEntries(folder).Select(entry => Path.GetFileName(entry))];
-        if (found.FirstOrDefault(name => name != BridgeFolder.DefaultName && !IsOwn(name)) is { } other)
+        if (found.FirstOrDefault(name => !BridgeFolder.IsDefault(name) && !IsOwn(name)) is { } other)
         {
             throw new OccupiedFolderException(
                 $"'{folder}' has files that are not a drive's, e.g. '{other}'. Name another folder with --out.");

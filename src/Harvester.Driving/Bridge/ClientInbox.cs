@@ -60,6 +60,16 @@ internal sealed class ClientInbox<TClient>
         }
     }
 
+    /// <summary>Makes a client the current one as if it were another than before, and had just come.</summary>
+    public void Renew(TClient client)
+    {
+        lock (_gate)
+        {
+            Seat(null);
+            Seat(client);
+        }
+    }
+
     /// <summary>Removes a client that has disconnected.</summary>
     /// <returns>Whether it was the current one.</returns>
     public bool Leave(TClient client)

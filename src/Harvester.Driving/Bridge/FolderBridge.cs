@@ -184,11 +184,7 @@ public sealed class FolderBridge : IAwaitableBridge
                 BridgeProtocol.CheckClient(command);
             }
 
-            _outbox.Clear(() =>
-            {
-                _inbox.Leave(this);
-                _inbox.Welcome(this);
-            });
+            _outbox.Clear(() => _inbox.Renew(this));
         }
         else
         {

@@ -69,6 +69,18 @@ public sealed class DriveOverBridgeTests : IDisposable
     }
 
     [Fact]
+    public void Locks_of_a_killed_drive_are_no_files_of_others()
+    {
+        string lockFile = _folder.PathOf("out/.bridge.harvester-lock");
+        Directory.CreateDirectory(_folder.PathOf("out/bridge"));
+        File.WriteAllText(lockFile, "");
+        File.WriteAllText(lockFile + ".txt", "process 1");
+
+        CliRun.Of("drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--distance", "3", "--traffic", "0", "--seed", "4")
+            .AssertDone();
+    }
+
+    [Fact]
     public async Task Client_with_a_wrong_token_gets_an_error_and_the_game_stops()
     {
         string at = FreePlace();

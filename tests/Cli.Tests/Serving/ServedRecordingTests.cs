@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Net;
+using System.Net.Sockets;
 using System.Text.Json;
 using Harvester.Cli.Terminals;
 using Harvester.TestSupport;
@@ -27,18 +28,35 @@ public sealed class ServedRecordingTests : IDisposable
     [Fact]
     public async Task Drive_over_the_socket_in_real_time_is_recorded()
     {
-        string port = FreePort.Find().ToString(CultureInfo.InvariantCulture);
-        await RecordAsync(["--port", port], ["--bridge", "socket", "--at", $"{IPAddress.Loopback}:{port}"]);
+        int number = FreePort.Find();
+        string port = number.ToString(CultureInfo.InvariantCulture);
+        await RecordAsync(
+            ["--port", port], ["--bridge", "socket", "--at", $"{IPAddress.Loopback}:{port}"], () => IsListening(number));
     }
 
     [Fact]
     public async Task Drive_over_the_shared_folder_is_recorded()
     {
         string shared = _folder.PathOf("shared");
-        await RecordAsync(["--folder", shared], ["--bridge", "folder", "--folder", shared]);
+        await RecordAsync(
+            ["--folder", shared], ["--bridge", "folder", "--folder", shared], () => File.Exists(Path.Combine(shared, "bridge.json")));
     }
 
-    private async Task RecordAsync(string[] bridge, string[] client)
+    private static bool IsListening(int port)
+    {
+        try
+        {
+            using TcpClient connection = new();
+            connection.Connect(IPAddress.Loopback, port);
+            return true;
+        }
+        catch (SocketException)
+        {
+            return false;
+        }
+    }
+
+    private async Task RecordAsync(string[] bridge, string[] client, Func<bool> isOpen)
     {
         string session = _folder.PathOf("session");
         using CancellationTokenSource stopping = new();
@@ -46,9 +64,8 @@ public sealed class ServedRecordingTests : IDisposable
         Task<CliRun> serve = CliRun.BesideAsync(
             stopping.Token, ["serve", "--record", session, "--size", "80x60", "--traffic", "0", "--seed", "1", .. bridge]);
         DateTime deadline = DateTime.UtcNow + Deadline;
-        while (!Directory.Exists(session) && !serve.IsCompleted && DateTime.UtcNow < deadline)
+        while (!isOpen() && !serve.IsCompleted && DateTime.UtcNow < deadline)
         {
-            // The bridge is open before the first frame is recorded.
             await Task.Delay(20);
         }
 

@@ -39,6 +39,20 @@ public sealed class ClientInboxTests
     }
 
     [Fact]
+    public void Renewed_client_has_nothing_of_before()
+    {
+        _inbox.Welcome(First);
+        _inbox.TryPut(First, new StepMessage(1));
+        _inbox.Renew(First);
+        Assert.True(_inbox.HasClientGone);
+        _inbox.TryPut(First, new StepMessage(2));
+
+        Assert.Equal([new ClientGoneMessage(), new StepMessage(2)], All());
+        Assert.False(_inbox.HasClientGone);
+        Assert.Equal(First, _inbox.Client);
+    }
+
+    [Fact]
     public void Messages_of_a_replaced_client_are_dropped()
     {
         _inbox.Welcome(First);
