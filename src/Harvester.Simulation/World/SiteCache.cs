@@ -15,8 +15,8 @@ internal sealed class SiteCache
     /// <summary>Maximum number of cached sites; a town takes some 30 MB.</summary>
     private const int MaxKept = 3;
 
-    private readonly Lock guard = new();
-    private readonly List<(object Key, Lazy<Site> Site)> kept = [];
+    private readonly Lock _guard = new();
+    private readonly List<(object Key, Lazy<Site> Site)> _kept = [];
 
     /// <summary>The cache of the program's worlds.</summary>
     public static SiteCache Shared { get; } = new();
@@ -32,16 +32,16 @@ internal sealed class SiteCache
     private Site Of(object key, Func<Site> build)
     {
         Lazy<Site> site;
-        lock (guard)
+        lock (_guard)
         {
-            int index = kept.FindIndex(entry => entry.Key.Equals(key));
-            site = index >= 0 ? kept[index].Site : new Lazy<Site>(build);
-            if (index >= 0 || kept.Count == MaxKept)
+            int index = _kept.FindIndex(entry => entry.Key.Equals(key));
+            site = index >= 0 ? _kept[index].Site : new Lazy<Site>(build);
+            if (index >= 0 || _kept.Count == MaxKept)
             {
-                kept.RemoveAt(Math.Max(0, index));
+                _kept.RemoveAt(Math.Max(0, index));
             }
 
-            kept.Add((key, site));
+            _kept.Add((key, site));
         }
 
         // Built outside the lock: only callers that want the same site wait for it.
