@@ -79,6 +79,9 @@ internal sealed class GameEndpoint : IDisposable
         long answers = _session.Answers;
         long frames = _session.Status.Frames;
         long resets = _session.Resets;
+
+        // One that has been sent its last frame may be gone before it is recorded.
+        bool hasClient = _bridge.Client is not null;
         DrivingStatus status = _session.Tick();
         if (_session.Resets != resets)
         {
@@ -90,7 +93,7 @@ internal sealed class GameEndpoint : IDisposable
             Recording?.Answer(status.Controls, _session.AnsweredIndicators, _session.AnsweredTarget, _session.AnsweredFrame);
         }
 
-        if (status.Frames != frames && _bridge.Client is not null)
+        if (status.Frames != frames && (hasClient || _bridge.Client is not null))
         {
             Recording?.Look(status.Frames - 1);
         }

@@ -140,11 +140,13 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
             _messages.Tell($"The car waits for a client at {_settings.Place}. Any driving key takes it back.");
         }
 
+        // A client that has been sent its last frame may be gone before it is recorded.
+        bool hasClient = bridge.Client is not null;
         Recording?.BeforeTick(_session);
         DrivingStatus status = _session.Tick();
         if (!status.IsOver)
         {
-            Recording?.AfterTick(_session, bridge.Client is not null);
+            Recording?.AfterTick(_session, hasClient || bridge.Client is not null);
         }
 
         if (_session.Problem is { } problem && problem != _problem && _problems < MaxLoggedProblems)

@@ -102,5 +102,9 @@ internal sealed class CommandTrial
 
     private static (int Code, string Error) EndingOf(CliRun run) => (run.ExitCode, run.Error);
 
-    private CliRun Run(string words, string root) => CliRun.Of(WritingCommand.WordsOf(words, _inputs, root));
+    private CliRun Run(string words, string root)
+    {
+        string[] arguments = WritingCommand.WordsOf(words, _inputs, root);
+        return arguments[0] == "serve" ? ServedRun.Of(arguments) : CliRun.Of(arguments);
+    }
 }

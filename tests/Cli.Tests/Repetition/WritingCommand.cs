@@ -115,9 +115,9 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
             IsKilled = true,
         },
         new("drive-record-starts", $"{Drive} --duration 0.4 --near 0,-50 --near 0,50 {Record}") { Only = ["session/.", "session/0002/."] },
-        new("serve-record", $"serve --port 0 --traffic 0 --duration 0.5 --roads {{inputs}}/roads.csv {Record}")
+        new("serve-record", $"serve --lockstep --once --port 0 --traffic 0 --roads {{inputs}}/roads.csv {Record}")
         {
-            Only = ["session/session.json"],
+            Only = ["session/0001/session.json"],
         },
     ];
 
