@@ -13,14 +13,14 @@ STOP_SECONDS = 10
 """Time that a command has to end after it was asked to; then it is killed."""
 
 LIMIT_SECONDS = 3600
-"""A command that takes longer than this hangs: the longest takes some minutes."""
+"""A command that takes this longer than it should hangs."""
 
 STOPPED = 130
 """Exit code of a program that was stopped."""
 
 
-def run_all(commands: Mapping[str, List[str]], jobs: int, on_end: Callable[[str], None]) -> None:
-    """Runs commands, so many at a time, and tells the name of each that has ended.
+def run_all(commands: Mapping[str, List[str]], jobs: int, on_end: Callable[[str], None], seconds: float = 0) -> None:
+    """Runs commands, so many at a time, and tells the name of each that has ended. seconds: how long one may take on a slow machine.
 
     Raises RuntimeError if a command fails or hangs, and KeyboardInterrupt at SIGINT and SIGTERM; those that still run are ended first.
     """
@@ -39,8 +39,9 @@ def run_all(commands: Mapping[str, List[str]], jobs: int, on_end: Callable[[str]
                 _check(name, *running.pop(name))
                 on_end(name)
             for name in running:
-                if time.monotonic() - begun[name] > LIMIT_SECONDS:
-                    raise RuntimeError(f"{name}: the command has not ended within {LIMIT_SECONDS / 60:.0f} minutes, and was stopped.")
+                if time.monotonic() - begun[name] > seconds + LIMIT_SECONDS:
+                    minutes = (seconds + LIMIT_SECONDS) / 60
+                    raise RuntimeError(f"{name}: the command has not ended within {minutes:.0f} minutes, and was stopped.")
             time.sleep(POLL_SECONDS)
     finally:
         for process, _ in running.values():

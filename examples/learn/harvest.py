@@ -15,6 +15,8 @@ from arguments import positive
 from commands import STOPPED, run_all
 from sets import SETS, Plan, SessionPlan
 
+SECONDS_PER_FRAME = 1
+
 UNFINISHED = ".harvester-unfinished"
 """The file with the command that is not done with a folder, also if it was stopped in good order."""
 
@@ -74,7 +76,8 @@ def main() -> int:
         for name in names:
             (options.data / name).mkdir(parents=True, exist_ok=True)
         run_all(
-            {name: command_of(harvester, options.data / name, plan, options.roads) for name, plan in left.items()}, options.jobs, tell)
+            {name: command_of(harvester, options.data / name, plan, options.roads) for name, plan in left.items()}, options.jobs, tell,
+            SECONDS_PER_FRAME * options.jobs * max((plan.frames for plan in left.values()), default=0))
     except (OSError, RuntimeError) as problem:
         print(f"harvest.py: {problem}", file=sys.stderr)
         return 1

@@ -19,6 +19,9 @@ from harvest import is_done
 from sets import DRIVES, DrivePlan
 
 
+SECONDS_PER_METRE = 1
+
+
 def is_whole(folder: Path) -> bool:
     """Whether the folder has a drive that was not stopped."""
     try:
@@ -67,7 +70,8 @@ def main() -> int:
     try:
         for name in names:
             (options.data / name).mkdir(parents=True, exist_ok=True)
-        run_all({plan.name: command_of(shlex.split(options.harvester), options.data, plan) for plan in left}, options.jobs, tell)
+        run_all({plan.name: command_of(shlex.split(options.harvester), options.data, plan) for plan in left}, options.jobs, tell,
+            SECONDS_PER_METRE * options.jobs * options.metres)
     except (OSError, RuntimeError) as problem:
         print(f"record.py: {problem}", file=sys.stderr)
         return 1

@@ -53,7 +53,19 @@ internal sealed class FakeBridge : IDrivingBridge
         return !HasClientGone;
     }
 
-    public bool TryReceive([NotNullWhen(true)] out ClientMessage? message) => _inbox.TryTake(out message);
+    /// <summary>What happens when all messages are taken.</summary>
+    public Action WhenEmpty { get; set; } = static () => { };
+
+    public bool TryReceive([NotNullWhen(true)] out ClientMessage? message)
+    {
+        if (_inbox.TryTake(out message))
+        {
+            return true;
+        }
+
+        WhenEmpty();
+        return false;
+    }
 
     public void Dispose()
     {

@@ -98,12 +98,12 @@ internal sealed class DriveCommand
         ExceptionDispatchInfo? unrecorded = recording is null ? null : FaultOf(recording);
 
         // A drive whose recording has failed replaces no former one.
-        if (output.Replaces)
+        fault ??= unrecorded;
+        if (output.Replaces && unrecorded is not null)
         {
-            unrecorded?.Throw();
+            fault!.Throw();
         }
 
-        fault = unrecorded ?? fault;
         DriveRecord record = DriveRecord.Of(
             Drive.Settings(parsed, plan), drives.Episodes, isWhole: fault is null && !cancellation.IsCancellationRequested);
         string? former = Write(output, record, noted, unrecorded);

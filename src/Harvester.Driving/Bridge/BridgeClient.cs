@@ -139,12 +139,14 @@ internal sealed class BridgeClient : IDisposable
             throw new BridgeException(BridgeProtocol.NoRestart);
         }
 
-        _credit.Hear(word);
-        _reception.Outbox.Wake();
         if (!_reception.Inbox.TryPut(this, word))
         {
             _reception.Report("the client sends commands faster than the game processes them; the newest are dropped.");
         }
+
+        // After the message: a game that sees a frame awaited finds the answer.
+        _credit.Hear(word);
+        _reception.Outbox.Wake();
     }
 
     /// <summary>Makes this connection the client. Frames taken for an earlier client are not sent to it.</summary>

@@ -131,8 +131,8 @@ public sealed class FolderBridge : IAwaitableBridge
         {
             Try(Send);
             Try(() => Receive(_command, TakeCommand));
-            Try(() => Receive(_indicators, text => Put(FolderMessages.ParseIndicators(text))));
-            Try(() => Receive(_controls, text => Put(FolderMessages.ParseControls(text))));
+            Try(() => Receive(_indicators, text => Put(() => FolderMessages.ParseIndicators(text))));
+            Try(() => Receive(_controls, text => Put(() => FolderMessages.ParseControls(text))));
             Try(Listen);
         }
     }
@@ -165,11 +165,10 @@ public sealed class FolderBridge : IAwaitableBridge
         _frames.Write();
     }
 
-    private void Receive(WatchedFile file, Action<string> take)
+    private static void Receive(WatchedFile file, Action<string> take)
     {
         if (file.TryReadNew(out string? text))
         {
-            Hear();
             take(text);
         }
     }
@@ -184,17 +183,20 @@ public sealed class FolderBridge : IAwaitableBridge
                 BridgeProtocol.CheckClient(command);
             }
 
+            _heardMilliseconds = _clock.Milliseconds;
             _outbox.Clear(() => _inbox.Renew(this));
         }
         else
         {
-            Put(ClientMessageParser.Parse(text));
+            Put(() => ClientMessageParser.Parse(text));
         }
     }
 
-    private void Put(ClientMessage message)
+    private void Put(Func<ClientMessage> parse)
     {
-        if (!_inbox.TryPut(this, message))
+        // A client that writes nonsense is there, too.
+        Hear();
+        if (!_inbox.TryPut(this, parse()))
         {
             _problem = "the client sends commands faster than the game processes them; the newest are dropped.";
         }

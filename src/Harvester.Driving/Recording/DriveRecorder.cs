@@ -25,6 +25,7 @@ public sealed class DriveRecorder : IDisposable
     private readonly PictureLag _lag;
     private IReadOnlyList<MotionSample> _motionToFrame = [];
     private PictureLag _nextLag;
+    private bool _isDisplaced;
     private bool _isStarted;
     private bool _isStepping;
     private OpenAction? _begun;
@@ -102,7 +103,11 @@ public sealed class DriveRecorder : IDisposable
         _action?.Answer(controls, indicators, target, bridgeFrame, _world.TimeSeconds);
 
     /// <summary>Forgets how the car moved: it has been placed elsewhere since the last tick.</summary>
-    public void Forget() => _inertia.Forget();
+    public void Forget()
+    {
+        _inertia.Forget();
+        _isDisplaced = true;
+    }
 
     /// <summary>Records a tick in which the world has moved.</summary>
     /// <param name="driver">Who drove in it.</param>
@@ -151,8 +156,15 @@ public sealed class DriveRecorder : IDisposable
         _isStepping = false;
         if (_held.Received == before)
         {
+            if (!_isDisplaced && _action is { } action && action.TimeSeconds == begun.TimeSeconds)
+            {
+                action.RepeatedAs = bridgeFrame;
+            }
+
             return false;
         }
+
+        _isDisplaced = false;
 
         IReadOnlyList<MotionSample> motion = _motion.TakeBefore(begun.TimeSeconds);
         _motionToFrame = before == 0 ? [] : motion;

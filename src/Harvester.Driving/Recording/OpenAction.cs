@@ -29,6 +29,9 @@ internal sealed class OpenAction(double timeSeconds, double speed)
     /// <summary>Number of the frame on the live bridge; null without a bridge.</summary>
     public long? BridgeFrame { get; set; }
 
+    /// <summary>Number of a later frame on the live bridge that shows the same moment; null for none.</summary>
+    public long? RepeatedAs { get; set; }
+
     /// <summary>Acceleration and turning rate at the frame; null where unknown.</summary>
     public (Vector3D? Acceleration, Vector3D? AngularRate) Inertia { get; init; }
 
@@ -39,7 +42,7 @@ internal sealed class OpenAction(double timeSeconds, double speed)
     public void Answer(
         DrivingControls controls, IReadOnlyList<double>? indicators, DriveTarget? target, long? answered, double nowSeconds)
     {
-        if (_answer is null && (answered is null || BridgeFrame is null || answered == BridgeFrame))
+        if (_answer is null && (answered is null || BridgeFrame is null || answered == BridgeFrame || answered == RepeatedAs))
         {
             _answer = Recorded(controls);
             _answerSeconds = nowSeconds - timeSeconds;

@@ -16,6 +16,7 @@ internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge brid
     private readonly FrameSchedule _schedule = new(options.RateHz);
     private bool _isAskedFor;
     private bool _isMissed;
+    private bool _isWanted = true;
     private bool _hasPicture = true;
     private double _nowSeconds;
     private double _tickSeconds;
@@ -39,11 +40,15 @@ internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge brid
     /// <summary>Whether an image may be grabbed in the next ticks, so that overlays must not be drawn now.</summary>
     public bool IsPictureNear =>
         pace.IsPaused || pace.IsStepping || _isAskedFor || _isMissed || _leadLeft is not null
-            || _schedule.SecondsUntilDue(_nowSeconds) < (options.SettleTicks + HalfATick) * _tickSeconds;
+            || (_isWanted && _schedule.SecondsUntilDue(_nowSeconds) < (options.SettleTicks + HalfATick) * _tickSeconds);
 
-    /// <summary>Starts a tick; call it before <see cref="PublishIfTime"/>.</summary>
+    /// <summary>
+    /// Starts a tick; call it before the client's messages are taken and before <see cref="PublishIfTime"/>. An answer that arrives later
+    /// leads to a frame only after it has been taken.
+    /// </summary>
     public void BeginTick(double nowSeconds)
     {
+        _isWanted = !options.WaitsForAnswers || bridge.IsFrameAwaited;
         _tickSeconds = nowSeconds - _nowSeconds;
         _nowSeconds = nowSeconds;
     }
@@ -82,11 +87,11 @@ internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge brid
 
     private bool IsTime()
     {
-        bool isWanted = !options.WaitsForAnswers || bridge.IsFrameAwaited;
+        // What was drawn before the request, or while no frame was wanted, must have disappeared from the image.
+        bool isQuiet = _quietTicks >= options.SettleTicks;
+        bool isWanted = _isWanted && (isQuiet || !options.WaitsForAnswers);
         bool isDue = IsLedDue(!pace.IsStepping && isWanted && _schedule.TakeIfDue(_nowSeconds) && !pace.IsPaused);
-
-        // What was drawn before the request must have disappeared from the image.
-        bool isAskedFor = (_isAskedFor || _isMissed) && _quietTicks >= options.SettleTicks;
+        bool isAskedFor = (_isAskedFor || _isMissed) && isQuiet;
         return (isDue || isAskedFor || IsStepOpen) && !pace.IsStepping && pace.IsSettled;
     }
 

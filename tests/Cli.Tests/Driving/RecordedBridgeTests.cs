@@ -61,6 +61,24 @@ public sealed class RecordedBridgeTests : IDisposable
     }
 
     [Fact]
+    public void Answer_to_a_repeated_frame_is_that_of_the_recorded_one()
+    {
+        using var bridge = new AnsweringBridge(
+            static state => state.Frame switch
+            {
+                0 => [new RequestFrameMessage()],
+                1 => [new ControlsMessage(FullThrottle, 1), new StepMessage(0.2)],
+                _ => [],
+            },
+            new RequestFrameMessage());
+        Record(bridge, new DrivingOptions { Picture = new ImageSize(32, 24), IsLockStep = true }, ticks: 10);
+
+        JsonElement first = Drives()[0];
+        Assert.Equal(0, first.GetProperty("bridgeFrame").GetInt64());
+        Assert.Equal(1, first.GetProperty("controls").GetProperty("throttle").GetDouble());
+    }
+
+    [Fact]
     public void Inertial_sensor_does_not_measure_a_short_reset()
     {
         SimulatedGame game = Game();

@@ -31,7 +31,7 @@ public sealed class DrivingSessionPacingTests : DrivenGame
     [Fact]
     public void Frame_of_a_recording_waits_for_the_answer_to_the_last()
     {
-        using DrivingSession session = Session(options: new DrivingOptions { WaitsForAnswers = true });
+        using DrivingSession session = Session(options: new DrivingOptions { WaitsForAnswers = true, SettleTicks = 0 });
         Bridge.IsFrameAwaited = false;
         Run(session, 60);
         Assert.Empty(Bridge.Frames);
@@ -42,6 +42,43 @@ public sealed class DrivingSessionPacingTests : DrivenGame
         Assert.Single(Bridge.Frames);
         Run(session, 6);
         Assert.Equal(2, Bridge.Frames.Count);
+    }
+
+    [Fact]
+    public void Answer_that_arrives_during_a_tick_is_taken_before_the_next_frame()
+    {
+        using DrivingSession session = Session(options: new DrivingOptions { WaitsForAnswers = true, SettleTicks = 0 });
+        Bridge.IsFrameAwaited = false;
+        Run(session, 60);
+        Bridge.WhenEmpty = () =>
+        {
+            Bridge.WhenEmpty = static () => { };
+            Bridge.Say(new ControlsMessage(Left, null));
+            Bridge.IsFrameAwaited = true;
+        };
+        Run(session, 1);
+        Assert.Empty(Bridge.Frames);
+
+        Run(session, 1);
+        Assert.Equal(1, session.Answers);
+        Assert.Single(Bridge.Frames);
+    }
+
+    [Fact]
+    public void Nothing_is_hidden_from_the_image_while_no_frame_is_awaited()
+    {
+        using DrivingSession session = Session(options: new DrivingOptions { WaitsForAnswers = true });
+        Bridge.IsFrameAwaited = false;
+        Run(session, 60);
+        Assert.False(session.IsPictureNear);
+
+        // What was drawn in the tick before is in the image for up to four ticks.
+        Bridge.IsFrameAwaited = true;
+        Run(session, 4);
+        Assert.True(session.IsPictureNear);
+        Assert.Empty(Bridge.Frames);
+        Run(session, 1);
+        Assert.Single(Bridge.Frames);
     }
 
     [Theory]
