@@ -10,6 +10,8 @@ namespace Harvester.Cli.Tests.Repetition;
 internal static class ServedRun
 {
     private const string Announcement = "Serving at ";
+    private const string Step = """{"type":"step","seconds":0.2}""";
+    private static readonly string[] Requests = ["""{"type":"requestFrame"}""", Step, Step];
 
     public static CliRun Of(params string[] arguments)
     {
@@ -26,7 +28,7 @@ internal static class ServedRun
         try
         {
             using var client = new SocketClient(game);
-            foreach (string request in (string[])["""{"type":"requestFrame"}""", .. Enumerable.Repeat("""{"type":"step","seconds":0.2}""", 2)])
+            foreach (string request in Requests)
             {
                 client.Send(request);
                 client.Receive();

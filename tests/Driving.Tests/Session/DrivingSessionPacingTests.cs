@@ -45,7 +45,7 @@ public sealed class DrivingSessionPacingTests : DrivenGame
     }
 
     [Fact]
-    public void Answer_that_arrives_during_a_tick_is_taken_before_the_next_frame()
+    public void Answer_that_comes_during_a_tick_is_taken_before_the_frame()
     {
         using DrivingSession session = Session(options: new DrivingOptions { WaitsForAnswers = true, SettleTicks = 0 });
         Bridge.IsFrameAwaited = false;
