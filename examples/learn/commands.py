@@ -13,7 +13,7 @@ STOP_SECONDS = 10
 """Time that a command has to end after it was asked to; then it is killed."""
 
 LIMIT_SECONDS = 3600
-"""A command that takes this longer than it should hangs."""
+"""Time beyond what a command may take on a slow machine, after which it counts as hung."""
 
 STOPPED = 130
 """Exit code of a program that was stopped."""

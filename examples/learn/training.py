@@ -116,7 +116,7 @@ def _restored(file: Path, training: Dict[str, Any], parts: Dict[str, Any]) -> Li
     except Exception as problem:  # Unpickling a damaged file may raise anything.
         raise TrainingError(f"{file} is damaged, or of another version. {remedy}") from problem
     differing = [name for name in {**former, **training} if former.get(name) != training.get(name)]
-    raise TrainingError(f"{file} belongs to a training with {', '.join(_shown(name, former.get(name)) for name in differing)}. {remedy}")
+    raise TrainingError(f"{file} belongs to a training run with {', '.join(_shown(name, former.get(name)) for name in differing)}. {remedy}")
 
 
 def _shown(name: str, value: Any) -> str:

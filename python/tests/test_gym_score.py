@@ -99,3 +99,14 @@ def test_frames_without_counters_are_refused() -> None:
         gym.Episode.of([], 100)
     with pytest.raises(ValueError, match="greater than 0"):
         gym.EpisodeCounter(0)
+
+
+def test_lane_keeping_refuses_frames_that_do_not_say_it() -> None:
+    with pytest.raises(ValueError, match="does not say whether the car has left its lane"):
+        gym.LaneKeeping().take(frame(0, outsideLanes=None, acrossMarking=None))
+
+
+def test_mean_interval_takes_arrays() -> None:
+    assert gym.mean_interval(np.array([50.0, 50.0])) == (50, 50, 50)
+    with pytest.raises(ValueError, match="at least one value"):
+        gym.mean_interval(np.array([]))

@@ -378,7 +378,7 @@ def test_training_with_other_options_or_data_is_refused(tmp_path: Path) -> None:
         with pytest.raises(training.TrainingError) as refusal:
             fit(options_of(model, **changed), frames)
         remedy = f"Choose another name for the model, or delete {tmp_path / 'full.state'} to start over."
-        assert str(refusal.value) == f"{tmp_path / 'full.state'} belongs to a training with {told}. {remedy}"
+        assert str(refusal.value) == f"{tmp_path / 'full.state'} belongs to a training run with {told}. {remedy}"
     fit(options_of(model, epochs=1, threads=2))
     assert model.read_bytes() == before
 

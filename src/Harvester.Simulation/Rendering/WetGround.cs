@@ -78,7 +78,7 @@ internal sealed class WetGround(View view, ScreenTriangles triangles, int[] ids,
 
     /// <summary>
     /// The row that is seen in the ground at a pixel: the first one upward that lies as high above its foot as the pixel lies below it.
-    /// What stands before the ground there, with its foot below the pixel, is passed over.
+    /// Objects nearer than that ground, whose foot is below the pixel, are skipped.
     /// </summary>
     /// <param name="column">The pixel's column.</param>
     /// <param name="row">The pixel's row.</param>
