@@ -17,6 +17,9 @@ internal sealed class ScriptDriver : IDisposable
     private readonly IScreen _screen;
     private readonly IClock _clock;
 
+    /// <summary>Scripts that were ended may still be writing: a script waits for a slow disk for a limited time only.</summary>
+    private readonly List<HarvesterScript> _ended = [];
+
     public ScriptDriver(
         string ini = "", Action<TestGame>? prepare = null, IScreen? screen = null, IClock? clock = null, string? faces = "# none\n")
     {
@@ -84,13 +87,14 @@ internal sealed class ScriptDriver : IDisposable
     public void Reload()
     {
         Script.RaiseAborted();
+        _ended.Add(Script);
         Script = Load();
     }
 
-    /// <summary>Waits until the script's work on other threads is done: what was harvested is written, what it requested is read.</summary>
+    /// <summary>Waits until the scripts' work on other threads is done: what they harvested is written, what they requested read.</summary>
     public void WaitForDisk()
     {
-        while (Script.IsBusy)
+        while (Script.IsBusy || _ended.Exists(script => script.IsBusy))
         {
             Thread.Sleep(1);
         }

@@ -112,7 +112,7 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
             _world.Grip.GiveAllBack();
         }
 
-        if (_folder.Opened is not { } folder || !_disk.IsCompleted)
+        if (_folder.Opened is not { } folder || !_disk.IsCompleted || _lastHeartbeat is { IsBusy: true })
         {
             return;
         }
@@ -272,7 +272,7 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
         (_heartbeat, _run, _trial) = (null, null, null);
         _folder.Close();
         heartbeat?.End(state, _frames);
-        _lastHeartbeat = heartbeat;
+        _lastHeartbeat = heartbeat ?? _lastHeartbeat;
         run?.Stop(StoppedReason);
     }
 }
