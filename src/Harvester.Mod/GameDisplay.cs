@@ -1,3 +1,4 @@
+using System.Linq;
 using GTA.Native;
 using Harvester.Geometry;
 using Harvester.Play.Features;
@@ -8,6 +9,10 @@ namespace Harvester.Mod;
 internal sealed class GameDisplay : IDisplay
 {
     private const int Opaque = 255;
+
+    /// <summary>The game's label that is nothing but ten texts in a row.</summary>
+    private const string TenTexts = "CELL_EMAIL_BCON";
+    private const int MaxPieces = 10;
 
     /// <inheritdoc/>
     public void Rectangle(Box2D place, Colour colour) => Natives.Call(
@@ -24,8 +29,12 @@ internal sealed class GameDisplay : IDisplay
         Natives.Call(Hash.SET_TEXT_SCALE, scale, scale);
         Natives.Call(Hash.SET_TEXT_COLOUR, white, white, white, Opaque);
         Natives.Call(Hash.SET_TEXT_OUTLINE);
-        Natives.Call(Hash.BEGIN_TEXT_COMMAND_DISPLAY_TEXT, "STRING");
-        Natives.Call(Hash.ADD_TEXT_COMPONENT_SUBSTRING_PLAYER_NAME, text);
+        Natives.Call(Hash.BEGIN_TEXT_COMMAND_DISPLAY_TEXT, TenTexts);
+        foreach (string piece in TextPieces.Of(text).Take(MaxPieces))
+        {
+            Natives.Call(Hash.ADD_TEXT_COMPONENT_SUBSTRING_PLAYER_NAME, piece);
+        }
+
         Natives.Call(Hash.END_TEXT_COMMAND_DISPLAY_TEXT, (float)left, (float)top, 0);
     }
 

@@ -228,6 +228,17 @@ public sealed class BridgeDriveTests : ServedGame
     }
 
     [Fact]
+    public void Status_line_shows_a_folder_of_any_length_whole()
+    {
+        string name = string.Concat(Enumerable.Repeat("Straße ", 20)) + "end";
+        using var driver = new ScriptDriver($"[Bridge]\nKind = Folder\nFolder = {name}\nRate = 1\n");
+        Street(driver.Game);
+        Start(driver);
+
+        Until(driver, () => driver.Game.Texts.Any(text => text.Contains($"{name}  ", StringComparison.Ordinal)));
+    }
+
+    [Fact]
     public void Shared_folder_of_figure_23_drives_as_well()
     {
         using var driver = new ScriptDriver("[Bridge]\nKind = Folder\nFolder = shared\n");

@@ -8,7 +8,7 @@ public interface IDisplay
     /// <summary>Draws a filled rectangle.</summary>
     void Rectangle(Box2D place, Colour colour);
 
-    /// <summary>Writes a line; the game truncates it at 99 bytes.</summary>
+    /// <summary>Writes a line; the game truncates it at about 990 bytes.</summary>
     /// <param name="text">The line.</param>
     /// <param name="left">Left end.</param>
     /// <param name="top">Upper edge.</param>

@@ -13,7 +13,11 @@ internal sealed partial class TestGame
 {
     private const int MaxTextLength = 99;
 
-    private string _text = string.Empty;
+    /// <summary>How many texts the game's labels have room for.</summary>
+    private static readonly Dictionary<string, int> Labels = new() { ["STRING"] = 1, ["CELL_EMAIL_BCON"] = 10 };
+
+    private readonly List<string> _texts = [];
+    private int _maxTexts;
 
     /// <summary>What this frame draws, as fractions of the window.</summary>
     public List<DrawnRectangle> Drawn { get; } = [];
@@ -80,16 +84,27 @@ internal sealed partial class TestGame
         });
         Do(Hash.ADD_TEXT_COMPONENT_SUBSTRING_PLAYER_NAME, a =>
         {
-            _text = (string)a[0];
-            if (Encoding.UTF8.GetByteCount(_text) > MaxTextLength)
+            string text = (string)a[0];
+            _texts.Add(text);
+            if (Encoding.UTF8.GetByteCount(text) > MaxTextLength)
             {
-                Report($"The text is longer than {MaxTextLength} bytes: {_text}");
+                Report($"The text is longer than {MaxTextLength} bytes: {text}");
+            }
+
+            if (_texts.Count > _maxTexts)
+            {
+                Report($"The label has room for {_maxTexts} texts only: {text}");
             }
         });
-        Do(Hash.END_TEXT_COMMAND_DISPLAY_TEXT, a => Lines.Add(new DrawnText(_text, (float)a[0], (float)a[1])));
+        Do(Hash.END_TEXT_COMMAND_DISPLAY_TEXT, a => Lines.Add(new DrawnText(string.Concat(_texts), (float)a[0], (float)a[1])));
+        Do(Hash.BEGIN_TEXT_COMMAND_DISPLAY_TEXT, a =>
+        {
+            _texts.Clear();
+            _maxTexts = Labels[(string)a[0]];
+        });
         foreach (Hash style in new[]
         {
-            Hash.SET_TEXT_FONT, Hash.SET_TEXT_SCALE, Hash.SET_TEXT_COLOUR, Hash.SET_TEXT_OUTLINE, Hash.BEGIN_TEXT_COMMAND_DISPLAY_TEXT,
+            Hash.SET_TEXT_FONT, Hash.SET_TEXT_SCALE, Hash.SET_TEXT_COLOUR, Hash.SET_TEXT_OUTLINE,
         })
         {
             Do(style, _ => { });
