@@ -10,7 +10,7 @@ internal sealed class GameDisplay : IDisplay
 {
     private const int Opaque = 255;
 
-    /// <summary>The game's label that is nothing but ten texts in a row.</summary>
+    /// <summary>A label of the game that consists of ten texts in a row.</summary>
     private const string TenTexts = "CELL_EMAIL_BCON";
     private const int MaxPieces = 10;
 

@@ -228,7 +228,7 @@ public sealed class BridgeDriveTests : ServedGame
     }
 
     [Fact]
-    public void Status_line_shows_a_folder_of_any_length_whole()
+    public void Status_line_shows_a_long_folder_whole()
     {
         string name = string.Concat(Enumerable.Repeat("Straße ", 20)) + "end";
         using var driver = new ScriptDriver($"[Bridge]\nKind = Folder\nFolder = {name}\nRate = 1\n");

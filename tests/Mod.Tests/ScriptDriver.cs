@@ -91,7 +91,9 @@ internal sealed class ScriptDriver : IDisposable
         Script = Load();
     }
 
-    /// <summary>Waits until the scripts' work on other threads is done: what they harvested is written, what they requested read.</summary>
+    /// <summary>
+    /// Waits until the scripts' work on other threads is done: what they harvested is written, and what they requested is read.
+    /// </summary>
     public void WaitForDisk()
     {
         while (Script.IsBusy || _ended.Exists(script => script.IsBusy))

@@ -19,7 +19,7 @@ public sealed class TextPiecesTests
 
     [Theory]
     [MemberData(nameof(Texts))]
-    public void Pieces_are_short_and_together_the_text(string text, int pieces)
+    public void Pieces_fit_the_game_and_together_give_the_text(string text, int pieces)
     {
         string[] found = [.. TextPieces.Of(text)];
 

@@ -8,7 +8,7 @@ public interface IDisplay
     /// <summary>Draws a filled rectangle.</summary>
     void Rectangle(Box2D place, Colour colour);
 
-    /// <summary>Writes a line; the game truncates it at about 990 bytes.</summary>
+    /// <summary>Writes a line; what exceeds about 990 bytes is cut off.</summary>
     /// <param name="text">The line.</param>
     /// <param name="left">Left end.</param>
     /// <param name="top">Upper edge.</param>

@@ -112,6 +112,7 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
             _world.Grip.GiveAllBack();
         }
 
+        // The last heartbeat of the run before must not overwrite one of this run.
         if (_folder.Opened is not { } folder || !_disk.IsCompleted || _lastHeartbeat is { IsBusy: true })
         {
             return;
