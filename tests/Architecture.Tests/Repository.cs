@@ -1,9 +1,11 @@
+using Harvester.TestSupport;
+
 namespace Harvester.Architecture.Tests;
 
 /// <summary>The repository that these tests were built from.</summary>
 internal static class Repository
 {
-    public static string Root { get; } = Find(AppContext.BaseDirectory);
+    public static string Root { get; } = RepositoryFolder.Path;
 
     /// <summary>The C# sources of a project, or of all, in a folder of the repository, without what the build generates.</summary>
     public static IEnumerable<string> SourcesOf(string project, string folder = "src")
@@ -24,10 +26,4 @@ internal static class Repository
     // The tests lie in bin/CONFIGURATION/FRAMEWORK/.
     private static string Configuration =>
         Path.GetFileName(Path.GetDirectoryName(Path.TrimEndingDirectorySeparator(AppContext.BaseDirectory)))!;
-
-    private static string Find(string folder) =>
-        File.Exists(Path.Combine(folder, "GtaDataHarvester.sln"))
-            ? folder
-            : Find(Path.GetDirectoryName(folder)
-                ?? throw new DirectoryNotFoundException("GtaDataHarvester.sln is in no folder above the tests."));
 }

@@ -222,7 +222,7 @@ public sealed class BridgeRecordingTests : ServedGame
 
     [Theory]
     [InlineData(true, "The session of the drive cannot be begun: ")]
-    [InlineData(false, "that stay free")]
+    [InlineData(false, "must stay free")]
     public void Faulty_disk_is_reported_and_the_drive_goes_on(bool isFileInTheWay, string complaint)
     {
         using var driver = new ScriptDriver(Ini(Port) + Recorded + (isFileInTheWay ? "" : "[Harvest]\nMinFree = 1000000\n"));

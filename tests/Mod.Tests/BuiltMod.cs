@@ -1,3 +1,4 @@
+using Harvester.TestSupport;
 using Mono.Cecil;
 
 namespace Harvester.Mod.Tests;
@@ -5,7 +6,7 @@ namespace Harvester.Mod.Tests;
 /// <summary>The dll that the build made for the game.</summary>
 internal static class BuiltMod
 {
-    public static string RepositoryRoot { get; } = FindRoot(AppContext.BaseDirectory);
+    public static string RepositoryRoot { get; } = RepositoryFolder.Path;
 
     public static string Configuration { get; } = new DirectoryInfo(AppContext.BaseDirectory).Parent!.Name;
 
@@ -23,11 +24,6 @@ internal static class BuiltMod
     }
 
     private static bool IsGameApi(TypeReference type) => type.GetElementType().Scope.Name == "ScriptHookVDotNet3";
-
-    private static string FindRoot(string folder) => File.Exists(System.IO.Path.Combine(folder, "GtaDataHarvester.sln"))
-        ? folder
-        : FindRoot(System.IO.Path.GetDirectoryName(folder)
-            ?? throw new DirectoryNotFoundException("GtaDataHarvester.sln is in no folder above the tests."));
 
     private static string Find()
     {

@@ -36,8 +36,8 @@ internal sealed class ContactSheetCommand
         + "in metres. The same options and seed give the same bytes.\n\n"
         + "Examples:\n"
         + "  harvester contact-sheet --out town.png --weather clear --weather rain --time 12:00 --time 22:00\n"
-        + "  harvester contact-sheet --out streets.png --roads nodes.zip --list data/places.csv\n"
-        + "  harvester contact-sheet --out drive.png --roads nodes.zip --at 0,200 --seconds 1 --seconds 5 --seconds 10";
+        + "  harvester contact-sheet --out streets.png --roads data/example-roads.csv --places 4\n"
+        + "  harvester contact-sheet --out drive.png --roads data/example-roads.csv --at=-250,120 --seconds 1 --seconds 5 --seconds 10";
 
     private Option<string> Out { get; } = new("--out") { Description = "PNG file to write", HelpName = "FILE", Required = true };
     private Option<FileInfo?> Roads { get; } = new("--roads")

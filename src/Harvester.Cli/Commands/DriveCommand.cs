@@ -32,9 +32,9 @@ internal sealed class DriveCommand
         + "  harvester drive --controller deepdriving --noise --distance 3000 --out drive\n"
         + "  harvester drive --bridge socket --role game --out drive    # in one terminal\n"
         + "  harvester drive --bridge socket --role client              # in another\n"
-        + "  harvester drive --roads nodes.zip --near=-500,1000 --near=0,2700 --out drive\n"
+        + "  harvester drive --roads data/example-roads.csv --near=-250,0 --near=250,0 --out drive\n"
         + "  harvester drive --seeds 701-720 --jobs 2 --distance 2000 --out drive\n"
-        + "  harvester drive --roads nodes.zip --places 20 --duration 900 --out drive";
+        + "  harvester drive --roads data/example-roads.csv --places 20 --duration 900 --out drive";
 
     private Option<string?> Out { get; } =
         new("--out") { Description = "Folder to write drive.json and report.html to", HelpName = "DIR" };

@@ -63,7 +63,7 @@ internal sealed class ExportCommand
         new("--out") { Description = "Folder to write the dataset to", HelpName = "DIR", Required = true };
     private Option<bool> Resume { get; } = new(ResumeOption.Name)
     {
-        Description = "Continue what the same command left unfinished in the folder, or start; an export does so without the option too",
+        Description = "Continue an unfinished export (the default for exports)",
     };
 
     private Option<string> Splits { get; } = new("--split")

@@ -32,7 +32,7 @@ internal sealed class HarvestCommand
     private const string Notes =
         "docs/dataset-format.md describes the session. The same options and seed give the same bytes. Ctrl+C stops after the current\n"
         + "frame and leaves a valid session. The same command with --resume continues after the last frame, whatever stopped it, and ends\n"
-        + "with the same bytes as if it had not been stopped; without --resume it starts anew. A shard is a session with every N-th\n"
+        + "with the same bytes as if it had not been stopped; without --resume it starts over. A shard is a session with every N-th\n"
         + "frame of the full run, under the same frame numbers and without a report; harvester merge combines all shards.\n\n"
         + MaskOption.Notes + "\n\n"
         + PairsOption.Notes + "\n\n"
@@ -42,7 +42,7 @@ internal sealed class HarvestCommand
         + "  harvester harvest --out rain --frames 500 --seed 7 --weather rain --time 18:30 --masks\n"
         + "  harvester harvest --out classes --semantics rays\n"
         + "  harvester harvest --out distorted --k1 -0.05 --focal-scale 1.01\n"
-        + "  harvester harvest --out streets --roads nodes.zip --places 20\n"
+        + "  harvester harvest --out streets --roads data/example-roads.csv --places 20\n"
         + "  harvester harvest --out around --rig data/rigs/nuscenes.json --hz 2 --frames 40\n"
         + "  harvester harvest --out pairs --frames 20 --pair-weathers clear,rain --pair-hours 0,6,12 --pair-without nearest-sign\n"
         + "  harvester harvest --out part-2 --frames 5000 --shard 2/8";
@@ -52,7 +52,7 @@ internal sealed class HarvestCommand
     private Option<bool> Overwrite { get; } = new("--overwrite") { Description = "Replace an existing session in the folder" };
     private Option<bool> Resume { get; } = new("--resume")
     {
-        Description = "Continue the session that the same command left unfinished in the folder, or start one",
+        Description = "Continue an unfinished session of the same command, or start one",
     };
     private Option<int> Frames { get; } = WithDefault(ValueParsers.Integer("--frames", "N", "Number of frames", 1, MaxFrames), 100);
     private Option<int> Seed { get; } = WithDefault(ValueParsers.Integer("--seed", "N", "Random seed", 0, int.MaxValue), 1);

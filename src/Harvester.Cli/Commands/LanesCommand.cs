@@ -22,7 +22,7 @@ internal sealed class LanesCommand
         + "The file of --vehicles has one line per vehicle: x,y,z,heading or x,y,z,heading,length, in metres and degrees. The default\n"
         + "length is 4.5.\n\n"
         + "Example:\n"
-        + "  harvester lanes --roads roads.csv --position -72.6,-1049.5,27.1 --heading 159";
+        + "  harvester lanes --roads data/example-roads.csv --position=-243,68.6,27.2 --heading 1";
 
     private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true, NewLine = "\n" };
 

@@ -36,7 +36,7 @@ internal sealed class ServeCommand
         + "  harvester serve\n"
         + "  harvester serve --seed 7 --traffic 0 --port 5000 --duration 600\n"
         + "  harvester serve --lockstep --unassisted --port 0\n"
-        + "  harvester serve --folder shared --roads nodes.zip --near 0,-1000";
+        + "  harvester serve --folder shared --roads data/example-roads.csv --near=-250,0";
 
     private BridgeOptions Bridge { get; } = new();
     private Option<int> Seed { get; } = WithDefault(ValueParsers.Integer("--seed", "N", "Random seed", 0, int.MaxValue), 1);

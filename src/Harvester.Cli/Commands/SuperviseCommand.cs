@@ -68,7 +68,8 @@ internal sealed class SuperviseCommand
     private Command Build(Terminal terminal)
     {
         MaxRestarts.DefaultValueFactory = _ => 5;
-        var command = new Command("supervise", "Keep a game or a long command going: restart it when it hangs, crashes or lies.")
+        var command = new Command(
+            "supervise", "Keep a game or a long command going: restart it when it hangs, crashes or reports a false state.")
         {
             Program, HeartbeatPath, Timeout, StartTimeout, Stall, Delay, MaxRestarts, RestartArgument, AnyProcess, Launcher,
         };

@@ -19,7 +19,7 @@ public sealed class DatasetFormatTests
         using var session = new HarvestSession(new HarvestOptions { Image = new ImageSize(64, 48), MaxFrames = 1 }, game.Ports, sink);
         game.Run(session);
         string[] fields = [.. Fields(JsonDocument.Parse(JsonLabelWriter.Line(sink.Frames[0].Label)).RootElement).Distinct()];
-        string document = File.ReadAllText(Path.Combine(Root(AppContext.BaseDirectory), "docs", "dataset-format.md"));
+        string document = File.ReadAllText(Path.Combine(RepositoryFolder.Path, "docs", "dataset-format.md"));
         var named = Regex.Matches(document, "[a-zA-Z0-9]+").Select(match => match.Value).ToHashSet(StringComparer.Ordinal);
 
         Assert.Contains("occlusionMethod", fields);
@@ -32,10 +32,4 @@ public sealed class DatasetFormatTests
         JsonValueKind.Array => element.EnumerateArray().SelectMany(Fields),
         _ => [],
     };
-
-    private static string Root(string folder) =>
-        File.Exists(Path.Combine(folder, "GtaDataHarvester.sln"))
-            ? folder
-            : Root(Path.GetDirectoryName(folder)
-                ?? throw new DirectoryNotFoundException("GtaDataHarvester.sln is in no folder above the tests."));
 }

@@ -36,7 +36,7 @@ public sealed class SpaceWatchTests : IDisposable
 
         Assert.True(writer.IsSpaceLow);
         Assert.StartsWith(
-            $"The disk of '{_folder.Session}' has 0.8 GB free, less than the 1 GB that stay free. The session so far is valid, with ",
+            $"The disk of '{_folder.Session}' has 0.8 GB free; 1 GB must stay free. The session so far is valid, with ",
             session.Fault,
             StringComparison.Ordinal);
         Assert.False(game.WantsFrozen);

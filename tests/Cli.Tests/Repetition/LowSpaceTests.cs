@@ -30,7 +30,7 @@ public sealed class LowSpaceTests : IClassFixture<ResumedDerivationTests.Inputs>
 
         Assert.Equal(ExitCode.InputOutput, stopped.ExitCode);
         Assert.Matches(
-            @"^harvester: The disk of '[^']*' has [0-9.]+ GB free, less than the 1000000000 GB that stay free\. .*\n\z", stopped.Error);
+            @"^harvester: The disk of '[^']*' has [0-9.]+ GB free; 1000000000 GB must stay free\. .*\n\z", stopped.Error);
         Assert.EndsWith("The same command with --resume continues; --min-free sets the limit.\n", stopped.Error, StringComparison.Ordinal);
         CliRun.Of([.. Words(command), "--out", Out, "--min-free", "0", "--resume"]).AssertDone();
         CliRun.Of([.. Words(command), "--out", Whole]).AssertDone();

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Reflection;
 using Harvester.Geometry.Lanes;
+using Harvester.TestSupport;
 
 namespace Harvester.Geometry.Tests.Lanes;
 
@@ -78,7 +79,7 @@ public sealed class IndicatorTableTests
     /// <summary>The rows of the table in docs/lanes.md: name(s), meaning, active values, inactive value.</summary>
     private static Dictionary<string, (string Active, string Inactive)> DocumentedRows()
     {
-        string[] lines = File.ReadAllLines(Path.Combine(Root(AppContext.BaseDirectory), "docs", "lanes.md"));
+        string[] lines = File.ReadAllLines(Path.Combine(RepositoryFolder.Path, "docs", "lanes.md"));
         return lines
             .SkipWhile(line => !line.StartsWith("| indicator | meaning", StringComparison.Ordinal)).Skip(2)
             .TakeWhile(line => line.StartsWith('|'))
@@ -86,7 +87,4 @@ public sealed class IndicatorTableTests
             .SelectMany(cells => cells[1].Split(',', StringSplitOptions.TrimEntries).Select(name => (Name: name.Trim('`'), cells)))
             .ToDictionary(row => row.Name, row => (row.cells[3], row.cells[4]));
     }
-
-    private static string Root(string folder) =>
-        File.Exists(Path.Combine(folder, "GtaDataHarvester.sln")) ? folder : Root(Path.GetDirectoryName(folder)!);
 }

@@ -16,7 +16,7 @@ internal sealed class PlanResolveCommand
         "The new plan has the same trials, with x and y in place of spread and space, and every other field in full. The mod needs\n"
         + "such a plan. Places for GTA V come from its road network, --roads.\n\n"
         + "Example:\n"
-        + "  harvester plan resolve plan.json --roads nodes.zip --out game-plan.json";
+        + "  harvester plan resolve plan.json --roads data/example-roads.csv --out resolved.json";
 
     private Option<string> Out { get; } = new("--out") { Description = "File to write the plan to", HelpName = "FILE", Required = true };
     private PlanWorldOptions World { get; } = new();

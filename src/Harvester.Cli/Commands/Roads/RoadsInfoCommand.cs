@@ -9,7 +9,7 @@ namespace Harvester.Cli.Commands.Roads;
 internal static class RoadsInfoCommand
 {
     /// <summary>The example in the help.</summary>
-    public const string Example = "  harvester roads info roads.csv.gz";
+    public const string Example = "  harvester roads info session/scenes/roads.csv";
 
     private const int NameColumn = 40;
 

@@ -18,7 +18,7 @@ namespace Harvester.Cli.Commands.Roads;
 internal static class RoadsMapCommand
 {
     /// <summary>The example in the help.</summary>
-    public const string Example = "  harvester roads map roads.csv.gz --out map.png --size 4000";
+    public const string Example = "  harvester roads map session/scenes/roads.csv --out map.png --size 4000";
 
     private const string Legend =
         "highways orange, one-way roads blue, streets grey, unpaved roads brown, roads that are not drivable light grey, "

@@ -14,7 +14,7 @@ namespace Harvester.Cli.Commands.Roads;
 internal static class RoadsNodesCommand
 {
     /// <summary>The example in the help.</summary>
-    public const string Example = "  harvester roads nodes roads.csv.gz --out nodes.csv";
+    public const string Example = "  harvester roads nodes session/scenes/roads.csv --out nodes.csv";
 
     public static Command Create(Terminal terminal)
     {
