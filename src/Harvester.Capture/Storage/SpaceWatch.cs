@@ -28,7 +28,7 @@ public sealed class SpaceWatch(string folder, long minFreeBytes, IFreeSpace? dis
         if (_disk.BytesFor(folder) is { } free && free < minFreeBytes)
         {
             throw new LowSpaceException(FormattableString.Invariant(
-                $"The disk of '{folder}' has {free / 1e9:0.###} GB free, less than the {minFreeBytes / 1e9:0.###} GB that stay free."));
+                $"The disk of '{folder}' has {free / 1e9:0.###} GB free; {minFreeBytes / 1e9:0.###} GB must stay free."));
         }
     }
 }

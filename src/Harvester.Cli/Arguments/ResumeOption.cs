@@ -12,7 +12,7 @@ internal static class ResumeOption
     /// <summary>Creates the option.</summary>
     public static Option<bool> Create() => new(Name)
     {
-        Description = "Continue what the same command left unfinished in the folder, or start",
+        Description = "Continue an unfinished run of the same command, or start one",
     };
 
     /// <summary>Refuses --resume beside --overwrite.</summary>

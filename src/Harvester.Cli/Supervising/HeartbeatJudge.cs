@@ -5,7 +5,7 @@ using Harvester.Sessions.Text;
 namespace Harvester.Cli.Supervising;
 
 /// <summary>
-/// Judges the heartbeats of one start of a program. Durations are measured by a clock that nobody sets; the time in a heartbeat only has
+/// Judges the heartbeats of one start of a program. Durations are measured by a monotonic clock; the time in a heartbeat only has
 /// to advance, and not to lie in the future.
 /// </summary>
 /// <param name="options">How patient it is.</param>

@@ -8,7 +8,9 @@ using Harvester.Sessions.Plans;
 
 namespace Harvester.Cli.Supervising;
 
-/// <summary>Starts a program, watches its heartbeat, and starts it again when it hangs, crashes or lies, until it has finished.</summary>
+/// <summary>
+/// Starts a program, watches its heartbeat, and restarts it when it hangs, crashes or reports a false state, until it has finished.
+/// </summary>
 internal sealed class Supervisor(SupervisorOptions options, Terminal terminal)
 {
     // One second less than what is left to this program after a signal.
