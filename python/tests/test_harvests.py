@@ -7,16 +7,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import ROOT
-from gtaharvest import __version__, open_session
+from gtaharvest import open_session
 from gtaharvest.draw import annotate
 
 # Labels round pixels to 0.001, positions to 0.0001 m and axes to 1e-9.
 ROUNDED_PIXELS = 0.02
-
-
-def test_the_version_is_that_of_the_project() -> None:
-    assert f"<Version>{__version__}</Version>" in (ROOT / "build/Version.props").read_text(encoding="utf-8")
 
 
 def test_joints_project_to_the_pixels_of_the_library(harvests: Path) -> None:
