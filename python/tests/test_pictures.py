@@ -1,38 +1,17 @@
-"""Images and masks, with each decoder, and what is wrong with them."""
+"""Images and masks, and what is wrong with them."""
 
 from __future__ import annotations
 
 import struct
 import zlib
-from typing import Iterator
-
 import conftest
 import gtaharvest
 import numpy as np
 import pytest
 from conftest import HEIGHT, WIDTH, HandmadeSession
-from gtaharvest import open_session, pictures, png
+from gtaharvest import open_session, png
 
-DECODERS = ("_opencv", "_pillow", "decode_plain")
-
-
-@pytest.fixture(params=DECODERS)
-def decoder(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
-    """Reads pictures with one decoder, as if no other were installed."""
-    pytest.importorskip({"_opencv": "cv2", "_pillow": "PIL", "decode_plain": "numpy"}[request.param])
-
-    def absent() -> pictures.Decoder:
-        raise ImportError
-
-    for name in DECODERS[:2]:
-        if name != request.param:
-            monkeypatch.setattr(pictures, name, absent)
-    pictures.decoder.cache_clear()
-    yield request.param
-    pictures.decoder.cache_clear()
-
-
-def test_images_are_red_green_blue_and_masks_have_16_bits(handmade: HandmadeSession, decoder: str) -> None:
+def test_images_are_red_green_blue_and_masks_have_16_bits(handmade: HandmadeSession) -> None:
     frame = open_session(handmade.write())[2]
     assert frame.image().dtype == np.uint8 and frame.mask().dtype == np.uint16
     np.testing.assert_array_equal(frame.image(), conftest.image(2))
@@ -40,7 +19,7 @@ def test_images_are_red_green_blue_and_masks_have_16_bits(handmade: HandmadeSess
     assert (frame.mask() == 7).sum() == 36
 
 
-def test_class_maps_have_8_bits(handmade: HandmadeSession, decoder: str) -> None:
+def test_class_maps_have_8_bits(handmade: HandmadeSession) -> None:
     classes = (np.arange(HEIGHT * WIDTH).reshape(HEIGHT, WIDTH) % len(gtaharvest.SEMANTIC_CLASS_NAMES)).astype(np.uint8)
     handmade.lines[1]["classMap"] = {"file": "classes/1.png", "method": "exact", "raysCast": 0, "interpolatedPixels": 0}
     folder = handmade.write()
@@ -57,7 +36,7 @@ def test_class_maps_have_8_bits(handmade: HandmadeSession, decoder: str) -> None
         open_session(folder)[1].class_map()
 
 
-def test_depth_maps_are_in_metres(handmade: HandmadeSession, decoder: str) -> None:
+def test_depth_maps_are_in_metres(handmade: HandmadeSession) -> None:
     units = (np.arange(HEIGHT * WIDTH).reshape(HEIGHT, WIDTH) * 256 // 2 % 65536).astype(np.uint16)
     handmade.lines[1]["depth"] = {
         "sparse": "depth/1.png", "completed": "depth-completed/1.png", "error": None, "raysCast": 3, "measuredPixels": 4}
@@ -77,7 +56,7 @@ def test_depth_maps_are_in_metres(handmade: HandmadeSession, decoder: str) -> No
         frame.depth("all")
 
 
-def test_bmp_images(handmade: HandmadeSession, decoder: str) -> None:
+def test_bmp_images(handmade: HandmadeSession) -> None:
     picture = conftest.image(0)
     handmade.lines[0]["image"] = "frames/0.bmp"
     folder = handmade.write()
@@ -102,7 +81,7 @@ def test_a_missing_picture_is_named(handmade: HandmadeSession) -> None:
     assert frame.view.mask_path is None
 
 
-def test_a_damaged_picture_is_refused(handmade: HandmadeSession, decoder: str) -> None:
+def test_a_damaged_picture_is_refused(handmade: HandmadeSession) -> None:
     folder = handmade.write()
     path = folder / "frames/00000000.png"
     for data in (b"", b"no picture", path.read_bytes()[:60]):

@@ -205,7 +205,7 @@ def test_what_is_no_session_is_refused(tmp_path: Path, handmade: HandmadeSession
         open_session(tmp_path / "nowhere")
     with pytest.raises(gtaharvest.NotASessionError, match="no session.json"):
         open_session(tmp_path)
-    for text, message in (("{", "valid JSON"), ("[]", "formatVersion"), ('{"formatVersion":"1"}', "formatVersion")):
+    for text, message in (("{", "JSON object"), ("[]", "JSON object"), ('{"formatVersion":"1"}', "formatVersion")):
         (tmp_path / "session.json").write_text(text)
         with pytest.raises(gtaharvest.NotASessionError, match=message):
             open_session(tmp_path)

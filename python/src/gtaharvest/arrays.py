@@ -12,7 +12,7 @@ from .camera import Array
 from .records import JOINT_NAMES, Box, ObjectLabel
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class ObjectArrays:
     """The objects of an image, one row each. NaN stands for unknown.
 
@@ -42,6 +42,9 @@ class ObjectArrays:
 
     def __len__(self) -> int:
         return len(self.ids)
+
+    def __repr__(self) -> str:
+        return f"ObjectArrays({len(self)} objects)"
 
     @staticmethod
     def of(objects: Sequence[ObjectLabel]) -> ObjectArrays:

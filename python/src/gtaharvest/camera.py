@@ -9,24 +9,20 @@ from __future__ import annotations
 import functools
 import math
 from dataclasses import dataclass
-from typing import Any, Iterable, Mapping, Tuple
+from typing import Any, Mapping
 
 import numpy as np
 import numpy.typing as npt
 
+from .checks import Vector, integer, number, positive, vector
+from .picture_header import MAX_SIDE
+
 Array = npt.NDArray[np.float64]
-Vector = Tuple[float, float, float]
 
 # From the radius where its slope falls to this value, the polynomial of the lens is continued as a straight line.
 _MIN_SLOPE = 0.1
 # Far beyond the image, where r^5 dominates, a step divides the error by 1.25 only.
 _NEWTON_STEPS = 200
-
-
-def vector(values: Iterable[float]) -> Vector:
-    """Three numbers as a vector. Raises ValueError if there are more or fewer."""
-    x, y, z = values
-    return x, y, z
 
 
 def orthonormal(right: Vector, forward: Vector) -> Array:
@@ -50,6 +46,18 @@ def _end_of_polynomial(k1: float, k2: float) -> float:
     stable = -0.5 * (b + (1 if b >= 0 else -1) * math.sqrt(discriminant))
     roots = [numerator / denominator for numerator, denominator in ((c, stable), (stable, a)) if denominator != 0]
     return math.sqrt(min((root for root in roots if root > 0), default=math.inf))
+
+
+def _side(value: Any) -> int:
+    if not 0 < integer(value) <= MAX_SIDE:
+        raise ValueError(f"a picture has sides of 1 to {MAX_SIDE} pixels, not {value}")
+    return int(value)
+
+
+def _field_of_view(value: Any) -> float:
+    if not 0.001 <= value <= 179.999:
+        raise ValueError(f"a field of view of {value!r} degrees is out of range")
+    return float(value)
 
 
 @dataclass(frozen=True)
@@ -151,12 +159,13 @@ class Camera:
 
     @staticmethod
     def from_json(camera: Mapping[str, Any]) -> Camera:
-        """The camera of a label or of session.json."""
+        """The camera of a label or of session.json. Raises KeyError, TypeError and ValueError if it is none."""
         distortion = camera["distortion"]
         return Camera(
             vector(camera["position"]), vector(camera["right"]), vector(camera["forward"]), vector(camera["up"]),
-            camera["verticalFovDegrees"], camera["width"], camera["height"], camera["windowAspect"], camera["nearClip"],
-            distortion["focalScale"], camera["cx"], camera["cy"], Lens(distortion["k1"], distortion["k2"]))
+            _field_of_view(camera["verticalFovDegrees"]), _side(camera["width"]), _side(camera["height"]),
+            positive(camera["windowAspect"]), positive(camera["nearClip"]), positive(distortion["focalScale"]),
+            number(camera["cx"]), number(camera["cy"]), Lens(number(distortion["k1"]), number(distortion["k2"])))
 
     @property
     def fx(self) -> float:

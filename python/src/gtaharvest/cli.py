@@ -10,7 +10,7 @@ from typing import Optional, Sequence
 from . import __version__, png
 from .draw import KINDS, annotate
 from .errors import SessionError
-from .png import Picture
+from .picture_header import Picture
 from .selection import Selection
 from .session import open_session
 
@@ -55,14 +55,15 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _show(options: argparse.Namespace) -> int:
+    try:
+        selection = Selection(options.classes, options.min_visible, max_distance_metres=options.max_distance)
+    except ValueError as problem:
+        print(problem, file=sys.stderr)
+        return 2
     session = open_session(options.session, allow_partial=options.partial)
     if len(session) == 0:
         raise SessionError(f"{session.folder}: the session has no frames.")
-    try:
-        frame = session[0] if options.frame is None else session.frame(options.frame)
-    except KeyError:
-        raise SessionError(f"{session.folder}: the session has no frame {options.frame}; it has {len(session)} frames.") from None
-    selection = Selection(options.classes, options.min_visible, max_distance_metres=options.max_distance)
+    frame = session[0] if options.frame is None else session.frame(options.frame)
     picture = annotate(frame.view, options.boxes, not options.no_joints, selection)
     if options.window:
         return _open_window(f"{session.folder.name}, frame {frame.number}", picture)

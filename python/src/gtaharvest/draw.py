@@ -8,7 +8,7 @@ import numpy as np
 
 from .camera import Array, Camera
 from .frame import View
-from .png import Picture
+from .picture_header import Picture
 from .records import CUBOID_EDGES, ObjectLabel
 from .selection import Selection
 

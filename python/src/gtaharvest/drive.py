@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Mapping, Optional, Tuple
 
-from .camera import Vector, vector
+from .checks import Vector, each, flag, integer, number, optional, text, vector
 from .lanes import INDICATOR_NAMES
 
 DRIVERS: Tuple[str, ...] = ("none", "builtIn", "controller", "client")
@@ -16,14 +16,6 @@ def _driver(value: Any) -> str:
     if value not in DRIVERS:
         raise ValueError(f"the driver is {value!r}")
     return str(value)
-
-
-def _vector(value: Any) -> Optional[Vector]:
-    return None if value is None else vector(value)
-
-
-def _number(value: Any) -> Optional[float]:
-    return None if value is None else float(value)
 
 
 @dataclass(frozen=True)
@@ -39,7 +31,7 @@ class Controls:
         """The controls of a label; None if it has none."""
         if controls is None:
             return None
-        return Controls(float(controls["steering"]), float(controls["throttle"]), float(controls["brake"]))
+        return Controls(number(controls["steering"]), number(controls["throttle"]), number(controls["brake"]))
 
 
 @dataclass(frozen=True)
@@ -57,8 +49,8 @@ class DriveTick:
     def from_json(tick: Mapping[str, Any]) -> DriveTick:
         """The tick of a label."""
         return DriveTick(
-            float(tick["timeSeconds"]), _driver(tick["driver"]), float(tick["speed"]), _vector(tick["acceleration"]),
-            _vector(tick["angularRate"]), Controls.from_json(tick["applied"]))
+            number(tick["timeSeconds"]), _driver(tick["driver"]), number(tick["speed"]), optional(vector, tick["acceleration"]),
+            optional(vector, tick["angularRate"]), Controls.from_json(tick["applied"]))
 
 
 @dataclass(frozen=True)
@@ -82,9 +74,9 @@ class DriveTruth:
         if truth is None:
             return None
         return DriveTruth(
-            float(truth["drivenMetres"]), truth["collision"], bool(truth["outsideLanes"]), _number(truth["laneOffsetMetres"]),
-            _number(truth["laneAngleRadians"]), truth["light"], bool(truth["stopSign"]), int(truth["redLightsRun"]),
-            int(truth["stopSignsRun"]), int(truth["repositioned"]))
+            number(truth["drivenMetres"]), optional(text, truth["collision"]), flag(truth["outsideLanes"]),
+            optional(number, truth["laneOffsetMetres"]), optional(number, truth["laneAngleRadians"]), optional(text, truth["light"]),
+            flag(truth["stopSign"]), integer(truth["redLightsRun"]), integer(truth["stopSignsRun"]), integer(truth["repositioned"]))
 
 
 @dataclass(frozen=True)
@@ -97,7 +89,7 @@ class DriveTarget:
     @staticmethod
     def from_json(target: Optional[Mapping[str, Any]]) -> Optional[DriveTarget]:
         """The target of a label; None for null."""
-        return None if target is None else DriveTarget(float(target["speed"]), _number(target["rightMetres"]))
+        return None if target is None else DriveTarget(number(target["speed"]), optional(number, target["rightMetres"]))
 
 
 @dataclass(frozen=True)
@@ -132,16 +124,16 @@ class Drive:
         return Drive(
             driver=_driver(drive["driver"]),
             controls=Controls.from_json(drive["controls"]),
-            answer_seconds=_number(drive["answerSeconds"]),
+            answer_seconds=optional(number, drive["answerSeconds"]),
             applied=Controls.from_json(drive["applied"]),
-            disturbed=bool(drive["disturbed"]),
-            indicators=None if indicators is None else tuple(float(value) for value in indicators),
+            disturbed=flag(drive["disturbed"]),
+            indicators=None if indicators is None else each(number, indicators),
             target=DriveTarget.from_json(drive.get("target")),
-            route=drive["route"],
-            route_metres=_number(drive["routeMetres"]),
-            speed=float(drive["speed"]),
-            acceleration=_vector(drive["acceleration"]),
-            angular_rate=_vector(drive["angularRate"]),
-            bridge_frame=None if drive["bridgeFrame"] is None else int(drive["bridgeFrame"]),
+            route=optional(text, drive["route"]),
+            route_metres=optional(number, drive["routeMetres"]),
+            speed=number(drive["speed"]),
+            acceleration=optional(vector, drive["acceleration"]),
+            angular_rate=optional(vector, drive["angularRate"]),
+            bridge_frame=optional(integer, drive["bridgeFrame"]),
             truth=DriveTruth.from_json(drive["truth"]),
-            ticks=tuple(DriveTick.from_json(tick) for tick in drive["ticks"]))
+            ticks=each(DriveTick.from_json, drive["ticks"]))

@@ -29,3 +29,10 @@ class MissingPictureError(SessionError):
 
 class PictureError(SessionError):
     """An image or a mask cannot be decoded, or does not have the size that its label says."""
+
+
+class NotInSessionError(SessionError, KeyError):
+    """The session has no frame, object or sensor of that number or name."""
+
+    # That of KeyError puts quotation marks around the message.
+    __str__ = Exception.__str__

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import functools
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Callable, Dict, Mapping, Optional, Tuple, TypeVar
+from typing import TYPE_CHECKING, Any, Callable, Dict, Mapping, Optional, Tuple
 
 from .arrays import ObjectArrays
 from .camera import Array, Camera
+from .checks import checked, each, integer, number, one_line, optional, text
 from .drive import Drive
-from .errors import LabelError, MissingPictureError, PictureError
+from .errors import LabelError, MissingPictureError, NotInSessionError, SessionError
 from .lanes import Lanes
 from .motion import motion_rows
-from .pictures import Depth, read_class_map, read_depth, read_image, read_mask
-from .png import Picture
+from .picture_header import Picture
+from .pictures import Depth, Size, read_class_map, read_depth, read_image, read_mask
 from .points import Points, read_points
 from .records import Ego, IgnoreRegion, ObjectLabel, Pair
 from .selection import Selection
@@ -21,23 +22,16 @@ from .selection import Selection
 if TYPE_CHECKING:
     import pandas
 
-_T = TypeVar("_T")
-
 DEPTH_KINDS = ("sparse", "completed", "error")
 """The kinds of depth maps."""
 
+PICTURE_ENDINGS = (".png", ".jpg", ".jpeg", ".bmp")
+"""How names of pictures end."""
+
+_POINTS_ENDINGS = (".bin",)
+
 ONLY_VIEW = "camera"
 """Name of the view of a session with a single camera."""
-
-
-def _checked(source: str, read: Callable[[], _T]) -> _T:
-    """Reads part of a label; what is missing or of another type becomes a LabelError."""
-    try:
-        return read()
-    except KeyError as missing:
-        raise LabelError(f"{source}: the field {missing.args[0]!r} is missing. Run harvester validate.") from None
-    except (TypeError, IndexError, ValueError) as problem:
-        raise LabelError(f"{source}: a field has the wrong type ({problem}). Run harvester validate.") from None
 
 
 class View:
@@ -56,17 +50,17 @@ class View:
     @functools.cached_property
     def camera(self) -> Camera:
         """The camera, with the lens."""
-        return _checked(self._source, lambda: Camera.from_json(self.raw["camera"]))
+        return checked(self._source, lambda: Camera.from_json(self.raw["camera"]))
 
     @functools.cached_property
     def objects(self) -> Tuple[ObjectLabel, ...]:
         """The objects in the image, by ascending id."""
-        return _checked(self._source, lambda: tuple(map(ObjectLabel.from_json, self.raw["objects"])))
+        return checked(self._source, lambda: each(ObjectLabel.from_json, self.raw["objects"]))
 
     @functools.cached_property
     def ignore_regions(self) -> Tuple[IgnoreRegion, ...]:
         """Regions that show, or may show, an object without a label; nearest first."""
-        return _checked(self._source, lambda: tuple(map(IgnoreRegion.from_json, self.raw.get("ignoreRegions", ()))))
+        return checked(self._source, lambda: each(IgnoreRegion.from_json, self.raw.get("ignoreRegions", [])))
 
     def select(self, selection: Selection) -> Tuple[ObjectLabel, ...]:
         """The objects that pass a filter."""
@@ -77,23 +71,32 @@ class View:
         return ObjectArrays.of(self.objects if selection is None else self.select(selection))
 
     @property
+    def image_name(self) -> str:
+        """The file of the image, relative to the folder of the session."""
+        return checked(self._source, lambda: text(self.raw["image"]))
+
+    @property
     def image_path(self) -> Path:
         """The file of the image."""
-        return self.inner(_checked(self._source, lambda: str(self.raw["image"])))
+        return self.inner(self.image_name)
 
     @property
     def mask_path(self) -> Optional[Path]:
         """The file of the instance mask; None if the frame has none."""
-        mask = self.raw.get("mask")
-        return None if mask is None else self.inner(str(mask))
+        name = checked(self._source, lambda: optional(text, self.raw.get("mask")))
+        return None if name is None else self.inner(name)
+
+    @property
+    def size(self) -> Size:
+        """Width and height of the pictures, pixels."""
+        return self.camera.width, self.camera.height
 
     def image(self) -> Picture:
         """The image as (height, width, 3), uint8, red first.
 
         Raises MissingPictureError if the file does not exist, and PictureError if it cannot be decoded or has another size.
         """
-        path = self.image_path
-        return self.sized(path, read_image(path))
+        return read_image(self.image_path, self.size)
 
     def mask(self) -> Picture:
         """The instance mask as (height, width), uint16: the id of the object visible at each pixel, or 0.
@@ -103,14 +106,13 @@ class View:
         path = self.mask_path
         if path is None:
             raise MissingPictureError(f"{self._source}: the frame has no mask. Harvest with --masks, or see harvester masks import.")
-        return self.sized(path, read_mask(path))
+        return read_mask(path, self.size)
 
     @property
     def class_map_path(self) -> Optional[Path]:
         """The file of the class map; None if the frame has none."""
-        if self.raw.get("classMap") is None:
-            return None
-        return self.inner(_checked(self._source, lambda: str(self.raw["classMap"]["file"])))
+        name = checked(self._source, lambda: optional(lambda part: text(part["file"]), self.raw.get("classMap")))
+        return None if name is None else self.inner(name)
 
     def class_map(self) -> Picture:
         """The class map as (height, width), uint8: the place in SEMANTIC_CLASS_NAMES of the class visible at each pixel.
@@ -120,7 +122,7 @@ class View:
         path = self.class_map_path
         if path is None:
             raise MissingPictureError(f"{self._source}: the frame has no class map. Harvest with --semantics.")
-        return self.sized(path, read_class_map(path))
+        return read_class_map(path, self.size)
 
     def depth_path(self, kind: str = "sparse") -> Optional[Path]:
         """The file of a depth map: "sparse", what rays measured; "completed", every pixel; "error", its estimated error.
@@ -129,10 +131,8 @@ class View:
         """
         if kind not in DEPTH_KINDS:
             raise ValueError(f"kind is one of {', '.join(DEPTH_KINDS)}, not {kind!r}.")
-        if self.raw.get("depth") is None:
-            return None
-        name = _checked(self._source, lambda: str(self.raw["depth"][kind] or ""))
-        return self.inner(name) if name else None
+        name = checked(self._source, lambda: optional(lambda part: optional(text, part[kind]), self.raw.get("depth")))
+        return None if name is None else self.inner(name)
 
     def depth(self, kind: str = "sparse") -> Depth:
         """A depth map as (height, width), float32: metres along the camera's axis, or NaN where there is none. kind as in depth_path.
@@ -142,22 +142,34 @@ class View:
         path = self.depth_path(kind)
         if path is None:
             raise MissingPictureError(f"{self._source}: the frame has no {kind} depth. Harvest with --depth and --masks.")
-        return self.sized(path, read_depth(path))
+        return read_depth(path, self.size)
 
-    def sized(self, path: Path, picture: Picture) -> Picture:
-        """A picture of the view. Raises PictureError if it has another size than the label says."""
-        size = (self.camera.height, self.camera.width)
-        if picture.shape[:2] != size:
-            shape = f"{picture.shape[1]}x{picture.shape[0]}"
-            raise PictureError(f"{path}: the picture has {shape} pixels; its label says {size[1]}x{size[0]}.")
-        return picture
-
-    def inner(self, name: str) -> Path:
+    def inner(self, name: str, endings: Tuple[str, ...] = PICTURE_ENDINGS) -> Path:
         """The path of a file of the session. A label of somebody else must not open files elsewhere."""
-        path = (self._folder / name).resolve()
+        shown = f"{self._source}: '{one_line(name)}'"
+        if not name.endswith(endings):
+            raise LabelError(f"{shown} does not end in {' or '.join(endings)}.")
+        if not name.isprintable() or Path(name).is_absolute() or ".." in Path(name).parts:
+            raise LabelError(f"{shown} is outside the session.")
+        try:
+            path = (self._folder / name).resolve()
+        except (OSError, RuntimeError):
+            raise LabelError(f"{shown} cannot be followed; its links may go in circles.") from None
         if self._folder not in path.parents:
-            raise LabelError(f"{self._source}: '{name}' is outside the session.")
+            raise LabelError(f"{shown} is outside the session.")
         return path
+
+    def __repr__(self) -> str:
+        return _shown(
+            lambda: f"View({self.name!r}, frame {self.frame}, {self.size[0]}x{self.size[1]}, {len(self.objects)} objects)", self._source)
+
+
+def _shown(describe: Callable[[], str], source: str) -> str:
+    """A text for repr, which does not fail for a damaged label."""
+    try:
+        return describe()
+    except SessionError:
+        return f"<damaged label: {source}>"
 
 
 class Frame:
@@ -168,45 +180,50 @@ class Frame:
         self._folder = folder
         self._source = source
 
+    def __repr__(self) -> str:
+        return _shown(lambda: (
+            f"Frame({self.number}, {self.time_seconds:g} s, {self.weather} {self.time_of_day}, view {self.view_name!r}, "
+            f"{len(self.objects)} objects)"), self._source)
+
     @property
     def number(self) -> int:
         """Number of the frame."""
-        return _checked(self._source, lambda: int(self.raw["frame"]))
+        return checked(self._source, lambda: integer(self.raw["frame"]))
 
     @property
     def time_seconds(self) -> float:
         """Game time, seconds."""
-        return _checked(self._source, lambda: float(self.raw["timeSeconds"]))
+        return checked(self._source, lambda: number(self.raw["timeSeconds"]))
 
     @property
     def weather(self) -> str:
         """The game's name of the weather, in lower case."""
-        return _checked(self._source, lambda: str(self.raw["environment"]["weather"]))
+        return checked(self._source, lambda: text(self.raw["environment"]["weather"]))
 
     @property
     def time_of_day(self) -> str:
         """Time of day in the game, as 18:30:00."""
-        return _checked(self._source, lambda: str(self.raw["environment"]["timeOfDay"]))
+        return checked(self._source, lambda: text(self.raw["environment"]["timeOfDay"]))
 
     @functools.cached_property
     def ego(self) -> Ego:
         """The vehicle that carries the camera."""
-        return _checked(self._source, lambda: Ego.from_json(self.raw["ego"]))
+        return checked(self._source, lambda: Ego.from_json(self.raw["ego"]))
 
     @functools.cached_property
     def lanes(self) -> Optional[Lanes]:
         """The lanes around the car; None if no roads are known."""
-        return _checked(self._source, lambda: Lanes.from_json(self.raw["lanes"]) if "lanes" in self.raw else None)
+        return checked(self._source, lambda: Lanes.from_json(self.raw["lanes"]) if "lanes" in self.raw else None)
 
     @property
     def moment(self) -> Optional[int]:
         """Number of the moment of a rig, which has a frame for each camera; None in a session with a single camera."""
-        return _checked(self._source, lambda: int(self.raw["moment"]) if "moment" in self.raw else None)
+        return checked(self._source, lambda: integer(self.raw["moment"]) if "moment" in self.raw else None)
 
     @property
     def view_name(self) -> str:
         """Name of the view: that of a camera of the rig, or ONLY_VIEW."""
-        return str(self.raw.get("view", ONLY_VIEW))
+        return checked(self._source, lambda: text(self.raw.get("view", ONLY_VIEW)))
 
     @functools.cached_property
     def views(self) -> Dict[str, View]:
@@ -216,13 +233,14 @@ class Frame:
     @functools.cached_property
     def lidars(self) -> Dict[str, Path]:
         """The files of the LiDARs by name; empty in all but the first view of a moment."""
-        return _checked(
-            self._source, lambda: {str(each["sensor"]): self.view.inner(str(each["file"])) for each in self.raw.get("lidar", ())})
+        names = checked(
+            self._source, lambda: each(lambda lidar: (text(lidar["sensor"]), text(lidar["file"])), self.raw.get("lidar", [])))
+        return {sensor: self.view.inner(name, _POINTS_ENDINGS) for sensor, name in names}
 
     @functools.cached_property
     def pairs(self) -> Tuple[Pair, ...]:
         """Further pictures of the moment, in other weathers, at other hours and without objects; empty if there are none."""
-        return _checked(self._source, lambda: tuple(map(Pair.from_json, self.raw.get("pairs", ()))))
+        return checked(self._source, lambda: each(Pair.from_json, self.raw.get("pairs", [])))
 
     def pair_image(self, pair: Pair) -> Picture:
         """A further picture of the moment as (height, width, 3), uint8, red first.
@@ -232,13 +250,16 @@ class Frame:
         if pair.file is None:
             raise MissingPictureError(f"{self._source}: the picture was dropped during the harvest: {pair.dropped}.")
         path = self.view.inner(pair.file)
-        return self.view.sized(path, read_image(path))
+        return read_image(path, self.view.size)
 
     def points(self, sensor: str) -> Points:
         """The points of a LiDAR as a structured array with the fields of POINT_TYPE.
 
-        Raises KeyError if the frame has no such LiDAR, and PictureError if the file cannot be read.
+        Raises NotInSessionError if the frame has no such LiDAR, and PictureError if the file cannot be read.
         """
+        if sensor not in self.lidars:
+            names = ", ".join(map(one_line, self.lidars)) or "none"
+            raise NotInSessionError(f"{self._source}: the frame has no LiDAR {sensor!r}; its LiDARs: {names}.")
         return read_points(self.lidars[sensor])
 
     @functools.cached_property
@@ -248,12 +269,12 @@ class Frame:
         A row has time, position (3), right (3), forward (3), velocity (3), yaw rate, acceleration, steering, throttle and brake; NaN for
         what is unknown.
         """
-        return _checked(self._source, lambda: motion_rows(self.raw["motion"]) if "motion" in self.raw else None)
+        return checked(self._source, lambda: motion_rows(self.raw["motion"]) if "motion" in self.raw else None)
 
     @functools.cached_property
     def drive(self) -> Optional[Drive]:
         """The action that belongs to the frame; None unless the session is a recorded drive."""
-        return _checked(self._source, lambda: Drive.from_json(self.raw["drive"]) if "drive" in self.raw else None)
+        return checked(self._source, lambda: Drive.from_json(self.raw["drive"]) if "drive" in self.raw else None)
 
     @property
     def view(self) -> View:

@@ -2,79 +2,110 @@
 
 from __future__ import annotations
 
-import mmap
 import re
+from array import array
 from pathlib import Path
-from typing import Any, Iterator, Optional, Union
+from typing import Any, Iterator, Optional
 
 import numpy as np
 import numpy.typing as npt
 
+from .files import open_regular
+
 Offsets = npt.NDArray[np.int64]
 
-_MANIFEST_LINE = re.compile(rb'^\{"frame":\d+,"label":\{"bytes":(\d{1,12}),', re.MULTILINE)
-_LINE_FEED = 10
+MAX_LINES = 10_000_000
+"""The most frames of a session."""
+
+MAX_LINE_BYTES = 8 * 1024 * 1024
+"""The longest label line."""
+
+_MANIFEST_LINE = re.compile(rb'^\{"frame":\d+,"label":\{"bytes":(\d{1,12}),')
+_MAX_MANIFEST_LINE_BYTES = 1024 * 1024
+_LINE_FEED = b"\n"
+_BLOCK = 1024 * 1024
 # Line ends that are compared with the file before sizes from the manifest are used.
 _PROBES = 256
 
 
 class LineIndex:
-    """The lines of a file, without an unfinished last one. Opened again in each process that uses it."""
+    """The lines of a file, without an unfinished last one.
+
+    The file is opened for each line, so that several processes and threads can read it, and is as it was when the index was made: what a
+    harvest appends meanwhile is not seen.
+
+    Raises OSError if the file cannot be read, and ValueError if it has too many lines.
+    """
 
     def __init__(self, path: Path, manifest: Path) -> None:
         self._path = path
-        self._mapped: Union[mmap.mmap, bytes, None] = None
-        listed = self._from_manifest(manifest)
+        try:
+            with open_regular(path) as stream:
+                self._size = stream.seek(0, 2)
+        except FileNotFoundError:
+            self._size = 0
+        listed = self._from_manifest(manifest) if self._size else None
         self._offsets: Offsets = self._by_scan() if listed is None else listed
 
     def __len__(self) -> int:
         return len(self._offsets) - 1
 
     def line(self, number: int) -> bytes:
-        """The bytes of a line, from 0, without its line feed."""
-        return bytes(self._bytes[self._offsets[number]:self._offsets[number + 1] - 1])
-
-    def with_match(self, pattern: re.Pattern[bytes]) -> Iterator[int]:
-        """The numbers of the lines in which a pattern is found, ascending."""
-        at = 0
-        while match := pattern.search(self._bytes, at):
-            last = int(np.searchsorted(self._offsets, match.start(), side="right")) - 1
-            if last >= len(self):
-                return
-            yield last
-            at = int(self._offsets[last + 1])
-
-    def __getstate__(self) -> Any:
-        return {"_path": self._path, "_offsets": self._offsets, "_mapped": None}
-
-    @property
-    def _bytes(self) -> Union[mmap.mmap, bytes]:
-        if self._mapped is None:
-            # A file that grows while a harvest runs is read as it was when it was opened; an empty file cannot be mapped.
-            empty = not self._path.exists() or self._path.stat().st_size == 0
-            if empty:
-                self._mapped = b""
-            else:
-                with open(self._path, "rb") as stream:
-                    self._mapped = mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ)
-        return self._mapped
+        """The bytes of a line, from 0, without its line feed. Raises OSError, and ValueError if it is too long or the file was changed."""
+        start, end = int(self._offsets[number]), int(self._offsets[number + 1])
+        if end - start > MAX_LINE_BYTES:
+            raise ValueError(f"it has {end - start} bytes, more than {MAX_LINE_BYTES}")
+        with open_regular(self._path) as stream:
+            stream.seek(start)
+            text = stream.read(end - start)
+        if text[-1:] != _LINE_FEED or len(text) != end - start:
+            raise ValueError("the file was changed after it was opened")
+        return text[:-1]
 
     def _from_manifest(self, manifest: Path) -> Optional[Offsets]:
         """From the sizes in the manifest of a closed session, which are in the order of the lines; None if they do not fit the file."""
+        offsets = array("q", [0])
         try:
-            sizes = _MANIFEST_LINE.findall(manifest.read_bytes())
+            with open_regular(manifest) as unbuffered:
+                for line in _lines(unbuffered):
+                    found = _MANIFEST_LINE.match(line)
+                    if found:
+                        offsets.append(offsets[-1] + int(found[1]) + 1)
+                    if offsets[-1] > self._size or len(offsets) > MAX_LINES:
+                        return None
         except OSError:
             return None
-        lengths = np.array(sizes, dtype=np.int64) if sizes else np.empty(0, np.int64)
-        offsets = np.concatenate([np.zeros(1, np.int64), np.cumsum(lengths + 1)])
-        if not sizes or offsets[-1] != len(self._bytes):
-            return None
-        probed = offsets[np.linspace(1, len(offsets) - 1, min(_PROBES, len(sizes))).astype(np.int64)]
-        return offsets if all(self._bytes[int(end) - 1] == _LINE_FEED for end in probed) else None
+        return np.array(offsets, dtype=np.int64) if offsets[-1] == self._size and self._ends_at(offsets) else None
+
+    def _ends_at(self, offsets: Any) -> bool:
+        with open_regular(self._path) as stream:
+            for number in np.linspace(1, len(offsets) - 1, min(_PROBES, len(offsets) - 1)).astype(np.int64):
+                stream.seek(offsets[int(number)] - 1)
+                if stream.read(1) != _LINE_FEED:
+                    return False
+        return True
 
     def _by_scan(self) -> Offsets:
-        data, offsets, end = self._bytes, [0], -1
-        # Searching for one byte is the fastest way through a file, faster than an array of all bytes.
-        while (end := data.find(b"\n", end + 1)) >= 0:
-            offsets.append(end + 1)
+        offsets = array("q", [0])
+        if self._size:
+            with open_regular(self._path) as stream:
+                start = 0
+                while start < self._size and (block := stream.read(min(_BLOCK, self._size - start))):
+                    end = -1
+                    # Searching for one byte is the fastest way through a file.
+                    while (end := block.find(_LINE_FEED, end + 1)) >= 0:
+                        offsets.append(start + end + 1)
+                    start += len(block)
+                    if len(offsets) > MAX_LINES:
+                        raise ValueError(f"it has more than {MAX_LINES} lines")
         return np.array(offsets, dtype=np.int64)
+
+
+def _lines(stream: Any) -> Iterator[bytes]:
+    """The lines of a file, without those that are too long to be of a manifest."""
+    rest = b""
+    while block := stream.read(_BLOCK):
+        *whole, rest = (rest + block).split(_LINE_FEED)
+        yield from whole
+        if len(rest) > _MAX_MANIFEST_LINE_BYTES:
+            rest = b""

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import functools
-import json
-from typing import Any, Dict, Iterator, Mapping
+from typing import Any, Dict, Iterator, Mapping, Optional
+
+from .checks import one_line
+from .errors import LabelError
+from .json_object import parse_object
 
 _LANES = b',"lanes":{'
 
@@ -15,10 +18,12 @@ _BEFORE_LANES = frozenset(("moment", "view"))
 class LabelLine(Mapping[str, Any]):
     """The fields of a label line. The lanes, which are more than half of its text, are parsed when they are asked for.
 
-    Raises ValueError if the text is not a JSON object; for the lanes and what follows them, only when they are asked for.
+    Raises LabelError, which names the source, if the text is not a JSON object; for the lanes and what follows them, only when they are
+    asked for.
     """
 
-    def __init__(self, text: bytes) -> None:
+    def __init__(self, text: bytes, source: str) -> None:
+        self._source = source
         at = text.find(_LANES)
         head = self._object(text) if at < 0 else self._head(text[:at] + b"}")
         # If these bytes are not at the top level, the text before them is no object.
@@ -36,20 +41,23 @@ class LabelLine(Mapping[str, Any]):
     def __len__(self) -> int:
         return len({**self._first, **self._rest})
 
+    def __repr__(self) -> str:
+        return f"LabelLine({self._source!r})"
+
     @functools.cached_property
     def _rest(self) -> Dict[str, Any]:
         return self._object(self._rest_text)
 
-    @classmethod
-    def _head(cls, text: bytes) -> Any:
+    @staticmethod
+    def _head(text: bytes) -> Optional[Dict[str, Any]]:
         try:
-            return cls._object(text)
+            return parse_object(text)
         except ValueError:
             return None
 
-    @staticmethod
-    def _object(text: bytes) -> Dict[str, Any]:
-        value = json.loads(text)
-        if not isinstance(value, dict):
-            raise ValueError("it is not an object")
-        return value
+    def _object(self, text: bytes) -> Dict[str, Any]:
+        try:
+            return parse_object(text)
+        except ValueError as problem:
+            raise LabelError(
+                f"{self._source}: it is not a JSON object ({one_line(problem)}). Run harvester validate, or harvester repair.") from None

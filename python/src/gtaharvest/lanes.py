@@ -8,6 +8,7 @@ from typing import Any, Mapping, Optional, Tuple
 import numpy as np
 
 from .camera import Array
+from .checks import each, flag, integer, number, numbers, optional, text
 
 INDICATOR_NAMES: Tuple[str, ...] = (
     "angle", "toMarkingL", "toMarkingM", "toMarkingR", "distL", "distR", "toMarkingLL", "toMarkingML", "toMarkingMR", "toMarkingRR",
@@ -26,8 +27,8 @@ class Indicators:
     def from_json(values: Mapping[str, Any], valid: Mapping[str, Any]) -> Indicators:
         """The record of indicators and their flags."""
         return Indicators(
-            np.array([values[name] for name in INDICATOR_NAMES], dtype=np.float64),
-            np.array([valid[name] for name in INDICATOR_NAMES], dtype=np.bool_))
+            np.array([number(values[name]) for name in INDICATOR_NAMES], dtype=np.float64),
+            np.array([flag(valid[name]) for name in INDICATOR_NAMES], dtype=np.bool_))
 
 
 @dataclass(frozen=True)
@@ -40,8 +41,15 @@ class VehicleInLane:
     distance_metres: float
     bumper_distance_metres: float
 
+    @staticmethod
+    def from_json(vehicle: Mapping[str, Any]) -> VehicleInLane:
+        """The record of an entry of vehicles."""
+        return VehicleInLane(
+            integer(vehicle["id"]), integer(vehicle["lane"]), flag(vehicle["oncoming"]), number(vehicle["distanceMetres"]),
+            number(vehicle["bumperDistanceMetres"]))
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, repr=False)
 class LaneLine:
     """A boundary or painted marking in the image, nearest point first.
 
@@ -63,17 +71,27 @@ class LaneLine:
     @staticmethod
     def from_json(line: Mapping[str, Any]) -> LaneLine:
         """The record of an entry of boundaries or markings."""
-        painted = line.get("painted")
         return LaneLine(
-            line["index"], line["side"],
-            np.array(line["points"], dtype=np.float64).reshape(-1, 3),
-            np.array(line["inCamera"], dtype=np.float64).reshape(-1, 3),
-            np.array(line["pixels"], dtype=np.float64).reshape(-1, 2),
-            tuple(line["hidden"]), line.get("style"), line.get("colour"), line.get("widthMetres"),
-            None if painted is None else tuple(painted))
+            integer(line["index"]), text(line["side"]), _points(line["points"], 3), _points(line["inCamera"], 3),
+            _points(line["pixels"], 2), each(_hidden, line["hidden"]), optional(text, line.get("style")),
+            optional(text, line.get("colour")), optional(number, line.get("widthMetres")), None if line.get("painted") is None else each(flag, line["painted"]))
+
+    def __repr__(self) -> str:
+        return f"LaneLine({self.side} {self.index}, {self.style or 'boundary'}, {len(self.points)} points)"
 
 
-@dataclass(frozen=True)
+def _points(value: Any, columns: int) -> Array:
+    rows = each(numbers, value)
+    if any(len(row) != columns for row in rows):
+        raise ValueError(f"a point does not have {columns} numbers")
+    return np.array(rows, dtype=np.float64).reshape(-1, columns)
+
+
+def _hidden(value: Any) -> Optional[bool]:
+    return optional(flag, value)
+
+
+@dataclass(frozen=True, repr=False)
 class Lanes:
     """The lanes around the car, the vehicles in them, and the thirteen indicators."""
 
@@ -101,13 +119,19 @@ class Lanes:
         """The record of a label's lanes."""
         markings = lanes["markings"]
         return Lanes(
-            lanes["status"], lanes["source"], lanes["confidence"], lanes["inJunction"], lanes["laneCount"], lanes["lane"],
-            lanes["laneWidthMetres"], lanes["laneWidthSource"], lanes["offsetFromLaneCentreMetres"], lanes["lookAheadMetres"],
-            lanes["curvaturePerMetre"], lanes["fast"],
+            text(lanes["status"]), text(lanes["source"]), number(lanes["confidence"]), flag(lanes["inJunction"]),
+            optional(integer, lanes["laneCount"]), optional(integer, lanes["lane"]), optional(number, lanes["laneWidthMetres"]),
+            optional(text, lanes["laneWidthSource"]), optional(number, lanes["offsetFromLaneCentreMetres"]),
+            number(lanes["lookAheadMetres"]), number(lanes["curvaturePerMetre"]), flag(lanes["fast"]),
             Indicators.from_json(lanes["indicators"], lanes["valid"]),
             Indicators.from_json(lanes["torcsEquivalent"], lanes["valid"]),
             Indicators.from_json(lanes["atCar"]["indicators"], lanes["atCar"]["valid"]),
-            tuple(VehicleInLane(each["id"], each["lane"], each["oncoming"], each["distanceMetres"], each["bumperDistanceMetres"])
-                  for each in lanes["vehicles"]),
-            tuple(map(LaneLine.from_json, lanes["boundaries"])),
-            None if markings is None else tuple(map(LaneLine.from_json, markings)))
+            each(VehicleInLane.from_json, lanes["vehicles"]),
+            each(LaneLine.from_json, lanes["boundaries"]),
+            None if markings is None else each(LaneLine.from_json, markings))
+
+    def __repr__(self) -> str:
+        place = "" if self.lane is None else f", lane {self.lane} of {self.lane_count}"
+        offset = "" if self.offset_from_lane_centre_metres is None else f", {self.offset_from_lane_centre_metres:+.2f} m from its centre"
+        markings = "" if self.markings is None else f", {len(self.markings)} markings"
+        return f"Lanes({self.status}{place}{offset}, {len(self.vehicles)} vehicles, {len(self.boundaries)} boundaries{markings})"

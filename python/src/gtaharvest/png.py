@@ -1,98 +1,84 @@
-"""PNG files with nothing but zlib and NumPy: used if neither OpenCV nor Pillow is installed, and to write annotated frames."""
+"""PNG files, read and written with zlib and NumPy alone."""
 
 from __future__ import annotations
 
 import struct
 import zlib
-from typing import Any, List, Optional
+from typing import Iterator
 
 import numpy as np
-import numpy.typing as npt
 
-_SIGNATURE = b"\x89PNG\r\n\x1a\n"
+from .picture_header import MAX_SIDE, Picture, PictureHeader
+from .png_filters import unfiltered
+
+SIGNATURE = b"\x89PNG\r\n\x1a\n"
 _CHANNELS = {0: 1, 2: 3, 4: 2, 6: 4}
 _GREY, _COLOUR = 0, 2
-_MAX_SIDE = 65_535
+_HEADER_BYTES = 13
+_FIRST_CHUNK_END = len(SIGNATURE) + 12 + _HEADER_BYTES
 
-Picture = npt.NDArray[Any]
+
+def header(data: bytes) -> PictureHeader:
+    """What a PNG says of itself. Raises ValueError if it is damaged or of another kind than decode reads."""
+    if not data.startswith(SIGNATURE):
+        raise ValueError("it is not a PNG")
+    if len(data) < _FIRST_CHUNK_END:
+        raise ValueError("it is cut off")
+    size, kind, width, height, bits, colour, packing, filters, interlace = struct.unpack_from(">I4sIIBBBBB", data, len(SIGNATURE))
+    if (size, kind) != (_HEADER_BYTES, b"IHDR"):
+        raise ValueError("it has no header")
+    if colour not in _CHANNELS or bits not in (8, 16) or packing or filters or interlace:
+        raise ValueError("it has a palette, is interlaced, or has fewer than 8 bits")
+    if not width or not height:
+        raise ValueError("its size is out of range")
+    return PictureHeader(width, height, _CHANNELS[colour], bits)
 
 
 def decode(data: bytes) -> Picture:
     """Decodes a PNG without palette and interlacing, of 8 or 16 bits per channel: (rows, columns) or (rows, columns, channels).
 
-    Raises ValueError if the data is damaged or of another kind. Checksums are verified.
+    Raises ValueError if the data is damaged or of another kind, or has a side of more than MAX_SIDE. Checksums are verified.
     """
-    if not data.startswith(_SIGNATURE):
-        raise ValueError("it is not a PNG")
-    header: Optional[bytes] = None
-    packed: List[bytes] = []
-    at, ended = len(_SIGNATURE), False
-    while not ended:
-        if at + 12 > len(data):
-            raise ValueError("it is cut off")
-        size, kind = struct.unpack_from(">I4s", data, at)
-        body = data[at + 8:at + 8 + size]
-        if len(data) < at + 12 + size:
-            raise ValueError("it is cut off")
-        if zlib.crc32(kind + body) != struct.unpack_from(">I", data, at + 8 + size)[0]:
-            raise ValueError("a checksum is wrong")
-        if kind == b"IHDR":
-            header = body
-        elif kind == b"IDAT":
-            packed.append(body)
-        ended = kind == b"IEND"
-        at += 12 + size
-    if header is None or len(header) != 13:
-        raise ValueError("it has no header")
-    width, height, bits, colour, _, _, interlace = struct.unpack(">IIBBBBB", header)
-    if colour not in _CHANNELS or bits not in (8, 16) or interlace:
-        raise ValueError("it has a palette, is interlaced, or has fewer than 8 bits; install Pillow or OpenCV to read it")
-    if not (0 < width <= _MAX_SIDE and 0 < height <= _MAX_SIDE):
+    form = header(data)
+    if max(form.width, form.height) > MAX_SIDE:
         raise ValueError("its size is out of range")
-    step = _CHANNELS[colour] * bits // 8
-    expected = height * (1 + width * step)
+    step = form.channels * form.bits // 8
+    expected = form.height * (1 + form.width * step)
+    rows = bytearray()
     inflater = zlib.decompressobj()
     try:
-        rows = inflater.decompress(b"".join(packed), expected)
+        for body in _packed(data):
+            # No more is unpacked than the header promises, whatever the data holds.
+            while body and len(rows) < expected:
+                rows += inflater.decompress(body, expected - len(rows))
+                body = memoryview(inflater.unconsumed_tail)
     except zlib.error as problem:
         raise ValueError(f"its data is damaged ({problem})") from problem
     if len(rows) != expected:
         raise ValueError("it has fewer pixels than its header says")
-    flat = _unfiltered(np.frombuffer(rows, np.uint8).reshape(height, 1 + width * step), step)
-    picture = flat if bits == 8 else flat.reshape(height, -1).view(">u2").astype(np.uint16)
-    return picture.reshape((height, width) if _CHANNELS[colour] == 1 else (height, width, _CHANNELS[colour]))
+    flat = unfiltered(np.frombuffer(rows, np.uint8).reshape(form.height, 1 + form.width * step), step)
+    picture = flat if form.bits == 8 else flat.reshape(form.height, -1).view(">u2").astype(np.uint16)
+    return picture.reshape((form.height, form.width) if form.channels == 1 else (form.height, form.width, form.channels))
 
 
-def _unfiltered(rows: Picture, step: int) -> Picture:
-    kinds = rows[:, 0]
-    result = rows[:, 1:].copy()
-    # Sub needs only its own row, so all its rows are done at once; the other filters go on from the row above.
-    sub = kinds == 1
-    result[sub] = np.cumsum(result[sub].reshape(-1, rows.shape[1] // step, step), axis=1, dtype=np.uint8).reshape(-1, result.shape[1])
-    none = np.zeros(result.shape[1], np.uint8)
-    for number in np.flatnonzero(kinds > 1):
-        above = result[number - 1] if number else none
-        if kinds[number] == 2:
-            result[number] += above
-        elif kinds[number] in (3, 4):
-            result[number] = _predicted(bytes(result[number]), bytes(above), step, int(kinds[number]))
-        else:
-            raise ValueError("its data is damaged (unknown filter)")
-    return result
-
-
-def _predicted(line: bytes, above: bytes, step: int, kind: int) -> Picture:
-    """Rows filtered with Average (3) or Paeth (4), where every byte depends on the one before."""
-    done = bytearray(len(line))
-    for i, value in enumerate(line):
-        left, corner = (done[i - step], above[i - step]) if i >= step else (0, 0)
-        if kind == 3:
-            guess = (left + above[i]) // 2
-        else:
-            to_left, to_above, to_corner = abs(above[i] - corner), abs(left - corner), abs(left + above[i] - 2 * corner)
-            guess = left if to_left <= to_above and to_left <= to_corner else above[i] if to_above <= to_corner else corner
-        done[i] = (value + guess) & 0xFF
-    return np.frombuffer(bytes(done), np.uint8)
+def _packed(data: bytes) -> Iterator[memoryview]:
+    """The bodies of the chunks with pixels."""
+    view = memoryview(data)
+    at = len(SIGNATURE)
+    while True:
+        if at + 12 > len(data):
+            raise ValueError("it is cut off")
+        size, kind = struct.unpack_from(">I4s", data, at)
+        end = at + 12 + size
+        if end > len(data):
+            raise ValueError("it is cut off")
+        if zlib.crc32(view[at + 4:end - 4]) != struct.unpack_from(">I", data, end - 4)[0]:
+            raise ValueError("a checksum is wrong")
+        if kind == b"IEND":
+            return
+        if kind == b"IDAT":
+            yield view[at + 8:end - 4]
+        at = end
 
 
 def encode(picture: Picture) -> bytes:
@@ -105,7 +91,7 @@ def encode(picture: Picture) -> bytes:
     filtered[:, 0] = 2
     filtered[0, 1:] = lines[0]
     filtered[1:, 1:] = lines[1:] - lines[:-1]
-    header = struct.pack(">IIBBBBB", width, height, bits, colour, 0, 0, 0)
-    return _SIGNATURE + b"".join(
+    form = struct.pack(">IIBBBBB", width, height, bits, colour, 0, 0, 0)
+    return SIGNATURE + b"".join(
         struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-        for kind, body in ((b"IHDR", header), (b"IDAT", zlib.compress(filtered.tobytes(), 6)), (b"IEND", b"")))
+        for kind, body in ((b"IHDR", form), (b"IDAT", zlib.compress(filtered.tobytes(), 6)), (b"IEND", b"")))

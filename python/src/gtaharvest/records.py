@@ -11,9 +11,8 @@ from typing import Any, Mapping, Optional, Tuple
 
 import numpy as np
 
-from .camera import Array, Camera, Vector, orthonormal, vector
-
-Box = Tuple[float, float, float, float]
+from .camera import Array, Camera, orthonormal
+from .checks import Box, Vector, box, each, flag, integer, number, optional, text, vector
 
 JOINT_NAMES: Tuple[str, ...] = (
     "head_top", "head_center", "neck",
@@ -40,10 +39,6 @@ CUBOID_EDGES: Tuple[Tuple[int, int], ...] = (
 """The twelve edges of a cuboid, as pairs of indices into Cuboid.corners."""
 
 
-def _box(value: Any) -> Optional[Box]:
-    return None if value is None else (value[0], value[1], value[2], value[3])
-
-
 @dataclass(frozen=True)
 class Cuboid:
     """The oriented box of an object in the world. half_extents are along right, forward, up, metres."""
@@ -55,10 +50,11 @@ class Cuboid:
     up: Vector
 
     @staticmethod
-    def from_json(box: Mapping[str, Any]) -> Cuboid:
+    def from_json(cuboid: Mapping[str, Any]) -> Cuboid:
         """The cuboid of a label."""
         return Cuboid(
-            vector(box["centre"]), vector(box["halfExtents"]), vector(box["right"]), vector(box["forward"]), vector(box["up"]))
+            vector(cuboid["centre"]), vector(cuboid["halfExtents"]), vector(cuboid["right"]), vector(cuboid["forward"]),
+            vector(cuboid["up"]))
 
     @property
     def corners(self) -> Array:
@@ -91,8 +87,9 @@ class Face:
         """The face of a label."""
         light = space["light"]
         return Face(
-            space["face"], space["mutcd"], space["facesCamera"], space["facingAngleDegrees"], space["provenance"],
-            None if light is None else Light(light["state"], light["method"], light["litFraction"]))
+            integer(space["face"]), optional(text, space["mutcd"]), flag(space["facesCamera"]), number(space["facingAngleDegrees"]),
+            text(space["provenance"]),
+            None if light is None else Light(text(light["state"]), text(light["method"]), optional(number, light["litFraction"])))
 
 
 @dataclass(frozen=True)
@@ -104,6 +101,11 @@ class VehicleLights:
     right: bool
     head: bool
 
+    @staticmethod
+    def from_json(lights: Mapping[str, Any]) -> VehicleLights:
+        """The lamps of a label."""
+        return VehicleLights(flag(lights["brake"]), flag(lights["left"]), flag(lights["right"]), flag(lights["head"]))
+
 
 @dataclass(frozen=True)
 class Joint:
@@ -113,6 +115,16 @@ class Joint:
     position: Vector
     pixel: Optional[Tuple[float, float]]
     visibility: str
+
+    @staticmethod
+    def from_json(joint: Mapping[str, Any]) -> Joint:
+        """The record of an entry of joints."""
+        return Joint(text(joint["joint"]), vector(joint["position"]), optional(_pixel, joint["pixel"]), text(joint["visibility"]))
+
+
+def _pixel(value: Any) -> Tuple[float, float]:
+    u, v = value
+    return number(u), number(v)
 
 
 @dataclass(frozen=True)
@@ -146,20 +158,37 @@ class ObjectLabel:
     @staticmethod
     def from_json(item: Mapping[str, Any]) -> ObjectLabel:
         """The record of an entry of objects."""
-        space, lights, joints = item["space"], item.get("lights"), item.get("joints")
         return ObjectLabel(
-            item["id"], item["class"], item["model"], item["name"], item["parent"], item["knownParts"], item["hasRider"],
-            (item["box2d"][0], item["box2d"][1], item["box2d"][2], item["box2d"][3]),
-            (item["box2dAmodal"][0], item["box2dAmodal"][1], item["box2dAmodal"][2], item["box2dAmodal"][3]),
-            _box(item["box2dVisible"]), _box(item.get("box2dWhole")), item["truncatedFraction"], item["occludedFraction"],
-            item["occlusionMethod"], item["visibleFraction"], item.get("trueOccludedFraction"), Cuboid.from_json(item["box3d"]),
-            item["distanceMetres"], vector(item["velocity"]),
-            None if space is None else Face.from_json(space),
-            None if lights is None else VehicleLights(lights["brake"], lights["left"], lights["right"], lights["head"]),
-            _box(item.get("box2dJoints")),
-            None if joints is None else tuple(
-                Joint(each["joint"], vector(each["position"]), None if each["pixel"] is None else (each["pixel"][0], each["pixel"][1]),
-                      each["visibility"]) for each in joints))
+            id=integer(item["id"]),
+            class_name=text(item["class"]),
+            model=text(item["model"]),
+            name=optional(text, item["name"]),
+            parent=optional(integer, item["parent"]),
+            known_parts=optional(integer, item["knownParts"]),
+            has_rider=optional(flag, item["hasRider"]),
+            box2d=box(item["box2d"]),
+            box2d_amodal=box(item["box2dAmodal"]),
+            box2d_visible=optional(box, item["box2dVisible"]),
+            box2d_whole=optional(box, item.get("box2dWhole")),
+            truncated_fraction=number(item["truncatedFraction"]),
+            occluded_fraction=optional(number, item["occludedFraction"]),
+            occlusion_method=text(item["occlusionMethod"]),
+            visible_fraction=optional(number, item["visibleFraction"]),
+            true_occluded_fraction=optional(number, item.get("trueOccludedFraction")),
+            box3d=Cuboid.from_json(item["box3d"]),
+            distance_metres=number(item["distanceMetres"]),
+            velocity=vector(item["velocity"]),
+            face=optional(Face.from_json, item["space"]),
+            lights=optional(VehicleLights.from_json, item.get("lights")),
+            box2d_joints=optional(box, item.get("box2dJoints")),
+            joints=optional(_joints, item.get("joints")))
+
+
+def _joints(value: Any) -> Tuple[Joint, ...]:
+    joints = each(Joint.from_json, value)
+    if len(joints) > len(JOINT_NAMES):
+        raise ValueError(f"a person has {len(joints)} joints")
+    return joints
 
 
 @dataclass(frozen=True)
@@ -176,7 +205,9 @@ class Pair:
     @staticmethod
     def from_json(pair: Mapping[str, Any]) -> Pair:
         """The record of an entry of pairs."""
-        return Pair(pair["file"], pair["weather"], pair["timeOfDay"], tuple(pair["without"]), pair.get("dropped"))
+        return Pair(
+            optional(text, pair["file"]), text(pair["weather"]), text(pair["timeOfDay"]), each(integer, pair["without"]),
+            optional(text, pair.get("dropped")))
 
 
 @dataclass(frozen=True)
@@ -191,8 +222,7 @@ class IgnoreRegion:
     @staticmethod
     def from_json(region: Mapping[str, Any]) -> IgnoreRegion:
         """The record of an entry of ignoreRegions."""
-        box = region["box2d"]
-        return IgnoreRegion(region["reason"], region["class"], (box[0], box[1], box[2], box[3]), region["distanceMetres"])
+        return IgnoreRegion(text(region["reason"]), text(region["class"]), box(region["box2d"]), number(region["distanceMetres"]))
 
 
 @dataclass(frozen=True)
@@ -217,11 +247,12 @@ class Ego:
     @staticmethod
     def from_json(ego: Mapping[str, Any]) -> Ego:
         """The record of a label's ego."""
-        right, forward, up = (None if ego.get(axis) is None else vector(ego[axis]) for axis in ("right", "forward", "up"))
+        right, forward, up = (optional(vector, ego.get(axis)) for axis in ("right", "forward", "up"))
+        height, yaw_rate, acceleration, steering, throttle, brake = (optional(number, ego.get(name)) for name in (
+            "heightAboveGroundMetres", "yawRate", "acceleration", "steering", "throttle", "brake"))
         return Ego(
-            vector(ego["position"]), ego["headingDegrees"], vector(ego["velocity"]), ego["model"], right, forward, up,
-            ego.get("heightAboveGroundMetres"), ego.get("yawRate"), ego.get("acceleration"), ego.get("steering"),
-            ego.get("throttle"), ego.get("brake"), ego.get("manoeuvre"))
+            vector(ego["position"]), number(ego["headingDegrees"]), vector(ego["velocity"]), text(ego["model"]), right, forward, up,
+            height, yaw_rate, acceleration, steering, throttle, brake, optional(text, ego.get("manoeuvre")))
 
 
 __all__ = [

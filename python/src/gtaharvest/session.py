@@ -4,19 +4,22 @@ from __future__ import annotations
 
 import functools
 import itertools
-import json
 import os
 import re
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Mapping, Optional, Tuple, TypeVar, Union
 
 import numpy as np
+import numpy.typing as npt
 
 from .camera import Array, Camera
-from .errors import LabelError, NewerFormatError, NotASessionError, PartialSessionError
+from .checks import checked, each, one_line, text
+from .errors import LabelError, NewerFormatError, NotASessionError, NotInSessionError, PartialSessionError
+from .files import open_regular, read_regular
 from .frame import ONLY_VIEW, Frame
 from .index import LineIndex
+from .json_object import parse_object
 from .label_line import LabelLine
 from .records import ObjectLabel
 from .selection import Selection
@@ -24,13 +27,16 @@ from .selection import Selection
 if TYPE_CHECKING:
     import pandas
 
+_T = TypeVar("_T")
+
 FORMAT_VERSION = 1
 """The newest version of the format that this package reads."""
 
 _UNFINISHED_MARK = ".harvester-unfinished"
+_MAX_HEADER_BYTES = 16 * 1024 * 1024
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Track:
     """One object through the frames of a session. frames and times_seconds belong to the labels at the same index."""
 
@@ -38,6 +44,9 @@ class Track:
     frames: Tuple[int, ...]
     times_seconds: Tuple[float, ...]
     labels: Tuple[ObjectLabel, ...]
+
+    def __repr__(self) -> str:
+        return f"Track({self.id}, {self.class_name!r}, {len(self.frames)} frames from {self.frames[0]} to {self.frames[-1]})"
 
     @property
     def class_name(self) -> str:
@@ -68,22 +77,26 @@ class Session:
     @property
     def classes(self) -> Tuple[str, ...]:
         """The classes that were labelled, in the order of their numbers."""
-        return tuple(self.info.get("classes", ()))
+        return self._of_info(lambda info: each(text, info.get("classes", [])))
 
     @property
     def camera(self) -> Optional[Camera]:
         """The camera at the start; each frame has its own. None in a repaired session that has lost it."""
-        return Camera.from_json(self.info["camera"]) if "camera" in self.info else None
+        return self._of_info(lambda info: Camera.from_json(info["camera"]) if "camera" in info else None)
 
     @property
     def state(self) -> str:
         """recording, complete or faulted."""
-        return str(self.info["state"])
+        return self._of_info(lambda info: text(info["state"]))
 
     @property
     def view_names(self) -> Tuple[str, ...]:
         """The cameras of the rig, in the order of their frames; ONLY_VIEW in a session with a single camera."""
-        return tuple(str(camera["name"]) for camera in self.info["rig"]["cameras"]) if "rig" in self.info else (ONLY_VIEW,)
+        return self._of_info(
+            lambda info: each(lambda camera: text(camera["name"]), info["rig"]["cameras"]) if "rig" in info else (ONLY_VIEW,))
+
+    def _of_info(self, read: Callable[[Mapping[str, Any]], _T]) -> _T:
+        return checked(str(self.folder / "session.json"), lambda: read(self.info), NotASessionError)
 
     def moments(self) -> Iterator[Dict[str, Frame]]:
         """The frames of each moment by the names of their views. A repaired session may lack some."""
@@ -92,7 +105,13 @@ class Session:
 
     @functools.cached_property
     def _index(self) -> LineIndex:
-        return LineIndex(self.folder / "labels.jsonl", self.folder / "manifest.jsonl")
+        path = self.folder / "labels.jsonl"
+        try:
+            return LineIndex(path, self.folder / "manifest.jsonl")
+        except OSError as problem:
+            raise LabelError(f"{path}: the labels cannot be read: {problem.strerror}.") from None
+        except ValueError as problem:
+            raise LabelError(f"{path}: {problem}.") from None
 
     def __len__(self) -> int:
         return len(self._index)
@@ -111,26 +130,30 @@ class Session:
     def frame(self, number: int) -> Frame:
         """The frame with a number, which in a shard or a repaired session differs from its position.
 
-        Raises KeyError if the session does not have it.
+        Raises NotInSessionError if the session does not have it.
         """
         if 0 <= number < len(self) and self[number].number == number:
             return self[number]
-        return self[self._positions[number]]
+        found = np.flatnonzero(self._numbers == number)
+        if len(found) == 0:
+            has = f"its {len(self)} frames have the numbers {self._numbers.min()} to {self._numbers.max()}" if len(self) else "it has none"
+            raise NotInSessionError(f"{self.folder}: the session has no frame {number}; {has}.")
+        return self[int(found[0])]
 
     @functools.cached_property
-    def _positions(self) -> Dict[int, int]:
-        return {frame.number: position for position, frame in enumerate(self)}
+    def _numbers(self) -> npt.NDArray[np.int64]:
+        return np.fromiter((frame.number for frame in self), np.int64, len(self))
 
     def track(self, id: int) -> Track:
         """The object with an id, in all frames that show it. Reads the whole label file.
 
-        Raises KeyError if no frame shows it.
+        Raises NotInSessionError if no frame shows it.
         """
         # Vehicles in lanes have the same key, so some of these frames may not have the object.
-        lines = self._index.with_match(re.compile(rb'"id"\s*:\s*%d\b' % id))
-        found = self._tracks(map(self._read, lines), only=id)
+        pattern = re.compile(rb'"id"\s*:\s*%d\b' % id)
+        found = self._tracks((self._read(i) for i in range(len(self)) if pattern.search(self._line(i))), only=id)
         if not found:
-            raise KeyError(id)
+            raise NotInSessionError(f"{self.folder}: no frame of the session shows an object {id}.")
         return found[id]
 
     def tracks(self) -> Dict[int, Track]:
@@ -153,11 +176,19 @@ class Session:
         return table_of(self, selection)
 
     def _read(self, position: int) -> Frame:
-        source = f"{self.folder / 'labels.jsonl'}, line {position + 1}"
+        source = self._source(position)
+        return Frame(LabelLine(self._line(position), source), self.folder, source)
+
+    def _line(self, position: int) -> bytes:
         try:
-            return Frame(LabelLine(self._index.line(position)), self.folder, source)
+            return self._index.line(position)
+        except OSError as problem:
+            raise LabelError(f"{self._source(position)}: it cannot be read: {problem.strerror}.") from None
         except ValueError as problem:
-            raise LabelError(f"{source}: it is not a JSON object ({problem}). Run harvester validate, or harvester repair.") from None
+            raise LabelError(f"{self._source(position)}: {problem}.") from None
+
+    def _source(self, position: int) -> str:
+        return f"{self.folder / 'labels.jsonl'}, line {position + 1}"
 
 
 def open_session(folder: Union[str, os.PathLike[str]], allow_partial: bool = False) -> Session:
@@ -168,23 +199,29 @@ def open_session(folder: Union[str, os.PathLike[str]], allow_partial: bool = Fal
 
     Raises NotASessionError, NewerFormatError and PartialSessionError.
     """
-    path = Path(folder).resolve()
+    try:
+        path = Path(folder).resolve()
+        is_folder = path.is_dir()
+    except (OSError, RuntimeError, ValueError) as problem:
+        raise NotASessionError(f"{one_line(folder)}: it cannot be opened: {one_line(problem)}.") from None
     header = path / "session.json"
-    if not path.is_dir():
+    if not is_folder:
         raise NotASessionError(f"{path}: the folder does not exist.")
     try:
-        info = json.loads(header.read_bytes())
+        info = parse_object(read_regular(header, _MAX_HEADER_BYTES))
     except FileNotFoundError:
         raise NotASessionError(f"{path}: it is not a session; it has no session.json.") from None
+    except OSError as problem:
+        raise NotASessionError(f"{header}: it cannot be read: {problem.strerror}.") from None
     except ValueError as problem:
-        raise NotASessionError(f"{header}: it is not valid JSON ({problem}). Run harvester repair.") from None
-    version = info.get("formatVersion") if isinstance(info, dict) else None
-    if not isinstance(version, int):
+        raise NotASessionError(f"{header}: it is not a JSON object ({one_line(problem)}). Run harvester repair.") from None
+    version = info.get("formatVersion")
+    if type(version) is not int:
         raise NotASessionError(f"{header}: it has no formatVersion.")
     if version > FORMAT_VERSION:
         raise NewerFormatError(
             f"{header}: the session has format version {version}; this gtaharvest reads up to {FORMAT_VERSION}. Install a newer one.")
-    if not allow_partial and (info.get("state") == "recording" or (path / _UNFINISHED_MARK).exists()):
+    if not allow_partial and (info.get("state") == "recording" or os.path.lexists(path / _UNFINISHED_MARK)):
         raise PartialSessionError(
             f"{path}: the recording of the session is unfinished. Finish it with the same command, or open it with allow_partial=True.")
     if not allow_partial and _ends_in_part_of_a_line(path / "labels.jsonl"):
@@ -194,8 +231,13 @@ def open_session(folder: Union[str, os.PathLike[str]], allow_partial: bool = Fal
 
 
 def _ends_in_part_of_a_line(path: Path) -> bool:
-    if not path.exists() or path.stat().st_size == 0:
+    try:
+        with open_regular(path) as stream:
+            if stream.seek(0, os.SEEK_END) == 0:
+                return False
+            stream.seek(-1, os.SEEK_END)
+            return stream.read(1) != b"\n"
+    except FileNotFoundError:
         return False
-    with open(path, "rb") as stream:
-        stream.seek(-1, os.SEEK_END)
-        return stream.read(1) != b"\n"
+    except OSError as problem:
+        raise NotASessionError(f"{path}: the labels cannot be read: {problem.strerror}.") from None

@@ -27,7 +27,7 @@ def table_of(frames: Iterable[Frame], selection: Optional[Selection]) -> pandas.
         for view in frame.views.values():
             for item in view.objects:
                 if selection is None or selection.takes(item):
-                    place = {"frame": frame.number, "time_seconds": frame.time_seconds, "view": view.name, "image": view.raw["image"]}
+                    place = {"frame": frame.number, "time_seconds": frame.time_seconds, "view": view.name, "image": view.image_name}
                     rows.append({**place, **_row(item)})
     return pandas.DataFrame(rows)
 

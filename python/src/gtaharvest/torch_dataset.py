@@ -12,7 +12,7 @@ import torch
 from torch.utils.data import Dataset
 
 from .frame import View
-from .selection import Selection
+from .selection import Selection, check_classes
 from .session import Session, open_session
 
 _FIELDS = {"cuboid": "box2d", "amodal": "box2d_amodal", "visible": "box2d_visible", "whole": "box2d_whole"}
@@ -48,6 +48,7 @@ class DetectionDataset(Dataset[Any]):
             raise ValueError("Give at least one session.")
         if boxes not in _FIELDS:
             raise ValueError(f"Unknown kind of box '{boxes}'; kinds are {', '.join(_FIELDS)}.")
+        check_classes(classes)
         self.sessions = [each if isinstance(each, Session) else open_session(each) for each in several]
         self.classes = tuple(classes if classes is not None else self.sessions[0].classes)
         self._selection = selection

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import operator
 import time
 from typing import Any, Dict as DictOf, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
 
+from .. import png as pngs
 from ..lanes import INDICATOR_NAMES
-from ..pictures import decoder
-from .errors import BridgeError, GameEndedError, GameHungError
-from .link import BridgeLink, Header
+from .errors import BridgeError, GameEndedError, GameHungError, GameRefusedError
+from .frame_header import Header
+from .link import BridgeLink
 from .rewards import Reward
 from .rules import Ending, Rules
 from .server import GameServer
@@ -23,6 +25,8 @@ StepResult = Tuple[Any, float, bool, bool, DictOf[str, Any]]
 
 _OBSERVATIONS = ("both", "image", "state")
 _ACTIONS = ("controls", "indicators")
+_RGB = (3, 8)
+_MAX_SEED = 2**31 - 1
 _INDICATOR_LOW = np.array([-np.pi if name == "angle" else 0 if name.startswith("dist") else -20 for name in INDICATOR_NAMES], np.float32)
 _INDICATOR_HIGH = np.array([np.pi if name == "angle" else 100 if name.startswith("dist") else 20 for name in INDICATOR_NAMES], np.float32)
 
@@ -82,8 +86,8 @@ class DrivingEnv(Env):
         self._step_seconds = float(step_seconds)
         self._reward = reward
         self._ending = ending
-        self._size = size
-        self._options = _serve_options(size, town, traffic, traffic_radius, weather, assisted, serve_options)
+        self._size = (int(size[0]), int(size[1]))
+        self._options = _serve_options(size, _seed("town", town), traffic, traffic_radius, weather, assisted, serve_options)
         self._harvester = harvester
         self._address = address
         self._token = token
@@ -112,10 +116,12 @@ class DrivingEnv(Env):
 
         A game of which a frame is still awaited, because a step was interrupted, is ended, and another one started.
 
-        Raises BridgeError.
+        Raises BridgeError, and ValueError for a seed that is not from 0 to 2,147,483,647 and for wrong options.
         """
+        if seed is not None:
+            seed = _seed("seed", seed)
         super().reset(seed=seed)
-        episode = int(self.np_random.integers(2**31)) if seed is None else int(seed) % 2**31
+        episode = int(self.np_random.integers(_MAX_SEED + 1)) if seed is None else seed
         wanted = dict(options or {})
         unknown = set(wanted) - {"town", "weather", "timeOfDay", "position", "headingDegrees"}
         if unknown:
@@ -222,7 +228,7 @@ class DrivingEnv(Env):
             position = [float(value) for value in options["position"]]
             after.append({"type": "reset", "position": position, "headingDegrees": float(options.get("headingDegrees", 0))})
         if self._restarts:
-            town = {"town": int(options["town"])} if "town" in options else {}
+            town = {"town": _seed("town", options["town"])} if "town" in options else {}
             link.send({"type": "restart", "seed": episode, **town, "image": self._has_image and not after})
             self._take(None, self._has_image and not after)
         else:
@@ -258,18 +264,23 @@ class DrivingEnv(Env):
                 break
             if time.monotonic() > until:
                 raise GameHungError(f"The game has sent no frame of the end of the step for {self._patience:g} s.")
+        if at_least is not None and (frame.get("drivenMetres") is None) != (self._frame.get("drivenMetres") is None):
+            raise GameRefusedError("The game reports the true drive in some frames and not in others.")
         self._frame = frame
         self._picture = self._decoded(png) if has_image else None
         self._is_awaiting = False
 
     def _decoded(self, png: bytes) -> Array:
         try:
-            picture = decoder()(png)
+            header = pngs.header(png)
+            if header[:2] != self._size:
+                raise BridgeError(f"The game sends images of {header.width}x{header.height}; create the environment with this size.")
+            if header[2:] != _RGB:
+                raise BridgeError("The game sends images that are not red, green and blue of 8 bits.")
+            picture: Array = pngs.decode(png)
+            return picture
         except ValueError as problem:
             raise BridgeError(f"The image of a frame cannot be decoded: {problem}.") from None
-        if picture.shape != (self._size[1], self._size[0], 3):
-            raise BridgeError(f"The game sends images of {picture.shape[1]}x{picture.shape[0]}; create the environment with this size.")
-        return picture
 
     def _observation(self) -> Any:
         if self._has_image and self._has_state:
@@ -285,6 +296,17 @@ class DrivingEnv(Env):
             fault = server.fault()
         self.close()
         return type(problem)(f"{problem} {fault}") if fault else problem
+
+
+def _seed(name: str, value: Any) -> int:
+    """A seed of the game, which has 31 bits."""
+    try:
+        seed = operator.index(value)
+    except TypeError:
+        seed = -1
+    if not 0 <= seed <= _MAX_SEED:
+        raise ValueError(f"{name} is a whole number from 0 to {_MAX_SEED}, not {value!r}.")
+    return seed
 
 
 def _serve_options(

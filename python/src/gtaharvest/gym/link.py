@@ -6,26 +6,19 @@ import json
 import socket
 import struct
 import time
-from typing import Any, Dict, Optional, Tuple
+from typing import Optional, Tuple
 
+from ..checks import one_line, shown
+from ..json_object import parse_object
+from ..picture_header import MAX_BYTES
 from .errors import BridgeError, GameEndedError, GameHungError, GameRefusedError, GameStartError, VersionError
+from .frame_header import Header, check_frame
 
 PROTOCOL_VERSION = 1
 """The version of the bridge that this package speaks."""
 
 _LENGTHS = struct.Struct(">II")
-_LONGEST = 256 * 1024 * 1024
-
-_MEASURED = (
-    "timeSeconds", "speedMetresPerSecond", "headingDegrees", "drivenMetres", "laneOffsetMetres", "laneAngleRadians", "routeMetres")
-_MEASURED_LISTS = {"position": 3, "indicators": 13, "torcsEquivalent": 13, "appliedControls": 3}
-_REQUIRED = ("timeSeconds", "speedMetresPerSecond", "position", "lanesKnown", "fast", "indicators", "torcsEquivalent")
-_OF_A_TRUE_DRIVE = (
-    "collisions", "outsideLanes", "road", "lane", "acrossMarking", "laneOffsetMetres", "redLightsRun", "stopSignsRun", "repositioned",
-    "builtInDriver")
-
-Header = Dict[str, Any]
-
+_MAX_HEADER_BYTES = 1024 * 1024
 
 class BridgeLink:
     """A connection to a game. Nothing waits longer than the patience, in seconds of real time, for each message."""
@@ -39,7 +32,7 @@ class BridgeLink:
             raise ValueError(f"patience must be greater than 0 seconds, not {patience}.")
         self._place = f"{host}:{port}"
         self._patience = patience
-        self._unread = b""
+        self._unread = bytearray()
         try:
             self._socket = socket.create_connection((host, port), timeout=patience)
         except OSError as problem:
@@ -52,7 +45,7 @@ class BridgeLink:
                 raise GameRefusedError(f"{self._place} does not answer with a hello; is it the bridge of a game?")
             if hello.get("version") != PROTOCOL_VERSION:
                 raise VersionError(
-                    f"The game at {self._place} speaks version {hello.get('version')} of the bridge, this package version "
+                    f"The game at {self._place} speaks version {shown(hello.get('version'))} of the bridge, this package version "
                     f"{PROTOCOL_VERSION}; install matching versions.")
         except BaseException:
             self.close()
@@ -79,21 +72,21 @@ class BridgeLink:
         """
         until = time.monotonic() + self._patience
         header_length, payload_length = _LENGTHS.unpack(self._read(_LENGTHS.size, until))
-        if header_length > _LONGEST or payload_length > _LONGEST:
+        if header_length > _MAX_HEADER_BYTES or payload_length > MAX_BYTES:
             raise GameRefusedError(
                 f"{self._place} announces a message of {header_length + payload_length} bytes; is it the bridge of a game?")
         text = self._read(header_length, until)
         payload = self._read(payload_length, until)
         try:
-            header = json.loads(text)
-        except ValueError:
-            raise GameRefusedError(f"{self._place} sends a header that is not JSON; is it the bridge of a game?") from None
-        if not isinstance(header, dict):
-            raise GameRefusedError(f"{self._place} sends a header that is not an object; is it the bridge of a game?")
+            header = parse_object(text)
+        except ValueError as problem:
+            raise GameRefusedError(
+                f"{self._place} sends a header that is not a JSON object ({one_line(problem)}); is it the bridge of a game?") from None
         if header.get("type") == "error":
-            reason = str(header.get("reason"))
-            kind = VersionError if "speaks version" in reason else GameRefusedError
-            raise kind(f"The game at {self._place} refuses: {reason}")
+            reason = header.get("reason")
+            words = one_line(reason) if isinstance(reason, str) else "it gives no reason"
+            kind = VersionError if "speaks version" in words else GameRefusedError
+            raise kind(f"The game at {self._place} refuses: {words}")
         return header, payload
 
     def frame(self) -> Tuple[Header, bytes]:
@@ -102,27 +95,10 @@ class BridgeLink:
         Raises VersionError if the frame lacks a field, and GameRefusedError if one is malformed.
         """
         header, payload = self.receive()
-        if header.get("type") != "frame":
-            raise GameRefusedError(f"{self._place} sends '{header.get('type')}' instead of a frame.")
-        missing = [name for name in _REQUIRED if header.get(name) is None]
-        if header.get("drivenMetres") is not None:
-            missing += [name for name in _OF_A_TRUE_DRIVE if name not in header]
-        if missing:
-            raise VersionError(
-                f"The game at {self._place} sends frames without '{missing[0]}', as another version does; install matching versions.")
-        name = ""
-        try:
-            for name in _MEASURED:
-                if header.get(name) is not None:
-                    header[name] = float(header[name])
-            for name, count in _MEASURED_LISTS.items():
-                if header.get(name) is not None:
-                    header[name] = [float(number) for number in header[name]]
-                    if len(header[name]) != count:
-                        raise ValueError
-        except (TypeError, ValueError):
-            raise GameRefusedError(
-                f"{self._place} sends a frame with a malformed '{name}': {header[name]!r:.80}; is it the bridge of a game?") from None
+        kind = header.get("type")
+        if kind != "frame":
+            raise GameRefusedError(f"{self._place} sends {shown(kind)} instead of a frame.")
+        check_frame(header, self._place)
         return header, payload
 
     def close(self) -> None:
@@ -147,7 +123,8 @@ class BridgeLink:
             if not data:
                 raise self._ended(None)
             self._unread += data
-        taken, self._unread = self._unread[:count], self._unread[count:]
+        taken = bytes(memoryview(self._unread)[:count])
+        del self._unread[:count]
         return taken
 
     def _ended(self, problem: Optional[OSError]) -> BridgeError:

@@ -12,6 +12,7 @@ import threading
 import time
 from typing import List, Optional, Sequence, Union
 
+from ..checks import one_line
 from .errors import GameStartError
 
 HARVESTER_VARIABLE = "GTAHARVEST_HARVESTER"
@@ -36,7 +37,8 @@ class GameServer:
         self._faults = tempfile.TemporaryFile()
         try:
             self._process = subprocess.Popen(
-                command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=self._faults, text=True, encoding="utf-8")
+                command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=self._faults, text=True, encoding="utf-8",
+                errors="replace")
         except OSError as problem:
             self._faults.close()
             raise GameStartError(
@@ -96,7 +98,9 @@ class GameServer:
             if line is None:
                 raise GameStartError(f"harvester serve ended at its start with code {self._process.returncode}: {self.fault()}")
             if line.startswith(_SERVING):
-                host, port = line[len(_SERVING):].strip().rsplit(":", 1)
+                host, _, port = line[len(_SERVING):].strip().rpartition(":")
+                if not host or not port.isdecimal() or len(port) > 5 or int(port) > 65_535:
+                    raise GameStartError(f"harvester serve gives no address: '{one_line(line)}'.")
                 return host, int(port)
 
 
