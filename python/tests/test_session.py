@@ -10,6 +10,7 @@ from typing import Any
 import gtaharvest
 import numpy as np
 import pytest
+import rich
 from conftest import HandmadeSession
 from gtaharvest import Selection, open_session
 
@@ -108,6 +109,36 @@ def test_filters(handmade: HandmadeSession) -> None:
     assert ids(max_truncated_fraction=0) == [7, 9]
     with pytest.raises(TypeError, match="collection"):
         Selection(classes="car")
+
+
+@pytest.mark.parametrize("options, words", [
+    ({"classes": {"carr"}}, "Unknown class 'carr'; did you mean 'car'?"), ({"classes": ["x7"]}, "Unknown class 'x7'; classes are car, "),
+    ({"min_visible_fraction": 5}, "min_visible_fraction is from 0 to 1, not 5."), ({"max_truncated_fraction": float("nan")}, "not nan."),
+    ({"max_distance_metres": -1}, "max_distance_metres is 0 or more, not -1."), ({"min_side_pixels": float("nan")}, "not nan.")])
+def test_filters_without_a_meaning_are_refused(options: Any, words: str) -> None:
+    with pytest.raises(ValueError) as refused:
+        Selection(**options)
+    assert words in str(refused.value) and "\n" not in str(refused.value)
+
+
+def test_frame_that_is_not_there_is_named(handmade: HandmadeSession) -> None:
+    session = open_session(handmade.write())
+    with pytest.raises(gtaharvest.NotInSessionError) as refused:
+        session.frame(999)
+    assert str(refused.value) == f"{session.folder}: the session has no frame 999; its 3 frames have the numbers 0 to 2."
+    assert isinstance(refused.value, gtaharvest.SessionError) and isinstance(refused.value, KeyError)
+
+
+def test_records_are_shown_in_a_line(handmade: HandmadeSession, tmp_path: Path) -> None:
+    session = open_session(handmade.write())
+    assert repr(session[1]) == "Frame(1, 0.1 s, clear 12:00:00, view 'camera', 2 objects)"
+    assert repr(session[1].view) == "View('camera', frame 1, 80x60, 2 objects)"
+    assert repr(session.track(7)) == "Track(7, 'car', 3 frames from 0 to 2)"
+    assert repr(session[1].view.arrays()) == "ObjectArrays(2 objects)"
+    assert repr(open_session(rich.write(tmp_path / "rich"))[0].lanes) == (
+        "Lanes(known, lane 0 of 2, +0.50 m from its centre, 1 vehicles, 1 boundaries, 1 markings)")
+    handmade.lines[0]["timeSeconds"] = "x"
+    assert repr(open_session(handmade.write())[0]) == f"<damaged label: {session.folder / 'labels.jsonl'}, line 1>"
 
 
 def test_parts_can_be_left_out(handmade: HandmadeSession) -> None:
