@@ -3,9 +3,8 @@ import json, socket, struct, sys, time
 
 def receive(stream):
     sizes = struct.unpack(">II", stream.read(8) or sys.exit("The game has closed the bridge."))
-    state, png = json.loads(header := stream.read(sizes[0])), stream.read(sizes[1])
-    is_refusal = state["type"] == "error" or state.get("version", 1) != 1
-    return sys.exit(f"The game refuses: {state.get('reason', header)}") if is_refusal else (state, png)
+    got, png = json.loads(text := stream.read(sizes[0])), stream.read(sizes[1])
+    return (got, png) if got["type"] != "error" and got.get("version", 1) == 1 else sys.exit(f"The game refuses: {got.get('reason', text)}")
 
 def send(stream, **message):
     stream.write(struct.pack(">II", len(header := json.dumps(message).encode()), 0) + header)
@@ -26,5 +25,6 @@ if __name__ == "__main__":
         while time.monotonic() < end:
             state, picture_png = receive(stream)
             send(stream, type="controls", frame=state["frame"], **keep_lane(state))
+            print(f"\rframe {state['frame']}, {state['speedMetresPerSecond']:.1f} m/s ", end="", flush=True)
     except (OSError, ValueError, KeyError, TypeError, struct.error) as problem:
         sys.exit(f"The bridge failed: {problem!r}")

@@ -13,7 +13,6 @@ import time
 from pathlib import Path
 
 import gtaharvest
-from gtaharvest import pictures
 
 
 def best(action, rounds=5):
@@ -32,13 +31,10 @@ def rate(session, name, read):
 
 
 def measure(session):
-    decoder = re.sub(r"^_|\..*", "", pictures.decoder().__qualname__)
     rate(session, "labels as records", lambda frame: frame.objects)
-    rate(session, f"labels and images ({decoder})", lambda frame: (frame.objects, frame.image()))
+    rate(session, "labels and images", lambda frame: (frame.objects, frame.image()))
     rate(session, "labels as arrays, images and masks", lambda frame: (frame.view.arrays(), frame.image(), frame.mask()))
     rate(session, "the same and lanes", lambda frame: (frame.view.arrays(), frame.image(), frame.mask(), frame.lanes))
-    pictures.decoder = lambda: pictures.decode_plain
-    rate(session, "labels and images (without OpenCV and Pillow)", lambda frame: (frame.objects, frame.image()))
 
 
 def lengthen(session, folder, frames):
