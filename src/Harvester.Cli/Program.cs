@@ -1,6 +1,12 @@
 using System.Threading;
 using Harvester.Cli.Commands;
+using Harvester.Cli.Supervising;
 using Harvester.Cli.Terminals;
+
+if (args is ["supervise", ..])
+{
+    ProcessFamily.AdoptOrphans();
+}
 
 using var cancellation = new CancellationTokenSource();
 using var signals = new StopSignals(cancellation);

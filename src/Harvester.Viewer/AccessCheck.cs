@@ -11,10 +11,13 @@ namespace Harvester.Viewer;
 /// <param name="token">The token.</param>
 internal sealed class AccessCheck(string token)
 {
+    /// <summary>The port of an address and of a Host header that name none (RFC 9110, section 4.2.1).</summary>
+    private const int DefaultPort = 80;
+
     private readonly byte[] _token = Encoding.UTF8.GetBytes(token);
 
     /// <summary>The port that is served; until it is set, nothing is admitted.</summary>
-    public int Port { get; set; }
+    public int? Port { get; set; }
 
     /// <summary>Whether a request is admitted; if it is not, the response is complete.</summary>
     /// <param name="context">The request.</param>
@@ -24,7 +27,7 @@ internal sealed class AccessCheck(string token)
         SetHeaders(context.Response.Headers);
         path = [];
         HttpRequest request = context.Request;
-        if (request.Host.Port != Port || request.Host.Host is not ("127.0.0.1" or "localhost"))
+        if ((request.Host.Port ?? DefaultPort) != Port || request.Host.Host is not ("127.0.0.1" or "localhost"))
         {
             context.Response.StatusCode = StatusCodes.Status403Forbidden;
             return false;

@@ -78,11 +78,7 @@ internal static class ViewCommand
             await using ViewServer server = await ViewServer.StartAsync(views, port, cancellation).ConfigureAwait(false);
             terminal.Out.WriteLine(server.Address);
             await terminal.Out.FlushAsync(cancellation).ConfigureAwait(false);
-            if (isOpened)
-            {
-                DefaultBrowser.Open(server.Address);
-            }
-
+            using AddressFile? opened = isOpened ? DefaultBrowser.Open(server.Address) : null;
             await Task.Delay(Timeout.Infinite, cancellation).ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
         }
         finally

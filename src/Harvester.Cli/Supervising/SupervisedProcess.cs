@@ -1,8 +1,11 @@
 using System;
+using System.Collections.Generic;
 using System.ComponentModel;
 using System.Diagnostics;
 using System.IO;
+using System.Linq;
 using System.Runtime.InteropServices;
+using System.Threading;
 
 namespace Harvester.Cli.Supervising;
 
@@ -12,14 +15,23 @@ namespace Harvester.Cli.Supervising;
 /// </summary>
 internal sealed class SupervisedProcess : IDisposable
 {
+    private const int KillSignal = 9;
+
     // The system gives times of start in steps, and so does the clock.
     private static readonly TimeSpan StartTolerance = TimeSpan.FromSeconds(2);
+    private static readonly TimeSpan EndPatience = TimeSpan.FromSeconds(2);
+    private static readonly TimeSpan Pause = TimeSpan.FromMilliseconds(20);
 
     private readonly Process _command;
+    private readonly ProcessFamily _family;
     private readonly DateTime _begun = DateTime.Now;
     private Process? _adopted;
 
-    private SupervisedProcess(Process command) => _command = command;
+    private SupervisedProcess(Process command, ProcessFamily family)
+    {
+        _command = command;
+        _family = family;
+    }
 
     /// <summary>Number of the process that is watched.</summary>
     public int Id => (_adopted ?? _command).Id;
@@ -37,9 +49,11 @@ internal sealed class SupervisedProcess : IDisposable
     /// <exception cref="IOException">It cannot be started.</exception>
     public static SupervisedProcess Start(ProcessStartInfo start)
     {
+        var family = new ProcessFamily();
+        start.Environment[ProcessFamily.Variable] = family.Mark;
         try
         {
-            return new SupervisedProcess(Process.Start(start)!);
+            return new SupervisedProcess(Process.Start(start)!, family);
         }
         catch (Win32Exception e)
         {
@@ -68,20 +82,40 @@ internal sealed class SupervisedProcess : IDisposable
         return found is not null;
     }
 
-    /// <summary>Passes a signal on; the program may end in good order.</summary>
+    /// <summary>Passes a signal on to the process that is watched; the program may end in good order.</summary>
     public void Send(PosixSignal signal)
     {
-        if (!OperatingSystem.IsWindows() && !HasEnded)
+        if (!HasEnded)
         {
-            const int interrupt = 2;
-            const int terminate = 15;
-            _ = Kill(Id, signal == PosixSignal.SIGINT ? interrupt : terminate);
+            Send(Id, signal);
         }
     }
 
-    /// <summary>Waits until the process has ended.</summary>
-    /// <returns>Whether it has.</returns>
-    public bool WaitForEnd(TimeSpan patience) => (_adopted ?? _command).WaitForExit(patience);
+    /// <summary>
+    /// Waits until the program and all processes that it started have ended. Those that remain when the process that is watched has ended
+    /// get the signal too: a shell, for example, does not pass it on.
+    /// </summary>
+    /// <returns>Whether all have ended.</returns>
+    public bool WaitForEnd(TimeSpan patience, PosixSignal signal)
+    {
+        var time = Stopwatch.StartNew();
+        if (!(_adopted ?? _command).WaitForExit(patience))
+        {
+            return false;
+        }
+
+        foreach (int left in Running())
+        {
+            Send(left, signal);
+        }
+
+        while (Running().Count > 0 && time.Elapsed < patience)
+        {
+            Thread.Sleep(Pause);
+        }
+
+        return Running().Count == 0;
+    }
 
     /// <summary>Ends the program and all processes that it started, and waits for that.</summary>
     public void End()
@@ -91,7 +125,6 @@ internal sealed class SupervisedProcess : IDisposable
             try
             {
                 process?.Kill(entireProcessTree: true);
-                process?.WaitForExit(StartTolerance);
             }
             catch (Exception e) when (e is InvalidOperationException or Win32Exception or AggregateException)
             {
@@ -99,6 +132,20 @@ internal sealed class SupervisedProcess : IDisposable
                 continue;
             }
         }
+
+        // A process that is ended may just have started another.
+        var time = Stopwatch.StartNew();
+        while (time.Elapsed < EndPatience && Running() is { Count: > 0 } left)
+        {
+            foreach (int id in left)
+            {
+                _ = Kill(id, KillSignal);
+            }
+
+            Thread.Sleep(Pause);
+        }
+
+        (_adopted ?? _command).WaitForExit(EndPatience);
     }
 
     /// <inheritdoc />
@@ -106,6 +153,19 @@ internal sealed class SupervisedProcess : IDisposable
     {
         _adopted?.Dispose();
         _command.Dispose();
+    }
+
+    private IReadOnlyList<int> Running() =>
+        _family.Running(new[] { _adopted, _command }.OfType<Process>().Where(process => !process.HasExited).Select(process => process.Id));
+
+    private static void Send(int process, PosixSignal signal)
+    {
+        if (!OperatingSystem.IsWindows())
+        {
+            const int interrupt = 2;
+            const int terminate = 15;
+            _ = Kill(process, signal == PosixSignal.SIGINT ? interrupt : terminate);
+        }
     }
 
     private Process? Find(int id)

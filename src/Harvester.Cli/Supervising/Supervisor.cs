@@ -2,6 +2,7 @@ using System;
 using System.Diagnostics;
 using System.Globalization;
 using System.Linq;
+using System.Runtime.InteropServices;
 using System.Threading;
 using Harvester.Cli.Terminals;
 using Harvester.Sessions.Plans;
@@ -84,6 +85,8 @@ internal sealed class Supervisor(SupervisorOptions options, Terminal terminal)
 
             if (hasEnded && !isLeft && !IsLauncherOf(process, judge.Last))
             {
+                // What the program has started would stand in the way of the next start.
+                process.End();
                 return $"process {Text(process.Id)} crashed: it ended ({process.Ending}) before its heartbeat said finished";
             }
 
@@ -134,20 +137,24 @@ internal sealed class Supervisor(SupervisorOptions options, Terminal terminal)
     private void Stop(SupervisedProcess process, PassedSignal signal)
     {
         Log($"stopping process {Text(process.Id)}");
-        if (!signal.IsShared)
+        PosixSignal last = signal.Signal;
+        bool hasEnded = false;
+        if (signal.IsShared)
         {
-            process.Send(signal.Signal);
+            hasEnded = process.WaitForEnd(SharedSignalPatience, last);
+            last = PosixSignal.SIGTERM;
         }
 
-        if (signal.IsShared && !process.WaitForEnd(SharedSignalPatience))
+        if (!hasEnded)
         {
-            process.Send(System.Runtime.InteropServices.PosixSignal.SIGTERM);
+            process.Send(last);
+            hasEnded = process.WaitForEnd(StopPatience - (signal.IsShared ? SharedSignalPatience : TimeSpan.Zero), last);
         }
 
-        if (!process.WaitForEnd(StopPatience - (signal.IsShared ? SharedSignalPatience : TimeSpan.Zero)))
+        if (!hasEnded)
         {
             process.End();
-            Log($"process {Text(process.Id)} did not end by itself and was ended");
+            Log($"process {Text(process.Id)}, or one that it started, did not end by itself and was ended");
         }
     }
 

@@ -6,6 +6,7 @@ using System.Text.Json;
 using System.Text.Json.Nodes;
 using System.Threading;
 using Harvester.Datasets.Files;
+using Harvester.Datasets.Json;
 using Harvester.Datasets.Sessions;
 using Json.Schema;
 
@@ -18,6 +19,7 @@ namespace Harvester.Datasets.Validation;
 public static class SchemaValidator
 {
     private const string UnknownField = "the field is unknown.";
+    private const int MaxNumberCharacters = 40;
     private static readonly EvaluationOptions Detailed = new() { OutputFormat = OutputFormat.Hierarchical };
 
     /// <summary>The differences from the schemas, one for each line at most; empty if there are none.</summary>
@@ -63,17 +65,26 @@ public static class SchemaValidator
 
     private static string? Problem(JsonSchema schema, string json)
     {
-        JsonNode? node;
+        EvaluationResults results;
         try
         {
-            node = JsonNode.Parse(json);
+            using JsonDocument document = JsonInput.Parse(json);
+            if (LargeNumber(document.RootElement) is { } number)
+            {
+                return $"schema: {(number.Length > MaxNumberCharacters ? number[..MaxNumberCharacters] + "..." : number)} is too large.";
+            }
+
+            results = schema.Evaluate(JsonNode.Parse(json), Detailed);
         }
         catch (JsonException)
         {
             return "it is not valid JSON.";
         }
+        catch (DatasetFormatException e)
+        {
+            return e.Message;
+        }
 
-        EvaluationResults results = schema.Evaluate(node, Detailed);
         if (results.IsValid)
         {
             return null;
@@ -83,6 +94,15 @@ public static class SchemaValidator
         (string place, string message) = Errors(results).MaxBy(static error => error.Place.Count(static sign => sign == '/'));
         return $"schema: {(place.Length == 0 ? "" : place[1..] + ": ")}{message}";
     }
+
+    /// <summary>The first number that a decimal cannot hold, which is how the schemas' limits are compared; null for none.</summary>
+    private static string? LargeNumber(JsonElement element) => element.ValueKind switch
+    {
+        JsonValueKind.Number => element.TryGetDecimal(out _) ? null : element.GetRawText(),
+        JsonValueKind.Array => element.EnumerateArray().Select(LargeNumber).FirstOrDefault(number => number is not null),
+        JsonValueKind.Object => element.EnumerateObject().Select(field => LargeNumber(field.Value)).FirstOrDefault(number => number is not null),
+        _ => null,
+    };
 
     /// <summary>The errors of a result. A valid one may have invalid parts: the alternatives that were not taken.</summary>
     private static IEnumerable<(string Place, string Message)> Errors(EvaluationResults results)

@@ -13,6 +13,9 @@ namespace Harvester.Datasets.Viewing;
 /// </summary>
 internal sealed class LineIndex : IDisposable
 {
+    /// <summary>Lines that are found at most; the index takes 8 bytes for each.</summary>
+    public const int MaxLines = 1 << 22;
+
     private const int BufferBytes = 1 << 20;
 
     private readonly string _path;
@@ -39,6 +42,9 @@ internal sealed class LineIndex : IDisposable
         }
     }
 
+    /// <summary>Whether there are <see cref="MaxLines"/> lines; no further ones are looked for.</summary>
+    public bool IsFull => Count == MaxLines;
+
     /// <summary>Looks for further lines.</summary>
     /// <param name="maxBytes">Bytes to read at most.</param>
     /// <returns>Whether there may be more of them.</returns>
@@ -60,6 +66,11 @@ internal sealed class LineIndex : IDisposable
 
         for (long end = _scanned + maxBytes; _scanned < end;)
         {
+            if (IsFull)
+            {
+                return false;
+            }
+
             int length = RandomAccess.Read(file, _buffer, _scanned);
             if (length == 0)
             {
@@ -117,7 +128,7 @@ internal sealed class LineIndex : IDisposable
         lock (_starts)
         {
             int at = 0;
-            for (int found; (found = bytes[at..].IndexOf((byte)'\n')) >= 0; at += found + 1)
+            for (int found; _starts.Count <= MaxLines && (found = bytes[at..].IndexOf((byte)'\n')) >= 0; at += found + 1)
             {
                 _starts.Add(_scanned + at + found + 1);
             }

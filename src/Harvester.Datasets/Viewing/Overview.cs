@@ -16,6 +16,16 @@ namespace Harvester.Datasets.Viewing;
 /// <param name="views">Names of the rig's cameras; empty without one.</param>
 internal sealed class Overview(IReadOnlyList<string> views)
 {
+    /// <summary>What blocks, objects and events may take together, bytes; an estimate within a factor of 2.</summary>
+    public const int MaxBytes = 512 << 20;
+
+    /// <summary>Lines that cannot be read, after which the reading stops.</summary>
+    public const int MaxProblems = 1000;
+
+    // A pair of numbers and references, and a character, in memory.
+    private const int EventBytes = 64;
+    private const int CharacterBytes = sizeof(char);
+
     private readonly Lock _lock = new();
     private readonly List<byte[]> _blocks = [];
     private readonly List<OverviewFrame> _open = [];
@@ -24,6 +34,13 @@ internal sealed class Overview(IReadOnlyList<string> views)
     private readonly List<(int Index, string Text)> _events = [];
     private readonly SessionStatistics _statistics = SessionStatistics.Of(Array.Empty<FrameLabel>());
     private FrameLabel? _last;
+    private long _bytes;
+
+    /// <summary>Why no further frames are to be added, a sentence; null if they may be.</summary>
+    public string? Limit =>
+        Problems >= MaxProblems ? $"Reading stopped after {MaxProblems} such lines. Check the session with 'harvester validate'."
+        : _bytes >= MaxBytes ? $"Filters, plots and statistics cover the first {Count} frames: they take the memory that is set aside for them."
+        : null;
 
     /// <summary>Number of frames, including those that cannot be read.</summary>
     public int Count { get; private set; }
@@ -35,8 +52,10 @@ internal sealed class Overview(IReadOnlyList<string> views)
     public string? FirstProblem { get; private set; }
 
     /// <summary>Adds the next frame.</summary>
+    /// <param name="label">Its label.</param>
+    /// <param name="lineBytes">Length of its line, bytes.</param>
     /// <exception cref="Files.DatasetFormatException">The label cannot be counted.</exception>
-    public void Add(FrameLabel label)
+    public void Add(FrameLabel label, int lineBytes)
     {
         lock (_lock)
         {
@@ -44,9 +63,11 @@ internal sealed class Overview(IReadOnlyList<string> views)
             foreach (string text in FrameEvents.Between(_last, label))
             {
                 _events.Add((Count, text));
+                _bytes += EventBytes + CharacterBytes * text.Length;
             }
 
             _last = label;
+            int known = _known.Count;
             foreach (ObjectLabel item in label.Objects)
             {
                 if (_known.Add(item.Id))
@@ -54,6 +75,9 @@ internal sealed class Overview(IReadOnlyList<string> views)
                     _firstSeen[^1].Add(item);
                 }
             }
+
+            // New objects are kept whole: their share of the line.
+            _bytes += (long)lineBytes * (_known.Count - known) / Math.Max(1, label.Objects.Count);
 
             Append(OverviewFrame.Of(label, views));
         }
@@ -105,6 +129,7 @@ internal sealed class Overview(IReadOnlyList<string> views)
     private void Append(OverviewFrame frame)
     {
         _open.Add(frame);
+        _bytes += frame.Bytes;
         Count++;
         if (_open.Count == OverviewBlock.Frames)
         {

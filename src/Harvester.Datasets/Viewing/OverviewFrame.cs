@@ -18,9 +18,13 @@ namespace Harvester.Datasets.Viewing;
 internal sealed record OverviewFrame(int Frame, int Moment, int View, float[] Values, OverviewObject[] Objects)
 {
     private const int EgoValues = 10;
+    private const int Numbers = 4;
 
     /// <summary>Length of <see cref="Values"/>.</summary>
     public static int ValueCount { get; } = EgoValues + IndicatorTable.Count;
+
+    /// <summary>The size of the frame in its block, bytes.</summary>
+    public int Bytes => sizeof(float) * (Values.Length + Numbers) + OverviewObject.Bytes * Objects.Length;
 
     /// <summary>Takes the numbers from a label.</summary>
     /// <param name="label">The label.</param>

@@ -11,6 +11,9 @@ namespace Harvester.Datasets.Viewing;
 /// <param name="Box">The 2D box, pixels.</param>
 internal readonly record struct OverviewObject(ushort Id, float DistanceMetres, float TruncatedFraction, float OccludedFraction, Box2D Box)
 {
+    /// <summary>Its size in a block: seven values and the id.</summary>
+    public const int Bytes = 7 * sizeof(float) + sizeof(ushort);
+
     /// <summary>Takes the numbers from a label.</summary>
     public static OverviewObject Of(ObjectLabel item) => new(
         (ushort)item.Id,

@@ -72,6 +72,7 @@ public sealed class SessionView : IDisposable
         json.WriteBoolean("isClosed", _info.CapturedFrames is not null || _info.Fault is not null);
         json.WriteNumber("problems", _overview.Problems);
         json.WriteString("problem", _fault ?? _overview.FirstProblem);
+        json.WriteString("limit", _overview.Limit ?? LimitOfLines());
         json.WriteEndObject();
     });
 
@@ -205,9 +206,12 @@ public sealed class SessionView : IDisposable
         return label.Lidar;
     }
 
-    private FrameLabel LabelAt(int index)
+    private FrameLabel LabelAt(int index) => LabelAt(index, out _);
+
+    private FrameLabel LabelAt(int index, out int lineBytes)
     {
         byte[] line = _lines.Read(index);
+        lineBytes = line.Length;
         try
         {
             FrameLabel label = FrameLabelParser.Parse(Encoding.UTF8.GetString(line));
@@ -218,6 +222,10 @@ public sealed class SessionView : IDisposable
             throw new DatasetFormatException($"{SessionReader.LabelsFile}, line {index + 1}: {e.Message}", e);
         }
     }
+
+    private string? LimitOfLines() => _lines.IsFull
+        ? $"The viewer shows at most {LineIndex.MaxLines} frames of a session, and this one may have more."
+        : null;
 
     private void Read()
     {
@@ -231,7 +239,7 @@ public sealed class SessionView : IDisposable
                 }
 
                 _isIndexed = true;
-                for (int last = Frames; _overview.Count < last;)
+                for (int last = Frames; _overview.Count < last && _overview.Limit is null;)
                 {
                     _end.Token.ThrowIfCancellationRequested();
                     ReadNext();
@@ -255,7 +263,7 @@ public sealed class SessionView : IDisposable
     {
         try
         {
-            _overview.Add(LabelAt(_overview.Count));
+            _overview.Add(LabelAt(_overview.Count, out int lineBytes), lineBytes);
         }
         catch (DatasetFormatException e)
         {

@@ -18,7 +18,7 @@ public static class RegularFile
     /// <summary>Opens a file for reading.</summary>
     /// <param name="path">The file; links are followed.</param>
     /// <param name="share">What other processes may do with the file while it is open.</param>
-    /// <exception cref="IOException">The file is a pipe, a socket or a device, or cannot be read.</exception>
+    /// <exception cref="IOException">The file is a pipe, a socket or a device, has an impossible name, or cannot be read.</exception>
     /// <exception cref="UnauthorizedAccessException">The path is a folder, or may not be read.</exception>
     public static FileStream OpenRead(string path, FileShare share = FileShare.Read)
     {
@@ -28,9 +28,14 @@ public static class RegularFile
 
     /// <summary>Rejects a pipe, a socket or a device. A missing file is accepted; opening it reports that.</summary>
     /// <param name="path">The file; links are followed.</param>
-    /// <exception cref="IOException">The file is one of these.</exception>
+    /// <exception cref="IOException">The file is one of these, or its name has a NUL character.</exception>
     public static void Check(string path)
     {
+        if (path.IndexOf('\0') >= 0)
+        {
+            throw new IOException("The name of a file has a NUL character, which no file system allows.");
+        }
+
         if (IsSpecial(path))
         {
             throw new IOException($"'{path}' is a pipe, a socket or a device. Name a regular file.");

@@ -49,6 +49,19 @@ public sealed class PlanCommandTests : IDisposable
     }
 
     [Fact]
+    public void Rig_with_an_impossible_name_is_a_problem()
+    {
+        string plan = _folder.PathOf("plan.json");
+        File.WriteAllText(
+            plan, """{"name":"p","places":[{"name":"a","spread":2}],"cameras":[{"name":"c","rig":"a\u0000b.json"}]}""");
+
+        CliRun run = CliRun.Of("plan", "check", plan);
+
+        Assert.Equal(ExitCode.BadData, run.ExitCode);
+        Assert.Contains("rig of camera 'c'", run.Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Check_lists_every_problem()
     {
         File.WriteAllText(PlanPath, """{"name":"p","places":[{"name":"a","spread":2}],"hz":0,"hour":["12:00"]}""");

@@ -57,6 +57,27 @@ public sealed class ValidateSchemaTests(SmallSession small) : IClassFixture<Smal
         Assert.Contains($"labels.jsonl, line 2: {problem}\n", run.Out, StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData("\"frame\":1", "\"frame\":1e30", "schema: 1e30 is too large.")]
+    [InlineData("\"frame\":1", "\"frame\":-1e999", "schema: -1e999 is too large.")]
+    [InlineData("\"frame\":1", "\"frame\":1,\"frame\":1", "an object in it has a duplicate field.")]
+    [InlineData("\"frame\":1", "\"frame\":\"\\ud800\"", "a string in it has an unpaired surrogate, which is not valid Unicode.")]
+    public void Validate_schema_reports_what_it_cannot_evaluate(string from, string to, string problem)
+    {
+        using var folder = new TemporaryFolder();
+        string session = folder.PathOf("session");
+        Assert.Equal(ExitCode.Done, CliRun.Of("relabel", small.Folder, "--out", session).ExitCode);
+        string labels = Path.Combine(session, "labels.jsonl");
+        string text = File.ReadAllText(labels);
+        Assert.Contains(from, text, StringComparison.Ordinal);
+        File.WriteAllText(labels, text.Replace(from, to, StringComparison.Ordinal));
+
+        CliRun run = CliRun.Of("validate", session, "--schema", "--quick");
+
+        Assert.Equal(ExitCode.BadData, run.ExitCode);
+        Assert.Contains($"labels.jsonl, line 2: {problem}\n", run.Out, StringComparison.Ordinal);
+    }
+
     private static void AssertConforms(string session)
     {
         CliRun run = CliRun.Of("validate", session, "--schema");

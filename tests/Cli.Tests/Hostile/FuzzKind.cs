@@ -37,6 +37,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
     private const string Sheet =
         "contact-sheet --roads {0}/straight.csv --size 64x48 --seconds 0 --out {0}/out.png";
 
+    private const string Schema = "validate {0}/session --schema --quick";
     private const string Merge = "merge {0}/shard {0}/shard2 --out {0}/out";
 
     /// <summary>Makes the datasets of the corpus, and a session that shows people with joints; {0} is its folder.</summary>
@@ -55,9 +56,9 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
     public static IReadOnlyList<FuzzKind> All { get; } =
     [
         new("session", "session/session.json", ValidateSession, "validate {0}/session", "stats {0}/session", "report {0}/session", Relabel,
-            Export("csv"), "doctor {0}/session"),
+            Export("csv"), "doctor {0}/session", Schema),
         new("labels", "session/labels.jsonl", ReadLabels, [
-            "validate {0}/session", "stats {0}/session", "report {0}/session --out {0}/out.html", "report {0}/session --still 0 --out "
+            "validate {0}/session", Schema, "stats {0}/session", "report {0}/session --out {0}/out.html", "report {0}/session --still 0 --out "
                 + "{0}/out.png", "compare {0}/session {0}/session --out {0}/out.html", Relabel, "masks import {0}/session {0}/maps",
             .. DatasetFormats.All.Select(format => Export(format.Name)),
         ]),
@@ -119,6 +120,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Dataset("imagefolder", "imagefolder", "data/train/metadata.jsonl"),
         new("experiment", "plan.json", folder => PlanFile.Read(In(folder, "plan.json")), "plan check {0}/plan.json",
             "plan show {0}/plan.json"),
+        new("experiment-rig", "rig.json", folder => PlanFile.Read(In(folder, "plan.json")), "plan check {0}/plan.json"),
         Compared("kitti-compared", "kitti/training/label_2/000000.txt", ComparedKitti.Open, "--kitti {0}/kitti"),
         Compared("nuscenes-compared", "nuscenes/v1.0-gta/sample_annotation.json", ComparedNuScenes.Open, "--nuscenes {0}/nuscenes"),
         Compared("calibration-compared", "nuscenes/v1.0-gta/calibrated_sensor.json", ComparedNuScenes.Open, "--nuscenes {0}/nuscenes"),

@@ -72,8 +72,14 @@ internal static class FuzzTexts
         ("plan.json", """
             {"name": "fuzz", "seed": 7, "places": [{"name": "a", "x": 1.5, "y": -2, "headingDegrees": 90, "metres": 50},
              {"name": "b", "path": [[0, -40], [0, 40]], "seconds": 20}], "weathers": ["clear", "rain"], "hours": ["07:30", "12:00"],
-             "cameras": [{"name": "wide", "width": 64, "height": 48, "verticalFovDegrees": 90}], "repetitions": 2, "frames": 3, "hz": 5,
+             "cameras": [{"name": "wide", "width": 64, "height": 48, "verticalFovDegrees": 90}, {"name": "pair", "rig": "rig.json"}],
+             "repetitions": 2, "frames": 3, "hz": 5,
              "speed": 10, "traffic": 0.5, "pedestrians": 1, "parked": 2, "masks": "rays"}
+
+            """),
+        ("rig.json", """
+            {"name": "pair", "cameras": [{"name": "LEFT", "position": [0, 1.7, 1.5], "verticalFovDegrees": 39, "width": 64, "height": 48}],
+             "lidars": [{"name": "TOP", "model": "HDL-32E", "position": [0, 0.94, 1.84], "rateHz": 20}]}
 
             """),
         ("nodes.json", """

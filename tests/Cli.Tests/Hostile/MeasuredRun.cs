@@ -29,7 +29,8 @@ internal sealed record MeasuredRun(int ExitCode, string Error, long? PeakBytes)
         return new MeasuredRun(process.ExitCode, error.Result, peak);
     }
 
-    private static long? PeakOf(int process)
+    /// <summary>The largest resident memory that a running process has had, bytes; null off Linux.</summary>
+    public static long? PeakOf(int process)
     {
         try
         {

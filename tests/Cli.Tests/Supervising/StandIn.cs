@@ -38,6 +38,7 @@ internal static class StandIn
         return behaviour switch
         {
             "hangs" => Hang(folder),
+            "leaves-daemon" => LeaveDaemon(folder),
             "crashes" or "crashes-always" => Crash(folder),
             "quits" => 0,
             "skips" => Skip(folder),
@@ -57,6 +58,18 @@ internal static class StandIn
     {
         using Process? helper = OperatingSystem.IsWindows() ? null : Process.Start("sleep", "600");
         File.WriteAllText(Path.Combine(folder, Helper), $"{helper?.Id}");
+        Write(folder, "running", frames: 1);
+        return Wait();
+    }
+
+    /// <summary>Starts a process that leaves its session and its parent.</summary>
+    private static int LeaveDaemon(string folder)
+    {
+        using (Process shell = Process.Start("setsid", ["sh", "-c", $"sleep 600 > /dev/null & echo $! > {Path.Combine(folder, Helper)}"]))
+        {
+            shell.WaitForExit();
+        }
+
         Write(folder, "running", frames: 1);
         return Wait();
     }

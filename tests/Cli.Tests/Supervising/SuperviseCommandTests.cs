@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using Harvester.Cli.Supervising;
 using Harvester.Cli.Terminals;
 
 namespace Harvester.Cli.Tests.Supervising;
@@ -23,6 +24,7 @@ public sealed class SuperviseCommandTests : IDisposable
     [Theory]
     [InlineData("stalls", "it has been at frame 1 for 0.5 s", "--stall", "0.5")]
     [InlineData("hangs", "no new heartbeat for 1 s", "--timeout", "1")]
+    [InlineData("leaves-daemon", "no new heartbeat for 1 s", "--timeout", "1")]
     [InlineData("writes-rubbish", "no heartbeat within 1 s. The file cannot be used: It has more than", "--start-timeout", "1")]
     [Trait("Category", "Heavy")]
     public void Program_that_hangs_or_stalls_is_restarted(string behaviour, string reason, string option, string value)
@@ -30,10 +32,60 @@ public sealed class SuperviseCommandTests : IDisposable
         AssertRestarted(behaviour, reason, option, value);
 
         // The process that the one that hung had started is ended too.
-        if (behaviour == "hangs" && OperatingSystem.IsLinux())
+        if (behaviour is ("hangs" or "leaves-daemon") && OperatingSystem.IsLinux())
         {
-            Wait(() => IsEnded(File.ReadAllText(_folder.PathOf(StandIn.Helper))), "the end of its helper");
+            Wait(() => IsEnded(File.ReadAllText(_folder.PathOf(StandIn.Helper)).Trim()), "the end of its helper");
         }
+    }
+
+    [Theory]
+    [InlineData("leaves-daemon")]
+    [InlineData("hangs")]
+    [Trait("Category", "Heavy")]
+    public void Helper_of_a_crashed_program_is_ended(string behaviour)
+    {
+        if (!OperatingSystem.IsLinux())
+        {
+            return;
+        }
+
+        Task<CliRun> run = CliRun.BesideAsync(Words(behaviour));
+        Wait(() => HeartbeatReader.Read(_folder.PathOf("heartbeat.json")).Heartbeat is not null, "the heartbeat");
+        SeenHeartbeat heartbeat = HeartbeatReader.Read(_folder.PathOf("heartbeat.json")).Heartbeat!;
+        string helper = File.ReadAllText(_folder.PathOf(StandIn.Helper)).Trim();
+        Signal("KILL", heartbeat.Process);
+
+        run.GetAwaiter().GetResult().AssertDone();
+        Assert.True(IsEnded(helper));
+    }
+
+    /// <summary>
+    /// A shell that SIGTERM ends leaves two children that ignore it, and one that has left its session with an empty environment.
+    /// </summary>
+    [Fact]
+    [Trait("Category", "Heavy")]
+    public void Stubborn_children_are_ended_with_the_supervisor()
+    {
+        if (!OperatingSystem.IsLinux())
+        {
+            return;
+        }
+
+        const string script = """
+            cd "$0"
+            for child in 1 2; do sh -c 'trap "" TERM INT; echo $$ > stubborn-'$child'; while :; do sleep 1; done' & done
+            env -i /usr/bin/setsid /bin/sh -c '/bin/sleep 600 > /dev/null & echo $! > stubborn-3'
+            printf '{"process": %d, "time": "%s", "state": "running", "trial": null, "frames": 1}' \
+              $$ "$(date -u +%Y-%m-%dT%H:%M:%SZ)" > heartbeat.json
+            while :; do sleep 1; done
+            """;
+        using Process supervisor = StartBeside("supervise", "--heartbeat", _folder.Path, "--", "sh", "-c", script, _folder.Path);
+        Wait(() => File.Exists(_folder.PathOf("heartbeat.json")) && Directory.GetFiles(_folder.Path, "stubborn-*").Length == 3, "children");
+        Signal("TERM", supervisor.Id);
+
+        Assert.True(supervisor.WaitForExit(Patience), HeededSignals.NotEnded);
+        Assert.Equal(ExitCode.Terminated, supervisor.ExitCode);
+        Assert.All(Directory.GetFiles(_folder.Path, "stubborn-*"), file => Assert.True(IsEnded(File.ReadAllText(file).Trim()), file));
     }
 
     [Fact]
@@ -143,23 +195,31 @@ public sealed class SuperviseCommandTests : IDisposable
             return;
         }
 
-        string program = Path.Combine(AppContext.BaseDirectory, "harvester.dll");
-        string words = string.Join(' ', Words("obeys").Prepend(program).Select(ShellWord.Of));
-        var start = new ProcessStartInfo("sh", ["-c", $"{HeededSignals.Script}exec $heeding dotnet {words}"])
-        {
-            RedirectStandardInput = true,
-            RedirectStandardOutput = true,
-        };
-        using Process supervisor = Process.Start(start)!;
+        using Process supervisor = StartBeside(Words("obeys"));
         Wait(() => File.Exists(_folder.PathOf("heartbeat.json")), "the heartbeat");
-        using (Process kill = Process.Start("kill", [$"-{signal}", $"{supervisor.Id}"]))
-        {
-            kill.WaitForExit();
-        }
+        Signal(signal, supervisor.Id);
 
         Assert.True(supervisor.WaitForExit(Patience), HeededSignals.NotEnded);
         Assert.Equal(code, supervisor.ExitCode);
         Assert.Equal("SIG" + signal, File.ReadAllText(_folder.PathOf(StandIn.Stopped)));
+    }
+
+    /// <summary>Starts the command in a process of its own.</summary>
+    private static Process StartBeside(params string[] arguments)
+    {
+        string program = Path.Combine(AppContext.BaseDirectory, "harvester.dll");
+        string words = string.Join(' ', arguments.Prepend(program).Select(ShellWord.Of));
+        return Process.Start(new ProcessStartInfo("sh", ["-c", $"{HeededSignals.Script}exec $heeding dotnet {words}"])
+        {
+            RedirectStandardInput = true,
+            RedirectStandardOutput = true,
+        })!;
+    }
+
+    private static void Signal(string signal, int process)
+    {
+        using Process kill = Process.Start("kill", [$"-{signal}", $"{process}"]);
+        kill.WaitForExit();
     }
 
     /// <summary>Whether a process has ended, even if nobody has asked for its exit code yet.</summary>

@@ -171,11 +171,11 @@ const redrawGrowth = 1.2; // What depends on all frames is drawn anew for so man
 let drawnKnown = 0;
 
 /** Takes over that more frames are known. */
-async function grow({ problems, problem }) {
+async function grow({ problems, problem, limit }) {
   byId("slider").max = source.count - 1;
   byId("note").textContent = [
     data.note, source.known < source.count ? `${source.known} of ${source.count} frames are read for filters, plots and statistics.` : "",
-    problem ? `${problems} lines cannot be read. ${problem}` : ""].filter(text => text !== "").join(" ");
+    problem ? `${problems} lines cannot be read. ${problem}` : "", limit ?? ""].filter(text => text !== "").join(" ");
   if (!isBegun && source.count > 0) await begin();
   if (!state.frame || (source.known < source.count && source.known < drawnKnown * redrawGrowth)) return;
   drawnKnown = source.known;

@@ -90,7 +90,8 @@ const source = {
     let pause = 100;
     for (let isOver = false; !isOver;) {
       const status = await (await ask("state")).json();
-      isOver = status.isClosed && status.isIndexed && status.read === status.frames;
+      const isRead = status.isIndexed && (status.read === status.frames || status.limit !== null);
+      isOver = status.isClosed && isRead;
       const before = source.count + source.known;
       for (let number = Math.floor(source.known / data.blockFrames); source.known < status.read; number++) {
         const [objects, block] = await Promise.all([ask(`objects/${number}`).then(found => found.json()), ask(`block/${number}`).then(found => found.arrayBuffer())]);
@@ -101,11 +102,11 @@ const source = {
       }
       source.count = status.frames;
       if (source.count + source.known > before) {
-        if (source.known === source.count) figures(await (await ask("figures")).json());
+        if (isRead) figures(await (await ask("figures")).json());
         grow(status);
       }
       await new Promise(later => setTimeout(later, pause));
-      pause = source.known < source.count ? 100 : 1000;
+      pause = isRead ? 1000 : 100;
     }
   },
 };
