@@ -339,3 +339,46 @@ def test_hostile_folder_name_is_text(driver, tmp_path):
         page.wait(lambda: page.text("#title") == name)
         assert page.script("return window.hacked === undefined") and page.count("img[src=x]") == 0
     driver.get_log("browser")
+
+
+def test_masks_are_shown_at_first(view, open_page):
+    for page in (view("town"), open_page("town")):
+        page.wait(lambda: "mask" in (page.rasters() or ""))
+        assert page.script("return state.shown.has('mask')")
+
+
+def test_address_without_masks_shows_none(view):
+    page = view("town", "#show=box")
+    page.wait(lambda: page.rasters() is not None)
+    assert not page.script("return state.shown.has('mask')")
+
+
+def test_report_and_viewer_have_the_same_values(view, open_page):
+    script = """return ["speed", "yawRate", "acceleration", "steering", ...data.indicatorTable.map(([name]) => name)]
+        .map(name => Array.from({ length: source.count }, (_, index) => source.value(name, index)))"""
+    served, reported = view("town").script(script), open_page("town").script(script)
+    assert served == reported
+    assert all(speed > 0 for speed in served[0])
+
+
+def test_plot_has_axes(view):
+    page = view("town")
+    values = [float(text) for text in page.text("#plot-values").split()]
+    speeds = page.script("return Array.from({ length: source.count }, (_, index) => source.value('speed', index) * 3.6)")
+    assert (values[0], values[-1]) == (round(max(speeds), 1), round(min(speeds), 1))
+    assert page.text("#plot-frames").split()[:2] == ["frame", "0"] and page.text("#plot-frames").split()[-1] == "19"
+
+
+def test_layer_that_is_off_is_not_struck_through(view):
+    page = view("town", "#show=box")
+    styles = page.script("""return [...document.querySelectorAll("#kinds button")].map(button => {
+        const style = getComputedStyle(button); return [button.getAttribute("aria-pressed"), style.textDecorationLine, style.backgroundColor]; })""")
+    assert {line for _, line, _ in styles} == {"none"}
+    assert not {fill for pressed, _, fill in styles if pressed == "true"} & {fill for pressed, _, fill in styles if pressed == "false"}
+
+
+def test_picture_uses_the_width_of_the_window(driver, view):
+    resize(driver, 1366, 768)
+    page = view("town")
+    resize(driver, 1366, 768)
+    assert page.script("return byId('stage').getBoundingClientRect().width") > 1366 * 0.45

@@ -23,15 +23,37 @@ internal static class SessionJson
     public static string Text(SessionRecord record)
     {
         HarvestOptions options = record.Start.Options;
+        JsonText json = Begun(record.Origin, options);
+        json.Key("start").BeginObject()
+            .Key("gameFrame").Integer(record.Start.GameFrame)
+            .Key("timeSeconds").Number(record.Start.TimeSeconds, LabelDecimals.Seconds)
+            .Key("recordedUtc").String(record.Origin.RecordedUtc)
+            .Key("cameraErrorPixels").Number(record.Start.CameraErrorPixels, LabelDecimals.Pixels);
+        if (record.Start.Freezing is { } freezing)
+        {
+            Append(json.Key("freezing"), freezing);
+        }
+
+        json.EndObject();
+        JsonLabelWriter.Append(json.Key("camera"), CameraLabel.Of(options.CameraOf(record.Start.Camera)));
+        AppendEnd(json, record);
+        return json.EndObject() + "\n";
+    }
+
+    /// <summary>What all runs of one session begin with, as far as <see cref="RunsBegin"/>.</summary>
+    public static string Settings(SessionOrigin origin, HarvestOptions options) => $"{Begun(origin, options)},";
+
+    private static JsonText Begun(SessionOrigin origin, HarvestOptions options)
+    {
         var json = new JsonText(indented: true);
         json.BeginObject()
             .Key("formatVersion").Integer(FormatVersion)
-            .Key("tool").String(record.Origin.Tool)
+            .Key("tool").String(origin.Tool)
             .Key("captureVersion").String(typeof(SessionJson).Assembly.GetName().Version!.ToString(3))
-            .Key("game").String(record.Origin.Game)
-            .Key("seed").Integer(record.Origin.Seed)
+            .Key("game").String(origin.Game)
+            .Key("seed").Integer(origin.Seed)
             .Key("settings").BeginObject();
-        foreach (KeyValuePair<string, string> setting in record.Origin.Settings)
+        foreach (KeyValuePair<string, string> setting in origin.Settings)
         {
             json.Key(setting.Key).String(setting.Value);
         }
@@ -57,21 +79,8 @@ internal static class SessionJson
         }
 
         json.EndArray();
-        AppendTruth(json, record.Origin.Truth);
-        json.Key("start").BeginObject()
-            .Key("gameFrame").Integer(record.Start.GameFrame)
-            .Key("timeSeconds").Number(record.Start.TimeSeconds, LabelDecimals.Seconds)
-            .Key("recordedUtc").String(record.Origin.RecordedUtc)
-            .Key("cameraErrorPixels").Number(record.Start.CameraErrorPixels, LabelDecimals.Pixels);
-        if (record.Start.Freezing is { } freezing)
-        {
-            Append(json.Key("freezing"), freezing);
-        }
-
-        json.EndObject();
-        JsonLabelWriter.Append(json.Key("camera"), CameraLabel.Of(options.CameraOf(record.Start.Camera)));
-        AppendEnd(json, record);
-        return json.EndObject() + "\n";
+        AppendTruth(json, origin.Truth);
+        return json;
     }
 
     private static IEnumerable<ObjectClass> ClassesOf(HarvestOptions options) =>

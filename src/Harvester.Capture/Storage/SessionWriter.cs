@@ -113,6 +113,14 @@ public sealed class SessionWriter : IFrameSink
     // A resumed session of an earlier version gets no manifest of its later frames alone.
     private bool KeepsManifest => _before.HasManifest || _before.Frames == 0;
 
+    /// <summary>Whether a session.json is that of a session from the same origin and with the same options, finished or not.</summary>
+    /// <param name="text">Content of the file.</param>
+    /// <param name="origin">The origin.</param>
+    /// <param name="options">The options.</param>
+    public static bool IsOf(string text, SessionOrigin origin, HarvestOptions options) =>
+        text is null ? throw new ArgumentNullException(nameof(text))
+        : text.StartsWith(SessionJson.Settings(origin, options) + SessionJson.RunsBegin, StringComparison.Ordinal);
+
     /// <summary>Has a text written beside the scenes when the session is opened.</summary>
     /// <param name="name">Its path within the session, with forward slashes.</param>
     /// <param name="text">The text.</param>

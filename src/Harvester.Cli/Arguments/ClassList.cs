@@ -26,6 +26,6 @@ internal static class ClassList
         text is null ? null : [.. text.Split(',').Select(name => ParseOne(name.Trim()))];
 
     private static ObjectClass ParseOne(string name) =>
-        JsonNames.TryRead(name, out ObjectClass kind) ? kind
-            : throw new UsageException($"--classes takes a comma-separated list of {Names}, not '{name}'.");
+        ValueParsers.ParseChoice<ObjectClass>(name)
+            ?? throw new UsageException($"--classes takes a comma-separated list of {Names}, not '{name}'.");
 }

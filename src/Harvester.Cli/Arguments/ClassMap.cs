@@ -26,7 +26,7 @@ internal static class ClassMap
         foreach (string entry in text?.Split(',') ?? [])
         {
             string[] words = [.. entry.Split('=').Select(word => word.Trim())];
-            if (words.Length != 2 || !JsonNames.TryRead(words[0], out ObjectClass kind) || !IsName(words[1]))
+            if (words.Length != 2 || ValueParsers.ParseChoice<ObjectClass>(words[0]) is not { } kind || !IsName(words[1]))
             {
                 string classes = string.Join(", ", JsonNames.All<ObjectClass>());
                 throw new UsageException($"--map takes classes with names, e.g. bus=Car,truck=Car, not '{entry}'. "

@@ -21,7 +21,7 @@ internal static class DetailOption
 
     /// <summary>The level that a value names.</summary>
     /// <exception cref="UsageException">The value is not a level.</exception>
-    public static Detail Parse(string value) => value switch
+    public static Detail Parse(string value) => value.ToLowerInvariant() switch
     {
         Plain => Detail.Plain,
         Full => Detail.Full,

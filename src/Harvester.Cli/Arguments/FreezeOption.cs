@@ -21,10 +21,10 @@ internal static class FreezeOption
 
     /// <summary>The method that a value names; null for auto.</summary>
     /// <exception cref="UsageException">The value is not a method.</exception>
-    public static FreezeMethod? Parse(string value) => value switch
+    public static FreezeMethod? Parse(string value) => value.ToLowerInvariant() switch
     {
         Paused => FreezeMethod.Paused,
-        TimeScale => FreezeMethod.TimeScale,
+        "timescale" => FreezeMethod.TimeScale,
         Auto => null,
         _ => throw new UsageException($"--freeze takes {Paused}, {TimeScale} or {Auto}, not '{value}'."),
     };

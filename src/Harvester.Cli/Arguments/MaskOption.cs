@@ -36,7 +36,7 @@ internal static class MaskOption
     /// <param name="isWhole">Whether the command harvests the whole session: masks of both methods are compared in all of it.</param>
     /// <exception cref="UsageException">The value is not a method, or cannot be used for a part of a harvest.</exception>
     public static MaskMethod? Parse(ParseResult parsed, Option<string?> option, bool isWhole) => parsed.GetResult(option) is null ? null
-        : parsed.GetValue(option) switch
+        : parsed.GetValue(option)?.ToLowerInvariant() switch
         {
             null or Rays => MaskMethod.Rays,
             Coded => MaskMethod.Coded,

@@ -40,8 +40,8 @@ internal sealed class MomentOptions
     public string Weather(ParseResult parsed)
     {
         string weather = parsed.GetRequiredValue(_weather);
-        return WeatherNames.IsKnown(weather) ? weather
-            : throw new UsageException($"--weather takes one of {string.Join(", ", WeatherNames.All)}, not '{weather}'.");
+        return WeatherNames.Find(weather)
+            ?? throw new UsageException($"--weather takes one of {string.Join(", ", WeatherNames.All)}, not '{weather}'.");
     }
 
     /// <summary>The time of day at the start.</summary>

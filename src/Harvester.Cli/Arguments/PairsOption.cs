@@ -82,19 +82,19 @@ internal sealed class PairsOption
             return [];
         }
 
-        if (text == All && all.Count > 0)
+        if (text.Equals(All, StringComparison.OrdinalIgnoreCase) && all.Count > 0)
         {
             return all;
         }
 
         string[] parts = [.. text.Split(',').Select(part => part.Trim())];
-        return parts.GroupBy(part => part, StringComparer.Ordinal).FirstOrDefault(group => group.Count() > 1) is { } twice
+        return parts.GroupBy(part => part, StringComparer.OrdinalIgnoreCase).FirstOrDefault(group => group.Count() > 1) is { } twice
             ? throw new UsageException($"{option} has '{twice.Key}' twice.")
             : parts.Select(parse);
     }
 
-    private static string Weather(string text) => WeatherNames.IsKnown(text) ? text
-        : throw new UsageException($"--pair-weathers takes {string.Join(", ", WeatherNames.All)}, or {All}, not '{text}'.");
+    private static string Weather(string text) => WeatherNames.Find(text)
+        ?? throw new UsageException($"--pair-weathers takes {string.Join(", ", WeatherNames.All)}, or {All}, not '{text}'.");
 
     private static int Hour(string text) =>
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int hour) && hour < HoursOfDay

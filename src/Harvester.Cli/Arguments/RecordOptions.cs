@@ -1,13 +1,14 @@
 using System;
 using System.Collections.Generic;
 using System.CommandLine;
+using System.Linq;
 using Harvester.Cli.Driving;
 using Harvester.Cli.Terminals;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Cli.Arguments;
 
-/// <summary>--record and --record-every.</summary>
+/// <summary>--record, --record-every and --min-free.</summary>
 internal sealed class RecordOptions
 {
     /// <summary>Controls are decided in this period, seconds of game time; frames are recorded where they are.</summary>
@@ -18,6 +19,8 @@ internal sealed class RecordOptions
     private readonly Option<double> _every = ValueParsers.Number(
         "--record-every", "S", "Game time from one recorded frame to the next, seconds", IsPeriod, "a multiple of 0.1, at most 60");
 
+    private readonly Option<long?> _minFree = MinFreeOption.Create();
+
     /// <summary>Creates the options.</summary>
     /// <param name="what">What is recorded: the words after "Record".</param>
     public RecordOptions(string what)
@@ -27,7 +30,7 @@ internal sealed class RecordOptions
     }
 
     /// <summary>The options.</summary>
-    public IEnumerable<Option> All => [_folder, _every];
+    public IEnumerable<Option> All => [_folder, _every, _minFree];
 
     /// <summary>The folder of the recording; null if nothing is recorded.</summary>
     public string? FolderOf(ParseResult parsed) => parsed.GetValue(_folder);
@@ -37,15 +40,22 @@ internal sealed class RecordOptions
     /// <param name="size">Size of the images, pixels.</param>
     /// <param name="isNumbered">Whether there may be several drives, each with a session.</param>
     /// <param name="settings">Settings of the drive for session.json.</param>
-    /// <exception cref="UsageException">Nothing is recorded, but a period is given.</exception>
+    /// <exception cref="UsageException">Nothing is recorded, but another of the options is given.</exception>
     public RecordPlan? Parse(ParseResult parsed, ImageSize size, bool isNumbered, IReadOnlyList<KeyValuePair<string, string>> settings)
     {
         if (FolderOf(parsed) is { } folder)
         {
-            return new RecordPlan(folder, parsed.GetValue(_every), size) { IsNumbered = isNumbered, Settings = settings };
+            return new RecordPlan(folder, parsed.GetValue(_every), size)
+            {
+                IsNumbered = isNumbered,
+                MinFreeBytes = MinFreeOption.BytesIn(parsed, _minFree),
+                Settings = settings,
+            };
         }
 
-        return parsed.GetResult(_every) is { Implicit: false } ? throw new UsageException($"{_every.Name} needs {_folder.Name}.") : null;
+        return new Option[] { _every, _minFree }.FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false }) is { } alone
+            ? throw new UsageException($"{alone.Name} needs {_folder.Name}.")
+            : null;
     }
 
     private static bool IsPeriod(double seconds) =>

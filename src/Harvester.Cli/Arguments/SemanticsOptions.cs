@@ -32,7 +32,7 @@ internal sealed class SemanticsOptions
     /// <summary>Where classes come from; null for no class maps.</summary>
     /// <exception cref="UsageException">The value is no source.</exception>
     public SemanticsMethod? Method(ParseResult parsed) =>
-        parsed.GetValue(Source) switch
+        parsed.GetValue(Source)?.ToLowerInvariant() switch
         {
             null => null,
             "rays" => SemanticsMethod.Rays,

@@ -114,7 +114,8 @@ internal static class ValueParsers
         return value;
     }
 
-    private static T? ParseChoice<T>(string text)
+    /// <summary>The value of an enum with a name, in any case; null for an unknown one.</summary>
+    public static T? ParseChoice<T>(string text)
         where T : struct, Enum =>
         Enum.GetValues<T>().Where(value => JsonName.Of(value).Equals(text, StringComparison.OrdinalIgnoreCase)).Cast<T?>().FirstOrDefault();
 

@@ -27,6 +27,9 @@ internal static class Application
     /// </summary>
     private const string ReplacementCharacter = "\uFFFD";
 
+    /// <summary>The word that asks for the help of the command that follows it, as --help after that command does.</summary>
+    private const string Help = "help";
+
     private const string Description =
         "Harvests labelled driving images from a simulated game, and checks, shows and exports sessions, including those of the mod for "
         + "GTA V.";
@@ -78,6 +81,11 @@ internal static class Application
     /// <returns>The exit code.</returns>
     public static async Task<int> RunAsync(string[] arguments, Terminal terminal, CancellationToken cancellation)
     {
+        if (arguments is [Help, .. var asked])
+        {
+            return await RunAsync([.. asked, "--help"], terminal, cancellation).ConfigureAwait(false);
+        }
+
         Option<bool> quiet = QuietOption.Create();
         ParseResult parsed = CreateRoot(terminal, quiet, arguments).Parse(arguments);
         if (Array.IndexOf(arguments, "") >= 0)

@@ -66,10 +66,10 @@ internal static class CompareCommand
 
             string page = parsed.GetValue(output) ?? DefaultPage;
             string? figures = parsed.GetValue(json);
-            CheckExtension("--out", page, ".html", ".htm");
+            FileExtension.Check("--out", page, ".html", ".htm");
             if (figures is not null)
             {
-                CheckExtension("--json", figures, ".json");
+                FileExtension.Check("--json", figures, ".json");
             }
 
             SessionReader session = RecordedSessions.Open(terminal, parsed.GetRequiredValue(first), cancellation);
@@ -141,14 +141,6 @@ internal static class CompareCommand
         table.AddRow(name, "", "", "", Text(DatasetComparison.Between(first, second)?.JensenShannon));
 
     private static string Text(double? value) => value is { } known ? ComparisonPage.Rounded(known) : "none";
-
-    private static void CheckExtension(string option, string file, params string[] allowed)
-    {
-        if (!allowed.Contains(Path.GetExtension(file), StringComparer.OrdinalIgnoreCase))
-        {
-            throw new UsageException($"{option} takes a file that ends in {string.Join(" or ", allowed)}, not '{file}'.");
-        }
-    }
 
     private static void CheckIsNoInput(string file, SessionReader session, SessionReader? other, string? folder)
     {

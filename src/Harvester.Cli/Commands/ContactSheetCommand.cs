@@ -110,11 +110,9 @@ internal sealed class ContactSheetCommand
 
     private SheetPlan PlanOf(ParseResult parsed)
     {
-        string[] weathers = ValuesOf(parsed, Weathers, "clear");
-        if (Array.Find(weathers, name => !WeatherNames.IsKnown(name)) is { } unknown)
-        {
-            throw new UsageException($"--weather takes one of {string.Join(", ", WeatherNames.All)}, not '{unknown}'.");
-        }
+        FileExtension.Check("--out", parsed.GetRequiredValue(Out), ".png");
+        string[] weathers = [.. ValuesOf(parsed, Weathers, "clear").Select(name => WeatherNames.Find(name)
+            ?? throw new UsageException($"--weather takes one of {string.Join(", ", WeatherNames.All)}, not '{name}'."))];
 
         int seed = parsed.GetValue(Seed);
         int spread = parsed.GetValue(Places);

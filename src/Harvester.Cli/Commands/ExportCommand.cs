@@ -142,18 +142,15 @@ internal sealed class ExportCommand
     {
         ExportPlan plan = PlanOf(terminal, parsed, cancellation);
         string folder = parsed.GetRequiredValue(Out);
-        if (OutputFolder.FileInTheWayOf(folder) is { } file)
-        {
-            throw new IOException($"'{file}' is a file. Name a folder.");
-        }
-
         Shard shard = parsed.GetValue(ShardOf);
         string part = shard.Count > 1 ? FormattableString.Invariant($".{shard.Number}-of-{shard.Count}") : "";
         using FolderLock held = FolderLock.Take(folder, part);
+        OutputDisk.Check(folder, "--out", MinFreeOption.BytesIn(parsed, MinFree));
         int frames = plan.Sessions.Sum(session => session.CountLines()) / shard.Count;
         var exporter = new DatasetExporter(plan, folder, shard, parsed.GetValue(Sync))
         {
             MinFreeBytes = MinFreeOption.BytesIn(parsed, MinFree),
+            Resumes = parsed.GetValue(Resume),
         };
         ExportResult result = new JobProgress(terminal, frames).Run(report => exporter.Run(report, cancellation));
         terminal.Out.WriteLine(result.IsFinished
@@ -216,7 +213,7 @@ internal sealed class ExportCommand
         var subclasses = Subclasses.None;
         foreach (string name in text.Split(',', StringSplitOptions.RemoveEmptyEntries))
         {
-            subclasses |= JsonNames.TryRead(name, out Subclasses one) && one != Subclasses.None
+            subclasses |= ValueParsers.ParseChoice<Subclasses>(name) is { } one && one != Subclasses.None
                 ? one
                 : throw new UsageException($"--subclasses takes mutcd, light or mutcd,light, not '{text}'.");
         }

@@ -181,7 +181,14 @@ internal sealed class HarvestCommand
     {
         ResumeOption.Check(plan.Resume, plan.Overwrite);
 
-        using var output = new SessionOutput(terminal, plan.Folder, command, plan.Overwrite, keepsFrames: true, plan.Resume);
+        if (plan.Resume && FinishedHarvest.FramesIn(plan) is { } frames)
+        {
+            terminal.Out.WriteLine($"{plan.Folder}: {Counted.Of(frames, "frame")}; the harvest is finished already.");
+            return ExitCode.Done;
+        }
+
+        using var output = new SessionOutput(
+            terminal, plan.Folder, command, plan.Overwrite, keepsFrames: true, plan.Resume, minFreeBytes: plan.Options.MinFreeBytes);
         terminal.Out.WriteLine($"Harvesting {plan.Description}, seed {plan.Seed}, to {plan.Folder}");
         terminal.Out.Flush();
         SimulatedHarvest harvest = SimulatedHarvest.Build(plan, terminal.WriteError);

@@ -68,11 +68,13 @@ internal static class MergeCommand
         if (!shards.Any(SessionMerger.IsSession))
         {
             using FolderLock dataset = FolderLock.Take(folder);
+            OutputDisk.Check(folder, "--out", options.MinFreeBytes);
             terminal.Out.WriteLine(ExportSummary.Of(folder, DatasetMerger.Merge(shards, folder, options)));
             return ExitCode.Done;
         }
 
-        using var session = new SessionOutput(terminal, folder, command, overwrite: null, keepsFrames: false, options.Resume);
+        using var session = new SessionOutput(
+            terminal, folder, command, overwrite: null, keepsFrames: false, options.Resume, minFreeBytes: options.MinFreeBytes);
         string written = session.Begin();
         int frames = session.Writing(() => SessionMerger.Merge(shards, written, options));
         if (withReport)

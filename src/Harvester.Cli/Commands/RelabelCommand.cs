@@ -86,7 +86,8 @@ internal sealed class RelabelCommand
         bool resumes = parsed.GetValue(Resume);
         ResumeOption.Check(resumes, parsed.GetValue(Overwrite));
         using var output = new SessionOutput(
-            terminal, folder, CommandText.Of(parsed), parsed.GetValue(Overwrite), keepsFrames: false, resumes);
+            terminal, folder, CommandText.Of(parsed), parsed.GetValue(Overwrite), keepsFrames: false, resumes,
+            minFreeBytes: MinFreeOption.BytesIn(parsed, MinFree));
         RelabelOptions changes = ChangesOf(terminal, parsed);
         var relabeller = new SessionRelabeller(session, changes);
         string written = output.Begin();

@@ -79,7 +79,7 @@ internal static class ReportCommand
                 }
 
                 string picture = parsed.GetValue(output) ?? $"frame-{frame}.png";
-                CheckExtension(picture, ".png");
+                FileExtension.Check("--out", picture, ".png");
                 if (reader.Holds(picture))
                 {
                     throw new UsageException($"--out '{picture}' would replace a file of the session. Name another file.");
@@ -91,7 +91,7 @@ internal static class ReportCommand
             }
 
             string page = parsed.GetValue(output) ?? Path.Combine(session, ReportWriter.FileName);
-            CheckExtension(page, ".html", ".htm");
+            FileExtension.Check("--out", page, ".html", ".htm");
             if (reader.Holds(page))
             {
                 throw new UsageException($"--out '{page}' would replace a file of the session. Name another file.");
@@ -139,13 +139,4 @@ internal static class ReportCommand
 
     private static int? FrameNumber(string text) =>
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int frame) ? frame : null;
-
-    /// <summary>Checks that the name of a file matches its format.</summary>
-    private static void CheckExtension(string file, params string[] allowed)
-    {
-        if (!allowed.Contains(Path.GetExtension(file), StringComparer.OrdinalIgnoreCase))
-        {
-            throw new UsageException($"--out takes a file that ends in {string.Join(" or ", allowed)}, not '{file}'.");
-        }
-    }
 }

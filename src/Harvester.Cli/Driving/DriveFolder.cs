@@ -28,11 +28,7 @@ internal sealed class DriveFolder
     {
         _folder = folder;
         _command = command;
-        if (OutputFolder.FileInTheWayOf(folder) is { } file)
-        {
-            throw new IOException($"'{file}' is a file. Name a folder with --out.");
-        }
-
+        OutputDisk.Check(folder, "--out");
         Directory.CreateDirectory(folder);
         string[] found = [.. Directory.EnumerateFileSystemEntries(folder).Select(entry => Path.GetFileName(entry))];
         if (found.FirstOrDefault(name => !BridgeFolder.IsDefault(name) && !IsOwn(name)) is { } other)

@@ -37,7 +37,8 @@ internal sealed class DriveRecording : IDisposable
         }
         else
         {
-            _single = new SessionOutput(terminal, plan.Folder, command, overwrite, keepsFrames: true, option: "--record");
+            _single = new SessionOutput(
+                terminal, plan.Folder, command, overwrite, keepsFrames: true, option: "--record", minFreeBytes: plan.MinFreeBytes);
         }
     }
 

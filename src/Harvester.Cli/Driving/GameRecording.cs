@@ -140,6 +140,7 @@ internal sealed class GameRecording(
             Image = plan.Size,
             Format = plan.Format,
             RangeMetres = RangeMetres,
+            MinFreeBytes = plan.MinFreeBytes,
             TickBudgetMilliseconds = NoLimitMilliseconds,
             Faces = Faces.FaceFile.AsWritten(ModelFaces.Table),
         };

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Harvester.Capture.Harvesting;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Imaging;
 
@@ -15,6 +16,9 @@ internal sealed record RecordPlan(string Folder, double EverySeconds, ImageSize 
 
     /// <summary>File format of the images.</summary>
     public ImageFormat Format { get; init; } = ImageFormat.Png;
+
+    /// <summary>Space that stays free on the disk, bytes; 0 watches nothing.</summary>
+    public long MinFreeBytes { get; init; } = HarvestOptions.DefaultMinFreeBytes;
 
     /// <summary>Settings of the drive for session.json, in their order.</summary>
     public IReadOnlyList<KeyValuePair<string, string>> Settings { get; init; } = [];

@@ -104,7 +104,10 @@ internal sealed class SimulatedHarvest
     public HarvestOutcome Run(string folder, Action<int> report, CancellationToken cancellation)
     {
         var clock = Stopwatch.StartNew();
-        using var writer = new SessionWriter(folder, Origin(), _plan.Resume, _plan.Options.ViewsPerMoment) { Replays = _plan.Resume };
+        using var writer = new SessionWriter(folder, OriginOf(_plan), _plan.Resume, _plan.Options.ViewsPerMoment)
+        {
+            Replays = _plan.Resume,
+        };
         int resumed = writer.FramesWritten;
         RoadNetwork roads = _plan.Roads is null ? KeepRoads(_game.Roads, writer) : _game.Roads;
         using var session = new HarvestSession(
@@ -184,75 +187,76 @@ internal sealed class SimulatedHarvest
             roads, _plan.Roads is null ? "simulation" : "roadFile", _plan.LookAhead, _plan.LaneWidth, _plan.NarrowLaneWidth)
         };
 
-    private SessionOrigin Origin() => new()
+    /// <summary>Where the session of a plan comes from.</summary>
+    public static SessionOrigin OriginOf(HarvestPlan plan) => new()
     {
         Game = "simulation",
         Tool = $"harvester {typeof(SimulatedHarvest).Assembly.GetName().Version!.ToString(3)}",
-        Seed = _plan.Seed,
-        Truth = LabelTruths.OfSimulation(_plan.Variety.ReportsTrueOcclusion),
-        Settings = [.. Settings()],
+        Seed = plan.Seed,
+        Truth = LabelTruths.OfSimulation(plan.Variety.ReportsTrueOcclusion),
+        Settings = [.. SettingsOf(plan)],
     };
 
-    private IEnumerable<KeyValuePair<string, string>> Settings()
+    private static IEnumerable<KeyValuePair<string, string>> SettingsOf(HarvestPlan plan)
     {
-        yield return new("weather", _plan.Weather);
-        yield return new("dayOfYear", _plan.DayOfYear.ToString(CultureInfo.InvariantCulture));
-        yield return new("timeOfDay", _plan.TimeOfDay.ToString(@"hh\:mm", CultureInfo.InvariantCulture));
-        yield return new("lookAhead", _plan.LookAhead.ToString());
-        yield return new("laneWidth", _plan.LaneWidth.ToString(CultureInfo.InvariantCulture));
-        yield return new("narrowLaneWidth", _plan.NarrowLaneWidth.ToString(CultureInfo.InvariantCulture));
-        if (_plan.Roads is { } roads)
+        yield return new("weather", plan.Weather);
+        yield return new("dayOfYear", plan.DayOfYear.ToString(CultureInfo.InvariantCulture));
+        yield return new("timeOfDay", plan.TimeOfDay.ToString(@"hh\:mm", CultureInfo.InvariantCulture));
+        yield return new("lookAhead", plan.LookAhead.ToString());
+        yield return new("laneWidth", plan.LaneWidth.ToString(CultureInfo.InvariantCulture));
+        yield return new("narrowLaneWidth", plan.NarrowLaneWidth.ToString(CultureInfo.InvariantCulture));
+        if (plan.Roads is { } roads)
         {
             yield return new("roads", Path.GetFileName(roads));
         }
 
-        if (_plan.Props.Count > 0)
+        if (plan.Props.Count > 0)
         {
-            yield return new("props", string.Join(", ", _plan.Props.Select(Path.GetFileName)));
+            yield return new("props", string.Join(", ", plan.Props.Select(Path.GetFileName)));
         }
 
-        if (_plan.Faces is { } faces)
+        if (plan.Faces is { } faces)
         {
             yield return new("spaces", Path.GetFileName(faces));
         }
 
-        if (_plan.QuirksText is { } quirks)
+        if (plan.QuirksText is { } quirks)
         {
             yield return new("quirks", quirks);
         }
 
-        if (_plan.Near is { } near)
+        if (plan.Near is { } near)
         {
             yield return new("near", string.Create(CultureInfo.InvariantCulture, $"{near.X},{near.Y}"));
         }
 
-        if (_plan.Options.Places is { } places)
+        if (plan.Options.Places is { } places)
         {
             yield return new("places", places.Count.ToString(CultureInfo.InvariantCulture));
         }
 
         foreach ((string name, double factor) in new[]
         {
-            ("wander", _plan.Variety.Wander),
-            ("laneChanges", _plan.Variety.LaneChanges),
-            ("traffic", _plan.Variety.TrafficDensity),
-            ("pedestrians", _plan.Variety.PedestrianDensity),
-            ("parked", _plan.Variety.ParkedDensity!.Value),
+            ("wander", plan.Variety.Wander),
+            ("laneChanges", plan.Variety.LaneChanges),
+            ("traffic", plan.Variety.TrafficDensity),
+            ("pedestrians", plan.Variety.PedestrianDensity),
+            ("parked", plan.Variety.ParkedDensity!.Value),
         })
         {
             yield return new(name, factor.ToString(CultureInfo.InvariantCulture));
         }
 
-        if (_plan.Trial is { } trial)
+        if (plan.Trial is { } trial)
         {
             yield return new("plan", trial.Plan);
             yield return new("trial", trial.Id);
             yield return new("trafficSeed", trial.TrafficSeed.ToString(CultureInfo.InvariantCulture));
         }
 
-        if (_plan.Options.Shard.Count > 1)
+        if (plan.Options.Shard.Count > 1)
         {
-            yield return new("shard", _plan.Options.Shard.ToString());
+            yield return new("shard", plan.Options.Shard.ToString());
         }
     }
 }

@@ -31,19 +31,16 @@ internal sealed class PlanOutput : IDisposable
     /// <param name="world">What tells the plan's world from others.</param>
     /// <param name="shard">The part of the plan to run.</param>
     /// <param name="resumes">Whether to continue an earlier run.</param>
+    /// <param name="minFreeBytes">Space that is to stay free on the disk, bytes; 0 watches nothing.</param>
     /// <exception cref="OccupiedFolderException">The folder is in use, or has other files than results of the plan.</exception>
     /// <exception cref="DatasetFormatException">The status file is damaged.</exception>
     /// <exception cref="IOException">The folder cannot be made or read.</exception>
-    public static PlanOutput Open(string folder, string plan, string world, Shard shard, bool resumes)
+    public static PlanOutput Open(string folder, string plan, string world, Shard shard, bool resumes, long minFreeBytes)
     {
-        if (OutputFolder.FileInTheWayOf(folder) is { } file)
-        {
-            throw new IOException($"'{file}' is a file. Name a folder with --out.");
-        }
-
         var held = FolderLock.Take(folder, shard.Count == 1 ? "" : FormattableString.Invariant($".{shard.Number}-of-{shard.Count}"));
         try
         {
+            OutputDisk.Check(folder, "--out", minFreeBytes);
             string copy = Path.Combine(folder, PlanFile.FileName);
             if (!File.Exists(copy) && Directory.Exists(folder) && Directory.EnumerateFileSystemEntries(folder)
                 .Any(path => AtomicFile.TargetOf(Path.GetFileName(path)) is null))

@@ -6,7 +6,6 @@ using System.Threading;
 using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Sessions;
-using Harvester.Sessions.Files;
 using Harvester.Sessions.Plans;
 using Harvester.Sessions.Rigs;
 using Harvester.Sessions.Text;
@@ -28,8 +27,8 @@ internal sealed class PlanRun(
     /// <summary>Number of images so far.</summary>
     public int Frames => _frames;
 
-    /// <summary>When to wait for the disk.</summary>
-    public SyncMode Sync { get; init; }
+    /// <summary>How the disk is used.</summary>
+    public PlanDisk Disk { get; init; } = new();
 
     /// <summary>Number of images of a trial, if its drive is not over earlier.</summary>
     public static int ImagesOf(PlanFile file, Trial trial) =>
@@ -77,7 +76,7 @@ internal sealed class PlanRun(
             return new TrialResult(trial.Id, TrialState.Done, attempt, new SessionReader(folder).ReadLabels().Count(), null);
         }
 
-        HarvestPlan plan = TrialPlan.Of(file, world, trial, attempt, folder, Sync);
+        HarvestPlan plan = TrialPlan.Of(file, world, trial, attempt, folder, Disk);
         int before = _frames;
         int captured = 0;
         HarvestOutcome outcome;

@@ -5,7 +5,6 @@ using Harvester.Cli.Arguments;
 using Harvester.Cli.Harvesting;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
-using Harvester.Sessions.Files;
 using Harvester.Sessions.Plans;
 using Harvester.Sessions.Rigs;
 using Harvester.Simulation.Settings;
@@ -23,8 +22,8 @@ internal static class TrialPlan
     /// <param name="trial">The trial.</param>
     /// <param name="attempt">Number of the attempt, from 1.</param>
     /// <param name="folder">Folder of its session.</param>
-    /// <param name="sync">When to wait for the disk.</param>
-    public static HarvestPlan Of(PlanFile file, PlanWorld world, Trial trial, int attempt, string folder, SyncMode sync)
+    /// <param name="disk">How it uses the disk.</param>
+    public static HarvestPlan Of(PlanFile file, PlanWorld world, Trial trial, int attempt, string folder, PlanDisk disk)
     {
         Plan plan = file.Plan;
         int frames = plan.FramesAt(trial.Place);
@@ -43,7 +42,8 @@ internal static class TrialPlan
                 Masks = plan.Masks != PlanMasks.Off,
                 MaskMethod = plan.Masks == PlanMasks.Coded ? MaskMethod.Coded : MaskMethod.Rays,
                 MaxCalibrationErrorPixels = 1,
-                Sync = sync,
+                Sync = disk.Sync,
+                MinFreeBytes = disk.MinFreeBytes,
             },
             Frames = frames,
             Seed = plan.Seed,

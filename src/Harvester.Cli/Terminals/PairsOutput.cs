@@ -83,10 +83,7 @@ internal sealed class PairsOutput : IDisposable
 
     private void Check()
     {
-        if (OutputFolder.FileInTheWayOf(_folder) is { } file)
-        {
-            throw new IOException($"'{file}' is a file. Name a folder with --out.");
-        }
+        OutputDisk.Check(_folder, "--out");
 
         if (!Directory.Exists(_folder) || UnfinishedMark.IsAllOf(_folder))
         {

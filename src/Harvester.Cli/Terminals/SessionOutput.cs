@@ -32,11 +32,13 @@ internal sealed class SessionOutput : IDisposable
     /// <param name="keepsFrames">Whether a new session that was begun stays when the command fails, because its frames are valid.</param>
     /// <param name="resumes">Whether to continue what the same command left unfinished, instead of starting from the beginning.</param>
     /// <param name="option">The option that names the folder.</param>
-    /// <exception cref="IOException">A file is where the folder should be.</exception>
+    /// <param name="minFreeBytes">Space that is to stay free on its disk, bytes; 0 watches nothing.</param>
+    /// <exception cref="IOException">The folder cannot be written.</exception>
+    /// <exception cref="Harvester.Capture.Storage.LowSpaceException">Less space is free than is to stay free.</exception>
     /// <exception cref="OccupiedFolderException">The folder is in use, or holds something that is not to be replaced.</exception>
     public SessionOutput(
         Terminal terminal, string folder, string command, bool? overwrite, bool keepsFrames = false, bool resumes = false,
-        string option = "--out")
+        string option = "--out", long minFreeBytes = 0)
     {
         _terminal = terminal;
         _folder = folder;
@@ -47,6 +49,7 @@ internal sealed class SessionOutput : IDisposable
         try
         {
             _replaces = OutputFolder.Check(folder, command, overwrite, option);
+            OutputDisk.Check(folder, option, minFreeBytes);
         }
         catch
         {

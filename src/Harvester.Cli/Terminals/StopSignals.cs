@@ -1,6 +1,7 @@
 using System;
 using System.Runtime.InteropServices;
 using System.Threading;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Terminals;
 
@@ -44,6 +45,7 @@ internal sealed class StopSignals : IDisposable
     {
         if (_cancellation.IsCancellationRequested)
         {
+            WriterLock.AbandonAll();
             return;
         }
 
@@ -57,6 +59,7 @@ internal sealed class StopSignals : IDisposable
     {
         Thread.Sleep(Patience);
         Console.Error.WriteLine("harvester: Stopped in the middle of an operation. All written files are complete; run the command again.");
+        WriterLock.AbandonAll();
         Environment.Exit(ExitCode);
     }
 }

@@ -15,15 +15,23 @@ internal static class Suggestion
     /// <summary>The most similar name among the subcommands and options of a command; null if none is similar.</summary>
     public static string? For(string word, CommandResult command)
     {
-        string name = word.Split('=')[0];
-        int allowed = Math.Max(1, name.TrimStart('-').Length / LettersPerMistake);
+        string name = Bare(word.Split('=')[0]);
+        int allowed = Math.Max(1, name.Length / LettersPerMistake);
         return NamesIn(command)
-            .Select(known => (Name: known, Mistakes: Mistakes(name, known)))
+            .Select(known => (Name: known, Mistakes: IsPartOf(name, Bare(known)) ? 1 : Mistakes(name, Bare(known))))
             .Where(known => known.Mistakes <= allowed)
-            .OrderBy(known => known.Mistakes).ThenBy(known => known.Name, StringComparer.Ordinal)
+            .OrderBy(known => known.Mistakes).ThenBy(known => known.Name.Length).ThenBy(known => known.Name, StringComparer.Ordinal)
             .Select(known => known.Name)
             .FirstOrDefault();
     }
+
+    /// <summary>A name without dashes and capitals, as it is compared.</summary>
+    private static string Bare(string name) => name.TrimStart('-').ToLowerInvariant();
+
+    /// <summary>Whether one of two names is the beginning of the other, as out is of output.</summary>
+    private static bool IsPartOf(string name, string known) =>
+        name.Length > 0 && (known.StartsWith(name, StringComparison.Ordinal)
+            || (known.Length >= LettersPerMistake && name.StartsWith(known, StringComparison.Ordinal)));
 
     /// <summary>
     /// The distance between two words: the smallest number of letters to insert, delete, replace or swap with their neighbour (optimal

@@ -80,7 +80,7 @@ public sealed class ComparedKitti : IComparedDataset
             int objects = 0;
             foreach ((int line, string text) in InputFile.ReadLines(file).Index())
             {
-                string[] words = text.Split(' ', StringSplitOptions.RemoveEmptyEntries);
+                string[] words = text.Split([' ', '\t'], StringSplitOptions.RemoveEmptyEntries);
                 if (words.Length > 0 && words[0] != KittiClasses.DontCare)
                 {
                     profile.Add(Parse(words, problem => new DatasetFormatException($"'{file}', line {line + 1}: {problem}")));

@@ -238,7 +238,7 @@ public sealed class ComparedNuScenes : IComparedDataset
         }
         catch (JsonException e)
         {
-            throw new DatasetFormatException($"'{PathOf(table)}', line {e.LineNumber + 1}: it is not valid JSON from here on.", e);
+            throw new DatasetFormatException($"'{PathOf(table)}': {JsonFault.InText(e)}", e);
         }
         catch (DatasetFormatException e)
         {

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Harvester.Datasets.Diagnosis;
 
-/// <summary>Problems in ScriptHookVDotNet.log. The patterns match the texts of release 3.6.0 and later.</summary>
+/// <summary>Problems in ScriptHookVDotNet.log. The patterns match the texts of release 3.0.0 and later.</summary>
 internal static class LoaderRules
 {
     private const string UpdateLoader =
@@ -14,7 +14,7 @@ internal static class LoaderRules
     public static readonly IReadOnlyList<LineRule> All =
     [
         new(
-            "unable to resolve API version.*GtaDataHarvester",
+            "unable to resolve API version (.*GtaDataHarvester|[0-9.]+$)",
             "ScriptHookVDotNet is older than 3.6.0, which the mod needs.",
             UpdateLoader),
         new(
@@ -38,7 +38,8 @@ internal static class LoaderRules
             "The mod is installed twice.",
             "Keep a single GtaDataHarvester.dll, directly in the folder 'scripts'."),
         new(
-            "found (0 script|no compatible scripts).*GtaDataHarvester|unable to load GtaDataHarvester|failed to load .*GtaDataHarvester",
+            "found (0 script|no compatible scripts).*GtaDataHarvester|unable to load GtaDataHarvester|failed to load .*GtaDataHarvester"
+                + "|ignoring assembly file GtaDataHarvester",
             "The mod's dll cannot be loaded.",
             InstallAgain + " .NET Framework 4.8 or newer is needed."),
         new(
@@ -46,7 +47,7 @@ internal static class LoaderRules
             "The mod failed to start.",
             InstallAgain + " If it fails again, report it with this log."),
         new(
-            "script Harvester[.].* is not responding|blocking script! script Harvester[.]",
+            "script '?Harvester[.].* is not responding|blocking script! script Harvester[.]",
             "A tick of the mod took so long that ScriptHookVDotNet ended it.",
             "Reload the scripts. If it happens again, report it with both logs."),
         new(

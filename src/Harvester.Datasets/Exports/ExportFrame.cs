@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Masks.Pixels;
@@ -157,7 +158,10 @@ public sealed class ExportFrame
     {
         try
         {
-            return LidarFile.Read(InputFile.ReadAllBytes(PathOf(file), LidarFile.MaxPoints * LidarFile.BytesPerPoint));
+            LidarPoint[] points = LidarFile.Read(InputFile.ReadAllBytes(PathOf(file), LidarFile.MaxPoints * LidarFile.BytesPerPoint));
+            return Label.Lidar.FirstOrDefault(sweep => sweep.File == file) is { } sweep && sweep.Points != points.Length
+                ? throw Problem($"the points '{file}' are {points.Length}, but the label says {sweep.Points}. Run 'harvester validate'.")
+                : points;
         }
         catch (Exception e) when (e is FormatException or FileNotFoundException or DirectoryNotFoundException)
         {

@@ -135,6 +135,14 @@ internal sealed class JsonListReader : IDisposable
         _state = reader.CurrentState;
     }
 
+    /// <summary>Skips the mark that editors on Windows put before a text in UTF-8.</summary>
+    private void SkipByteOrderMark()
+    {
+        Span<byte> start = stackalloc byte[3];
+        int length = _file.ReadAtLeast(start, start.Length, throwOnEndOfStream: false);
+        _file.Position = start[..length].SequenceEqual("\uFEFF"u8) ? length : 0;
+    }
+
     private void Fill()
     {
         _buffer.AsSpan(_start, _end - _start).CopyTo(_buffer);
@@ -150,6 +158,11 @@ internal sealed class JsonListReader : IDisposable
             }
 
             Array.Resize(ref _buffer, _buffer.Length * 2);
+        }
+
+        if (_file.Position == 0)
+        {
+            SkipByteOrderMark();
         }
 
         int read = _file.Read(_buffer, _end, _buffer.Length - _end);

@@ -29,6 +29,7 @@ internal sealed class ImportedFrame
     private readonly Dictionary<ushort, ObjectLabel> _labels;
     private readonly Dictionary<ushort, CuboidPixels> _cuboids;
     private readonly Dictionary<ushort, Box2D> _bounds = [];
+    private readonly SortedSet<int> _dropped = [];
 
     /// <summary>Reads a map and replaces its values by object ids.</summary>
     /// <exception cref="DatasetFormatException">The map has a value that is not an object id, where the values must be ids.</exception>
@@ -55,6 +56,12 @@ internal sealed class ImportedFrame
 
     /// <summary>The map; its values are object ids. A part has the id of its whole object.</summary>
     public InstanceMap Map { get; }
+
+    /// <summary>Number of pixels whose value matches no object.</summary>
+    public int DroppedPixels { get; private set; }
+
+    /// <summary>The values of these pixels, ascending.</summary>
+    public IReadOnlyList<int> DroppedValues => [.. _dropped];
 
     /// <summary>Number of objects with at least one pixel.</summary>
     public int Seen => _labels.Keys.Count(IsSeen);
@@ -133,6 +140,11 @@ internal sealed class ImportedFrame
             if (ids is not null)
             {
                 Map.Ids[i] = ids.GetValueOrDefault(number);
+                if (number != 0 && Map.Ids[i] == 0)
+                {
+                    DroppedPixels++;
+                    _dropped.Add(number);
+                }
             }
             else if (number != 0)
             {

@@ -69,7 +69,7 @@ public static class MaskImporter
                 lines.WriteLine(rewritten);
                 manifest.WriteLine(Manifest.FrameLine(
                     label.Frame, FileDigest.Of(rewritten), FilesOf(session, label, digest, digests)));
-                done = new MaskImport(done.Frames + 1, done.Objects + label.Objects.Count, done.Seen + frame.Seen);
+                done = With(done, label, frame);
             }
 
             foreach (string name in OthersOf(session))
@@ -138,4 +138,18 @@ public static class MaskImporter
 
     private static IEnumerable<string> OthersOf(SessionReader session) =>
         ((string[])[FramePaths.Roads, FramePaths.Faces, SessionInfo.FileName]).Where(name => File.Exists(session.PathOf(name)));
+
+    private static MaskImport With(MaskImport done, FrameLabel label, ImportedFrame frame)
+    {
+        bool isFirst = done.FirstFrameWithDropped is null && frame.DroppedPixels > 0;
+        return done with
+        {
+            Frames = done.Frames + 1,
+            Objects = done.Objects + label.Objects.Count,
+            Seen = done.Seen + frame.Seen,
+            DroppedPixels = done.DroppedPixels + frame.DroppedPixels,
+            FirstFrameWithDropped = isFirst ? label.Frame : done.FirstFrameWithDropped,
+            FirstDroppedValues = isFirst ? frame.DroppedValues : done.FirstDroppedValues,
+        };
+    }
 }

@@ -13,7 +13,7 @@ using Harvester.Geometry;
 namespace Harvester.Datasets.Predictions;
 
 /// <summary>
-/// Predictions as COCO results: a JSON list of objects with image_id, category_id, bbox and score. All are held in memory.
+/// Predictions as COCO results: a JSON list of objects with image_id, category_id, score, and bbox or segmentation. All are held in memory.
 /// </summary>
 internal sealed class CocoPredictions : IPredictions
 {
@@ -113,7 +113,7 @@ internal sealed class CocoPredictions : IPredictions
         catch (JsonException e)
         {
             throw new DatasetFormatException(
-                $"'{path}', line {e.LineNumber + 1}: it is not valid JSON from here on. NaN and Infinity are no JSON numbers.", e);
+                $"'{path}': {JsonFault.InText(e)} JSON has no NaN and Infinity.", e);
         }
         catch (DatasetFormatException e)
         {
@@ -128,7 +128,8 @@ internal sealed class CocoPredictions : IPredictions
             var fields = new JsonFields(reader.Element);
             long image = fields.LongInteger("image_id");
             int category = fields.Integer("category_id");
-            double[] box = fields.Numbers("bbox", BoxNumbers);
+            double[] box = fields.Has("bbox") || !fields.Has("segmentation") ? fields.Numbers("bbox", BoxNumbers)
+                : SegmentationBounds.Of(reader.Element.GetProperty("segmentation"));
             double score = fields.Number("score");
             string? problem = image < 0 || image >= images
                 ? $"image_id {image} is unknown; the images of the session are 0 to {images - 1}."

@@ -97,7 +97,7 @@ internal sealed class KittiPredictions : IPredictions
         var boxes = new List<PredictedBox>();
         foreach ((int index, string line) in InputFile.ReadLines(file).Index())
         {
-            string[] words = line.Split(' ', StringSplitOptions.RemoveEmptyEntries);
+            string[] words = line.Split([' ', '\t'], StringSplitOptions.RemoveEmptyEntries);
             if (words.Length > 0 && words[0] != KittiClasses.DontCare)
             {
                 boxes.Add(Parse(words, image, problem => new DatasetFormatException($"'{file}', line {index + 1}: {problem}")));

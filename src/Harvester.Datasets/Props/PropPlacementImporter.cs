@@ -29,8 +29,7 @@ public static class PropPlacementImporter
         }
         catch (JsonException e)
         {
-            throw new DatasetFormatException($"{file}, line {e.LineNumber + 1}: invalid JSON at byte {e.BytePositionInLine + 1}.",
-                e);
+            throw new DatasetFormatException($"{file}: {JsonFault.InText(e)}", e);
         }
     }
 

@@ -14,6 +14,9 @@ namespace Harvester.Datasets.Reports;
 /// <summary>A frame in the data of a report, as the page's scripts read it. Numbers are rounded to what is visible.</summary>
 internal static class ReportFrame
 {
+    /// <summary>Decimals of what is plotted: a report and the viewer, which reads single precision, show the same numbers.</summary>
+    public const int PlottedDecimals = 4;
+
     private const int Decimals = 2;
     private const int MetreDecimals = 1;
     private const int WholePixels = 0;
@@ -58,17 +61,17 @@ internal static class ReportFrame
 
     private static void WriteEgo(Utf8JsonWriter json, EgoLabel ego)
     {
-        json.Number("speed", ego.Velocity.Length, Decimals);
+        json.Number("speed", ego.Velocity.Length, PlottedDecimals);
         json.WriteStartObject("ego");
         json.Numbers("at", [ego.Position.X, ego.Position.Y], Decimals);
         json.Number("heading", ego.HeadingDegrees, Decimals);
         if (ego.Motion is { } motion)
         {
-            json.Number("yawRate", motion.YawRate, Decimals);
-            json.Number("acceleration", motion.Acceleration, Decimals);
-            json.Number("steering", motion.Steering, Decimals);
-            json.Number("throttle", motion.Throttle, Decimals);
-            json.Number("brake", motion.Brake, Decimals);
+            json.Number("yawRate", motion.YawRate, PlottedDecimals);
+            json.Number("acceleration", motion.Acceleration, PlottedDecimals);
+            json.Number("steering", motion.Steering, PlottedDecimals);
+            json.Number("throttle", motion.Throttle, PlottedDecimals);
+            json.Number("brake", motion.Brake, PlottedDecimals);
             json.WriteString("manoeuvre", motion.Manoeuvre is { } manoeuvre ? JsonName.Of(manoeuvre) : null);
         }
 
@@ -84,7 +87,7 @@ internal static class ReportFrame
         {
             if (value.IsValid)
             {
-                json.Value(value.Value, Decimals);
+                json.Value(value.Value, PlottedDecimals);
             }
             else
             {

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.IO.Compression;
+using System.IO.Enumeration;
 using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads.Ipl;
@@ -47,23 +48,43 @@ public static class RoadImporter
     {
         if (Directory.Exists(path))
         {
-            return Import(path, lanesIn, [.. Directory.EnumerateFiles(path).Order(StringComparer.Ordinal)
-                .Select(file => InnerPath.Of(path, Path.GetFileName(file))).Select(FileSource)]);
+            return Import(path, lanesIn, [.. InOrder(FilesIn(path))
+                .Select(name => new RoadSource(name, allowance, () => InputFile.OpenRead(InnerPath.Of(path, name))))]);
         }
 
         if (!IsZip(path))
         {
-            return Import(path, lanesIn, [FileSource(path)]);
+            return Import(path, lanesIn, [new RoadSource(Path.GetFileName(path), allowance, () => InputFile.OpenRead(path))]);
         }
 
         using var archive = new ZipArchive(InputFile.OpenRead(path));
-        return Import(path, lanesIn, [.. archive.Entries.Where(entry => entry.Length > 0)
-            .OrderBy(entry => entry.FullName, StringComparer.Ordinal).Select(EntrySource)]);
-
-        RoadSource FileSource(string file) => new(Path.GetFileName(file), allowance, () => InputFile.OpenRead(file));
-
-        RoadSource EntrySource(ZipArchiveEntry entry) => new(entry.FullName, allowance, entry.Open);
+        Dictionary<string, ZipArchiveEntry> entries = archive.Entries.Where(entry => entry.Length > 0)
+            .GroupBy(entry => entry.FullName, StringComparer.Ordinal).ToDictionary(same => same.Key, same => same.First());
+        return Import(path, lanesIn, [.. InOrder(entries.Keys).Select(name => new RoadSource(name, allowance, entries[name].Open))]);
     }
+
+    /// <summary>The files of a folder and its sub-folders. Links to folders are not followed, because they may form a cycle.</summary>
+    private static IEnumerable<string> FilesIn(string folder)
+    {
+        var options = new EnumerationOptions
+        {
+            RecurseSubdirectories = true,
+            AttributesToSkip = FileAttributes.None,
+            IgnoreInaccessible = false,
+        };
+        return new FileSystemEnumerable<string>(
+            folder,
+            (ref FileSystemEntry entry) => Path.GetRelativePath(folder, entry.ToFullPath()).Replace(Path.DirectorySeparatorChar, '/'),
+            options)
+        {
+            ShouldIncludePredicate = (ref FileSystemEntry entry) => !entry.IsDirectory,
+            ShouldRecursePredicate = (ref FileSystemEntry entry) => (entry.Attributes & FileAttributes.ReparsePoint) == 0,
+        };
+    }
+
+    /// <summary>Names of files, those in sub-folders last; of two files with the same cell, the later one counts.</summary>
+    private static IOrderedEnumerable<string> InOrder(IEnumerable<string> names) =>
+        names.OrderBy(name => name.Count(letter => letter == '/')).ThenBy(name => name, StringComparer.Ordinal);
 
     private static RoadImport Import(string path, LanesIn lanesIn, IReadOnlyList<RoadSource> sources)
     {

@@ -41,7 +41,7 @@ public static class FrameLabelParser
         }
         catch (JsonException e)
         {
-            throw new DatasetFormatException($"invalid JSON at byte {e.BytePositionInLine + 1}.", e);
+            throw new DatasetFormatException(JsonFault.InLine(e), e);
         }
     }
 

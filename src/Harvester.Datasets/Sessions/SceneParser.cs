@@ -26,7 +26,7 @@ internal static class SceneParser
         }
         catch (JsonException e)
         {
-            throw new DatasetFormatException($"invalid JSON at byte {e.BytePositionInLine + 1}.", e);
+            throw new DatasetFormatException(JsonFault.InLine(e), e);
         }
     }
 

@@ -60,7 +60,7 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
         }
         catch (JsonException e)
         {
-            throw new DatasetFormatException($"invalid JSON in line {e.LineNumber + 1}.", e);
+            throw new DatasetFormatException(JsonFault.InText(e), e);
         }
     }
 
@@ -75,7 +75,7 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
         }
         catch (JsonException e)
         {
-            throw new DatasetFormatException($"invalid JSON in line {e.LineNumber + 1}.", e);
+            throw new DatasetFormatException(JsonFault.InText(e), e);
         }
     }
 

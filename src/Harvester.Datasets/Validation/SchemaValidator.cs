@@ -76,9 +76,9 @@ public static class SchemaValidator
 
             results = schema.Evaluate(JsonNode.Parse(json), Detailed);
         }
-        catch (JsonException)
+        catch (JsonException e)
         {
-            return "it is not valid JSON.";
+            return JsonFault.InText(e);
         }
         catch (DatasetFormatException e)
         {
@@ -100,7 +100,8 @@ public static class SchemaValidator
     {
         JsonValueKind.Number => element.TryGetDecimal(out _) ? null : element.GetRawText(),
         JsonValueKind.Array => element.EnumerateArray().Select(LargeNumber).FirstOrDefault(number => number is not null),
-        JsonValueKind.Object => element.EnumerateObject().Select(field => LargeNumber(field.Value)).FirstOrDefault(number => number is not null),
+        JsonValueKind.Object =>
+            element.EnumerateObject().Select(field => LargeNumber(field.Value)).FirstOrDefault(number => number is not null),
         _ => null,
     };
 

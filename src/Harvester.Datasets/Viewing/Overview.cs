@@ -39,7 +39,7 @@ internal sealed class Overview(IReadOnlyList<string> views)
     /// <summary>Why no further frames are to be added, a sentence; null if they may be.</summary>
     public string? Limit =>
         Problems >= MaxProblems ? $"Reading stopped after {MaxProblems} such lines. Check the session with 'harvester validate'."
-        : _bytes >= MaxBytes ? $"Filters, plots and statistics cover the first {Count} frames: they take the memory that is set aside for them."
+        : _bytes >= MaxBytes ? $"Filters, plots and statistics cover the first {Count} frames, the most that the viewer keeps in memory."
         : null;
 
     /// <summary>Number of frames, including those that cannot be read.</summary>

@@ -1,8 +1,11 @@
 using System.Collections.Generic;
+using System.Globalization;
 using System.Linq;
+using Harvester.Datasets.Reports;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Viewing;
 
@@ -38,7 +41,7 @@ internal sealed record OverviewFrame(int Frame, int Moment, int View, float[] Va
             label.Moment ?? label.Frame,
             label.View is { } view ? views.ToList().IndexOf(view) + 1 : 0,
             [
-                (float)label.TimeSeconds, (float)label.Ego.Velocity.Length, (float)label.Ego.Position.X, (float)label.Ego.Position.Y,
+                (float)label.TimeSeconds, Single(label.Ego.Velocity.Length), (float)label.Ego.Position.X, (float)label.Ego.Position.Y,
                 (float)label.Ego.HeadingDegrees, Single(motion?.YawRate), Single(motion?.Acceleration), Single(motion?.Steering),
                 Single(motion?.Throttle), Single(motion?.Brake),
                 .. IndicatorTable.All.Select(indicator => indicators is { } known ? Single(indicator.Of(known)) : float.NaN),
@@ -46,7 +49,10 @@ internal sealed record OverviewFrame(int Frame, int Moment, int View, float[] Va
             [.. label.Objects.Select(OverviewObject.Of)]);
     }
 
-    private static float Single(double? value) => (float)(value ?? double.NaN);
+    /// <summary>A value with the decimals of a report, whose page shows the same.</summary>
+    private static float Single(double? value) =>
+        value is { } known ? float.Parse(InvariantNumber.Format(known, ReportFrame.PlottedDecimals), CultureInfo.InvariantCulture)
+            : float.NaN;
 
-    private static float Single(Indicator value) => value.IsValid ? (float)value.Value : float.NaN;
+    private static float Single(Indicator value) => Single(value.IsValid ? value.Value : null);
 }

@@ -23,6 +23,8 @@ public sealed class WriterLock : IDisposable
     // EWOULDBLOCK on Linux and macOS; a sharing and a lock violation on Windows.
     private static readonly int[] HeldByAnother = [11, 35, unchecked((int)0x80070020), unchecked((int)0x80070021)];
 
+    private static readonly HashSet<WriterLock> Held = [];
+
     private readonly string _path;
     private readonly Stack<string> _made;
     private FileStream? _file;
@@ -55,6 +57,11 @@ public sealed class WriterLock : IDisposable
             MakeFolder(parent, made);
             var taken = new WriterLock(path, made, Open(path));
             taken.NameOwner();
+            lock (Held)
+            {
+                Held.Add(taken);
+            }
+
             return taken;
         }
         catch (IOException e) when (Array.IndexOf(HeldByAnother, e.HResult) >= 0)
@@ -67,6 +74,21 @@ public sealed class WriterLock : IDisposable
         {
             // A folder beside which nothing can be written is used without a lock; if it cannot be written either, the command says so.
             return new WriterLock(path, made, null);
+        }
+    }
+
+    /// <summary>
+    /// Deletes the files of all locks that this process holds, because it is about to end without releasing them. To be called last.
+    /// </summary>
+    public static void AbandonAll()
+    {
+        lock (Held)
+        {
+            foreach (WriterLock held in Held)
+            {
+                DeleteQuietly(OwnerOf(held._path));
+                DeleteQuietly(held._path);
+            }
         }
     }
 
@@ -89,6 +111,11 @@ public sealed class WriterLock : IDisposable
     {
         if (_file is not null)
         {
+            lock (Held)
+            {
+                Held.Remove(this);
+            }
+
             DeleteQuietly(OwnerOf(_path));
 
             // Windows does not delete an open file; elsewhere another process could open it between closing and deleting.

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 
@@ -16,6 +17,9 @@ public static class WeatherNames
 
     /// <summary>Whether the game has a weather of this name.</summary>
     public static bool IsKnown(string name) => Names.Contains(name);
+
+    /// <summary>The name of a weather that is written in upper or lower case; null for an unknown one.</summary>
+    public static string? Find(string name) => Array.Find(Names, each => each.Equals(name, StringComparison.OrdinalIgnoreCase));
 
     /// <summary>The name of the weather with a hash; "unknown" for an unknown hash.</summary>
     public static string Of(int hash) => Known.TryGetValue(hash, out string? name) ? name : "unknown";

@@ -89,7 +89,7 @@ public sealed class BoxesCommandTests
         """{ "camera": { "position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 90"""
             + """, "width": 8, "height": 6, "fy": 4 }, "cuboids": [] }""",
         "camera.fy is 4")]
-    [InlineData("{ camera", "line 1: invalid JSON at byte 3")]
+    [InlineData("{ camera", "invalid JSON at line 1, byte 3")]
     [InlineData("[]", "must be an object")]
     public void Boxes_of_a_malformed_scene_names_file_and_field(string scene, string message)
     {

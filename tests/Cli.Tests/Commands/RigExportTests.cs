@@ -24,6 +24,27 @@ public sealed class RigExportTests(HarvestedRig harvested) : IClassFixture<Harve
     }
 
     [Theory]
+    [InlineData("kitti-odometry")]
+    [InlineData("pcd")]
+    [InlineData("ply")]
+    [InlineData("nuscenes")]
+    public void Empty_file_of_points_is_refused(string format)
+    {
+        string session = _folder.PathOf("session");
+        foreach (string file in Directory.EnumerateFiles(harvested.Session, "*", SearchOption.AllDirectories))
+        {
+            string copy = Path.Combine(session, Path.GetRelativePath(harvested.Session, file));
+            Directory.CreateDirectory(Path.GetDirectoryName(copy)!);
+            File.Copy(file, copy);
+        }
+
+        File.WriteAllBytes(Directory.EnumerateFiles(Path.Combine(session, "lidar"), "*", SearchOption.AllDirectories).Order().First(), []);
+
+        CliRun.Of("export", session, "--format", format, "--out", _folder.PathOf("out")).AssertFailed(
+            ExitCode.BadData, "are 0, but the label says");
+    }
+
+    [Theory]
     [InlineData("kitti", "training/oxts/000001.txt", 3, "it does not have 30 numbers.")]
     [InlineData("kitti-odometry", "poses/00.txt", 30, "it does not have 12 numbers.")]
     [InlineData("kitti-odometry", "sequences/00/labels/000000.label", 4, "it does not have four bytes for each point of its scan.")]

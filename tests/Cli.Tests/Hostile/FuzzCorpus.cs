@@ -58,6 +58,12 @@ public sealed class FuzzCorpus : IDisposable
         return Start(command);
     }
 
+    /// <summary>The output that a command has left although it refused its input; null for none.</summary>
+    internal string? LeftBy(CliRun run) =>
+        run.ExitCode == ExitCode.BadData && run.Error.Length > 0 && Directory.Exists(_folder.PathOf("out"))
+            ? $"{Directory.GetFiles(_folder.PathOf("out"), "*", SearchOption.AllDirectories).Length} files are left: {run.Error}"
+            : null;
+
     private void Restore()
     {
         foreach (string file in Directory.EnumerateFiles(_folder.Path, "*", SearchOption.AllDirectories)

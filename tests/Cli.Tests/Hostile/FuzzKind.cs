@@ -58,7 +58,8 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         new("session", "session/session.json", ValidateSession, "validate {0}/session", "stats {0}/session", "report {0}/session", Relabel,
             Export("csv"), "doctor {0}/session", Schema),
         new("labels", "session/labels.jsonl", ReadLabels, [
-            "validate {0}/session", Schema, "stats {0}/session", "report {0}/session --out {0}/out.html", "report {0}/session --still 0 --out "
+            "validate {0}/session", Schema, "stats {0}/session", "report {0}/session --out {0}/out.html",
+            "report {0}/session --still 0 --out "
                 + "{0}/out.png", "compare {0}/session {0}/session --out {0}/out.html", Relabel, "masks import {0}/session {0}/maps",
             .. DatasetFormats.All.Select(format => Export(format.Name)),
         ]),

@@ -60,13 +60,33 @@ public sealed class ResumedHarvestTests : IDisposable
         Assert.Equal("", FolderContent.Of(Out).DifferenceFrom(FolderContent.Of(Whole)));
     }
 
-    [Fact]
-    public void Resume_of_a_complete_session_is_refused()
+    [Theory]
+    [InlineData("1/1")]
+    [InlineData("2/2")]
+    public void Resume_of_a_finished_harvest_is_success(string shard)
     {
-        Harvest(Out, "1/1").AssertDone();
+        Harvest(Out, shard).AssertDone();
         FolderContent complete = FolderContent.Of(Out);
 
-        Harvest(Out, "1/1", "--resume").AssertFailed(ExitCode.Usage, $"'{Out}' already has a session.");
+        CliRun run = Harvest(Out, shard, "--resume");
+
+        run.AssertDone();
+        Assert.Contains("the harvest is finished already", run.Out, StringComparison.Ordinal);
+        Assert.Equal(complete, FolderContent.Of(Out));
+    }
+
+    [Theory]
+    [InlineData("--seed", "77")]
+    [InlineData("--frames", "2")]
+    [InlineData("--range", "50")]
+    public void Resume_of_another_finished_harvest_is_refused(string option, string value)
+    {
+        CliRun.Of("harvest", "--out", Out, "--frames", "1", "--size", "80x60", "--roads", Roads, "--no-report").AssertDone();
+        FolderContent complete = FolderContent.Of(Out);
+        string[] asked = ["harvest", "--out", Out, "--size", "80x60", "--roads", Roads, "--no-report", "--resume", option, value];
+
+        CliRun.Of(option == "--frames" ? asked : [.. asked, "--frames", "1"])
+            .AssertFailed(ExitCode.Usage, $"'{Out}' already has a session.");
 
         Assert.Equal(complete, FolderContent.Of(Out));
     }

@@ -90,6 +90,12 @@ public sealed class DoctorTests : IDisposable
         { "[18:03:00] [ERROR] Blocking script! Script Harvester.Mod.HarvesterScript (file name: GtaDataHarvester.dll) was terminated "
             + "because it caused the game to freeze too long.", "took so long" },
         { "[18:03:00] [ERROR] Script Harvester.Mod.HarvesterScript is not responding! Aborting ...", "took so long" },
+        // Releases up to 3.5.1.
+        { "[18:03:00] [ERROR] Script 'Harvester.Mod.HarvesterScript' is not responding! Aborting ...", "took so long" },
+        { "[18:03:00] [WARNING] Unable to resolve API version 3.6.0.", "older than 3.6.0" },
+        { "[18:03:00] [WARNING] Ignoring assembly file GtaDataHarvester.dll because of exception: ...", "cannot be loaded" },
+        { "[18:03:00] [ERROR] Failed to load assembly GtaDataHarvester.dll: System.IO.FileNotFoundException", "cannot be loaded" },
+        { "[18:03:00] [WARNING] Failed to reload scripts because the .\\scripts directory is missing.", "no folder 'scripts'" },
         { "[18:03:00] [INFO] Found 0 script(s) in GtaDataHarvester.dll.", "cannot be loaded" },
         { "[18:03:00] [WARNING] The script name Harvester.Mod.HarvesterScript already exists and was loaded from GtaDataHarvester.dll. "
             + "Ignoring occurrence", "installed twice" },

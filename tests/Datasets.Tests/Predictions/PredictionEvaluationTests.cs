@@ -40,6 +40,27 @@ public sealed class PredictionEvaluationTests : IDisposable
         Assert.Equal(("small, up to 32² px", 1, 2), Group(evaluation.Groups.Sizes));
     }
 
+    /// <summary>
+    /// The image has 80 x 60 pixels. By columns, the box begins after 38 * 60 + 28 pixels and has 5 in each of 5 columns; the compressed
+    /// text of these run lengths is what rleToString of COCO's maskApi.c defines.
+    /// </summary>
+    [Theory]
+    [InlineData("[[38, 28, 43, 28, 43, 33, 38, 33]]")]
+    [InlineData("""{ "size": [60, 80], "counts": [2308, 5, 55, 5, 55, 5, 55, 5, 55, 5, 2247] }""")]
+    [InlineData("""{ "size": [60, 80], "counts": "TX25g10000000`T2" }""")]
+    public void Result_without_a_box_has_that_of_its_segmentation(string segmentation)
+    {
+        PredictionEvaluation evaluation = Evaluate(
+            $$"""[{ "image_id": 0, "category_id": 1, "segmentation": {{segmentation}}, "score": 0.9 }]""");
+
+        Assert.Equal((1, 2, 0), (evaluation.Groups.All.Matches, evaluation.Groups.All.Misses, evaluation.Groups.All.FalsePositives));
+        Assert.Equal(34 / 101.0, evaluation.MeanOf(tally => tally.AveragePrecision(0))!.Value, 1e-12);
+    }
+
+    [Fact]
+    public void Byte_order_mark_is_skipped() =>
+        Assert.Equal(1, Evaluate($"\uFEFF[{Right}]").Groups.All.Matches);
+
     [Fact]
     public void Score_below_the_minimum_is_neither_match_nor_false_positive()
     {
@@ -74,6 +95,16 @@ public sealed class PredictionEvaluationTests : IDisposable
     }
 
     [Fact]
+    public void KITTI_results_may_have_tabs_between_columns()
+    {
+        WriteKitti(0, "Car -1 -1 -10 37.5 27.5 42.5 32.5 -1 -1 -1 -1000 -1000 -1000 -10 0.9\n".Replace(' ', '\t'));
+        WriteKitti(1, "");
+        WriteKitti(2, "");
+
+        Assert.Equal(1, PredictionEvaluation.Of(_session.Open(), _session.PathOf("kitti"), 0.5).Groups.All.Matches);
+    }
+
+    [Fact]
     public void Boxes_are_rounded_as_in_the_export()
     {
         // The export has 38.625 - 0.5 as 38.13, not 38.12. The prediction covers 2.187 of 4.37 pixels, 50.05 %; of 4.38 less.
@@ -88,16 +119,22 @@ public sealed class PredictionEvaluationTests : IDisposable
     }
 
     [Theory]
-    [InlineData("[", "predictions.json', line 1: it is not valid JSON")]
+    [InlineData("[", "predictions.json': invalid JSON at line 1, byte 2.")]
     [InlineData("{}", "is not COCO results: it must be a JSON list")]
     [InlineData("[7]", "line 1: the text")]
     [InlineData("[\n{ 'image_id': 3, 'category_id': 1, 'bbox': [0, 0, 1, 1], 'score': 1 }]", "line 2: image_id 3 is unknown")]
     [InlineData("[{ 'image_id': -1, 'category_id': 1, 'bbox': [0, 0, 1, 1], 'score': 1 }]", "the images of the session are 0 to 2")]
     [InlineData("[{ 'image_id': 0, 'category_id': 11, 'bbox': [0, 0, 1, 1], 'score': 1 }]", "category_id 11 is unknown")]
     [InlineData("[{ 'image_id': 0, 'category_id': 1, 'bbox': [0, 0, -1, 1], 'score': 1 }]", "are -1 and 1, less than 0")]
-    [InlineData("[{ 'image_id': 0, 'category_id': 1, 'bbox': [0, 0, NaN, 1], 'score': 1 }]", "NaN and Infinity are no JSON numbers")]
+    [InlineData("[{ 'image_id': 0, 'category_id': 1, 'bbox': [0, 0, NaN, 1], 'score': 1 }]", "JSON has no NaN and Infinity")]
     [InlineData("[{ 'image_id': 0, 'category_id': 1, 'bbox': [0, 0, 1e99, 1], 'score': 1 }]", "bbox")]
     [InlineData("[{ 'image_id': 0, 'category_id': 1, 'bbox': [0, 0, 1], 'score': 1 }]", "bbox")]
+    [InlineData("[{ 'image_id': 0, 'category_id': 1, 'segmentation': 7, 'score': 1 }]", "segmentation is neither")]
+    [InlineData("[{ 'image_id': 0, 'category_id': 1, 'segmentation': [[1, 2, 3]], 'score': 1 }]", "segmentation is neither")]
+    [InlineData("[{ 'image_id': 0, 'category_id': 1, 'segmentation': { 'size': [60, 80] }, 'score': 1 }]", "segmentation is neither")]
+    [InlineData("[{ 'image_id': 0, 'category_id': 1, 'segmentation': { 'size': [0, 80], 'counts': [] }, 'score': 1 }]", "the size of")]
+    [InlineData("[{ 'image_id': 0, 'category_id': 1, 'segmentation': { 'size': [1, 8], 'counts': [9] }, 'score': 1 }]", "do not fit")]
+    [InlineData("[{ 'image_id': 0, 'category_id': 1, 'segmentation': { 'size': [1, 8], 'counts': 'zzzz' }, 'score': 1 }]", "compressed")]
     [InlineData("[{ 'image_id': 0, 'category_id': 1, 'bbox': [0, 0, 1, 1] }]", "score is missing")]
     public void Bad_COCO_results_are_refused_with_their_line(string results, string message)
     {

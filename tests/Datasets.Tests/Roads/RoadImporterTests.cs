@@ -107,6 +107,30 @@ public sealed class RoadImporterTests : IDisposable
     }
 
     [Fact]
+    public void Import_takes_a_cell_of_an_update_in_place_of_the_former_one()
+    {
+        string folder = Directory.CreateTempSubdirectory("harvester-test-").FullName;
+        try
+        {
+            RoadNetwork former = NetworkOf(new Vector3D(0, 0, 30), new Vector3D(30, 0, 30));
+            RoadNetwork update = NetworkOf(new Vector3D(0, 0, 30), new Vector3D(0, 60, 30), new Vector3D(0, 90, 30));
+            Directory.CreateDirectory(Path.Combine(folder, "update", "deep"));
+            File.WriteAllText(Path.Combine(folder, "nodes495.ynd.xml"), YndText.Cells(former).Single().Text);
+            File.WriteAllText(Path.Combine(folder, "update", "deep", "nodes495.ynd.xml"), YndText.Cells(update).Single().Text);
+
+            RoadImport import = RoadImporter.Import(folder);
+
+            Assert.Equal(3, import.Network.Nodes.Count);
+            Assert.Equal(
+                "'update/deep/nodes495.ynd.xml' replaces 'nodes495.ynd.xml', which has the same cell 495.", Assert.Single(import.Notes));
+        }
+        finally
+        {
+            Directory.Delete(folder, recursive: true);
+        }
+    }
+
+    [Fact]
     public void Import_reports_an_unknown_file_type()
     {
         File.WriteAllText(_file, "no road data at all");
@@ -115,4 +139,8 @@ public sealed class RoadImporterTests : IDisposable
             "unknown road format",
             Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
     }
+
+    private static RoadNetwork NetworkOf(params Vector3D[] places) => new(
+        [.. places.Select((place, number) => new RoadNode(495, number, place, "", default))],
+        [.. Enumerable.Range(1, places.Length - 1).Select(number => PathBits.Link(number - 1, number, 0))]);
 }

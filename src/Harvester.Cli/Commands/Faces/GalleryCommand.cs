@@ -34,6 +34,7 @@ internal static class GalleryCommand
             string table = FaceFile.TableOf(given);
             string folder = Path.GetDirectoryName(Path.GetFullPath(table))!;
             string page = parsed.GetValue(output) ?? (Directory.Exists(given) ? Path.Combine(folder, FileName) : FileName);
+            FileExtension.Check("--out", page, ".html", ".htm");
             if (IsInput(page, table))
             {
                 throw new UsageException($"--out '{page}' would replace the table or one of its pictures. Name another file.");

@@ -1,5 +1,7 @@
+using System;
 using System.CommandLine;
 using System.IO;
+using System.Linq;
 using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
@@ -62,9 +64,23 @@ internal static class MasksImportCommand
             string masks = Counted.Of(done.Frames, "mask");
             terminal.Out.WriteLine(
                 $"{session}: {masks} imported; {done.Seen} of {done.Objects} labelled objects have visible pixels");
+            if (done.DroppedPixels > 0)
+            {
+                terminal.WriteError(DroppedIn(done));
+            }
+
             return Task.FromResult(ExitCode.Done);
         });
         return command;
+    }
+
+    private static string DroppedIn(MaskImport done)
+    {
+        const int maxValues = 10;
+        string values = string.Join(", ", done.FirstDroppedValues.Take(maxValues))
+            + (done.FirstDroppedValues.Count > maxValues ? ", ..." : "");
+        return FormattableString.Invariant(
+            $"{done.DroppedPixels} pixels match no object and are dropped, first in frame {done.FirstFrameWithDropped}: values {values}");
     }
 
     private static void RewriteReport(SessionReader session)

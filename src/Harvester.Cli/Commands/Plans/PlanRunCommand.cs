@@ -32,6 +32,7 @@ internal sealed class PlanRunCommand
     private Option<bool> Resume { get; } = new("--resume") { Description = "Continue a run of the plan in the folder, or start one" };
     private Option<Shard> ShardOf { get; } = ShardOption.Create("Run only every N-th trial, as run I of N parallel runs");
     private Option<SyncMode> Sync { get; } = SyncOption.Create();
+    private Option<long?> MinFree { get; } = MinFreeOption.Create();
     private PlanWorldOptions World { get; } = new();
 
     public static Command Create(Terminal terminal) => new PlanRunCommand().Build(terminal);
@@ -39,7 +40,10 @@ internal sealed class PlanRunCommand
     private Command Build(Terminal terminal)
     {
         Argument<FileInfo> plan = PlanCommand.PlanArgument();
-        var command = new Command("run", "Harvest every trial of a plan from the simulated game.") { plan, Out, Resume, ShardOf, Sync };
+        var command = new Command("run", "Harvest every trial of a plan from the simulated game.")
+        {
+            plan, Out, Resume, ShardOf, Sync, MinFree,
+        };
         World.AddTo(command);
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
@@ -50,10 +54,11 @@ internal sealed class PlanRunCommand
     private int Run(Terminal terminal, PlanFile file, ParseResult parsed, CancellationToken cancellation)
     {
         string folder = parsed.GetRequiredValue(Out);
+        var disk = new PlanDisk(parsed.GetValue(Sync), MinFreeOption.BytesIn(parsed, MinFree));
         Shard shard = parsed.GetValue(ShardOf);
         PlanWorld world = World.Parse(parsed);
         Trial[] trials = [.. TrialList.Of(file.Plan, world.PlacesOf(file.Plan)).Where((_, index) => shard.Takes(index))];
-        using var output = PlanOutput.Open(folder, file.Text, world.ToJson(), shard, parsed.GetValue(Resume));
+        using var output = PlanOutput.Open(folder, file.Text, world.ToJson(), shard, parsed.GetValue(Resume), disk.MinFreeBytes);
         long images = trials.Where(trial => output.Status.NextAttempt(trial.Id) is not null)
             .Sum(trial => (long)PlanRun.ImagesOf(file, trial));
         if (images > int.MaxValue)
@@ -66,7 +71,7 @@ internal sealed class PlanRunCommand
             $"Running {Counted.Of(trials.Length, "trial")} of the plan {file.Plan.Name}, {PlanEstimate.Of(file, trials)}, to {folder}");
         terminal.Out.Flush();
         var heartbeat = new HeartbeatFile(folder, file.Plan.Name, shard);
-        var run = new PlanRun(terminal, file, world, output, heartbeat, CommandText.Of(parsed)) { Sync = parsed.GetValue(Sync) };
+        var run = new PlanRun(terminal, file, world, output, heartbeat, CommandText.Of(parsed)) { Disk = disk };
         var end = HeartbeatState.Failed;
         try
         {

@@ -72,7 +72,7 @@ internal static class DatasetAssembly
         }
         catch (JsonException e)
         {
-            throw new DatasetFormatException($"'{folder.Path}': {DatasetFolder.Header} is invalid JSON in line {e.LineNumber + 1}.", e);
+            throw new DatasetFormatException($"'{folder.Path}': {DatasetFolder.Header}: {JsonFault.InText(e)}", e);
         }
         catch (DatasetFormatException e)
         {

@@ -46,6 +46,9 @@ public sealed class DatasetExporter
     /// <summary>Space that stays free on the disk, bytes: the export stops before less is left. 0 watches nothing.</summary>
     public long MinFreeBytes { get; init; }
 
+    /// <summary>Whether a finished export of the same plan is accepted as the result; otherwise it is refused.</summary>
+    public bool Resumes { get; init; }
+
     /// <summary>Runs the export.</summary>
     /// <param name="report">Receives the number of frames after each frame.</param>
     /// <param name="cancellation">Stops between two frames.</param>
@@ -55,14 +58,23 @@ public sealed class DatasetExporter
     public ExportResult Run(Action<int> report, CancellationToken cancellation = default)
     {
         // Reading all labels takes long, so a folder that cannot be used is refused before.
-        _folder.CheckUsable();
+        bool mayBeDone = Resumes && _folder.IsFinished && _shard.Count == 1;
+        if (!mayBeDone)
+        {
+            _folder.CheckUsable();
+        }
+
         Journal.CheckDivision(_folder, _shard);
         SessionSurvey survey = SessionSurvey.Of(_asked, cancellation);
         ExportPlan plan = survey.Decide();
         string identity = plan.Identity;
-        if (_folder.HasLeftovers && DatasetAssembly.PlanOf(_folder) == identity)
+        if ((mayBeDone || _folder.HasLeftovers) && DatasetAssembly.PlanOf(_folder) == identity)
         {
-            _folder.Finish();
+            if (_folder.HasLeftovers)
+            {
+                _folder.Finish();
+            }
+
             return DatasetAssembly.ResultOf(_folder);
         }
 

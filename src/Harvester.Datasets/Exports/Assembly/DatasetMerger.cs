@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
@@ -38,13 +39,41 @@ public static class DatasetMerger
         }
 
         IReadOnlyList<string> journals = CompleteJournals(sources);
-        target.Begin(plan);
-        foreach (DatasetFolder source in sources)
+        bool isNew = target.IsEmpty && !sources.Any(source => IsSame(source, target));
+        bool isMade = !Directory.Exists(folder);
+        try
         {
-            Place(source, target, options);
-        }
+            target.Begin(plan);
+            foreach (DatasetFolder source in sources)
+            {
+                Place(source, target, options);
+            }
 
-        return DatasetAssembly.Finish(target, journals);
+            return DatasetAssembly.Finish(target, journals);
+        }
+        catch (DatasetFormatException) when (isNew)
+        {
+            // No repetition can succeed with these shards, so that nothing is left for one.
+            Discard(folder, isMade);
+            throw;
+        }
+    }
+
+    /// <summary>Deletes what was written to a folder that was empty.</summary>
+    private static void Discard(string folder, bool isMade)
+    {
+        try
+        {
+            Directory.Delete(folder, recursive: true);
+            if (!isMade)
+            {
+                Directory.CreateDirectory(folder);
+            }
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            // The message about the shards says what to do.
+        }
     }
 
     /// <summary>Gives the target the files of a shard; those in place may have been written without waiting for the disk.</summary>

@@ -74,9 +74,9 @@ internal static class FrameLines
             using JsonDocument document = JsonInput.Parse(text);
             return problemOf(new JsonFields(document.RootElement));
         }
-        catch (JsonException)
+        catch (JsonException e)
         {
-            return "it is not valid JSON.";
+            return JsonFault.InLine(e);
         }
         catch (DatasetFormatException e)
         {

@@ -146,5 +146,5 @@ public static class DatasetFormats
 
     /// <summary>The format of a name; null if there is none.</summary>
     public static DatasetFormat? Find(string name) =>
-        All.FirstOrDefault(format => string.Equals(format.Name, name, StringComparison.Ordinal));
+        All.FirstOrDefault(format => string.Equals(format.Name, name, StringComparison.OrdinalIgnoreCase));
 }

@@ -31,9 +31,9 @@ const source = {
   /** A number of a frame by the name of its plot; null for none. */
   value(name, index) {
     const frame = data.frames[index];
-    if (name === "speed") return frame.speed;
     const indicator = data.indicatorTable.findIndex(([known]) => known === name);
-    return (indicator < 0 ? frame.ego[name] : frame.indicators?.[indicator]) ?? null;
+    const value = name === "speed" ? frame.speed : indicator < 0 ? frame.ego[name] : frame.indicators?.[indicator];
+    return value === undefined || value === null ? null : Math.fround(value); // The viewer has it in single precision.
   },
   /** Calls back when more becomes known; a report knows all. */
   async follow() {},

@@ -160,9 +160,14 @@ async function begin() {
   byId("slider").max = source.count - 1;
   setSpeed(state.framesPerSecond);
   play(false);
+  const isLayersAsked = new URLSearchParams(location.hash.slice(1)).has("show");
   await restore(location.hash);
   countMatches();
   await show(state.index);
+  if (state.frame && !isLayersAsked && source.has(state.index, "mask")) {
+    state.shown.add("mask");
+    draw();
+  }
   performance.mark("first frame");
   if (state.frame) drawAll();
 }

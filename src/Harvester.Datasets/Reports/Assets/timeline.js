@@ -1,5 +1,6 @@
 // The slider with plots over all frames of the page.
 const plotHeight = 56;
+const plotTicks = 6; // labels below the plot
 
 const mostColumns = 1500; // More frames than this share columns of the plot.
 
@@ -53,9 +54,21 @@ function drawTimeline() {
   const drawing = byId("plot");
   drawing.setAttribute("viewBox", `0 0 ${Math.max(1, source.count)} ${plotHeight + 12}`);
   drawing.setAttribute("aria-label", hasValues ? `${label}: ${fixed(least, 2)} to ${fixed(greatest, 2)}` : `${label}: no values`);
-  drawing.replaceChildren(shape("path", { d: path, class: "values" }), ...bars, shape("line", { id: "cursor", y1: 0, y2: plotHeight + 12, class: "cursor" }));
+  const lines = hasValues ? [greatest, (least + greatest) / 2, least] : [];
+  const grid = lines.map(value => shape("line", { x1: 0, x2: Math.max(1, source.count), y1: heightOf(value), y2: heightOf(value), class: "grid" }));
+  drawAxes(lines);
+  drawing.replaceChildren(...grid, shape("path", { d: path, class: "values" }), ...bars, shape("line", { id: "cursor", y1: 0, y2: plotHeight + 12, class: "cursor" }));
   byId("plot-range").textContent = hasValues ? `${fixed(least, 2)} to ${fixed(greatest, 2)}` : "no values";
   moveCursor();
+}
+
+/** Labels the values at the lines of the plot, and frames below it. The plot itself is stretched, which would distort letters. */
+function drawAxes(lines) {
+  const shown = new Set(lines.map(value => fixed(value, 1))).size < lines.length ? lines.slice(0, 1) : lines;
+  byId("plot-values").replaceChildren(...shown.map(value => element("span", {}, fixed(value, 1))));
+  const ticks = Math.min(plotTicks, Math.max(1, source.count));
+  const places = Array.from({ length: ticks }, (_, tick) => ticks === 1 ? 0 : Math.round(tick * (source.count - 1) / (ticks - 1)));
+  byId("plot-frames").replaceChildren(...places.map((index, tick) => element("span", {}, `${tick === 0 ? "frame " : ""}${source.number(index)}`)));
 }
 
 /** Ascending places as runs from a place to the one after the last; runs that are closer than a column are one. */

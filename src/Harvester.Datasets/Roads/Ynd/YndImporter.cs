@@ -11,7 +11,7 @@ namespace Harvester.Datasets.Roads.Ynd;
 
 /// <summary>
 /// Reads cells of path nodes as CodeWalker exports them (*.ynd.xml). Links to cells that are not among the files are skipped and counted; a
-/// link to a node that is missing in its cell is an error.
+/// link to a node that is missing in its cell is an error. Of several files of one cell, the last counts, as in the game's updates.
 /// </summary>
 internal static class YndImporter
 {
@@ -25,29 +25,31 @@ internal static class YndImporter
     public static RoadImport Import(IReadOnlyList<RoadSource> cells)
     {
         var assembly = new RoadAssembly();
-        var indices = new Dictionary<(int Area, int Number), int>();
-        var areas = new HashSet<int>();
-        var links = new List<YndLink>();
+        var files = new SortedDictionary<int, YndCell>();
+        var notes = new List<string>();
+        int count = 0;
         foreach (RoadSource cell in cells)
         {
-            XElement root = RoadXml.Root(cell);
-            IReadOnlyList<XElement> items = [.. root.Child(cell, "Nodes").Elements("Item")];
-            int counted = Count(root, cell, "VehicleNodeCount") + Count(root, cell, "PedNodeCount");
-            if (counted != items.Count)
+            foreach (YndCell read in Read(cell).Values)
             {
-                throw RoadXml.Wrong(cell, root, $"the file counts {counted} nodes but has {items.Count}.");
-            }
-
-            foreach (XElement item in items)
-            {
-                RoadNode node = Node(cell, item);
-                areas.Add(node.Area);
-                if (!indices.TryAdd((node.Area, node.Number), assembly.NodeCount))
+                if (files.TryGetValue(read.Area, out YndCell? former))
                 {
-                    throw RoadXml.Wrong(cell, item, $"node {node.Number} of cell {node.Area} occurs twice.");
+                    notes.Add($"'{cell.Name}' replaces '{former.File}', which has the same cell {read.Area}.");
                 }
 
-                links.AddRange((item.Element("Links")?.Elements("Item") ?? []).Select(link => Link(cell, link, assembly.NodeCount)));
+                RoadAssembly.RequireRoom(count += read.Nodes.Count);
+                files[read.Area] = read;
+            }
+        }
+
+        var indices = new Dictionary<(int Area, int Number), int>();
+        var links = new List<YndLink>();
+        foreach (YndCell cell in files.Values)
+        {
+            foreach ((RoadNode node, IReadOnlyList<YndLink> ofNode) in cell.Nodes)
+            {
+                indices.Add((node.Area, node.Number), assembly.NodeCount);
+                links.AddRange(ofNode.Select(link => link with { From = assembly.NodeCount }));
                 RoadAssembly.RequireRoom(links.Count / 2);
                 assembly.Add(node);
             }
@@ -59,7 +61,7 @@ internal static class YndImporter
             {
                 assembly.Add(PathBits.Link(link.From, to, link.Bits));
             }
-            else if (areas.Contains(link.ToArea))
+            else if (files.ContainsKey(link.ToArea))
             {
                 throw new DatasetFormatException(
                     $"{link.Place}: the link leads to node {link.ToNumber} of cell {link.ToArea}, which that cell does not have.");
@@ -70,7 +72,40 @@ internal static class YndImporter
             }
         }
 
-        return assembly.Finish("CodeWalker ynd.xml");
+        return assembly.Finish("CodeWalker ynd.xml", notes);
+    }
+
+    /// <summary>The cells of a file, by their number; a file has one as a rule.</summary>
+    private static SortedDictionary<int, YndCell> Read(RoadSource file)
+    {
+        XElement root = RoadXml.Root(file);
+        IReadOnlyList<XElement> items = [.. root.Child(file, "Nodes").Elements("Item")];
+        int counted = Count(root, file, "VehicleNodeCount") + Count(root, file, "PedNodeCount");
+        if (counted != items.Count)
+        {
+            throw RoadXml.Wrong(file, root, $"the file counts {counted} nodes but has {items.Count}.");
+        }
+
+        var cells = new SortedDictionary<int, YndCell>();
+        var known = new HashSet<(int Area, int Number)>();
+        foreach (XElement item in items)
+        {
+            RoadNode node = Node(file, item);
+            if (!known.Add((node.Area, node.Number)))
+            {
+                throw RoadXml.Wrong(file, item, $"node {node.Number} of cell {node.Area} occurs twice.");
+            }
+
+            if (!cells.TryGetValue(node.Area, out YndCell? cell))
+            {
+                cell = new YndCell(file.Name, node.Area, []);
+                cells.Add(node.Area, cell);
+            }
+
+            cell.Nodes.Add((node, [.. (item.Element("Links")?.Elements("Item") ?? []).Select(link => Link(file, link, from: 0))]));
+        }
+
+        return cells;
     }
 
     private static int Count(XElement root, RoadSource cell, string name) =>

@@ -6,7 +6,7 @@ public sealed class Bdd100KCheckTests(SimulatedSession simulated) : CheckTests(s
     private const string Lanes = "labels/lane/polygons/lane_train.json";
 
     [Theory]
-    [InlineData("^\\{", "", "it is not valid JSON.")]
+    [InlineData("^\\{", "", "invalid JSON at ")]
     [InlineData("00000000.png", "00000099.png", "'00000099.png' is not in images/100k/train, or occurs twice.")]
     [InlineData("\"width\":200", "\"width\":201", "its image is 200 x 150, not 201 x 150.")]
     [InlineData("\"weather\":\"[^\"]*\"", "\"weather\":\"hail\"", "weather 'hail' is unknown.")]

@@ -34,7 +34,7 @@ public sealed class ImageFolderTests(SimulatedSession simulated) : CheckTests(si
     }
 
     [Theory]
-    [InlineData("^\\{", "", "it is not valid JSON.")]
+    [InlineData("^\\{", "", "invalid JSON at ")]
     [InlineData("00000000.png", "00000099.png", "file_name '00000099.png' is not in data/train.")]
     [InlineData("\"categories\":\\[", "\"categories\":[0,", "bbox, categories and track_ids are not of one length.")]
     [InlineData("\"categories\":\\[\\d+", "\"categories\":[10", "a category is not a whole number from 0 to 9.")]

@@ -8,7 +8,7 @@ public sealed class OpenLaneCheckTests(SimulatedSession simulated) : CheckTests(
     private const string Labels = "lane3d/" + Frame + ".json";
 
     [Theory]
-    [InlineData("^\\{", "", "it is not valid JSON.")]
+    [InlineData("^\\{", "", "invalid JSON at ")]
     [InlineData("\"file_path\":\"train", "\"file_path\":\"test", "file_path is not '" + Frame + ".png'.")]
     [InlineData("\"intrinsic\":\\[\\[", "\"intrinsic\":[[-", "intrinsic is not the matrix of a camera.")]
     [InlineData("\"extrinsic\":\\[\\[[^,]*", "\"extrinsic\":[[0.5", "extrinsic is not a rotation and a displacement.")]

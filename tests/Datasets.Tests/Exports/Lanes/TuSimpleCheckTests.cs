@@ -5,7 +5,7 @@ public sealed class TuSimpleCheckTests(SimulatedSession simulated) : CheckTests(
     private const string Labels = "label_data_train.json";
 
     [Theory]
-    [InlineData("^\\{", "", "it is not valid JSON.")]
+    [InlineData("^\\{", "", "invalid JSON at ")]
     [InlineData("\"lanes\"", "\"lines\"", "lanes is missing.")]
     [InlineData("\"lanes\":\\[\\[[^,]*,", "\"lanes\":[[", "a lane does not have 10 columns")]
     [InlineData("\"lanes\":\\[\\[[^,]*,", "\"lanes\":[[200,", "a lane has a column that is neither -2 nor one of the image of 200 x 150.")]

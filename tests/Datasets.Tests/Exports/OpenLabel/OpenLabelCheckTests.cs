@@ -9,7 +9,7 @@ public sealed class OpenLabelCheckTests(SimulatedSession simulated) : CheckTests
     [InlineData("\"camera_matrix\":\\[[^,]*,0,", "\"camera_matrix\":[0,0,", "line 1: camera_matrix is not the matrix of a camera.")]
     [InlineData("\"parent\":\"world\"", "\"parent\":\"ego\"", "line 1: the coordinate systems are not world and others within it.")]
     [InlineData("^\"0\":", "\"1\":", "line 2: it is not frame 0, which must follow.")]
-    [InlineData("^\"0\":", "\"0\"", "line 2: it is not valid JSON.")]
+    [InlineData("^\"0\":", "\"0\"", "line 2: invalid JSON at ")]
     [InlineData("train/0000/00000000.png", "train/0000/00000009.png", "line 2: its image 'images/train/0000/00000009.png' is missing.")]
     [InlineData("\"quaternion\":\\[[^,]*", "\"quaternion\":[2", "line 2: the quaternion of ego_to_world is not of length 1.")]
     [InlineData("\"dst\":\"world\"", "\"dst\":\"ego\"", "line 2: ego_to_world is not a transform to world.")]

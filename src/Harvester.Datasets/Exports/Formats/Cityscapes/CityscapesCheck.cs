@@ -131,9 +131,9 @@ internal static class CityscapesCheck
                 .Select((item, index) => ObjectProblem(item, image) is { } problem ? $"objects[{index}]: {problem}" : null)
                 .FirstOrDefault(problem => problem is not null);
         }
-        catch (JsonException)
+        catch (JsonException e)
         {
-            return "it is not valid JSON.";
+            return JsonFault.InText(e);
         }
         catch (DatasetFormatException e)
         {

@@ -46,7 +46,7 @@ internal static class CocoElements
         }
         catch (JsonException e)
         {
-            damage = new SessionProblem(name, (int?)(e.LineNumber + 1), "it is not valid JSON from here on.");
+            damage = new SessionProblem(name, (int?)(e.LineNumber + 1), JsonFault.InLine(e));
             return false;
         }
         catch (DatasetFormatException e)

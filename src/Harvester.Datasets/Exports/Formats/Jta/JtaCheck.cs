@@ -59,9 +59,9 @@ internal static class JtaCheck
             var fields = new JsonFields(document.RootElement);
             return ([fields.Number("fx"), fields.Number("fy"), fields.Number("cx"), fields.Number("cy")], null);
         }
-        catch (JsonException)
+        catch (JsonException e)
         {
-            return (null, "it is not valid JSON.");
+            return (null, JsonFault.InText(e));
         }
         catch (DatasetFormatException e)
         {
@@ -77,9 +77,9 @@ internal static class JtaCheck
             return new JsonFields(document.RootElement).Rows("rows", Columns).Select(row => Problem(row, frames, k))
                 .FirstOrDefault(problem => problem is not null);
         }
-        catch (JsonException)
+        catch (JsonException e)
         {
-            return "it is not valid JSON.";
+            return JsonFault.InText(e);
         }
         catch (DatasetFormatException e)
         {

@@ -46,9 +46,9 @@ internal static class OpenLaneCheck
             using JsonDocument document = JsonInput.Read(dataset.PathOf(name));
             return Problem(new JsonFields(document.RootElement), image, dataset.Header("images/" + image)?.Size);
         }
-        catch (JsonException)
+        catch (JsonException e)
         {
-            return "it is not valid JSON.";
+            return JsonFault.InText(e);
         }
         catch (DatasetFormatException e)
         {

@@ -46,9 +46,9 @@ internal static class TuSimpleCheck
             using JsonDocument document = JsonInput.Parse(text);
             return Problem(dataset, new JsonFields(document.RootElement), named);
         }
-        catch (JsonException)
+        catch (JsonException e)
         {
-            return "it is not valid JSON.";
+            return JsonFault.InLine(e);
         }
         catch (DatasetFormatException e)
         {
