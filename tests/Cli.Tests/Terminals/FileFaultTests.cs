@@ -30,8 +30,8 @@ public sealed class FileFaultTests : IDisposable
     [InlineData("spaces check {none}", "File not found: '{none}'.")]
     [InlineData("report {.} --out {none}/page.html", "Folder not found: '{none}'.")]
     [InlineData("report {file}", "'{file}' is a file. Name the folder of a session.")]
-    [InlineData("export {.} --format csv --out {file}", "'{file}' is a file. Name a folder.")]
-    [InlineData("export {.} --format csv --out {file}/below", "'{file}' is a file. Name a folder.")]
+    [InlineData("export {.} --format csv --out {file}", "'{file}' is a file. Name a folder with --out.")]
+    [InlineData("export {.} --format csv --out {file}/below", "'{file}' is a file. Name a folder with --out.")]
     public void Missing_file_or_folder_is_reported_in_one_line_with_advice(string command, string message)
     {
         string[] words = [.. command.Split(' ').Select(InFolder)];
