@@ -52,4 +52,10 @@ public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IP
 
     /// <summary>Rays that report the normal of the surface; null if the game reports none.</summary>
     public ISurfaceRays? SurfaceRays { get; init; }
+
+    /// <summary>The game's own display, which can be hidden; null if there is none.</summary>
+    public IHud? Hud { get; init; }
+
+    /// <summary>Draws known colours over the picture; null if the game cannot.</summary>
+    public IColourCard? Card { get; init; }
 }

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Calibration;
 
@@ -7,7 +8,8 @@ namespace Harvester.Simulation.Game;
 /// <summary>Shows balls in the simulated world.</summary>
 internal sealed class MarkersPort(SimulatedGame game) : IMarkers
 {
-    public void Show(IReadOnlyList<PlannedMarker> markers) => game.Markers = markers;
+    public void Show(IReadOnlyList<PlannedMarker> markers) =>
+        game.Markers = game.Quirks.MaxMarkers is { } most ? [.. markers.Take(most)] : markers;
 
     public void Clear()
     {

@@ -10,10 +10,12 @@ internal sealed class RayPort(SimulatedGame game) : ISurfaceRays
 {
     private (RenderScene Shapes, SceneRayCaster Caster)? _current;
 
-    public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity) => Current.Cast(ray, maxDistance, ignoredEntity);
+    public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity) => Reported(Current.Cast(ray, maxDistance, ignoredEntity));
 
     public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity, out Vector3D normal) =>
-        Current.Cast(ray, maxDistance, ignoredEntity, out normal);
+        Reported(Current.Cast(ray, maxDistance, ignoredEntity, out normal));
+
+    private RayHit? Reported(RayHit? hit) => game.Quirks.HidesMaterials && hit is { } found ? found with { Material = 0 } : hit;
 
     private SceneRayCaster Current
     {

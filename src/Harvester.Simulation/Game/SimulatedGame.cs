@@ -64,6 +64,7 @@ public sealed class SimulatedGame
         Freezing = new Freezing(options.Seed, options.Quirks);
         Hidden = new HiddenEntities(options.Seed, options.Quirks);
         _vanishing = new Vanishing(options.Seed, options.Quirks.VanishingFraction);
+        Layers = new ScreenLayers(options.Quirks);
         Ports = new GamePorts(
             new WorldPort(this),
             new RayPort(this),
@@ -82,6 +83,8 @@ public sealed class SimulatedGame
             Sky = new SkyPort(this),
             Sheets = new SheetsPort(this),
             Surfaces = new SurfacePort(this),
+            Hud = new HudPort(this),
+            Card = new CardPort(this),
             DrawnOcclusion = options.ReportsTrueOcclusion ? new DrawnOcclusionPort(this) : null,
         };
     }
@@ -126,6 +129,12 @@ public sealed class SimulatedGame
 
     /// <summary>The entities that the harvest hides from the pictures.</summary>
     internal HiddenEntities Hidden { get; }
+
+    /// <summary>What lies over the picture.</summary>
+    internal ScreenLayers Layers { get; }
+
+    /// <summary>The faults of this game.</summary>
+    internal GameQuirks Quirks => _options.Quirks;
 
     internal RenderLens Lens => _view.Lens;
 
@@ -307,8 +316,12 @@ public sealed class SimulatedGame
         return new PicturePainter(_world.Scene, Detail.Plain, new PictureNoise(0, new GameQuirks())).Paint(moment, size);
     }
 
-    /// <summary>Draws the current picture with the noise of the screen.</summary>
-    internal void Show(PixelBuffer target) => _painter.Show(MomentShown, target);
+    /// <summary>Draws the current picture as the screen shows it, with noise and what lies over it.</summary>
+    internal void Show(PixelBuffer target)
+    {
+        _painter.Show(MomentShown, target);
+        Layers.Apply(target, Freezing.FrozenTicks);
+    }
 
     /// <summary>Renders the current picture on another thread, while the world moves on.</summary>
     internal Task RenderLater(PixelBuffer target) => _painter.PaintLater(MomentShown, target);
@@ -353,6 +366,13 @@ public sealed class SimulatedGame
     {
         _world.IsDark = _weather.IsDarkAt(WeatherSeconds);
         List<EntityState> entities = _world.EntitiesNear(centre, range);
+        if (Quirks.ModelMarginMetres > 0)
+        {
+            var margin = new Vector3D(Quirks.ModelMarginMetres, Quirks.ModelMarginMetres, Quirks.ModelMarginMetres);
+            entities = [.. entities.Select(
+                entity => entity with { ModelMin = entity.ModelMin - margin, ModelMax = entity.ModelMax + margin })];
+        }
+
         if (_options.Quirks.VanishingFraction > 0
             && _vanishing.AfterReading([.. entities.Where(entity => IsVehicle(entity.Handle)).Select(entity => entity.Handle)], GameFrame))
         {

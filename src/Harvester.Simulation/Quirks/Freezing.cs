@@ -34,6 +34,9 @@ internal sealed class Freezing(int seed, GameQuirks quirks)
     /// <summary>Whether an existing vehicle is not shown.</summary>
     public bool HidesVehicle => _quirks.ChangesVisibility && _ticks / VisibilityTicks % 2 == 1;
 
+    /// <summary>Number of ticks for which a freeze has been asked for; 0 while the world runs.</summary>
+    public int FrozenTicks => IsAsked ? Math.Max(1, _ticks) : 0;
+
     public void Freeze()
     {
         if (!IsAsked)

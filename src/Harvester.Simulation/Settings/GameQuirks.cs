@@ -48,4 +48,37 @@ public sealed record GameQuirks
 
     /// <summary>Whether textures move on in a tenth of the world while it is frozen, by 10 grey levels.</summary>
     public bool TexturesMove { get; init; }
+
+    /// <summary>Whether the game shows its head-up display and radar unless the harvest hides them.</summary>
+    public bool ShowsHud { get; init; }
+
+    /// <summary>Whether hiding the head-up display has no effect while the world is frozen.</summary>
+    public bool HudStaysWhileFrozen { get; init; }
+
+    /// <summary>Whether another program draws a display over the game, such as a frame-rate counter, which nothing hides.</summary>
+    public bool ShowsForeignDisplay { get; init; }
+
+    /// <summary>Factor of the grey levels of a grabbed picture, clipped at 255; greater than 1 as with HDR. Greater than 0.</summary>
+    public double PictureGain { get; init; } = 1;
+
+    /// <summary>Exponent of the grey levels of a grabbed picture, as fractions of 255; less than 1 washes it out. Greater than 0.</summary>
+    public double PictureExponent { get; init; } = 1;
+
+    /// <summary>Factor by which a grabbed picture is enlarged, so that it shows the window's upper left part only; at least 1.</summary>
+    public double WindowScale { get; init; } = 1;
+
+    /// <summary>Whether a grabbed picture shows another window.</summary>
+    public bool ShowsOtherWindow { get; init; }
+
+    /// <summary>Maximum number of balls that the game draws at a time; null for no limit.</summary>
+    public int? MaxMarkers { get; init; }
+
+    /// <summary>Width by which the reported extents of models exceed their shapes on each side, metres; 0 or more.</summary>
+    public double ModelMarginMetres { get; init; }
+
+    /// <summary>Whether rays report no materials.</summary>
+    public bool HidesMaterials { get; init; }
+
+    /// <summary>Number of ticks of a frozen world after which the level of detail of a part of the picture changes; 0 for never.</summary>
+    public int DetailChangesAfterTicks { get; init; }
 }

@@ -1,0 +1,181 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Ports;
+using Harvester.Geometry;
+using Harvester.Sessions.Imaging;
+
+namespace Harvester.Capture.SelfTests;
+
+/// <summary>
+/// Draws patches of known colours and grabs them: they show whether the right window is grabbed, the whole of it, and with the right
+/// values. A second card has the same places with other colours, so that what follows the card cannot be mistaken for the game.
+/// </summary>
+internal sealed class ColourCheck(SelfTestContext context) : SelfCheck(context)
+{
+    private const int Columns = 3;
+    private const int Rows = 3;
+    private const double HalfWidth = 0.04;
+    private const double HalfHeight = 0.05;
+
+    /// <summary>The colours of the patches; the second card shows each four places farther.</summary>
+    private static readonly (byte Red, byte Green, byte Blue)[] Colours =
+    [
+        (16, 16, 16), (64, 64, 64), (128, 128, 128), (192, 192, 192), (235, 235, 235), (255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 0, 255),
+    ];
+
+    private const int SecondCardShift = 4;
+
+    /// <summary>A patch that follows the card differs by more between the two cards, grey levels.</summary>
+    private const int FollowingLevels = 30;
+
+    /// <summary>A pixel is part of a card if it is the same in both pictures of the first card, within noise, grey levels.</summary>
+    private const int SameLevels = 14;
+
+    /// <summary>The patches of a card cover 14 % of the window; of an enlarged one, at least this fraction of the picture.</summary>
+    private const double MinCardFraction = 0.02;
+
+    /// <summary>A patch's mean may differ from its colour by scaling, compression and dithering, grey levels.</summary>
+    private const double ToleranceLevels = 6;
+
+    /// <summary>The grey of 192 is clipped if it comes back as at least this.</summary>
+    private const double ClippedLevel = 246;
+
+    private const int LightGrey = 3;
+    private const int MiddleGrey = 2;
+
+    public override string Title => "colours of the picture";
+
+    public override IReadOnlyList<string> Checks =>
+        [SelfTestChecks.Window, SelfTestChecks.Scale, SelfTestChecks.Exposure, SelfTestChecks.Tones];
+
+    public override IEnumerable<SelfTestPhase> Run()
+    {
+        if (Game.Card is not { } card)
+        {
+            Context.ArePicturesUsable = true;
+            throw new SelfTestException("this game draws no card of colours.");
+        }
+
+        var pictures = new PixelBuffer[Columns];
+        for (int number = 0; number < pictures.Length; number++)
+        {
+            card.Show(Card(number == 1 ? SecondCardShift : 0));
+            foreach (SelfTestPhase phase in Wait(Context.PictureTicks))
+            {
+                yield return phase;
+            }
+
+            pictures[number] = Context.Grab();
+        }
+
+        card.Clear();
+        Context.Keep("colours", pictures[2]);
+        Judge(pictures[0], pictures[1], pictures[2]);
+    }
+
+    public override void Release() => Game.Card?.Clear();
+
+    private static Box2D Place(int number)
+    {
+        double x = 0.1 + (0.4 * (number % Columns));
+        double y = 0.15 + (0.35 * (number / Columns));
+        return new Box2D(x - HalfWidth, y - HalfHeight, x + HalfWidth, y + HalfHeight);
+    }
+
+    private static ColourPatch[] Card(int shift) =>
+    [
+        .. Enumerable.Range(0, Columns * Rows).Select(number =>
+        {
+            (byte red, byte green, byte blue) = Colours[(number + shift) % Colours.Length];
+            return new ColourPatch(Place(number), red, green, blue);
+        }),
+    ];
+
+    /// <summary>The inner half of a patch in a picture, pixels.</summary>
+    private Box2D Inner(int number)
+    {
+        Box2D place = Place(number);
+        (int width, int height) = (Context.Options.Image.Width, Context.Options.Image.Height);
+        return new Box2D(
+            (place.XMin + (HalfWidth / 2)) * width, (place.YMin + (HalfHeight / 2)) * height, (place.XMax - (HalfWidth / 2)) * width,
+            (place.YMax - (HalfHeight / 2)) * height);
+    }
+
+    private void Judge(PixelBuffer first, PixelBuffer second, PixelBuffer again)
+    {
+        int following = Enumerable.Range(0, Colours.Length).Count(number => Greatest(
+            PicturePixels.MeanOf(first, Inner(number)) - PicturePixels.MeanOf(second, Inner(number))) > FollowingLevels);
+        int[] card = [.. PicturePixels.Changed(first, second, FollowingLevels)
+            .Where(pixel => PicturePixels.Difference(first, again, pixel) <= SameLevels)];
+        if (following == Colours.Length && IsInPlace(card, first))
+        {
+            Context.ArePicturesUsable = true;
+            Context.Add(SelfTestChecks.Window, SelfTestVerdict.Good, $"Pictures show the game's window.");
+            Context.Add(SelfTestChecks.Scale, SelfTestVerdict.Good, $"Pictures show the whole window.");
+            JudgeColours(again);
+        }
+        else if (card.Length >= MinCardFraction * first.Size.PixelCount)
+        {
+            Context.Add(SelfTestChecks.Window, SelfTestVerdict.Good, $"Pictures show the game's window.");
+            Context.Add(
+                SelfTestChecks.Scale, SelfTestVerdict.Problem,
+                $"Colours appear in other places than they were drawn in ({PictureRegion.Of(card, first.Size)}): pictures show a part of the window, because Windows scales it.");
+            Context.AddUntested(Checks, "pictures do not show the whole window.");
+        }
+        else
+        {
+            Context.Add(SelfTestChecks.Window, SelfTestVerdict.Problem, $"Colours drawn in the game do not appear in pictures: another window is grabbed, or none.");
+            Context.AddUntested(Checks, "pictures do not show the game's window.");
+        }
+    }
+
+    /// <summary>Whether the patches begin and end where they were drawn, within two pixels at each side.</summary>
+    private bool IsInPlace(int[] card, PixelBuffer picture)
+    {
+        const int tolerance = 2;
+        if (card.Length == 0)
+        {
+            return false;
+        }
+
+        // Noise and traffic may change single pixels outside the card, so the columns and rows with a fifth of a patch count.
+        (int width, int height) = (picture.Size.Width, picture.Size.Height);
+        int[] columns = [.. card.GroupBy(pixel => pixel % width).Where(each => each.Count() > height * HalfHeight * 0.4).Select(each => each.Key)];
+        int[] rows = [.. card.GroupBy(pixel => pixel / width).Where(each => each.Count() > width * HalfWidth * 0.4).Select(each => each.Key)];
+        Box2D from = Place(0);
+        Box2D to = Place(Colours.Length - 1);
+        return columns.Length > 0 && rows.Length > 0
+            && Math.Abs(columns.Min() - (from.XMin * width)) <= tolerance && Math.Abs(columns.Max() + 1 - (to.XMax * width)) <= tolerance
+            && Math.Abs(rows.Min() - (from.YMin * height)) <= tolerance && Math.Abs(rows.Max() + 1 - (to.YMax * height)) <= tolerance;
+    }
+
+    private void JudgeColours(PixelBuffer picture)
+    {
+        Vector3D[] seen = [.. Enumerable.Range(0, Colours.Length).Select(number => PicturePixels.MeanOf(picture, Inner(number)))];
+        double error = seen.Zip(Colours, (mean, sent) => Greatest(mean - new Vector3D(sent.Red, sent.Green, sent.Blue))).Max();
+        if (seen[LightGrey].X >= ClippedLevel)
+        {
+            Context.Add(
+                SelfTestChecks.Exposure, SelfTestVerdict.Problem,
+                $"Bright colours are clipped: the grey of 192 comes back as {seen[LightGrey].X:0}, as with HDR or Auto HDR. Switch both off in Windows.");
+            Context.AddUntested(Checks, "bright colours are clipped.");
+            return;
+        }
+
+        Context.Add(SelfTestChecks.Exposure, SelfTestVerdict.Good, $"The grey of 192 comes back as {seen[LightGrey].X:0}.");
+        if (error > ToleranceLevels)
+        {
+            Context.Add(
+                SelfTestChecks.Tones, SelfTestVerdict.Problem,
+                $"Colours are off by up to {error:0} of 255; the grey of 128 comes back as {seen[MiddleGrey].X:0}. A colour profile, a filter or the brightness of the display changes them.");
+        }
+        else
+        {
+            Context.Add(SelfTestChecks.Tones, SelfTestVerdict.Good, $"Colours are off by at most {error:0.0} of 255.");
+        }
+    }
+
+    private static double Greatest(Vector3D difference) =>
+        Math.Max(Math.Abs(difference.X), Math.Max(Math.Abs(difference.Y), Math.Abs(difference.Z)));
+}

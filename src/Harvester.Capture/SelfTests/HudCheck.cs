@@ -1,0 +1,68 @@
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Sessions.Imaging;
+
+namespace Harvester.Capture.SelfTests;
+
+/// <summary>Shows and hides the game's own display in the frozen world, and compares the pictures.</summary>
+internal sealed class HudCheck(SelfTestContext context) : SelfCheck(context)
+{
+    /// <summary>A pixel of the display differs by more from the game behind it, grey levels.</summary>
+    private const int ChangedLevels = 30;
+
+    /// <summary>Fewer pixels are noise.</summary>
+    private const int MinPixels = 24;
+
+    public override string Title => "hiding the game's display";
+
+    public override IReadOnlyList<string> Checks => [SelfTestChecks.Hud];
+
+    public override IEnumerable<SelfTestPhase> Run()
+    {
+        NeedPictures();
+        if (Game.Hud is not { } hud)
+        {
+            throw new SelfTestException("this game has no display of its own.");
+        }
+
+        foreach (SelfTestPhase phase in Freeze())
+        {
+            yield return phase;
+        }
+
+        var pictures = new List<PixelBuffer>();
+        for (int number = 0; number < 3; number++)
+        {
+            (number == 1 ? hud.Restore : new System.Action(hud.Hide))();
+            foreach (SelfTestPhase phase in Wait(Context.PictureTicks))
+            {
+                yield return phase;
+            }
+
+            pictures.Add(Context.Grab());
+        }
+
+        Context.Keep("hud-hidden", pictures[2]);
+        int[] display = [.. PicturePixels.Changed(pictures[0], pictures[1], ChangedLevels)
+            .Where(pixel => PicturePixels.Difference(pictures[1], pictures[2], pixel) > ChangedLevels
+                && PicturePixels.Difference(pictures[0], pictures[2], pixel) <= ChangedLevels)];
+        if (display.Length >= MinPixels)
+        {
+            Context.Add(
+                SelfTestChecks.Hud, SelfTestVerdict.Good,
+                $"The game's display is hidden while the world is frozen ({PictureRegion.Of(display, pictures[0].Size)}).");
+        }
+        else if (hud.IsWanted == true)
+        {
+            Context.Add(
+                SelfTestChecks.Hud, SelfTestVerdict.Problem,
+                $"The game's display stays in the picture while the world is frozen. Switch radar and HUD off in the game's settings.");
+        }
+        else
+        {
+            Context.Add(SelfTestChecks.Hud, SelfTestVerdict.Good, $"The game shows no display of its own.");
+        }
+    }
+
+    public override void Release() => Game.Hud?.Hide();
+}

@@ -1,0 +1,89 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Calibration;
+using Harvester.Geometry.Calibration;
+using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Capture.SelfTests;
+
+/// <summary>
+/// Shows one half of the markers of a calibration, the other half, and all of them: a game that limits their number shows fewer together
+/// than apart, whatever hides some of them.
+/// </summary>
+internal sealed class MarkerCheck(SelfTestContext context) : SelfCheck(context)
+{
+    private const int Columns = 15;
+    private const int Rows = 11;
+    private static readonly double[] Depths = [0.9, 1.2, 1.6];
+
+    /// <summary>Together so many of the markers must be found that are found apart.</summary>
+    private const double MinFraction = 0.9;
+
+    /// <summary>Fewer spots may be anything.</summary>
+    private const int MinMarkers = 8;
+
+    public override string Title => "number of markers";
+
+    public override IReadOnlyList<string> Checks => [SelfTestChecks.Markers];
+
+    private double Radius => Math.Max(1.5, Context.Options.Image.Height / 100.0);
+
+    public override IEnumerable<SelfTestPhase> Run()
+    {
+        NeedPictures();
+        if (Game.Markers is not { } markers)
+        {
+            throw new SelfTestException("this game draws no markers.");
+        }
+
+        foreach (SelfTestPhase phase in Freeze())
+        {
+            yield return phase;
+        }
+
+        CameraState state = Game.World.ReadCamera();
+        var camera = new Camera(
+            state.Pose,
+            new CameraIntrinsics(
+                state.VerticalFovDegrees, Context.Options.Image, state.WindowAspect, state.NearClip, Context.Options.Lens));
+        IReadOnlyList<PlannedMarker> all = MarkerPlan.Across(camera, Columns, Rows, Radius, Depths).Markers;
+        PixelBuffer without = Context.Grab();
+        var found = new List<int>();
+        PlannedMarker[][] shown = [[.. all.Where((_, number) => number % 2 == 0)], [.. all.Where((_, number) => number % 2 == 1)], [.. all]];
+        foreach (PlannedMarker[] part in shown)
+        {
+            markers.Show(part);
+            foreach (SelfTestPhase phase in Wait(Context.PictureTicks))
+            {
+                yield return phase;
+            }
+
+            PixelBuffer with = Context.Grab();
+            found.Add(MarkerDetector.Find(without, with, Radius).Count);
+            if (found.Count == shown.Length)
+            {
+                Context.Keep("markers", with);
+            }
+        }
+
+        int apart = found[0] + found[1];
+        if (apart < MinMarkers)
+        {
+            Context.Add(
+                SelfTestChecks.Markers, SelfTestVerdict.Problem,
+                $"Only {apart} of {all.Count} markers are visible: something is right in front of the camera, or this game does not draw them.");
+        }
+        else
+        {
+            bool areAll = found[2] >= MinFraction * apart;
+            Context.Add(
+                SelfTestChecks.Markers, areAll ? SelfTestVerdict.Good : SelfTestVerdict.Problem,
+                $"Of {all.Count} markers drawn at once, {found[2]} are visible; drawn in two halves, {apart}.");
+        }
+    }
+
+    public override void Release() => Game.Markers?.Clear();
+}

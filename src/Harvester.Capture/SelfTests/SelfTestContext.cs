@@ -1,0 +1,69 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Ports;
+using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Imaging;
+
+namespace Harvester.Capture.SelfTests;
+
+/// <summary>What the checks of a self-test share: the game, and what earlier checks have found.</summary>
+internal sealed class SelfTestContext(HarvestOptions options, GamePorts game)
+{
+    private readonly List<SelfTestLine> _lines = [];
+    private readonly List<SelfTestPicture> _pictures = [];
+
+    public HarvestOptions Options { get; } = options;
+
+    public GamePorts Game { get; } = game;
+
+    public SceneReader Reader { get; } = new(game.World, options);
+
+    /// <summary>Whether grabbed pictures show the whole window; without that, no check can use them.</summary>
+    public bool ArePicturesUsable { get; set; }
+
+    /// <summary>What was found about the freeze methods.</summary>
+    public List<FreezeFinding> Freezes { get; } = [];
+
+    /// <summary>The better freeze method; null if none stops the world.</summary>
+    public FreezeFinding? BestFreeze => Freezes.Count > 0 && FreezeReport.Of(Freezes).Used is { HoldsWorld: true } best ? best : null;
+
+    /// <summary>Lag of the picture behind the camera, ticks; null if it is not known.</summary>
+    public int? LagTicks { get; set; }
+
+    /// <summary>Ticks after which a change is in the picture.</summary>
+    public int PictureTicks => (LagTicks ?? Options.MaxPictureLagTicks) + 2;
+
+    /// <summary>The lens that was measured; null if none was.</summary>
+    public Lens? MeasuredLens { get; set; }
+
+    public IReadOnlyList<SelfTestLine> Lines => _lines;
+
+    public IReadOnlyList<SelfTestPicture> Pictures => _pictures;
+
+    public void Add(string check, SelfTestVerdict verdict, FormattableString sentence) =>
+        _lines.Add(new SelfTestLine(check, verdict, FormattableString.Invariant(sentence)));
+
+    /// <summary>Adds a line for each of these checks that has none yet.</summary>
+    public void AddUntested(IEnumerable<string> checks, string why)
+    {
+        foreach (string check in checks)
+        {
+            if (!_lines.Exists(line => line.Check == check))
+            {
+                Add(check, SelfTestVerdict.Untested, $"This was not tested: {why}");
+            }
+        }
+    }
+
+    /// <summary>Grabs a picture.</summary>
+    /// <exception cref="SelfTestException">The picture cannot be used.</exception>
+    public PixelBuffer Grab()
+    {
+        var picture = new PixelBuffer(Options.Image);
+        return Game.Screen.Grab(picture) is { Refusal: { } refusal }
+            ? throw new SelfTestException($"the picture of the game cannot be grabbed ({refusal}).") : picture;
+    }
+
+    public void Keep(string name, PixelBuffer picture) => _pictures.Add(new SelfTestPicture(name, picture));
+}
