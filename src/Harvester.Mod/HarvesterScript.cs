@@ -13,6 +13,7 @@ using Harvester.Play.Features;
 using Harvester.Play.Plans;
 using Harvester.Play.Screen;
 using Harvester.Play.Screen.Windows;
+using Harvester.Play.SelfTests;
 using Harvester.Play.Settings;
 using Harvester.Sessions.Scenes;
 using Harvester.Surveys.Faces;
@@ -37,6 +38,7 @@ public sealed class HarvesterScript : Script
     private readonly BridgeDriving _drive;
     private readonly FaceSurveying _signs;
     private readonly PlanDriving _plan;
+    private readonly SelfTesting _selfTest;
     private readonly FeatureSet _features;
     private readonly KeyBindings<Keys> _keys;
     private bool _greeted;
@@ -76,7 +78,10 @@ public sealed class HarvesterScript : Script
         var calls = new GameCalls(rays);
         var markers = new DrawnMarkers(display);
         var sheets = new DrawnSheets(display);
-        var hidden = new HiddenEntities(new GameShownEntities(), _folder.HiddenPath, _messages, () => _harvest!.IsOn);
+        var hud = new HiddenHud(new GameHud(), display, TakesPictures);
+        var card = new DrawnCard(display);
+        var hidden = new HiddenEntities(
+            new GameShownEntities(), _folder.HiddenPath, _messages, () => _harvest!.IsOn || _selfTest!.IsOn);
         var roads = new GrowingRoads(player.LaneWidthMetres, player.NarrowLaneWidthMetres);
         var vehicles = new GameVehicles();
         var models = new GameModels();
@@ -101,6 +106,8 @@ public sealed class HarvesterScript : Script
             Visibility = hidden,
             Sky = new PlayerSky(controls, world) { Kept = () => _plan?.Weather },
             Sheets = sheets,
+            Hud = hud,
+            Card = card,
             Calls = calls,
             Reading = reading
         };
@@ -119,6 +126,8 @@ public sealed class HarvesterScript : Script
             Origin(player))
         { Problem = HarvestProblem, FacesInUse = () => measured.InUse };
         _calibration = new LensCalibration(_harvest, game, mount, display, _messages, _folder.SettingsPath);
+        _selfTest = new SelfTesting(
+            _harvest, game, mount, _messages, player.Folder, _folder.SettingsPath, () => Origin(player)) { Obstacle = DriveObstacle };
         var overlay = new Overlay(
             _harvest, game, _messages, new Sight(new GameSight(mount, world)), display)
         { IsPictureNear = IsPictureNear };
@@ -141,11 +150,11 @@ public sealed class HarvesterScript : Script
         var line = new HarvestLine(_harvest, player.Folder, clock, display)
         {
             IsPictureNear = IsPictureNear,
-            SurveyLines = [() => _plan.Line, () => survey.Line, () => _signs.Line, () => marking.Line]
+            SurveyLines = [() => _selfTest.Line, () => _plan.Line, () => survey.Line, () => _signs.Line, () => marking.Line]
         };
-        var frozen = new FrozenWorld(time, () => _harvest.IsOn || _calibration.IsOn || _drive.IsOn);
-        _features = new FeatureSet(_messages, calls, clock, frozen, hidden, sheets, car, _plan, mount, _harvest, lights,
-            _calibration, markers, survey, _signs, marking, unknown, _drive, line, overlay);
+        var frozen = new FrozenWorld(time, () => _harvest.IsOn || _calibration.IsOn || _drive.IsOn || _selfTest.IsOn);
+        _features = new FeatureSet(_messages, calls, clock, frozen, hidden, hud, sheets, card, car, _plan, mount, _harvest, lights,
+            _calibration, _selfTest, markers, survey, _signs, marking, unknown, _drive, line, overlay);
         if (player.RoadFile is { } file)
         {
             roads.Prepare(() => RoadSurveyFile.Load(file) ?? throw new FileNotFoundException($"There is no {file}."), "roadFile");
@@ -171,6 +180,7 @@ public sealed class HarvesterScript : Script
         _keys.Add("Harvest", Keys.J, _harvest, _harvest.Toggle);
         _keys.Add("OneFrame", Keys.K, _harvest, _harvest.TakeOne);
         _keys.Add("Overlay", Keys.L, overlay, overlay.Toggle);
+        _keys.Add("SelfTest", Keys.T, _selfTest, _selfTest.Toggle);
         _keys.Add("Calibrate", Keys.NumPad1, _calibration, _calibration.Toggle);
         _keys.Add("RoadSurvey", Keys.U, survey, survey.Toggle);
         _keys.Add("Drive", Keys.N, _drive, _drive.Toggle);
@@ -243,12 +253,20 @@ public sealed class HarvesterScript : Script
         foreach (string line in LogHeader.Lines(versions, _window, _folder.Settings.Changes))
         {
             _messages.Log(line);
+            if (line.StartsWith(LogHeader.Window, StringComparison.Ordinal) && line.Contains(WindowDescription.Hdr))
+            {
+                _messages.Tell("HDR is on in Windows: pictures may be overexposed. Switch it off, or check the colours by the self-test.");
+            }
         }
     }
 
-    private bool IsPictureNear() => _harvest.IsPictureNear || _calibration.IsOn || _drive.IsPictureNear || _signs.IsPictureNear;
+    private bool IsPictureNear() => _harvest.IsPictureNear || _calibration.IsOn || _drive.IsPictureNear || _signs.IsPictureNear
+        || _selfTest.IsPictureNear;
 
-    private string? Problem() => _calibration.IsOn ? "The calibration is running: wait for its end."
+    private bool TakesPictures() => _harvest.IsOn || _calibration.IsOn || _signs.IsPictureNear || _drive.IsOn;
+
+    private string? Problem() => _selfTest.IsOn ? "The self-test is running: wait for its end, or end it by its key."
+        : _calibration.IsOn ? "The calibration is running: wait for its end."
         : _signs.IsOn ? "The survey of signs is running: wait for its end, or end it by its key."
         : null;
 

@@ -5,7 +5,7 @@ namespace Harvester.Architecture.Tests;
 /// <summary>The arrows between namespaces within each project, read from the types that the built code uses.</summary>
 public sealed class NamespaceArrowTests
 {
-    private static readonly string[] CaptureLayers = ["Faults", "Ports", "Labelling", "Calibration", "Harvesting", "Storage"];
+    private static readonly string[] CaptureLayers = ["Faults", "Ports", "Labelling", "Calibration", "Harvesting", "Storage", "SelfTests"];
 
     [Theory]
     [MemberData(nameof(ProjectReferenceTests.Projects), MemberType = typeof(ProjectReferenceTests))]

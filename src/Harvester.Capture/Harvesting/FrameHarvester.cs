@@ -22,6 +22,9 @@ internal sealed class FrameHarvester(
         options.Pairs.IsAny ? 0 : Math.Max(PictureQueue.UsualCapacity, options.ViewsPerMoment));
     private CapturedFrame? _ready;
 
+    /// <summary>Watches the pictures of a single camera; null for a rig.</summary>
+    public PictureWatch? Watch { get; init; }
+
     /// <summary>Harvests or discards one frame, or all views of one moment. Disposing the sequence resumes the game.</summary>
     public IEnumerable<HarvestPhase> HarvestOne()
     {
@@ -117,6 +120,7 @@ internal sealed class FrameHarvester(
         {
             picture = grabbed.Take();
             LightObserver.Observe(draft, picture);
+            Watch?.Add(draft.Camera.Pose.Position, picture);
             if (draft.Classes is { } classes && draft.ClassSource.Method == SemanticsMethod.Rays)
             {
                 ClassColours.Complete(classes, draft.Mask, picture);

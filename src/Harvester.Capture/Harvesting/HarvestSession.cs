@@ -24,6 +24,7 @@ public sealed class HarvestSession : IDisposable
     private readonly GamePorts _game;
     private readonly IFrameSink _sink;
     private readonly IEnumerator<HarvestPhase> _run;
+    private readonly PictureWatch? _watch;
     private readonly TickBudget _budget;
     private readonly MotionRecorder? _motion;
     private double _startMilliseconds;
@@ -80,6 +81,7 @@ public sealed class HarvestSession : IDisposable
         _budget = new TickBudget(game.Clock, options.TickBudgetMilliseconds);
         Calls = new PhaseCalls(game.Calls);
         _motion = options.Motion ? new MotionRecorder(game.World) : null;
+        _watch = options.Rig is null ? new PictureWatch(options.Image) : null;
         _run = Run().GetEnumerator();
     }
 
@@ -97,7 +99,7 @@ public sealed class HarvestSession : IDisposable
 
     /// <summary>What could not be checked; empty until the first frame.</summary>
     public IReadOnlyList<CaptureFault> Warnings =>
-        [.. _unchecked, .. new[] { _flows?.Photographer?.Warning, _flows?.Pairs?.Warning }.OfType<CaptureFault>()];
+        [.. _unchecked, .. new[] { _flows?.Photographer?.Warning, _flows?.Pairs?.Warning, PictureFault }.OfType<CaptureFault>()];
 
     /// <summary>How well masks from rays agree with those from photographs; null if they are not compared.</summary>
     public MaskComparison? MaskComparison => _flows?.Comparison;
@@ -119,6 +121,9 @@ public sealed class HarvestSession : IDisposable
 
     /// <summary>The current state of the harvest.</summary>
     public HarvestStatus Status => new(_phase, Counters.Captured, Counters.Discarded, FramesPerSecond, Fault);
+
+    private CaptureFault? PictureFault =>
+        _watch?.Warning is { } warning ? new CaptureFault(FaultCode.PicturesSpoiled, warning) : null;
 
     private double FramesPerSecond =>
         _endMilliseconds > _startMilliseconds ? Counters.Captured * 1000.0 / (_endMilliseconds - _startMilliseconds) : 0;
@@ -219,7 +224,7 @@ public sealed class HarvestSession : IDisposable
         _unchecked = [.. new[] { freeze.Warning, check.Warning, isLagOpen ? LagUnchecked : null }.OfType<CaptureFault>()];
         CaptureFlows flows = _flows = new CaptureFlows(_options, _game, reader, pool, _budget, Counters, Calls) { NextLag = NextLag };
         ICaptureFlow flow = flows.For(_sink, Lag);
-        using var frames = new FrameHarvester(_options, _sink, flow, Counters, _motion);
+        using var frames = new FrameHarvester(_options, _sink, flow, Counters, _motion) { Watch = _watch };
         var schedule = new FrameSchedule(_options.RateHz, _options.EarlyFraction);
         while (true)
         {
@@ -337,6 +342,7 @@ public sealed class HarvestSession : IDisposable
             {
                 Reading = _game.Reading?.Report,
                 MaskComparison = MaskComparison,
+                PictureWarning = _watch?.Warning,
                 MaskWarning = _flows?.Photographer?.Warning?.Message,
             });
         }

@@ -30,4 +30,7 @@ public sealed record SessionEnd(
 
     /// <summary>Why masks come from rays although others were asked for; null if they do not.</summary>
     public string? MaskWarning { get; init; }
+
+    /// <summary>What spoils the pictures, one sentence; null if nothing was found.</summary>
+    public string? PictureWarning { get; init; }
 }

@@ -42,7 +42,8 @@ internal sealed class CameraReportCheck(SelfTestContext context) : SelfCheck(con
         SelfTestVerdict verdict = lag == 0 ? SelfTestVerdict.Good
             : lag <= Context.Options.MaxPictureLagTicks ? SelfTestVerdict.Note : SelfTestVerdict.Problem;
         Context.Add(
-            SelfTestChecks.Lag, verdict, $"The picture is {lag} ticks behind the game; harvests allow {Context.Options.MaxPictureLagTicks}.");
+            SelfTestChecks.Lag, verdict,
+            $"The picture is {lag} ticks behind the game; harvests allow {Context.Options.MaxPictureLagTicks}.");
         bool isLate = reported > seen;
         Context.Add(
             SelfTestChecks.CameraReport, isLate ? SelfTestVerdict.Note : SelfTestVerdict.Good,

@@ -43,8 +43,13 @@ internal sealed class CameraShift(SelfTestContext context)
         try
         {
             camera.Shift(Up);
-            for (int tick = 1; tick <= PictureLag.MaxTicks + SpareTicks && (ReportedTicks is null || (SeenTicks is null && still.Count > 0)); tick++)
+            for (int tick = 1; tick <= PictureLag.MaxTicks + SpareTicks; tick++)
             {
+                if (ReportedTicks is not null && (SeenTicks is not null || still.Count == 0))
+                {
+                    break;
+                }
+
                 yield return SelfTestPhase.Running;
                 if ((context.Game.World.ReadCamera().Pose.Position - start).Length > Up.Length / 2)
                 {

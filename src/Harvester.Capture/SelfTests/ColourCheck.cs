@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Sessions.Imaging;
@@ -21,10 +22,15 @@ internal sealed class ColourCheck(SelfTestContext context) : SelfCheck(context)
     /// <summary>The colours of the patches; the second card shows each four places farther.</summary>
     private static readonly (byte Red, byte Green, byte Blue)[] Colours =
     [
-        (16, 16, 16), (64, 64, 64), (128, 128, 128), (192, 192, 192), (235, 235, 235), (255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 0, 255),
+        (16, 16, 16), (64, 64, 64), (128, 128, 128), (192, 192, 192), (235, 235, 235),
+        (255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 0, 255),
     ];
 
     private const int SecondCardShift = 4;
+
+    /// <summary>The inner part of a patch that must follow the card, and the one whose colour is measured: scaling blurs the border.</summary>
+    private const double FollowingFraction = 0.85;
+    private const double MeasuredFraction = 0.5;
 
     /// <summary>A patch that follows the card differs by more between the two cards, grey levels.</summary>
     private const int FollowingLevels = 30;
@@ -92,73 +98,61 @@ internal sealed class ColourCheck(SelfTestContext context) : SelfCheck(context)
         }),
     ];
 
-    /// <summary>The inner half of a patch in a picture, pixels.</summary>
-    private Box2D Inner(int number)
+    /// <summary>The inner part of a patch in a picture, pixels.</summary>
+    private Box2D Within(int number, double fraction)
     {
         Box2D place = Place(number);
         (int width, int height) = (Context.Options.Image.Width, Context.Options.Image.Height);
-        return new Box2D(
-            (place.XMin + (HalfWidth / 2)) * width, (place.YMin + (HalfHeight / 2)) * height, (place.XMax - (HalfWidth / 2)) * width,
-            (place.YMax - (HalfHeight / 2)) * height);
+        (double x, double y) = (HalfWidth * (1 - fraction), HalfHeight * (1 - fraction));
+        return new Box2D((place.XMin + x) * width, (place.YMin + y) * height, (place.XMax - x) * width, (place.YMax - y) * height);
+    }
+
+    /// <summary>Whether nearly all pixels of a box change with the card.</summary>
+    private static bool Follows(Box2D box, PixelBuffer first, PixelBuffer second)
+    {
+        const double nearlyAll = 0.97;
+        double pixels = Math.Ceiling(box.Width) * Math.Ceiling(box.Height);
+        return PicturePixels.ChangedIn(box, first, second, FollowingLevels) >= nearlyAll * pixels;
     }
 
     private void Judge(PixelBuffer first, PixelBuffer second, PixelBuffer again)
     {
-        int following = Enumerable.Range(0, Colours.Length).Count(number => Greatest(
-            PicturePixels.MeanOf(first, Inner(number)) - PicturePixels.MeanOf(second, Inner(number))) > FollowingLevels);
-        int[] card = [.. PicturePixels.Changed(first, second, FollowingLevels)
-            .Where(pixel => PicturePixels.Difference(first, again, pixel) <= SameLevels)];
-        if (following == Colours.Length && IsInPlace(card, first))
+        int card = PicturePixels.Changed(first, second, FollowingLevels)
+            .Count(pixel => PicturePixels.Difference(first, again, pixel) <= SameLevels);
+        if (Enumerable.Range(0, Colours.Length).All(number => Follows(Within(number, FollowingFraction), first, second)))
         {
             Context.ArePicturesUsable = true;
             Context.Add(SelfTestChecks.Window, SelfTestVerdict.Good, $"Pictures show the game's window.");
             Context.Add(SelfTestChecks.Scale, SelfTestVerdict.Good, $"Pictures show the whole window.");
             JudgeColours(again);
         }
-        else if (card.Length >= MinCardFraction * first.Size.PixelCount)
+        else if (card >= MinCardFraction * first.Size.PixelCount)
         {
             Context.Add(SelfTestChecks.Window, SelfTestVerdict.Good, $"Pictures show the game's window.");
             Context.Add(
                 SelfTestChecks.Scale, SelfTestVerdict.Problem,
-                $"Colours appear in other places than they were drawn in ({PictureRegion.Of(card, first.Size)}): pictures show a part of the window, because Windows scales it.");
+                $"Colours appear in other places than they were drawn in: ",
+                "pictures show a part of the window, because Windows scales it.");
             Context.AddUntested(Checks, "pictures do not show the whole window.");
         }
         else
         {
-            Context.Add(SelfTestChecks.Window, SelfTestVerdict.Problem, $"Colours drawn in the game do not appear in pictures: another window is grabbed, or none.");
+            Context.Add(
+                SelfTestChecks.Window, SelfTestVerdict.Problem,
+                $"Colours drawn in the game do not appear in pictures: another window is grabbed, or none.");
             Context.AddUntested(Checks, "pictures do not show the game's window.");
         }
     }
 
-    /// <summary>Whether the patches begin and end where they were drawn, within two pixels at each side.</summary>
-    private bool IsInPlace(int[] card, PixelBuffer picture)
-    {
-        const int tolerance = 2;
-        if (card.Length == 0)
-        {
-            return false;
-        }
-
-        // Noise and traffic may change single pixels outside the card, so the columns and rows with a fifth of a patch count.
-        (int width, int height) = (picture.Size.Width, picture.Size.Height);
-        int[] columns = [.. card.GroupBy(pixel => pixel % width).Where(each => each.Count() > height * HalfHeight * 0.4).Select(each => each.Key)];
-        int[] rows = [.. card.GroupBy(pixel => pixel / width).Where(each => each.Count() > width * HalfWidth * 0.4).Select(each => each.Key)];
-        Box2D from = Place(0);
-        Box2D to = Place(Colours.Length - 1);
-        return columns.Length > 0 && rows.Length > 0
-            && Math.Abs(columns.Min() - (from.XMin * width)) <= tolerance && Math.Abs(columns.Max() + 1 - (to.XMax * width)) <= tolerance
-            && Math.Abs(rows.Min() - (from.YMin * height)) <= tolerance && Math.Abs(rows.Max() + 1 - (to.YMax * height)) <= tolerance;
-    }
-
     private void JudgeColours(PixelBuffer picture)
     {
-        Vector3D[] seen = [.. Enumerable.Range(0, Colours.Length).Select(number => PicturePixels.MeanOf(picture, Inner(number)))];
+        Vector3D[] seen = [.. Enumerable.Range(0, Colours.Length).Select(number => PicturePixels.MeanOf(picture, Within(number, MeasuredFraction)))];
         double error = seen.Zip(Colours, (mean, sent) => Greatest(mean - new Vector3D(sent.Red, sent.Green, sent.Blue))).Max();
         if (seen[LightGrey].X >= ClippedLevel)
         {
             Context.Add(
                 SelfTestChecks.Exposure, SelfTestVerdict.Problem,
-                $"Bright colours are clipped: the grey of 192 comes back as {seen[LightGrey].X:0}, as with HDR or Auto HDR. Switch both off in Windows.");
+                $"Bright colours are clipped: the grey of 192 comes back as {seen[LightGrey].X:0}, as with HDR or Auto HDR.");
             Context.AddUntested(Checks, "bright colours are clipped.");
             return;
         }
@@ -168,7 +162,8 @@ internal sealed class ColourCheck(SelfTestContext context) : SelfCheck(context)
         {
             Context.Add(
                 SelfTestChecks.Tones, SelfTestVerdict.Problem,
-                $"Colours are off by up to {error:0} of 255; the grey of 128 comes back as {seen[MiddleGrey].X:0}. A colour profile, a filter or the brightness of the display changes them.");
+                $"Colours are off by up to {error:0} of 255; the grey of 128 comes back as {seen[MiddleGrey].X:0}. ",
+                "A colour profile, a filter or the brightness of the display changes them.");
         }
         else
         {

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Globalization;
 using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
@@ -13,7 +14,9 @@ namespace Harvester.Capture.SelfTests;
 /// </summary>
 internal sealed class DisplayCheck(SelfTestContext context) : SelfCheck(context)
 {
-    /// <summary>Places of the camera, vehicle frame, metres: high above the ground, so that near and far things move by many pixels.</summary>
+    /// <summary>
+    /// Places of the camera, vehicle frame, metres: high above the ground, so that near and far things move by many pixels.
+    /// </summary>
     private static readonly Vector3D[] Places = [new(0, 0, 6), new(3, 0, 12), new(-3, 5, 20), new(0, -5, 30)];
 
     public override string Title => "displays of other programs";
@@ -50,7 +53,7 @@ internal sealed class DisplayCheck(SelfTestContext context) : SelfCheck(context)
 
             PixelBuffer picture = Context.Grab();
             edges.Add(picture);
-            Context.Keep("display-" + edges.Pictures.ToString(System.Globalization.CultureInfo.InvariantCulture), picture);
+            Context.Keep("display-" + edges.Pictures.ToString(CultureInfo.InvariantCulture), picture);
         }
 
         if (edges.Region is { } region)

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Harvester.Capture.Harvesting;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;

@@ -1,5 +1,7 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
+using Harvester.Capture.Harvesting;
 using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.SelfTests;
@@ -33,7 +35,7 @@ internal sealed class HudCheck(SelfTestContext context) : SelfCheck(context)
         var pictures = new List<PixelBuffer>();
         for (int number = 0; number < 3; number++)
         {
-            (number == 1 ? hud.Restore : new System.Action(hud.Hide))();
+            (number == 1 ? hud.Restore : new Action(hud.Hide))();
             foreach (SelfTestPhase phase in Wait(Context.PictureTicks))
             {
                 yield return phase;

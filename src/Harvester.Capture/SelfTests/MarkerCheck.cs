@@ -52,7 +52,8 @@ internal sealed class MarkerCheck(SelfTestContext context) : SelfCheck(context)
         IReadOnlyList<PlannedMarker> all = MarkerPlan.Across(camera, Columns, Rows, Radius, Depths).Markers;
         PixelBuffer without = Context.Grab();
         var found = new List<int>();
-        PlannedMarker[][] shown = [[.. all.Where((_, number) => number % 2 == 0)], [.. all.Where((_, number) => number % 2 == 1)], [.. all]];
+        PlannedMarker[][] shown =
+            [[.. all.Where((_, number) => number % 2 == 0)], [.. all.Where((_, number) => number % 2 == 1)], [.. all]];
         foreach (PlannedMarker[] part in shown)
         {
             markers.Show(part);
@@ -74,7 +75,8 @@ internal sealed class MarkerCheck(SelfTestContext context) : SelfCheck(context)
         {
             Context.Add(
                 SelfTestChecks.Markers, SelfTestVerdict.Problem,
-                $"Only {apart} of {all.Count} markers are visible: something is right in front of the camera, or this game does not draw them.");
+                $"Only {apart} of {all.Count} markers are visible: ",
+                "something is right in front of the camera, or this game does not draw them.");
         }
         else
         {

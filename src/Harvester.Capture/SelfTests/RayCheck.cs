@@ -37,7 +37,8 @@ internal sealed class RayCheck(SelfTestContext context) : SelfCheck(context)
         CameraState state = scene.Camera;
         var camera = new Camera(
             state.Pose,
-            new CameraIntrinsics(state.VerticalFovDegrees, Context.Options.Image, state.WindowAspect, state.NearClip, Context.Options.Lens));
+            new CameraIntrinsics(
+                state.VerticalFovDegrees, Context.Options.Image, state.WindowAspect, state.NearClip, Context.Options.Lens));
         var hits = new List<RayHit>();
         double milliseconds = 0;
         for (int row = 0; row < Rows; row++)
@@ -59,7 +60,8 @@ internal sealed class RayCheck(SelfTestContext context) : SelfCheck(context)
 
         Context.Add(
             SelfTestChecks.Cost, SelfTestVerdict.Good,
-            $"A reading of {scene.Entities.Count} entities takes {readNatives} natives and {readMilliseconds:0.0} ms; a ray takes {milliseconds / (Columns * Rows):0.000} ms.");
+            $"A reading of {scene.Entities.Count} entities takes {readNatives} natives and {readMilliseconds:0.0} ms; ",
+            FormattableString.Invariant($"a ray takes {milliseconds / (Columns * Rows):0.000} ms."));
         Judge(hits);
         Context.AddUntested(Checks, "too few rays hit anything.");
     }

@@ -18,13 +18,16 @@ public sealed class SelfTest : IDisposable
     private readonly SelfTestContext _context;
     private readonly SelfCheck[] _checks;
     private readonly IEnumerator<SelfTestPhase> _run;
+    private readonly int _pauseTicks;
     private int _current;
 
     /// <summary>Creates a self-test. The game is not used before the first step.</summary>
     /// <param name="options">The options of harvests: image, lens and picture lag.</param>
     /// <param name="game">The game. Its camera is mounted, and the ego stands or drives.</param>
-    public SelfTest(HarvestOptions options, GamePorts game)
+    /// <param name="pauseTicks">Ticks between two checks, in which the world runs.</param>
+    public SelfTest(HarvestOptions options, GamePorts game, int pauseTicks = 5)
     {
+        _pauseTicks = pauseTicks;
         _context = new SelfTestContext(
             options ?? throw new ArgumentNullException(nameof(options)), game ?? throw new ArgumentNullException(nameof(game)));
         _checks =
@@ -39,6 +42,9 @@ public sealed class SelfTest : IDisposable
 
     /// <summary>Where it is.</summary>
     public SelfTestPhase Phase { get; private set; }
+
+    /// <summary>Whether a picture is grabbed now or so soon that nothing may be drawn over it.</summary>
+    public bool IsPictureNear { get; private set; } = true;
 
     /// <summary>What it does now, for the screen.</summary>
     public string Progress => FormattableString.Invariant(
@@ -105,14 +111,13 @@ public sealed class SelfTest : IDisposable
             }
 
             // The world runs for a moment between two checks, so that each begins with the same game.
-            for (int tick = 0; tick < RunningTicks; tick++)
+            for (int tick = 0; tick < _pauseTicks; tick++)
             {
+                IsPictureNear = tick + PictureLag.MaxTicks >= _pauseTicks;
                 yield return SelfTestPhase.Running;
             }
         }
     }
-
-    private const int RunningTicks = 5;
 
     private bool Advance(SelfCheck check, IEnumerator<SelfTestPhase> steps)
     {

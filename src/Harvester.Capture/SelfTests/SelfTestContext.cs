@@ -41,8 +41,13 @@ internal sealed class SelfTestContext(HarvestOptions options, GamePorts game)
 
     public IReadOnlyList<SelfTestPicture> Pictures => _pictures;
 
-    public void Add(string check, SelfTestVerdict verdict, FormattableString sentence) =>
-        _lines.Add(new SelfTestLine(check, verdict, FormattableString.Invariant(sentence)));
+    /// <summary>Adds the result of a check.</summary>
+    /// <param name="check">The check.</param>
+    /// <param name="verdict">What it found.</param>
+    /// <param name="sentence">The finding, or its beginning.</param>
+    /// <param name="rest">The rest of the finding.</param>
+    public void Add(string check, SelfTestVerdict verdict, FormattableString sentence, string rest = "") =>
+        _lines.Add(new SelfTestLine(check, verdict, FormattableString.Invariant(sentence) + rest));
 
     /// <summary>Adds a line for each of these checks that has none yet.</summary>
     public void AddUntested(IEnumerable<string> checks, string why)

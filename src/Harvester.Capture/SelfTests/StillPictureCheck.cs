@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Harvester.Capture.Harvesting;
 using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.SelfTests;
@@ -73,10 +74,13 @@ internal sealed class StillPictureCheck(SelfTestContext context) : SelfCheck(con
         string where = isOnce ? $" ({PictureRegion.Of(clear[0], Context.Options.Image)})" : string.Empty;
         Context.Add(
             SelfTestChecks.LevelOfDetail, isOnce ? SelfTestVerdict.Problem : SelfTestVerdict.Good,
-            $"{(isOnce ? "A part" : "No part")} of the picture changes once while the world is frozen, as when the level of detail changes{where}.");
+            $"{(isOnce ? "A part" : "No part")} of the picture changes once while the world is frozen, ",
+            $"as when the level of detail changes{where}.");
     }
 
-    /// <summary>The median over the blocks of the picture of the mean difference, grey levels: what changes in places does not count.</summary>
+    /// <summary>
+    /// The median over the blocks of the picture of the mean difference, grey levels: what changes in places does not count.
+    /// </summary>
     private static double MedianOf(PixelBuffer a, PixelBuffer b)
     {
         const int blocks = 64;

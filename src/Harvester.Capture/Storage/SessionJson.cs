@@ -242,6 +242,11 @@ internal static class SessionJson
             AppendMasks(json.Key("masks"), end);
         }
 
+        if (end.PictureWarning is not null)
+        {
+            json.Key("pictures").BeginObject().Key("warning").String(end.PictureWarning).EndObject();
+        }
+
         if (end.Reading is { } reading)
         {
             json.Key("reading").BeginObject()

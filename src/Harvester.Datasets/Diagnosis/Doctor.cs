@@ -6,17 +6,23 @@ using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Diagnosis;
 
-/// <summary>Reads the logs of a game with the mod, or a session, and names the likely cause of a problem.</summary>
+/// <summary>Reads the logs of a game with the mod, a session or a self-test, and names the likely cause of a problem.</summary>
 public static class Doctor
 {
-    /// <summary>Reads a log, the folder of the game or of its scripts, or a session.</summary>
+    /// <summary>Reads a log, the folder of the game or of its scripts, a session, or the result of a self-test.</summary>
     /// <param name="path">The file or folder.</param>
     /// <param name="allRuns">Whether earlier runs in the mod's log are included.</param>
     /// <exception cref="IOException">A file is missing or cannot be read.</exception>
-    /// <exception cref="DatasetFormatException">The file is not a log; the folder has no logs and is not the game's; or session.json is
-    /// invalid.</exception>
+    /// <exception cref="DatasetFormatException">The file is neither a log nor the result of a self-test; the folder has no logs and is not
+    /// the game's; or session.json is invalid.</exception>
     public static Diagnosis Examine(string path, bool allRuns = false)
     {
+        if (!Directory.Exists(path) && SelfTestFile.HasName(path))
+        {
+            SelfTestFile test = SelfTestFile.Read(path);
+            return new Diagnosis([], [.. SelfTestRules.Of(test, Path.GetFileName(path))]) { SelfTest = test };
+        }
+
         if (!Directory.Exists(path))
         {
             LogFile log = LogFile.Read(path, allRuns);

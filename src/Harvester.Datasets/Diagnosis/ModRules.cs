@@ -84,6 +84,10 @@ internal static class ModRules
             "The game runs in exclusive full screen, where pictures are black.",
             "Choose windowed borderless in the game's graphics settings."),
         new(
+            "Window: .*HDR is on",
+            "HDR is on: copies of the screen may be overexposed.",
+            "Switch HDR and Auto HDR off in Windows (Settings, System, Display), or run the mod's self-test, which measures the colours."),
+        new(
             "((The|Marking) [a-z ]+) failed: ",
             "$1 failed unexpectedly.",
             "The log says why just before that line. If it fails again, report it with the log."),

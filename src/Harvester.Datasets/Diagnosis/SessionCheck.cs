@@ -32,6 +32,14 @@ internal static class SessionCheck
             }
         }
 
+        if (session.PictureWarning is { } warning)
+        {
+            yield return new Finding(
+                "Something spoils the pictures.",
+                "Run the mod's self-test, which finds the cause: switch off the display, or HDR, and harvest again.",
+                Evidence(warning));
+        }
+
         string counts = $"{captured} captured, discarded: "
             + $"{string.Join(", ", session.Discards.Select(discard => $"{discard.Value} {discard.Key}"))}";
         foreach (Finding finding in DiscardCheck.Of(captured, session.Discards, session.IsFreezeGiven, Evidence(counts)))

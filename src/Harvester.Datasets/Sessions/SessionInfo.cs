@@ -41,6 +41,9 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
     /// </summary>
     public bool IsFreezeGiven { get; init; }
 
+    /// <summary>What spoils the pictures, one sentence; null if nothing was found.</summary>
+    public string? PictureWarning { get; init; }
+
     /// <summary>The supported version of the format.</summary>
     private const int KnownFormatVersion = 1;
 
@@ -141,6 +144,7 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
             HasManifest = session.Has("manifest") && session.Boolean("manifest"),
             Discards = session.Has("counters") && session.Fields("counters").Has("discards")
                 ? DiscardsOf(session.Fields("counters").Fields("discards")) : [],
+            PictureWarning = session.Has("pictures") ? session.Fields("pictures").OptionalText("warning") : null,
             IsFreezeGiven = session.Has("options") && session.Fields("options").OptionalText("freezeBy") is not (null or "auto"),
             Unchecked = session.Has("counters") && session.Has("start") ? [.. UncheckedOf(session)] : [],
         };

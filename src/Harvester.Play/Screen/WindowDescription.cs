@@ -14,13 +14,16 @@ public static class WindowDescription
     /// <summary>Any other window.</summary>
     public const string Windowed = "windowed";
 
+    /// <summary>A monitor shows HDR, so that copies of the screen may be overexposed.</summary>
+    public const string Hdr = "HDR is on";
+
     /// <summary>The description for a log.</summary>
     /// <param name="view">The desktop.</param>
     /// <param name="window">The game's window.</param>
     /// <param name="facts">How it is displayed.</param>
     internal static string Of(DesktopView view, TopLevelWindow window, DisplayFacts facts)
     {
-        string dpi = facts.Dpi is { } dots ? $", {dots} dpi" : string.Empty;
+        string dpi = (facts.Dpi is { } dots ? $", {dots} dpi" : string.Empty) + (facts.IsHdr == true ? $", {Hdr}" : string.Empty);
         return window.IsMinimised
             ? $"minimised{dpi}"
             : $"{window.Client.Width} x {window.Client.Height}, {ModeOf(view, window, facts)}{dpi}";

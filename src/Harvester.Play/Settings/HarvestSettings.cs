@@ -15,13 +15,16 @@ namespace Harvester.Play.Settings;
 /// <summary>The sections [Harvest] and [Lens] of a settings file.</summary>
 public static class HarvestSettings
 {
-    private const string Harvest = "Harvest";
+    private const string Harvest = HarvestSection;
     private const double BytesPerGigabyte = 1e9;
     private const string FocalScale = "FocalScale";
     private const string CentreOffsetX = "CentreOffsetX";
     private const string CentreOffsetY = "CentreOffsetY";
     private const string K1 = "K1";
     private const string K2 = "K2";
+
+    /// <summary>Name of the section about harvests.</summary>
+    public const string HarvestSection = "Harvest";
 
     /// <summary>Name of the section with the lens.</summary>
     public const string LensSection = "Lens";

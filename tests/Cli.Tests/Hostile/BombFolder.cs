@@ -38,6 +38,16 @@ internal sealed class BombFolder : IDisposable
         }
     }
 
+    /// <summary>The zip of a self-test whose selftest.json unpacks to so much.</summary>
+    public string SelfTest(int megabytes)
+    {
+        string path = PathOf("selftest.zip");
+        using var zip = ZipFile.Open(path, ZipArchiveMode.Create);
+        using Stream entry = zip.CreateEntry("selftest.json", CompressionLevel.Fastest).Open();
+        Fill(entry, "{", " ", megabytes);
+        return path;
+    }
+
     public string Roads() => Path.Combine(SmallSession(), "scenes/roads.csv");
 
     public string SmallSession()

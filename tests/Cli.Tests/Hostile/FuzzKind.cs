@@ -136,6 +136,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         new("boxes", "boxes.json", folder => BoxSceneReader.Read(new FileInfo(In(folder, "boxes.json"))), "boxes {0}/boxes.json"),
         new("log", "GtaDataHarvester.log", folder => Doctor.Examine(In(folder, "GtaDataHarvester.log")),
             "doctor {0}/GtaDataHarvester.log"),
+        new("self-test", "selftest.json", folder => Doctor.Examine(In(folder, "selftest.json")), "doctor {0}/selftest.json"),
         new("photos", "survey/photos.csv", folder =>
             new FaceGallery(ReadFaces(In(folder, "survey/spaces.csv")), In(folder, "survey")).Write(Stream.Null),
             "spaces gallery {0}/survey --out {0}/out.html")

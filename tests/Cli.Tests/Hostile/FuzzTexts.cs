@@ -22,6 +22,12 @@ internal static class FuzzTexts
             {"camera": {"position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 50, "width": 80, "height": 60},
              "cuboids": [{"name": "a", "centre": [0, 10, 0], "halfExtents": [1, 2, 1], "rotation": [0, 0, 30]}]}
             """),
+        ("selftest.json", """
+            {"formatVersion":1,"kind":"selfTest","tool":"GtaDataHarvester 1.0","game":"GTA V","isComplete":true,"checks":[
+            {"check":"window","verdict":"good","finding":"Pictures show the game's window."},
+            {"check":"hud","verdict":"problem","finding":"The game's display stays in the picture."}],
+            "changedSettings":{"Freeze":"TimeScale"},"pictures":["colours.png"]}
+            """),
         ("GtaDataHarvester.log", "2026-01-01 10:00:00 GtaDataHarvester 1.0.0, API v3.6.0, game 1.0.3095.0\n"
             + "2026-01-01 10:00:01 Harvest started.\n"),
         ("paths.ipl", """

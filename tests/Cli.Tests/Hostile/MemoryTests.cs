@@ -118,6 +118,9 @@ public sealed class MemoryTests(ITestOutputHelper output) : IDisposable
     public void Log_of_the_largest_size_fits(string again, int megabytes) =>
         AssertBounded("doctor", _bombs.File("GtaDataHarvester.log", "", again, megabytes));
 
+    [Fact]
+    public void Self_test_of_2_GB_is_refused() => AssertRefused("doctor", _bombs.SelfTest(megabytes: 2048));
+
     [Theory]
     [InlineData("entry of 2 GB")]
     [InlineData("name of 1 GB")]

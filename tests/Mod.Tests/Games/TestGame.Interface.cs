@@ -34,6 +34,11 @@ internal sealed partial class TestGame
 
     public bool IsFeedHidden { get; private set; }
 
+    /// <summary>Whether scripts leave the radar and the head-up display on.</summary>
+    public bool IsRadarOn { get; set; } = true;
+
+    public bool IsHudOn { get; set; } = true;
+
     /// <summary>The roads; null if there are none.</summary>
     public IRoadSource? Roads { get; set; }
 
@@ -75,6 +80,12 @@ internal sealed partial class TestGame
         });
         Do(Hash.DRAW_POLY, _ => { });
         Do(Hash.HIDE_HUD_AND_RADAR_THIS_FRAME, _ => IsHudHidden = true);
+        Do(Hash.DISPLAY_RADAR, a => IsRadarOn = (bool)a[0]);
+        Do(Hash.DISPLAY_HUD, a => IsHudOn = (bool)a[0]);
+        _natives[Hash.IS_RADAR_HIDDEN] = _ => !IsRadarOn || IsHudHidden;
+        _natives[Hash.IS_HUD_HIDDEN] = _ => !IsHudOn || IsHudHidden;
+        _natives[Hash.IS_RADAR_PREFERENCE_SWITCHED_ON] = _ => true;
+        _natives[Hash.IS_HUD_PREFERENCE_SWITCHED_ON] = _ => true;
         Do(Hash.THEFEED_HIDE_THIS_FRAME, _ => IsFeedHidden = true);
         Do(Hash.DRAW_RECT, a =>
         {

@@ -32,6 +32,14 @@ public sealed class WindowDescriptionTests
         Assert.Equal("minimised, 96 dpi", Describe(Framed, default, new DisplayFacts(96, false), isMinimised: true));
 
     [Fact]
+    public void Hdr_is_named_only_if_windows_reports_it()
+    {
+        Assert.Equal(
+            "800 x 600, windowed, 96 dpi, HDR is on", Describe(Within, Within, new DisplayFacts(96, false) { IsHdr = true }));
+        Assert.Equal("800 x 600, windowed, 96 dpi", Describe(Within, Within, new DisplayFacts(96, false) { IsHdr = false }));
+    }
+
+    [Fact]
     public void Screen_describes_its_window_or_its_absence()
     {
         var desktop = new ScriptedDesktop { Facts = new DisplayFacts(96, false) };

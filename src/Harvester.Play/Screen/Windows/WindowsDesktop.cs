@@ -42,7 +42,7 @@ internal sealed class WindowsDesktop : IDesktop, IDisposable
     {
         using var pixels = PhysicalPixels.Enter();
         bool isExclusive = Shell32.SHQueryUserNotificationState(out int state) == 0 && state == Shell32.RunningFullScreen;
-        return new DisplayFacts(MonitorScaling.DpiOf(new IntPtr(window)), isExclusive);
+        return new DisplayFacts(MonitorScaling.DpiOf(new IntPtr(window)), isExclusive) { IsHdr = AdvancedColour.IsOnAnyMonitor() };
     }
 
     public bool TryCopy(PixelRectangle area, PixelBuffer target)

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Harvester.Geometry.Cameras;
 
-namespace Harvester.Capture.SelfTests;
+namespace Harvester.Capture.Harvesting;
 
 /// <summary>A part of a picture, by the pixels that were found in it.</summary>
 /// <param name="XMin">Leftmost column.</param>

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Sessions.Imaging;
 
-namespace Harvester.Capture.SelfTests;
+namespace Harvester.Capture.Harvesting;
 
 /// <summary>Compares the pixels of pictures of one size.</summary>
 internal static class PicturePixels

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Imaging;
 
-namespace Harvester.Capture.SelfTests;
+namespace Harvester.Capture.Harvesting;
 
 /// <summary>
 /// Finds edges that are in the same place, with the same colours, in all pictures of a moving camera: what is drawn over the picture. A

@@ -1,0 +1,54 @@
+using System.Windows.Forms;
+using Harvester.Capture.SelfTests;
+using Harvester.Datasets.Diagnosis;
+using Harvester.Mod.Tests.Games;
+using Harvester.Sessions.Faces;
+using Harvester.Simulation.Settings;
+
+namespace Harvester.Mod.Tests;
+
+/// <summary>The self-test by its key: the zip, the messages, and what is given back.</summary>
+public sealed class SelfTestTests
+{
+    private const string Ini = "[Harvest]\nWidth = 320\nHeight = 240\n";
+
+    [Fact]
+    [Trait("Category", "Heavy")]
+    public void Zip_is_written_and_the_doctor_reads_it()
+    {
+        var scene = new SimulatedScene(new SimulationOptions { Seed = 9 }, FaceTable.Empty);
+        using var driver = new ScriptDriver(Ini, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock);
+        driver.Press(Keys.T);
+        driver.UntilMessage("The self-test ended");
+        driver.Tick(2);
+
+        string zip = Assert.Single(Directory.GetFiles(driver.Folder, "selftest-*.zip", SearchOption.AllDirectories));
+        Assert.Equal(SelfTestChecks.All, Doctor.Examine(zip).SelfTest!.Lines.Select(line => line.Check));
+        AssertGivenBack(driver);
+    }
+
+    [Fact]
+    public void Second_press_ends_it_and_gives_everything_back()
+    {
+        var scene = new SimulatedScene(new SimulationOptions { Seed = 9 }, FaceTable.Empty);
+        using var driver = new ScriptDriver(Ini, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock);
+        driver.Press(Keys.T);
+        driver.Until(() => driver.Game.IsFrozen);
+        driver.Press(Keys.J);
+        Assert.Contains(driver.Game.Notifications, text => text.Contains("The self-test is running", StringComparison.Ordinal));
+        driver.Press(Keys.T);
+        driver.Tick(2);
+
+        Assert.Contains(driver.Game.Notifications, text => text.Contains("The self-test was stopped", StringComparison.Ordinal));
+        Assert.Empty(Directory.GetFiles(driver.Folder, "selftest-*.zip", SearchOption.AllDirectories));
+        AssertGivenBack(driver);
+    }
+
+    private static void AssertGivenBack(ScriptDriver driver)
+    {
+        Assert.False(driver.Game.IsFrozen);
+        Assert.True(driver.Game.IsRadarOn);
+        Assert.True(driver.Game.IsHudOn);
+        Assert.Empty(driver.Game.Balls);
+    }
+}
