@@ -79,6 +79,7 @@ public sealed class SelfTesting(
         if (mount.IsMounted)
         {
             messages.Tell("The self-test takes up to five minutes. Stay in the vehicle and touch nothing.");
+            game.Hud?.Hide();
             _test = new SelfTest(harvest.Options, game, PauseTicks);
         }
     }
