@@ -1,6 +1,5 @@
 using System.Windows.Forms;
 using GTA.Native;
-using Harvester.Mod.Tests.Games;
 
 namespace Harvester.Mod.Tests;
 

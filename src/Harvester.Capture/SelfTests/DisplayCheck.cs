@@ -2,7 +2,6 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Sessions.Imaging;
 

@@ -4,7 +4,6 @@ using Harvester.Capture.Harvesting;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
-using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
 

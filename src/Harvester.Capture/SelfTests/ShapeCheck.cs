@@ -3,8 +3,6 @@ using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
-using Harvester.Geometry;
-using Harvester.Sessions.Labels;
 
 namespace Harvester.Capture.SelfTests;
 

@@ -6,7 +6,6 @@ using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Capture.SelfTests;
 using Harvester.Capture.Storage;
-using Harvester.Geometry.Cameras;
 using Harvester.Play.Features;
 using Harvester.Play.Settings;
 using Harvester.Sessions.Text;

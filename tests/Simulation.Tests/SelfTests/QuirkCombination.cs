@@ -1,4 +1,3 @@
-using Harvester.Capture.Ports;
 using Harvester.Capture.SelfTests;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;

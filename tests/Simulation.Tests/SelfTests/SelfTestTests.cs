@@ -1,5 +1,4 @@
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Ports;
 using Harvester.Capture.SelfTests;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
