@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Calibration;
@@ -8,7 +9,7 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.SelfTests;
 
 /// <summary>Calibrates the camera, and compares the lens in use with the one that is measured.</summary>
-internal sealed class LensCheck(SelfTestContext context) : SelfCheck(context)
+internal sealed class LensCheck(SelfTestContext context) : SelfCheck(context), IDisposable
 {
     /// <summary>The error of a camera model that harvests accept, pixels, as <c>MaxError</c> by default.</summary>
     private const double AllowedPixels = 1;
@@ -76,6 +77,8 @@ internal sealed class LensCheck(SelfTestContext context) : SelfCheck(context)
     private Camera CameraWith(CameraState state, Lens lens) => new(
         state.Pose,
         new CameraIntrinsics(state.VerticalFovDegrees, Context.Options.Image, state.WindowAspect, state.NearClip, lens));
+
+    public void Dispose() => Release();
 
     public override void Release() => _session?.Dispose();
 }

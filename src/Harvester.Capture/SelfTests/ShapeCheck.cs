@@ -10,7 +10,7 @@ namespace Harvester.Capture.SelfTests;
 /// Harvests some frames with masks from photographs and from rays. The masks are compared with each other: do rays meet what is drawn? And
 /// with the boxes of the cuboids: are the extents of models what is drawn?
 /// </summary>
-internal sealed class ShapeCheck(SelfTestContext context) : SelfCheck(context)
+internal sealed class ShapeCheck(SelfTestContext context) : SelfCheck(context), IDisposable
 {
     private const int Frames = 2;
 
@@ -76,6 +76,8 @@ internal sealed class ShapeCheck(SelfTestContext context) : SelfCheck(context)
         JudgeExtents(_sink.Frames);
         Context.AddUntested(Checks, _session.Fault ?? "no object is large enough in the picture.");
     }
+
+    public void Dispose() => Release();
 
     public override void Release()
     {

@@ -25,7 +25,7 @@ namespace Harvester.Play.SelfTests;
 /// <param name="origin">Names the mod and the game.</param>
 public sealed class SelfTesting(
     Harvest harvest, GamePorts game, IMount mount, PlayerMessages messages, string folder, string iniPath, Func<SessionOrigin> origin)
-    : ILastingFeature
+    : ILastingFeature, IDisposable
 {
     /// <summary>Ticks between two checks: a second without the line of progress, and before it three seconds with it.</summary>
     private const int PauseTicks = 4 * PictureLag.MaxTicks;
@@ -119,6 +119,9 @@ public sealed class SelfTesting(
         _disk.Wait(MaxWaitForDisk);
         TellWritten();
     }
+
+    /// <summary>Stops.</summary>
+    public void Dispose() => Stop();
 
     private void End(SelfTest test)
     {
