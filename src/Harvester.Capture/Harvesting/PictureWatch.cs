@@ -18,11 +18,11 @@ internal sealed class PictureWatch(ImageSize image)
     /// <summary>Number of pictures after which something is said.</summary>
     private const int MinPictures = 8;
 
-    /// <summary>A pixel is clipped if its three channels are at least this; a plain sky of a bright day is not.</summary>
+    /// <summary>A pixel is clipped if one of its channels is at least this.</summary>
     private const int ClippedLevel = 253;
 
-    /// <summary>More clipped pixels than this are overexposure, in the mean of the pictures.</summary>
-    private const double MaxClipped = 0.35;
+    /// <summary>More clipped pixels than this are overexposure, in the mean of the pictures; a bright sky alone is less.</summary>
+    private const double MaxClipped = 0.5;
 
     private readonly StaticEdges _edges = new(image);
     private Vector3D? _last;
@@ -52,8 +52,8 @@ internal sealed class PictureWatch(ImageSize image)
         int clipped = 0;
         for (int i = 0; i < picture.Bytes.Length; i += PixelBuffer.BytesPerPixel)
         {
-            int least = Math.Min(picture.Bytes[i], Math.Min(picture.Bytes[i + 1], picture.Bytes[i + 2]));
-            clipped += least >= ClippedLevel ? 1 : 0;
+            int greatest = Math.Max(picture.Bytes[i], Math.Max(picture.Bytes[i + 1], picture.Bytes[i + 2]));
+            clipped += greatest >= ClippedLevel ? 1 : 0;
         }
 
         _clipped += (double)clipped / image.PixelCount;

@@ -31,8 +31,15 @@ public sealed class PictureWatchTests
 
     private static string? WarningOf(GameQuirks quirks)
     {
-        var game = new SimulatedGame(
-            new SimulationOptions { Seed = 61, WindowAspect = 4.0 / 3, IsWarm = true, Detail = Detail.Plain, Quirks = quirks });
+        var game = new SimulatedGame(new SimulationOptions
+        {
+            Seed = 61,
+            WindowAspect = 4.0 / 3,
+            IsWarm = true,
+            Detail = Detail.Plain,
+            TimeOfDay = TimeSpan.FromHours(12),
+            Quirks = quirks,
+        });
         var sink = new MemorySink { KeepsFrames = false };
         var options = new HarvestOptions
         {
