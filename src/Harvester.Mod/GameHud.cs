@@ -8,10 +8,10 @@ internal sealed class GameHud : IHudSwitch
 {
     /// <inheritdoc/>
     public bool IsWanted =>
-        Natives.Call<bool>(Hash.IS_RADAR_PREFERENCE_SWITCHED_ON) || Natives.Call<bool>(Hash.IS_HUD_PREFERENCE_SWITCHED_ON);
+        Natives.Call<bool>(Hash.IS_RADAR_PREFERENCE_SWITCHED_ON) | Natives.Call<bool>(Hash.IS_HUD_PREFERENCE_SWITCHED_ON);
 
     /// <inheritdoc/>
-    public bool IsShown => !Natives.Call<bool>(Hash.IS_RADAR_HIDDEN) || !Natives.Call<bool>(Hash.IS_HUD_HIDDEN);
+    public bool IsShown => !Natives.Call<bool>(Hash.IS_RADAR_HIDDEN) | !Natives.Call<bool>(Hash.IS_HUD_HIDDEN);
 
     /// <inheritdoc/>
     public void Switch(bool isOn)

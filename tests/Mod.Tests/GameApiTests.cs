@@ -35,7 +35,8 @@ public sealed class GameApiTests
     {
         string[] allowed =
         [
-            "mscorlib", "System", "System.Core", "System.Drawing", "System.Windows.Forms", "ScriptHookVDotNet3",
+            "mscorlib", "System", "System.Core", "System.Drawing", "System.IO.Compression", "System.Windows.Forms",
+            "ScriptHookVDotNet3",
         ];
         using ModuleDefinition module = ModuleDefinition.ReadModule(BuiltMod.Path);
 

@@ -70,6 +70,7 @@ public sealed class SettingsTests
             ("OneFrame", Keys.K), ("Overlay", Keys.L), ("Calibrate", Keys.NumPad1), ("RoadSurvey", Keys.U),
             ("SpaceSurvey", Keys.Multiply), ("MarkCorner", Keys.NumPad2), ("NextName", Keys.NumPad3), ("KeepFace", Keys.Y),
             ("UnknownModels", Keys.Divide), ("Drive", Keys.N), ("Plan", Keys.Decimal),
+            ("SelfTest", Keys.T),
         ];
         Assert.All(keys, key => Assert.Equal(key.Key, shipped.Choice("Keys", key.Name, Keys.None, "a key")));
         Assert.Equal([Keys.W, Keys.A, Keys.S, Keys.D, Keys.Space], shipped.Choices<Keys>("Bridge", "TakeBackKeys", [], "keys"));

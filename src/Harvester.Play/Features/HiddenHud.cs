@@ -35,7 +35,7 @@ public sealed class HiddenHud(IHudSwitch hud, IDisplay display, Func<bool> isNee
     public void Tick()
     {
         bool isHidden = _isAsked || isNeeded();
-        if (isHidden && !IsOn && hud.IsShown)
+        if (isHidden && !IsOn && hud.IsWanted && hud.IsShown)
         {
             // Noted first: a fault in the call leaves a display that is switched on once too often, not one that stays off.
             _isSwitchedOff = true;
