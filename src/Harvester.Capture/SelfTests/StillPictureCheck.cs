@@ -15,15 +15,18 @@ internal sealed class StillPictureCheck(SelfTestContext context) : SelfCheck(con
     /// <summary>Pictures are compared over so many ticks, in which a moving texture changes clearly.</summary>
     private const int ApartTicks = 4;
 
-    /// <summary>A pixel has changed if it differs by more, grey levels, and by more than this multiple of the mean difference.</summary>
+    /// <summary>A pixel has changed if it differs by more, grey levels, and by more than this multiple of the noise.</summary>
     private const int ChangedLevels = 12;
-    private const double OverMean = 8;
+    private const double OverNoise = 20;
 
     /// <summary>Fewer pixels are noise.</summary>
     private const int MinPixels = 24;
 
-    /// <summary>Pictures whose pixels differ by more on the average have noise, grey levels.</summary>
-    private const double NoiseLevels = 0.5;
+    /// <summary>Noise is measured in this fraction of the channels, those that differ least.</summary>
+    private const double QuietFraction = 0.6;
+
+    /// <summary>Pictures whose quiet channels differ by more have noise, grey levels.</summary>
+    private const double NoiseLevels = 0.25;
 
     public override string Title => "two equal photographs";
 
@@ -47,9 +50,9 @@ internal sealed class StillPictureCheck(SelfTestContext context) : SelfCheck(con
             if (last.Count == ApartTicks)
             {
                 PixelBuffer before = last.Dequeue();
-                double median = MedianOf(before, now);
-                differences.Add(median);
-                changed.Add(PicturePixels.Changed(before, now, (int)Math.Max(ChangedLevels, OverMean * median)));
+                double noise = NoiseBetween(before, now);
+                differences.Add(noise);
+                changed.Add(PicturePixels.Changed(before, now, (int)Math.Max(ChangedLevels, OverNoise * noise)));
             }
 
             last.Enqueue(now);
@@ -64,7 +67,7 @@ internal sealed class StillPictureCheck(SelfTestContext context) : SelfCheck(con
         double noise = differences.OrderBy(value => value).ElementAt(differences.Count / 2);
         Context.Add(
             SelfTestChecks.Noise, noise > NoiseLevels ? SelfTestVerdict.Note : SelfTestVerdict.Good,
-            $"Pixels of two equal photographs differ by {noise:0.0} of 255.");
+            $"The quieter pixels of two equal photographs differ by {noise:0.0} of 255.");
         List<int>[] clear = [.. changed.Where(pixels => pixels.Count >= MinPixels)];
         bool isLasting = 2 * clear.Length > changed.Count;
         Context.Add(
@@ -79,23 +82,26 @@ internal sealed class StillPictureCheck(SelfTestContext context) : SelfCheck(con
     }
 
     /// <summary>
-    /// The median over the blocks of the picture of the mean difference, grey levels: what changes in places does not count.
+    /// The mean difference of the quietest channels of two pictures, grey levels: noise is in all of them, and what moves in places is not.
     /// </summary>
-    private static double MedianOf(PixelBuffer a, PixelBuffer b)
+    private static double NoiseBetween(PixelBuffer a, PixelBuffer b)
     {
-        const int blocks = 64;
-        double[] means = [.. Enumerable.Range(0, blocks).Select(block =>
+        var counts = new int[byte.MaxValue + 1];
+        for (int i = 0; i < a.Bytes.Length; i++)
         {
-            int first = (int)((long)block * a.Bytes.Length / blocks);
-            int end = (int)((long)(block + 1) * a.Bytes.Length / blocks);
-            long sum = 0;
-            for (int i = first; i < end; i++)
-            {
-                sum += Math.Abs(a.Bytes[i] - b.Bytes[i]);
-            }
+            counts[Math.Abs(a.Bytes[i] - b.Bytes[i])]++;
+        }
 
-            return (double)sum / (end - first);
-        }).OrderBy(mean => mean)];
-        return means[blocks / 2];
+        int quiet = (int)(QuietFraction * a.Bytes.Length);
+        int left = quiet;
+        long sum = 0;
+        for (int level = 0; left > 0; level++)
+        {
+            int taken = Math.Min(left, counts[level]);
+            sum += (long)taken * level;
+            left -= taken;
+        }
+
+        return (double)sum / quiet;
     }
 }
