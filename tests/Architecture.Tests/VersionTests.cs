@@ -6,7 +6,7 @@ namespace Harvester.Architecture.Tests;
 /// <summary>The version of all that is released is written in build/Version.props, and the changelog says what it brings.</summary>
 public sealed partial class VersionTests
 {
-    private static readonly string[] BuildFiles = ["*.csproj", "*.props", "*.targets", "pyproject.toml", "_version.py", "Dockerfile"];
+    private static readonly string[] BuildFiles = ["*.csproj", "*.props", "*.targets", "pyproject.toml", "Dockerfile"];
 
     [Fact]
     public void Version_is_defined_in_one_file()
@@ -14,6 +14,19 @@ public sealed partial class VersionTests
         string[] files = [.. BuildFiles.SelectMany(FilesLike).Where(file => DefinesVersion().IsMatch(File.ReadAllText(file)))];
 
         Assert.Equal(["build/Version.props"], files.Select(file => Path.GetRelativePath(Repository.Root, file).Replace('\\', '/')));
+    }
+
+    // The folder python can be installed on its own, without build/Version.props.
+    [Fact]
+    public void Python_package_repeats_the_version()
+    {
+        string version = Regex.Match(
+            File.ReadAllText(Path.Combine(Repository.Root, "build", "Version.props")), "<Version>(.+)</Version>").Groups[1].Value;
+
+        Assert.Contains(
+            $"__version__ = \"{version}\"",
+            File.ReadAllText(Path.Combine(Repository.Root, "python", "src", "gtaharvest", "_version.py")),
+            StringComparison.Ordinal);
     }
 
     [Theory]

@@ -21,19 +21,26 @@ internal sealed class PictureWatch(ImageSize image)
     /// <summary>A pixel is clipped if one of its channels is at least this.</summary>
     private const int ClippedLevel = 253;
 
-    /// <summary>More clipped pixels than this are overexposure, in the mean of the pictures; a bright sky alone is less.</summary>
-    private const double MaxClipped = 0.5;
+    /// <summary>Levels just below the clipped ones: a picture that is merely bright has as many pixels there.</summary>
+    private const int BrightLevel = 228;
+
+    /// <summary>
+    /// Clipping takes all that is brighter to one level: more than this fraction of the pixels, and many times those just below.
+    /// </summary>
+    private const double MinClipped = 0.15;
+    private const double ClippedOverBright = 4;
 
     private readonly StaticEdges _edges = new(image);
     private Vector3D? _last;
     private double _clipped;
+    private double _bright;
 
     /// <summary>What is wrong with the pictures, one sentence; null if nothing is, or too few have been seen.</summary>
     public string? Warning =>
         _edges.Pictures < MinPictures ? null
         : _edges.Region is { } region
             ? $"Something is drawn over the pictures ({region}): the game's display, another mod's, or another program's."
-        : _clipped / _edges.Pictures > MaxClipped ? FormattableString.Invariant(
+        : _clipped / _edges.Pictures > MinClipped && _clipped > ClippedOverBright * _bright ? FormattableString.Invariant(
             $"{100 * _clipped / _edges.Pictures:0} % of the pixels are clipped, as with HDR or Auto HDR.")
         : null;
 
@@ -50,12 +57,15 @@ internal sealed class PictureWatch(ImageSize image)
         _last = camera;
         _edges.Add(picture);
         int clipped = 0;
+        int bright = 0;
         for (int i = 0; i < picture.Bytes.Length; i += PixelBuffer.BytesPerPixel)
         {
             int greatest = Math.Max(picture.Bytes[i], Math.Max(picture.Bytes[i + 1], picture.Bytes[i + 2]));
             clipped += greatest >= ClippedLevel ? 1 : 0;
+            bright += greatest is >= BrightLevel and < ClippedLevel ? 1 : 0;
         }
 
         _clipped += (double)clipped / image.PixelCount;
+        _bright += (double)bright / image.PixelCount;
     }
 }

@@ -28,7 +28,7 @@ internal sealed class ColourCheck(SelfTestContext context) : SelfCheck(context)
 
     private const int SecondCardShift = 4;
 
-    /// <summary>The inner part of a patch that must follow the card, and the one whose colour is measured: scaling blurs the border.</summary>
+    /// <summary>The inner part of a patch that must follow the card, and the one whose colour is measured.</summary>
     private const double FollowingFraction = 0.85;
     private const double MeasuredFraction = 0.5;
 
@@ -146,7 +146,8 @@ internal sealed class ColourCheck(SelfTestContext context) : SelfCheck(context)
 
     private void JudgeColours(PixelBuffer picture)
     {
-        Vector3D[] seen = [.. Enumerable.Range(0, Colours.Length).Select(number => PicturePixels.MeanOf(picture, Within(number, MeasuredFraction)))];
+        Vector3D[] seen = [.. Enumerable.Range(0, Colours.Length)
+            .Select(number => PicturePixels.MeanOf(picture, Within(number, MeasuredFraction)))];
         double error = seen.Zip(Colours, (mean, sent) => Greatest(mean - new Vector3D(sent.Red, sent.Green, sent.Blue))).Max();
         if (seen[LightGrey].X >= ClippedLevel)
         {

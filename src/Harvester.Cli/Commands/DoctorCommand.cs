@@ -13,8 +13,8 @@ internal sealed class DoctorCommand
 {
     private const string Notes =
         "LOG is GtaDataHarvester.log, ScriptHookVDotNet.log or ScriptHookV.log, or a renamed copy, or the zip or selftest.json of\n"
-        + "the mod's self-test, which is explained line by line. FOLDER is a session, the game's folder or its scripts folder; all logs in\n"
-        + "the folder are read together. Only the last run in the mod's log is read, unless --all-runs is given.\n"
+        + "the mod's self-test, which is explained line by line. FOLDER is a session, the game's folder or its scripts folder; all logs\n"
+        + "in the folder are read together. Only the last run in the mod's log is read, unless --all-runs is given.\n"
         + "The likeliest cause comes first. The exit code is 1 if a problem was found.\n\n"
         + "Examples:\n"
         + "  harvester doctor \"C:\\Games\\Grand Theft Auto V\"\n"

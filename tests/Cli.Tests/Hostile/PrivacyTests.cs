@@ -47,13 +47,24 @@ public sealed class PrivacyTests : IClassFixture<PrivacyTests.Work>, IDisposable
     public void Output_has_no_trace_of_its_origin(string command) => AssertMade(command);
 
     [Fact]
-    public void Unfinished_session_has_no_trace_of_its_command()
+    public async Task Unfinished_session_has_no_trace_of_its_command()
     {
         string made = _work.PathOf("unfinished");
+        string mark = Path.Combine(made, ".harvester-unfinished");
+        string seen = Directory.CreateDirectory(_work.PathOf("seen")).FullName;
+        using var stop = new CancellationTokenSource();
 
-        CliRun.Of([.. _work.Of("relabel SESSION --out OUT --roads ROADS --min-free 1000000TB", made)]);
+        Task<CliRun> run = CliRun.BesideAsync(
+            stop.Token, _work.Of("harvest --out OUT --roads ROADS --frames 100000 --size 80x60 --no-report", made));
+        while (!File.Exists(mark) && !run.IsCompleted)
+        {
+            await Task.Delay(1);
+        }
 
-        Assert.True(File.Exists(Path.Combine(made, ".harvester-unfinished")));
+        File.Copy(mark, Path.Combine(seen, "mark"));
+        await stop.CancelAsync();
+        await run;
+        AssertNoTraces(seen);
         AssertNoTraces(made);
     }
 
