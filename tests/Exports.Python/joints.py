@@ -84,11 +84,16 @@ def check_coco(folder):
 
 
 def check_jta(folder):
-    rows = json_of(folder, "jta", "annotations", "train", "seq_0.json")
-    camera = json_of(folder, "jta", "cameras", "train", "seq_0.json")
     labels = labels_of(folder)
+    rows = []
+    for place in sorted({label["place"] for label in labels}):
+        mine = [label for label in labels if label["place"] == place]
+        for number, label in enumerate(mine, 1):
+            assert os.path.exists(os.path.join(folder, "jta", "frames", "train", f"seq_{place}", f"{number}.png"))
+        rows += [[mine[frame - 1]["frame"], *row] for frame, *row in json_of(folder, "jta", "annotations", "train", f"seq_{place}.json")]
+    camera = json_of(folder, "jta", "cameras", "train", "seq_0.json")
     expected = {
-        (label["frame"] + 1, item["id"], number): joint
+        (label["frame"], item["id"], number): joint
         for label in labels
         for item in label["objects"]
         for number, joint in enumerate(item.get("joints", []))
@@ -101,8 +106,6 @@ def check_jta(folder):
         assert z3 > 0 and math.dist(projected, (x2, y2)) < PROJECTED_PIXELS * max(1, 2 / z3), (frame, person, number)
         assert math.dist((x2, y2), joint["pixel"]) < 0.01
         assert occluded == (joint["visibility"] in ("occluded", "unknown")) and own == (joint["visibility"] == "selfOccluded")
-    for frame in range(1, len(labels) + 1):
-        assert os.path.exists(os.path.join(folder, "jta", "frames", "train", "seq_0", f"{frame}.png"))
     print(f"jta: {len(rows)} rows agree with the session")
 
 

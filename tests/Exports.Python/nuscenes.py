@@ -19,7 +19,7 @@ TABLES = {
     "map": ["category", "filename", "log_tokens"],
     "sample": ["timestamp", "scene_token", "prev", "next"],
     "sample_annotation": ["sample_token", "instance_token", "visibility_token", "attribute_tokens", "translation", "size", "rotation",
-                          "prev", "next", "num_lidar_pts", "num_radar_pts"],
+                          "prev", "next", "num_lidar_pts", "num_radar_pts", "num_lidar_hits"],
     "sample_data": ["sample_token", "ego_pose_token", "calibrated_sensor_token", "timestamp", "fileformat", "is_key_frame", "height",
                     "width", "filename", "prev", "next"],
     "scene": ["log_token", "nbr_samples", "first_sample_token", "last_sample_token", "name", "description"],
@@ -146,12 +146,29 @@ def check_geometry(root, tables):
                     x, y, z = (sum(rows[i][j] * moved[i] for i in range(3)) for j in range(3))
                     inside += (abs(x) <= length / 2 + MARGIN_METRES and abs(y) <= width / 2 + MARGIN_METRES
                                and abs(z) <= height / 2 + MARGIN_METRES)
-                counted += box["num_lidar_pts"]
-                within += min(inside, box["num_lidar_pts"])
+                counted += box["num_lidar_hits"]
+                within += min(inside, box["num_lidar_hits"])
+                assert box["num_lidar_pts"] == points_in_box(box, points), box
     assert len(seen) > 0.5 * len(tables["sample_annotation"]), "few boxes are before the cameras"
     if sweeps:
         assert within >= LEAST_SHARE_IN_BOXES * counted > 0, f"{within} of {counted} points are in their boxes"
     return counted, within
+
+
+def points_in_box(box, points):
+    """The number of points inside a box by the definition of the devkit: along each edge from one corner, between its ends."""
+    width, length, height = box["size"]
+    corner, *ends = [out_of(box, (x * length / 2, y * width / 2, z * height / 2))
+                     for x, y, z in ((1, 1, 1), (-1, 1, 1), (1, -1, 1), (1, 1, -1))]
+    edges = [[b - a for a, b in zip(corner, end)] for end in ends]
+    squares = [sum(part * part for part in edge) for edge in edges]
+    reach = math.dist((0, 0, 0), box["size"])
+    count = 0
+    for point in points:
+        moved = [p - c for p, c in zip(point, corner)]
+        if abs(moved[0]) <= reach and abs(moved[1]) <= reach:
+            count += all(0 <= sum(e * m for e, m in zip(edge, moved)) <= square for edge, square in zip(edges, squares))
+    return count
 
 
 def labels_of(session):
@@ -255,8 +272,8 @@ def check_session(root, tables, session):
             views = [frame for (time, _), frame in frames.items() if time == data["timestamp"] - START]
             objects = {tuple(item["box3d"]["centre"]): item["id"] for frame in views for item in frame["objects"]}
             for place, box in boxes.get(data["sample_token"], {}).items():
-                assert box["num_lidar_pts"] == ids.count(objects[place]), box
-                counted += box["num_lidar_pts"]
+                assert box["num_lidar_hits"] == ids.count(objects[place]), box
+                counted += box["num_lidar_hits"]
             continue
         label = frames[data["timestamp"] - START, channel]
         (fx, _, cx), (_, fy, cy), _ = sensor["camera_intrinsic"]

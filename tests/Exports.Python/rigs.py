@@ -135,7 +135,7 @@ def check_odometry(root, session, moments):
         assert len(times) == len(poses) == len(mine) and np.allclose(poses[0], np.eye(3, 4), atol=1e-9)
         assert np.allclose(np.diff(times), np.diff([views["image_00"]["timeSeconds"] for views in mine]), atol=2e-6)
         to_camera = homogeneous(matrices(os.path.join(folder, "calib.txt"))["Tr"])
-        first = mine[0]["image_02"]["camera"]
+        first = mine[0]["image_00"]["camera"]
         first_axes = np.column_stack([first["right"], -np.array(first["up"]), first["forward"]])
         for number, views in enumerate(mine):
             points = np.fromfile(os.path.join(session, views["image_00"]["lidar"][0]["file"]), POINT)

@@ -69,7 +69,7 @@ def measure(harvester, scratch, lengths, formats):
         print(f"| stats of the session | {frames:,} | {seconds:.0f} | {peak:.0f} | | |", flush=True)
         for name in formats:
             out = os.path.join(scratch, "out")
-            splits = [] if name in WHOLE_SESSIONS else ["--split", "train:0.8,val:0.2"]
+            splits = [] if name in WHOLE_SESSIONS else ["--split", "train:0.8,val:0.2", "--split-block", "100"]
             seconds, export_peak = run([*harvester, "export", session, "--format", name, "--out", out, *splits])
             check_seconds, check_peak = run([*harvester, "validate", out])
             shutil.rmtree(out)

@@ -74,9 +74,9 @@ internal sealed class ExportCommand
     };
 
     private Option<int> Seed { get; } =
-        ValueParsers.Integer("--seed", "N", "Random seed of the assignment of frames to splits [default: 0]", 0, int.MaxValue);
+        ValueParsers.Integer("--seed", "N", "Random seed of the assignment of places to splits [default: 0]", 0, int.MaxValue);
     private Option<int> Block { get; } = ValueParsers.Integer(
-        "--split-block", "N", "Number of consecutive frames that stay in one split, because neighbours look alike", 1, int.MaxValue);
+        "--split-block", "N", "Assign blocks of N consecutive frames to splits, and not whole places", 1, int.MaxValue);
 
     private Option<string?> Classes { get; } = ClassList.Option("Export");
     private Option<double> MinVisible { get; } = ValueParsers.Number(
@@ -99,6 +99,8 @@ internal sealed class ExportCommand
 
     private Option<SegmentationKind> Segmentation { get; } =
         ValueParsers.Choice<SegmentationKind>("--segmentation", "How coco encodes masks [default: rle]");
+    private Option<LaneSelection> Lanes { get; } = ValueParsers.Choice<LaneSelection>(
+        "--lanes", "Lane lines of a frame in tusimple: the five nearest, or all [default: nearest]");
     private Option<ImageTransfer> Images { get; } = TransferOption.Create("images");
 
     private Option<ImageFormat?> ImageFormat { get; } =
@@ -109,6 +111,7 @@ internal sealed class ExportCommand
     private (Option Option, Func<DatasetFormat, bool> IsOf)[] OptionsOfFormats =>
     [
         (Segmentation, format => format.HasSegmentations),
+        (Lanes, format => format.HasLaneSelection),
         (Classes, format => format.HasObjects),
         (MinVisible, format => format.HasObjects),
         (Parts, format => format.HasParts),
@@ -116,7 +119,7 @@ internal sealed class ExportCommand
         (Map, format => format.HasNames),
         (SubclassesOf, format => format.HasSubclasses),
         (Images, format => format.KeepsImages),
-        (Block, format => !format.KeepsSessions),
+        (Block, format => !format.KeepsSequences),
     ];
 
     private Option<Shard> ShardOf { get; } = ShardOption.Create();
@@ -127,11 +130,10 @@ internal sealed class ExportCommand
 
     private Command Build(Terminal terminal)
     {
-        Block.DefaultValueFactory = _ => 1;
         var command = new Command("export", "Export sessions to a dataset format.")
         {
-            Sessions, Format, Out, Resume, Splits, Seed, Block, Classes, Map, SubclassesOf, MinVisible, Parts, Boxes, Segmentation, Images,
-                ImageFormat, Quality, ShardOf, Sync, MinFree,
+            Sessions, Format, Out, Resume, Splits, Seed, Block, Classes, Map, SubclassesOf, MinVisible, Parts, Boxes, Segmentation, Lanes,
+                Images, ImageFormat, Quality, ShardOf, Sync, MinFree,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
@@ -156,6 +158,18 @@ internal sealed class ExportCommand
         terminal.Out.WriteLine(result.IsFinished
             ? ExportSummary.Of(folder, result)
             : $"{folder}: shard {shard} of {plan.Format.Name}, {Counted.Of(result.Frames, "frame")}. {ShardOption.NextStep}");
+        if (!plan.Format.HasPoints && plan.Sessions.Any(session => session.ReadInfo().Rig is { Lidars.Count: > 0 }))
+        {
+            string others = string.Join(", ", DatasetFormats.All.Where(format => format.HasPoints).Select(format => format.Name));
+            terminal.Out.WriteLine($"{plan.Format.Name} does not have the points of the LiDAR; {others} have them.");
+        }
+
+        if (exporter.SeparatedNeighbours > 0)
+        {
+            terminal.WriteError($"{Counted.Of(exporter.SeparatedNeighbours, "frame")} and the frame before, which look alike, are in "
+                + "different splits. To keep places whole, omit --split-block.");
+        }
+
         return ExitCode.Done;
     }
 
@@ -188,6 +202,7 @@ internal sealed class ExportCommand
             Names = ClassMap.Parse(parsed.GetValue(Map), format),
             Subclasses = SubclassesIn(parsed),
             Segmentation = parsed.GetValue(Segmentation),
+            Lanes = parsed.GetValue(Lanes),
             Images = parsed.GetValue(Images),
             ImageFormat = parsed.GetValue(ImageFormat),
             JpegQuality = ImageFormatOption.QualityOf(parsed, Quality, parsed.GetValue(ImageFormat)),
@@ -228,7 +243,8 @@ internal sealed class ExportCommand
         try
         {
             return splits.All(split => split is not null)
-                ? new SplitPlan([.. splits.Select(split => split!.Value)], parsed.GetValue(Seed), parsed.GetValue(Block))
+                ? new SplitPlan([.. splits.Select(split => split!.Value)], parsed.GetValue(Seed),
+                    parsed.GetResult(Block) is null ? null : parsed.GetValue(Block))
                 : throw new UsageException($"--split takes names with fractions, e.g. train:0.8,val:0.2, not '{text}'.");
         }
         catch (ArgumentException e)

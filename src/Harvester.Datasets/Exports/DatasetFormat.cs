@@ -29,6 +29,12 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
     /// <summary>Whether its labels depend on masks, so that sessions with and without masks cannot be mixed.</summary>
     public bool UsesMasks { get; init; }
 
+    /// <summary>Whether the lane lines of a frame can be chosen.</summary>
+    public bool HasLaneSelection { get; init; }
+
+    /// <summary>Whether it has the points of LiDARs.</summary>
+    public bool HasPoints { get; init; }
+
     /// <summary>Whether frames without known lanes are left out.</summary>
     public bool LeavesOutUnknownLanes { get; init; }
 
@@ -71,8 +77,11 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
     /// <summary>Whether the sessions' images become files of the dataset unchanged.</summary>
     public bool KeepsImages { get; init; } = true;
 
-    /// <summary>Whether a session stays together as one sequence, so that whole sessions are assigned to splits.</summary>
-    public bool KeepsSessions { get; init; }
+    /// <summary>Whether the frames of a place stay together as one sequence, so that splits never divide a place.</summary>
+    public bool KeepsSequences { get; init; }
+
+    /// <summary>The least number of moments per second that it can represent; 0 for any.</summary>
+    public double MinRateHz { get; init; }
 
     /// <summary>The names that a split has in the dataset; no two splits may share one.</summary>
     internal Func<string, IReadOnlyList<string>> SplitNames { get; init; } = split => [split];

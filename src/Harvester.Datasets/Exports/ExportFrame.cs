@@ -42,11 +42,15 @@ public sealed class ExportFrame
     public required int Index { get; init; }
 
     /// <summary>
-    /// Number of its sequence, from 0: a session, or one view of a session that was harvested with a rig.
+    /// Number of its sequence, from 0: a place of a session, or one view of it if the session was harvested with a rig. The sequences
+    /// of a place follow each other in the order of the views.
     /// </summary>
-    public required int SessionIndex { get; init; }
+    public required int SequenceIndex { get; init; }
 
     /// <summary>Number of the frame in its sequence, from 0.</summary>
+    public required int FrameInSequence { get; init; }
+
+    /// <summary>Number of the frame in its session, from 0, counted over the frames of the same view.</summary>
     public required int FrameInSession { get; init; }
 
     /// <summary>Number of its session, from 0, whatever its view.</summary>
@@ -62,7 +66,7 @@ public sealed class ExportFrame
     public required string Split { get; init; }
 
     /// <summary>The camera of the sequence's first frame.</summary>
-    public required CameraLabel SessionCamera { get; init; }
+    public required CameraLabel SequenceCamera { get; init; }
 
     /// <summary>The label, with all objects.</summary>
     public FrameLabel Label { get; }

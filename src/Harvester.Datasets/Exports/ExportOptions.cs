@@ -36,6 +36,9 @@ public sealed record ExportOptions
     /// <summary>Encoding of masks, in formats with a choice.</summary>
     public SegmentationKind Segmentation { get; init; }
 
+    /// <summary>The lane lines of a frame, in formats with a choice.</summary>
+    public LaneSelection Lanes { get; init; }
+
     /// <summary>Whether images are linked or copied.</summary>
     public ImageTransfer Images { get; init; }
 

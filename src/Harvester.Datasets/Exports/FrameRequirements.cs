@@ -26,10 +26,17 @@ internal static class FrameRequirements
             throw frame.Problem($"it has no lanes, which {format.Name} needs. Harvest with roads, or choose another format.");
         }
 
-        if (format.KeepsSessions && IntrinsicsOf(frame.Label.Camera) != IntrinsicsOf(frame.SessionCamera))
+        if (format.KeepsSequences && IntrinsicsOf(frame.Label.Camera) != IntrinsicsOf(frame.SequenceCamera))
         {
-            throw frame.Problem("its camera calibration differs from that of the session's first frame, "
+            throw frame.Problem("its camera calibration differs from that of the first frame at its place, "
                 + $"and {format.Name} has one per sequence. Choose another format.");
+        }
+
+        if (frame.RateHz > 0 && frame.RateHz < format.MinRateHz)
+        {
+            throw frame.Problem(FormattableString.Invariant($"its session has {frame.RateHz:0.###} moments a second, and {format.Name} ")
+                + FormattableString.Invariant($"needs {format.MinRateHz:0.##} or more, as its readers take velocities from them. ")
+                + "Harvest with a higher --hz, or choose another format.");
         }
 
         if (format.NeedsRectilinear && LensDistortion.PixelsOf(frame.Label.Camera) is var bend and > LensDistortion.MaxPixels)

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
@@ -37,8 +38,7 @@ internal sealed class ObjectSelector(DatasetFormat format, ExportOptions options
 
     /// <summary>Whether a label is a post whose faces or heads are exported instead.</summary>
     public bool IsPost(ObjectLabel label, ExportFrame frame) =>
-        options.Parts == PartSelection.Faces && label.Parent is null && label.Class is ObjectClass.Sign or ObjectClass.TrafficLight
-        && (label.KnownParts ?? frame.Label.Objects.Count(other => other.Parent == label.Id)) > 0;
+        options.Parts == PartSelection.Faces && Posts.Has(label, frame.Label);
 
     private bool IsThing(ObjectLabel label, ExportFrame frame) => options.Parts switch
     {

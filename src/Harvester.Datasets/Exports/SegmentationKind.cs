@@ -6,6 +6,6 @@ public enum SegmentationKind
     /// <summary>Run lengths; exact.</summary>
     Rle,
 
-    /// <summary>Polygons along pixel borders; holes are filled.</summary>
+    /// <summary>Polygons along pixel borders, a polygon for each region, which passes around its holes; exact.</summary>
     Polygon,
 }

@@ -5,13 +5,17 @@ using System.Linq;
 namespace Harvester.Datasets.Exports;
 
 /// <summary>
-/// Assigns frames to splits. A hash of seed, session and block selects the split of each block of frames, so the split of a frame does not
-/// depend on other frames, shards or filters. The fractions hold on average, not exactly.
+/// Assigns frames to splits. A hash of seed, session and place selects the split of all frames of a place, so the split of a frame does
+/// not depend on other frames, shards or filters. On request, blocks of consecutive frames take the part of places. The fractions hold on
+/// average, not exactly.
 /// </summary>
 public sealed class SplitPlan
 {
     /// <summary>Tolerance of the sum of fractions: users write 0.333 for a third.</summary>
     private const double ShareTolerance = 0.01;
+
+    /// <summary>With each seed, a split of a thousandth of the frames or more is empty for few sets of places.</summary>
+    private const int MaxSeedTried = 1000;
 
     private readonly int _seed;
 
@@ -19,12 +23,11 @@ public sealed class SplitPlan
     /// <param name="splits">The splits; their names differ, also without regard to case as on Windows, and their fractions add up
     /// to 1.</param>
     /// <param name="seed">Random seed.</param>
-    /// <param name="blockFrames">Number of consecutive frames that stay together, at least 1; <see cref="int.MaxValue"/> for whole
-    /// sessions.</param>
+    /// <param name="blockFrames">Number of consecutive frames that stay together, at least 1; null for all frames of a place.</param>
     /// <exception cref="ArgumentException">The splits do not meet these conditions.</exception>
-    public SplitPlan(IReadOnlyList<DatasetSplit> splits, int seed, int blockFrames)
+    public SplitPlan(IReadOnlyList<DatasetSplit> splits, int seed, int? blockFrames = null)
     {
-        ArgumentOutOfRangeException.ThrowIfLessThan(blockFrames, 1);
+        ArgumentOutOfRangeException.ThrowIfLessThan(blockFrames ?? 1, 1, nameof(blockFrames));
         if (splits.Count == 0 || splits.Select(split => split.Name).Distinct(StringComparer.OrdinalIgnoreCase).Count() != splits.Count
             || splits.Any(split => !IsName(split.Name) || !(split.ShareFraction > 0)))
         {
@@ -44,23 +47,22 @@ public sealed class SplitPlan
     }
 
     /// <summary>All frames in one split named train.</summary>
-    public static SplitPlan Everything { get; } = new([new DatasetSplit("train", 1)], 0, 1);
+    public static SplitPlan Everything { get; } = new([new DatasetSplit("train", 1)], 0);
 
     /// <summary>The splits.</summary>
     public IReadOnlyList<DatasetSplit> Splits { get; }
 
-    /// <summary>Number of consecutive frames that stay together.</summary>
-    public int BlockFrames { get; }
+    /// <summary>Number of consecutive frames that stay together; null for all frames of a place.</summary>
+    public int? BlockFrames { get; }
 
     /// <summary>Random seed.</summary>
     public int Seed => _seed;
 
     /// <summary>The split of a frame.</summary>
-    /// <param name="session">Number of the session, from 0.</param>
-    /// <param name="frameInSession">Number of the frame in the session, from 0.</param>
-    public string Of(int session, int frameInSession)
+    /// <param name="frame">The frame.</param>
+    public string Of(FramePlace frame)
     {
-        double drawn = Draw(session, frameInSession / BlockFrames);
+        double drawn = Draw(frame.Session, BlockFrames is { } block ? frame.Frame / block : frame.Place);
         double reached = 0;
         foreach (DatasetSplit split in Splits)
         {
@@ -81,7 +83,7 @@ public sealed class SplitPlan
         HashSet<string> empty = [.. Splits.Select(split => split.Name)];
         foreach (FramePlace frame in frames)
         {
-            empty.Remove(Of(frame.Session, frame.Frame));
+            empty.Remove(Of(frame));
             if (empty.Count == 0)
             {
                 return null;
@@ -91,13 +93,22 @@ public sealed class SplitPlan
         return Splits.First(split => empty.Contains(split.Name)).Name;
     }
 
-    /// <summary>
-    /// The largest block size below this plan's that gives every split some of the frames; null if there is none.
+    /// <summary>The smallest seed, up to 1,000, that gives every split some of the frames; null if there is none.</summary>
+    /// <param name="frames">The frames.</param>
+    internal int? FirstFullSeed(IReadOnlyCollection<FramePlace> frames)
+    {
+        FramePlace[] kinds = [.. BlockFrames is null ? frames.DistinctBy(frame => (frame.Session, frame.Place)) : frames];
+        return Enumerable.Range(0, MaxSeedTried + 1)
+            .Where(seed => new SplitPlan(Splits, seed, BlockFrames).FirstEmpty(kinds) is null)
+            .Select(seed => (int?)seed).FirstOrDefault();
+    }
+
+    /// <summary>The largest block size, below this plan's if it has one, that gives every split some of the frames; null if there is none.
     /// </summary>
     /// <param name="frames">The frames.</param>
     internal int? LargestFullBlock(IReadOnlyCollection<FramePlace> frames)
     {
-        int largest = Math.Min(BlockFrames - 1, frames.Max(frame => frame.Frame) + 1);
+        int largest = Math.Min((BlockFrames ?? int.MaxValue) - 1, frames.Max(frame => frame.Frame) + 1);
         for (int block = largest; block >= 1; block--)
         {
             if (new SplitPlan(Splits, Seed, block).FirstEmpty(frames) is null)

@@ -13,7 +13,8 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Datasets.Reports;
 
 /// <summary>
-/// Draws a frame of a session with its 2D and 3D boxes, in the colours of the classes. Boxes of occluded objects are fainter.
+/// Draws a frame of a session with its 2D and 3D boxes, in the colours of the classes. Boxes of occluded objects are fainter. Of
+/// signs and lights, faces and heads are drawn, and not their posts.
 /// </summary>
 public static class StillWriter
 {
@@ -41,7 +42,8 @@ public static class StillWriter
         Camera camera = LabelCamera.Of(label.Camera);
 
         // Sorted by distance, farthest first, so that the nearest is on top.
-        foreach (ObjectLabel item in label.Objects.OrderByDescending(item => item.DistanceMetres))
+        foreach (ObjectLabel item in label.Objects.Where(item => !Posts.Has(item, label))
+            .OrderByDescending(item => item.DistanceMetres))
         {
             int colour = ClassColours.Of(item.Class);
             double opacity = 1 - (HiddenFading * (item.OccludedFraction ?? 0));

@@ -148,13 +148,13 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
     }
 
     [Fact]
-    public void Nuscenes_counts_the_points_of_each_object()
+    public void Nuscenes_counts_the_points_that_met_each_object()
     {
         CliRun.Of("export", harvested.Session, "--format", "nuscenes", "--out", _folder.PathOf("nuscenes")).AssertDone();
         CliRun.Of("validate", _folder.PathOf("nuscenes")).AssertDone();
 
         int counted = JsonNode.Parse(File.ReadAllText(_folder.PathOf("nuscenes/v1.0-gta/sample_annotation.json")))!.AsArray()
-            .Sum(annotation => (int)annotation!["num_lidar_pts"]!);
+            .Sum(annotation => (int)annotation!["num_lidar_hits"]!);
         FrameLabel[] labels = [.. new SessionReader(harvested.Session).ReadLabels()];
         int recorded = labels.Chunk(2).Sum(moment =>
         {

@@ -11,7 +11,7 @@ public sealed class RigExportTests(HarvestedRig harvested) : IClassFixture<Harve
 
     [Theory]
     [InlineData("kitti", "training/oxts/000001.txt")]
-    [InlineData("kitti-odometry", "sequences/1001/velodyne/000001.bin")]
+    [InlineData("kitti-odometry", "sequences/02/velodyne/000001.bin")]
     [InlineData("pcd", "clouds/top/00000006.pcd")]
     [InlineData("ply", "clouds/top/00000006.ply")]
     [InlineData("nuscenes", "can_bus/scene-2002_pose.json")]
@@ -81,6 +81,61 @@ public sealed class RigExportTests(HarvestedRig harvested) : IClassFixture<Harve
 
         Assert.Equal(ExitCode.BadData, run.ExitCode);
         Assert.Contains(problem, run.Out, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("sample_annotation", "num_lidar_pts\":([1-9])", "num_lidar_pts\":1$1", "points are inside its box.")]
+    [InlineData("sample_annotation", "\"translation\":\\[[0-9]*", "\"translation\":[0", "its box is in no image of its sample.")]
+    [InlineData("sample_annotation", "\"size\":\\[([^,]*),([^,]*),", "\"size\":[$2,$1,", "inside its box.|wider than long")]
+    [InlineData("ego_pose", "\"rotation\":\\[([^,]*),([^\\]]*)\\]", "\"rotation\":[$2,$1]", "in no image of its sample.|inside its box.")]
+    [InlineData("calibrated_sensor", "\"rotation\":\\[", "\"rotation\":[2", "its rotation is no unit quaternion.")]
+    public void False_geometry_of_nuscenes_is_found(string table, string pattern, string replacement, string problems)
+    {
+        Export("nuscenes");
+        string path = _folder.PathOf($"out/v1.0-gta/{table}.json");
+        string before = File.ReadAllText(path);
+        string after = System.Text.RegularExpressions.Regex.Replace(before, pattern, replacement);
+        Assert.NotEqual(before, after);
+        File.WriteAllText(path, after);
+
+        CliRun run = CliRun.Of("validate", _folder.PathOf("out"));
+
+        Assert.Equal(ExitCode.BadData, run.ExitCode);
+        Assert.Contains(problems.Split('|'), problem => run.Out.Contains(problem, StringComparison.Ordinal));
+    }
+
+    [Theory]
+    [InlineData("")]
+    [InlineData("\n")]
+    public void Table_of_nuscenes_with_other_line_breaks_is_read(string between)
+    {
+        Export("nuscenes");
+        string path = _folder.PathOf("out/v1.0-gta/sample.json");
+        File.WriteAllText(path, File.ReadAllText(path).Replace("\n", "", StringComparison.Ordinal)
+            .Replace(",\"", "," + between + "\"", StringComparison.Ordinal));
+        File.Delete(_folder.PathOf("out/manifest.jsonl"));
+
+        CliRun run = CliRun.Of("validate", _folder.PathOf("out"));
+
+        Assert.DoesNotContain("sample.json", run.Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Format_without_points_says_so()
+    {
+        CliRun run = CliRun.Of("export", harvested.Session, "--format", "mcap", "--out", _folder.PathOf("out"));
+
+        Assert.Contains("mcap does not have the points of the LiDAR", run.Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Split_between_neighbouring_frames_is_warned_of()
+    {
+        CliRun run = CliRun.Of(
+            "export", harvested.Session, "--format", "coco", "--out", _folder.PathOf("out"), "--split", "train:0.5,val:0.5",
+            "--split-block", "1", "--seed", "1");
+
+        Assert.Contains("which look alike, are in different splits", run.Error, StringComparison.Ordinal);
     }
 
     private void Export(string format) =>

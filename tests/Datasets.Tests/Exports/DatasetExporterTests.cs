@@ -17,7 +17,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     public static TheoryData<string> Formats => [.. DatasetFormats.All.Select(format => format.Name)];
 
     /// <summary>Two splits of one session's frames; one where the session stays whole.</summary>
-    internal static ExportOptions SplitsOf(string format) => DatasetFormats.Find(format)!.KeepsSessions ? new ExportOptions() : TwoSplits;
+    internal static ExportOptions SplitsOf(string format) => DatasetFormats.Find(format)!.KeepsSequences ? new ExportOptions() : TwoSplits;
 
     [Theory]
     [MemberData(nameof(Formats))]

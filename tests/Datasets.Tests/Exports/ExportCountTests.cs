@@ -21,7 +21,7 @@ public sealed class ExportCountTests(SimulatedSession simulated) : ExportTests
     [InlineData("voc", "Annotations/*.xml", "<bndbox>")]
     [InlineData("webdataset", "*.tar", "\"truncatedFraction\"")]
     [InlineData("bdd100k", "labels/det_20/*.json", "\"box2d\"")]
-    [InlineData("motchallenge", "MOT17-train/session-0000/gt/gt.txt", "\n")]
+    [InlineData("motchallenge", "MOT17-train/sequence-0000/gt/gt.txt", "\n")]
     [InlineData("openlabel", "labels/train/*.json", "\"(box|region \\d+)\"")]
     public void Object_count_equals_that_of_the_files(string format, string files, string mark)
     {

@@ -11,7 +11,7 @@ public sealed class SplitPlanTests
     {
         var plan = new SplitPlan(TrainAndVal, 1, 1);
 
-        int val = Enumerable.Range(0, 10_000).Count(frame => plan.Of(0, frame) == "val");
+        int val = Enumerable.Range(0, 10_000).Count(frame => plan.Of(new FramePlace(0, 0, frame)) == "val");
 
         // 10,000 draws with p = 0.2: expected 2,000, standard deviation sqrt(10,000 · 0.2 · 0.8) = 40; five of them are 200.
         Assert.InRange(val, 1_800, 2_200);
@@ -24,17 +24,40 @@ public sealed class SplitPlanTests
 
         for (int block = 0; block < 40; block++)
         {
-            Assert.Single(Enumerable.Range(block * 25, 25).Select(frame => plan.Of(0, frame)).Distinct());
+            Assert.Single(Enumerable.Range(block * 25, 25).Select(frame => plan.Of(new FramePlace(0, 0, frame))).Distinct());
         }
 
-        Assert.Equal(2, Enumerable.Range(0, 1000).Select(frame => plan.Of(0, frame)).Distinct().Count());
+        Assert.Equal(2, Enumerable.Range(0, 1000).Select(frame => plan.Of(new FramePlace(0, 0, frame))).Distinct().Count());
+    }
+
+    [Fact]
+    public void Places_stay_whole_without_a_block()
+    {
+        var plan = new SplitPlan(TrainAndVal, 1);
+
+        string[] Of(int place) => [.. Enumerable.Range(place * 50, 50).Select(frame => plan.Of(new FramePlace(0, place, frame))).Distinct()];
+
+        Assert.All(Enumerable.Range(0, 40), place => Assert.Single(Of(place)));
+        Assert.Equal(2, Enumerable.Range(0, 40).SelectMany(Of).Distinct().Count());
+    }
+
+    [Fact]
+    public void First_full_seed_leaves_no_split_empty()
+    {
+        FramePlace[] frames = [.. Enumerable.Range(0, 100).Select(frame => new FramePlace(0, frame / 25, frame))];
+
+        int seed = new SplitPlan(TrainAndVal, 0).FirstFullSeed(frames)!.Value;
+
+        Assert.Null(new SplitPlan(TrainAndVal, seed).FirstEmpty(frames));
+        Assert.All(Enumerable.Range(0, seed), lower => Assert.NotNull(new SplitPlan(TrainAndVal, lower).FirstEmpty(frames)));
+        Assert.Null(new SplitPlan(TrainAndVal, 0).FirstFullSeed(frames[..25]));
     }
 
     [Fact]
     public void Splits_depend_on_seed_and_session()
     {
         string[] Draw(int seed, int session) =>
-            [.. Enumerable.Range(0, 64).Select(frame => new SplitPlan(TrainAndVal, seed, 1).Of(session, frame))];
+            [.. Enumerable.Range(0, 64).Select(frame => new SplitPlan(TrainAndVal, seed, 1).Of(new FramePlace(session, 0, frame)))];
 
         Assert.Equal(Draw(1, 0), Draw(1, 0));
         Assert.NotEqual(Draw(1, 0), Draw(2, 0));
@@ -44,7 +67,7 @@ public sealed class SplitPlanTests
     [Fact]
     public void Largest_full_block_is_the_largest_that_leaves_no_split_empty()
     {
-        FramePlace[] frames = [.. Enumerable.Range(0, 100).Select(frame => new FramePlace(0, frame))];
+        FramePlace[] frames = [.. Enumerable.Range(0, 100).Select(frame => new FramePlace(0, 0, frame))];
         var plan = new SplitPlan(TrainAndVal, 0, 100);
 
         int largest = plan.LargestFullBlock(frames)!.Value;
@@ -54,12 +77,12 @@ public sealed class SplitPlanTests
         Assert.All(Enumerable.Range(largest + 1, 99 - largest), block => Assert.Single(SplitsOf(block)));
 
         IEnumerable<string> SplitsOf(int block) =>
-            frames.Select(frame => new SplitPlan(TrainAndVal, 0, block).Of(0, frame.Frame)).Distinct().Order();
+            frames.Select(frame => new SplitPlan(TrainAndVal, 0, block).Of(frame)).Distinct().Order();
     }
 
     [Fact]
     public void No_block_fills_more_splits_than_there_are_frames() =>
-        Assert.Null(new SplitPlan(TrainAndVal, 0, 100).LargestFullBlock([new FramePlace(0, 0)]));
+        Assert.Null(new SplitPlan(TrainAndVal, 0, 100).LargestFullBlock([new FramePlace(0, 0, 0)]));
 
     [Theory]
     [InlineData("train", 0.8, "val", 0.1)]

@@ -26,10 +26,36 @@ public sealed class UnusableSessionTests : ExportTests
     }
 
     [Fact]
-    public void Empty_split_of_whole_sessions_is_refused() => Assert.Equal(
-        "The split 'train' would be empty: kitti-tracking keeps sessions whole, and there is only 1 session. "
-            + "Add sessions, or use another --seed.",
+    public void Empty_split_of_whole_places_is_refused() => Assert.Equal(
+        "The split 'train' would be empty: each place stays in one split, and the sessions have 1 place. "
+            + "Add sessions or places, or use fewer splits.",
         Refusal("kitti-tracking", [Session.Open()], new ExportOptions { Splits = LargeBlocks }));
+
+    [Fact]
+    public void Empty_split_is_refused_with_a_seed_that_works()
+    {
+        Session.Lines[2]["place"] = 1;
+        SplitPlan PlanOf(int seed) => new([new("train", 0.5), new("val", 0.5)], seed);
+        int bad = Enumerable.Range(0, 100).First(seed =>
+            PlanOf(seed).Of(new(0, 0, 0)) == PlanOf(seed).Of(new(0, 1, 2)));
+
+        string message = Refusal("yolo", [Session.Open()], new ExportOptions { Splits = PlanOf(bad) });
+
+        Assert.Contains("the sessions have 2 places. Use --seed ", message, StringComparison.Ordinal);
+        int good = int.Parse(message.Split(' ')[^1].TrimEnd('.'), System.Globalization.CultureInfo.InvariantCulture);
+        ExportResult result = Folder.Export("yolo", Session.Open(), new ExportOptions { Splits = PlanOf(good) });
+        Assert.Equal([1, 2], result.FramesOfSplits.Values.Order());
+    }
+
+    [Fact]
+    public void Samples_too_far_apart_for_velocities_are_refused()
+    {
+        Session.Info["options"] = new System.Text.Json.Nodes.JsonObject { ["rateHz"] = 0.5 };
+
+        Assert.Contains(
+            "its session has 0.5 moments a second, and nuscenes needs 0.67 or more", Refusal("nuscenes", [Session.Open()]),
+            StringComparison.Ordinal);
+    }
 
     [Fact]
     public void Session_without_frames_is_refused() =>

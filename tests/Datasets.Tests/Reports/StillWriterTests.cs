@@ -47,6 +47,22 @@ public sealed class StillWriterTests : IDisposable
     }
 
     [Fact]
+    public void Write_draws_faces_without_their_posts()
+    {
+        DrawOnBlack(1);
+        _session.Car(1)["class"] = "sign";
+        _session.Pedestrian(1)["class"] = "sign";
+        _session.Pedestrian(1)["parent"] = 1;
+        string path = _session.PathOf("still.png");
+
+        StillWriter.Write(_session.Open(), 1, path);
+
+        PixelBuffer still = PngDecoder.ReadRgb(path);
+        Assert.Equal(0, Colour(still, 36, 30));
+        Assert.NotEqual(0, Colour(still, 70, 30));
+    }
+
+    [Fact]
     public void Write_reports_a_missing_frame() =>
         Assert.Contains(
             "no frame 7",

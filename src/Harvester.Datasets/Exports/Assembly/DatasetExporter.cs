@@ -32,12 +32,9 @@ public sealed class DatasetExporter
             throw new ArgumentException(problem, nameof(plan));
         }
 
-        _asked = plan.Format.KeepsSessions
-            ? plan with
-            {
-                Options =
-                plan.Options with { Splits = new SplitPlan(plan.Options.Splits.Splits, plan.Options.Splits.Seed, int.MaxValue) }
-            }
+        SplitPlan splits = plan.Options.Splits;
+        _asked = plan.Format.KeepsSequences
+            ? plan with { Options = plan.Options with { Splits = new SplitPlan(splits.Splits, splits.Seed) } }
             : plan;
         _folder = new DatasetFolder(folder, sync);
         _shard = shard;
@@ -48,6 +45,12 @@ public sealed class DatasetExporter
 
     /// <summary>Whether a finished export of the same plan is accepted as the result; otherwise it is refused.</summary>
     public bool Resumes { get; init; }
+
+    /// <summary>
+    /// How many frames follow a frame of the same place in another split. Such neighbours look alike, so that a split with one of them
+    /// does not test on unseen images. 0 before <see cref="Run"/>.
+    /// </summary>
+    public int SeparatedNeighbours { get; private set; }
 
     /// <summary>Runs the export.</summary>
     /// <param name="report">Receives the number of frames after each frame.</param>
@@ -66,6 +69,7 @@ public sealed class DatasetExporter
 
         Journal.CheckDivision(_folder, _shard);
         SessionSurvey survey = SessionSurvey.Of(_asked, cancellation);
+        SeparatedNeighbours = survey.SeparatedNeighbours;
         ExportPlan plan = survey.Decide();
         string identity = plan.Identity;
         if ((mayBeDone || _folder.HasLeftovers) && DatasetAssembly.PlanOf(_folder) == identity)

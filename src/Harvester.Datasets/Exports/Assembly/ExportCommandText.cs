@@ -27,15 +27,20 @@ internal static class ExportCommandText
                 yield return "--seed " + Numbers.Text(options.Splits.Seed);
             }
 
-            if (!format.KeepsSessions && options.Splits.BlockFrames > 1)
+            if (!format.KeepsSequences && options.Splits.BlockFrames is { } block)
             {
-                yield return "--split-block " + Numbers.Text(options.Splits.BlockFrames);
+                yield return "--split-block " + Numbers.Text(block);
             }
         }
 
         foreach (string word in ObjectWords(format, options))
         {
             yield return word;
+        }
+
+        if (format.HasLaneSelection && options.Lanes != default)
+        {
+            yield return "--lanes " + JsonName.Of(options.Lanes);
         }
 
         if (options.ImageFormat is { } image)

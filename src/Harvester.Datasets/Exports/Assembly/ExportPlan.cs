@@ -51,7 +51,11 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
 
         json.WriteEndObject();
         json.WriteNumber("splitSeed", Options.Splits.Seed);
-        json.WriteNumber("splitBlockFrames", Options.Splits.BlockFrames);
+        if (Options.Splits.BlockFrames is { } block)
+        {
+            json.WriteNumber("splitBlockFrames", block);
+        }
+
         json.WriteString("classes", string.Join(',', Options.ClassList.Select(JsonName.Of)));
         json.WriteStartObject("names");
         foreach ((ObjectClass kind, string name) in Options.Names.OrderBy(pair => pair.Key))
@@ -77,6 +81,11 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
         WriteName(json, "parts", Options.Parts);
         WriteName(json, "boxes", Options.Boxes);
         json.WriteString("segmentation", JsonName.Of(Options.Segmentation));
+        if (Options.Lanes != default)
+        {
+            json.WriteString("lanes", JsonName.Of(Options.Lanes));
+        }
+
         if (Options.ImageFormat is { } imageFormat)
         {
             json.WriteString("imageFormat", JsonName.Of(imageFormat));
@@ -112,7 +121,7 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
         {
             Splits = plan.Checked(() => new SplitPlan(
                 [.. splits.Names.Select(split => new DatasetSplit(split, splits.Number(split)))], plan.Integer("splitSeed"),
-                    plan.Integer("splitBlockFrames"))),
+                    plan.Has("splitBlockFrames") ? plan.Integer("splitBlockFrames") : null)),
             Classes = [.. plan.Text("classes").Split(',', StringSplitOptions.RemoveEmptyEntries).Select(ClassOf)],
             MinVisibleFraction = plan.Number("minVisibleFraction"),
             Names = names.Names.ToDictionary(ClassOf, names.Text),
@@ -122,6 +131,7 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
             Parts = plan.Has("parts") ? plan.Name<PartSelection>("parts") : null,
             Boxes = plan.Has("boxes") ? plan.Name<BoxKind>("boxes") : null,
             Segmentation = plan.Name<SegmentationKind>("segmentation"),
+            Lanes = plan.Has("lanes") ? plan.Name<LaneSelection>("lanes") : default,
             ImageFormat = plan.Has("imageFormat") ? plan.Name<ImageFormat>("imageFormat") : null,
             JpegQuality = plan.Has("imageFormat") ? plan.Integer("quality") : JpegEncoder.DefaultQuality,
         });

@@ -8,8 +8,8 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Datasets.Exports.Assembly;
 
 /// <summary>
-/// The frames of all sessions of an export, session by session, with place and split. Each view of a rig is a sequence of its own; all
-/// views of a moment are in the same split.
+/// The frames of all sessions of an export, session by session, with sequence and split. Each place that a session visits begins a new
+/// sequence, and each view of a rig is a sequence of its own; all views of a moment are in the same split.
 /// </summary>
 internal static class PlannedFrames
 {
@@ -24,23 +24,34 @@ internal static class PlannedFrames
         {
             SessionInfo info = plan.Sessions[session].ReadInfo();
             string?[] views = info.Rig is { } rig ? [.. rig.Cameras.Select(camera => camera.Name)] : [null];
-            var counts = new int[views.Length];
+            var inSession = new int[views.Length];
+            var inSequence = new int[views.Length];
             var cameras = new CameraLabel?[views.Length];
+            int? place = null;
             foreach (LabelLine line in plan.Sessions[session].ReadGoodLines())
             {
                 int view = views.Length == 1 ? 0 : ViewOf(line, views, plan.Sessions[session]);
+                int here = line.Label!.Place ?? 0;
+                if (place is { } before && before != here)
+                {
+                    sequences += views.Length;
+                    Array.Clear(inSequence);
+                    Array.Clear(cameras);
+                }
+
+                place = here;
                 yield return new ExportFrame(plan.Sessions[session], line, selector, plan.Options.ImageFormat)
                 {
                     Index = index++,
-                    SessionIndex = sequences + view,
-                    FrameInSession = counts[view],
+                    SequenceIndex = sequences + view,
+                    FrameInSequence = inSequence[view]++,
                     RecordingIndex = session,
                     Rig = info.Rig,
                     RateHz = info.RateHz ?? 0,
-                    Split = plan.Options.Splits.Of(session, counts[view]),
-                    SessionCamera = cameras[view] ??= line.Label!.Camera,
+                    Split = plan.Options.Splits.Of(new FramePlace(session, here, inSession[view])),
+                    FrameInSession = inSession[view]++,
+                    SequenceCamera = cameras[view] ??= line.Label.Camera,
                 };
-                counts[view]++;
             }
 
             sequences += views.Length;

@@ -21,6 +21,7 @@ internal sealed class SessionSurvey
 
     private readonly ExportPlan _plan;
     private readonly List<FramePlace> _written = [];
+    private readonly Dictionary<int, string> _last = [];
     private readonly int[] _frames;
     private readonly int[] _masks;
     private readonly int[] _classMaps;
@@ -36,6 +37,9 @@ internal sealed class SessionSurvey
     }
 
     private DatasetFormat Format => _plan.Format;
+
+    /// <summary>How many frames follow a frame of the same sequence in another split.</summary>
+    public int SeparatedNeighbours { get; private set; }
 
     private bool HasMasks => _masks.Sum() > 0;
 
@@ -119,7 +123,9 @@ internal sealed class SessionSurvey
         _mutcdCodes.UnionWith(frame.Label.Objects.Select(label => label.Face?.MutcdCode).OfType<string>());
         if (!Format.LeavesOutUnknownLanes || frame.Label.Lanes is { Status: LaneStatus.Known })
         {
-            _written.Add(new FramePlace(frame.RecordingIndex, frame.FrameInSession));
+            _written.Add(new FramePlace(frame.RecordingIndex, frame.Label.Place ?? 0, frame.FrameInSession));
+            SeparatedNeighbours += _last.TryGetValue(frame.SequenceIndex, out string? split) && split != frame.Split ? 1 : 0;
+            _last[frame.SequenceIndex] = frame.Split;
         }
 
         if (_written.Count > MaxFrames || _mutcdCodes.Count > MaxMutcdCodes)
@@ -173,14 +179,16 @@ internal sealed class SessionSurvey
 
     private string AdviceFor(SplitPlan splits)
     {
-        if (Format.KeepsSessions)
+        if (splits.BlockFrames is not { } blockFrames)
         {
-            return $"{Format.Name} keeps sessions whole, and there {(_frames.Length == 1 ? "is" : "are")} only "
-                + $"{Counted.Of(_frames.Length, "session")}. "
-                + "Add sessions, or use another --seed.";
+            int places = _written.DistinctBy(frame => (frame.Session, frame.Place)).Count();
+            string few = $"each place stays in one split, and the sessions have {Counted.Of(places, "place")}. ";
+            return few + (splits.FirstFullSeed(_written) is { } seed ? FormattableString.Invariant($"Use --seed {seed}.")
+                : Format.KeepsSequences ? "Add sessions or places, or use fewer splits."
+                : "Add sessions or places, or use --split-block N, which separates frames that look alike.");
         }
 
-        string frames = $"{Counted.Of(_written.Count, "frame")}, assigned in blocks of {splits.BlockFrames}. ";
+        string frames = $"{Counted.Of(_written.Count, "frame")}, assigned in blocks of {blockFrames}. ";
         return frames + (splits.LargestFullBlock(_written) is { } block ? $"Use --split-block {block} or another --seed."
             : "Use another --seed, or fewer splits.");
     }

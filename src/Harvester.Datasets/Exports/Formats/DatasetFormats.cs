@@ -31,16 +31,16 @@ public static class DatasetFormats
         new("kitti", "KITTI object detection: images, label_2, calib, velodyne, oxts", options => new KittiWriter(options))
         {
             NeedsRectilinear = true, UsesMasks = true, HasBoxes = true, HasNames = true, Names = KittiClasses.Types,
-                Check = KittiCheck.Problems,
+                HasPoints = true, Check = KittiCheck.Problems,
         },
-        new("kitti-tracking", "KITTI tracking: a sequence for each session", options => new KittiTrackingWriter(options))
+        new("kitti-tracking", "KITTI tracking: a sequence for each place", options => new KittiTrackingWriter(options))
         {
-            NeedsRectilinear = true, UsesMasks = true, HasBoxes = true, HasNames = true, Names = KittiClasses.Types, KeepsSessions = true,
+            NeedsRectilinear = true, UsesMasks = true, HasBoxes = true, HasNames = true, Names = KittiClasses.Types, KeepsSequences = true,
             Check = KittiTrackingCheck.Problems,
         },
         new("kitti-odometry", "KITTI odometry: images, points, poses and SemanticKITTI's labels", _ => new KittiOdometryWriter())
         {
-            NeedsRectilinear = true, KeepsSessions = true, ListsObjects = false, Check = KittiOdometryCheck.Problems,
+            NeedsRectilinear = true, KeepsSequences = true, ListsObjects = false, HasPoints = true, Check = KittiOdometryCheck.Problems,
         },
         new("coco", "COCO instances", options => new CocoWriter(options))
         {
@@ -57,9 +57,9 @@ public static class DatasetFormats
         {
             UsesMasks = true, Check = CocoKeypointsCheck.Problems,
         },
-        new("jta", "JTA's layout of joints: a sequence for each session", _ => new JtaWriter())
+        new("jta", "JTA's layout of joints: a sequence for each place", _ => new JtaWriter())
         {
-            NeedsRectilinear = true, KeepsSessions = true, Check = JtaCheck.Problems,
+            NeedsRectilinear = true, KeepsSequences = true, Check = JtaCheck.Problems,
         },
         new("yolo", "Ultralytics YOLO, boxes", options => new YoloWriter(options))
         {
@@ -87,27 +87,28 @@ public static class DatasetFormats
             UsesMasks = true, HasBoxes = true, HasNames = true, Names = Bdd100KClasses.Names, HasParts = true,
             Check = Bdd100KCheck.Problems,
         },
-        new("motchallenge", "MOTChallenge: a sequence for each session, with MOT17's classes", _ => new MotWriter())
+        new("motchallenge", "MOTChallenge: a sequence for each place, with MOT17's classes", _ => new MotWriter())
         {
-            UsesMasks = true, HasBoxes = true, HasBoxesBeyondImage = true, KeepsSessions = true, Check = MotCheck.Problems,
+            UsesMasks = true, HasBoxes = true, HasBoxesBeyondImage = true, KeepsSequences = true, Check = MotCheck.Problems,
         },
-        new("openlabel", "ASAM OpenLABEL 1.0: a file for each session", _ => new OpenLabelWriter())
+        new("openlabel", "ASAM OpenLABEL 1.0: a file for each place", _ => new OpenLabelWriter())
         {
-            UsesMasks = true, HasBoxes = true, HasBoxesBeyondImage = true, HasNames = true, HasParts = true, KeepsSessions = true,
+            UsesMasks = true, HasBoxes = true, HasBoxesBeyondImage = true, HasNames = true, HasParts = true, KeepsSequences = true,
             Check = OpenLabelCheck.Problems,
         },
         new("nuscenes", "nuScenes: the tables, samples and sweeps of a rig", _ => new NuScenesWriter())
         {
-            NeedsRectilinear = true, KeepsSessions = true, Check = NuScenesCheck.Problems,
+            NeedsRectilinear = true, KeepsSequences = true, MinRateHz = NuScenesWriter.MinRateHz, HasPoints = true,
+            Check = NuScenesCheck.Problems,
         },
         new("pcd", "Point clouds of LiDARs, as PCL's PCD files", _ => new PointCloudWriter(PointCloudKind.Pcd))
         {
-            ListsObjects = false, KeepsImages = false, KeepsSessions = true,
+            ListsObjects = false, KeepsImages = false, KeepsSequences = true, HasPoints = true,
             Check = dataset => PointCloudCheck.Problems(dataset, PointCloudKind.Pcd),
         },
         new("ply", "Point clouds of LiDARs, as PLY files", _ => new PointCloudWriter(PointCloudKind.Ply))
         {
-            ListsObjects = false, KeepsImages = false, KeepsSessions = true,
+            ListsObjects = false, KeepsImages = false, KeepsSequences = true, HasPoints = true,
             Check = dataset => PointCloudCheck.Problems(dataset, PointCloudKind.Ply),
         },
         new("deepdriving", "Images of 280 x 210 and DeepDriving's thirteen indicators", options => new DeepDrivingWriter(options))
@@ -115,7 +116,10 @@ public static class DatasetFormats
             NeedsLanes = true, KeepsImages = false, Check = DeepDrivingCheck.Problems,
         },
         new("tusimple", "TuSimple lanes", options =>
-            new TuSimpleWriter(options)) { NeedsLanes = true, LeavesOutUnknownLanes = true, Check = TuSimpleCheck.Problems },
+            new TuSimpleWriter(options))
+        {
+            NeedsLanes = true, LeavesOutUnknownLanes = true, HasLaneSelection = true, Check = TuSimpleCheck.Problems,
+        },
         new("culane", "CULane lanes", options =>
             new CuLaneWriter(options))
         {
@@ -133,9 +137,9 @@ public static class DatasetFormats
             UsesMasks = true, HasBoxes = true, HasNames = true, HasSubclasses = true, HasParts = true, Check = ImageFolderCheck.Problems,
             Card = new("imagefolder", split => $"data/{split}/**"),
         },
-        new("mcap", "MCAP recordings with Foxglove's messages: a file for each session", _ => new McapWriter())
+        new("mcap", "MCAP recordings with Foxglove's messages: a file for each place", _ => new McapWriter())
         {
-            UsesMasks = true, HasBoxes = true, HasBoxesBeyondImage = true, HasParts = true, KeepsImages = false, KeepsSessions = true,
+            UsesMasks = true, HasBoxes = true, HasBoxesBeyondImage = true, HasParts = true, KeepsImages = false, KeepsSequences = true,
             Check = McapCheck.Problems,
         },
         new("csv", "Flat tables of frames and objects", options => new CsvDatasetWriter(options))

@@ -19,9 +19,18 @@ internal sealed record InstancePixels(InstanceMap Map, ushort Id, int Left, int 
     /// <summary>The box around the pixels.</summary>
     public Box2D Box => new(Left, Top, Right, Bottom);
 
-    /// <summary>Outlines of the connected regions, the largest first, without the outlines of holes.</summary>
-    public IReadOnlyList<IReadOnlyList<Vector2D>> Outlines() =>
-        [.. MaskOutlines.Of(Map, Id).Where(outline => SignedArea(outline) > 0).OrderByDescending(SignedArea)];
+    /// <summary>
+    /// A closed polygon for each connected region, the largest first. It passes around the holes of its region over a segment that is
+    /// traversed in both directions, so that by the even-odd rule it covers exactly the pixels of the region.
+    /// </summary>
+    public IReadOnlyList<IReadOnlyList<Vector2D>> Regions()
+    {
+        IReadOnlyList<Vector2D>[] all = [.. MaskOutlines.Of(Map, Id).OrderByDescending(SignedArea)];
+        IReadOnlyList<Vector2D>[] outer = [.. all.Where(outline => SignedArea(outline) > 0)];
+        ILookup<IReadOnlyList<Vector2D>, IReadOnlyList<Vector2D>> holes = all.Skip(outer.Length)
+            .ToLookup(hole => outer.Last(region => Contains(region, BesideStart(hole))));
+        return [.. outer.Select(region => JoinedOutline.Of([region, .. holes[region]]))];
+    }
 
     /// <summary>A single closed polygon around all regions and holes, which covers exactly the pixels by the even-odd rule.</summary>
     public IReadOnlyList<Vector2D> Contour() => JoinedOutline.Of([.. MaskOutlines.Of(Map, Id).OrderByDescending(SignedArea)]);
@@ -52,6 +61,27 @@ internal sealed record InstancePixels(InstanceMap Map, ushort Id, int Left, int 
         }
 
         return found;
+    }
+
+    /// <summary>The middle of the object's pixel at the first side of an outline, which has the object on its right.</summary>
+    private static Vector2D BesideStart(IReadOnlyList<Vector2D> outline)
+    {
+        Vector2D way = outline[1] - outline[0];
+        Vector2D half = way * (0.5 / way.Length);
+        return outline[0] + half + new Vector2D(-half.Y, half.X);
+    }
+
+    /// <summary>The even-odd rule: whether a ray to the right crosses an odd number of sides.</summary>
+    private static bool Contains(IReadOnlyList<Vector2D> outline, Vector2D point)
+    {
+        bool isInside = false;
+        for (int i = 0; i < outline.Count; i++)
+        {
+            (Vector2D a, Vector2D b) = (outline[i], outline[(i + 1) % outline.Count]);
+            isInside ^= a.Y > point.Y != b.Y > point.Y && a.X > point.X;
+        }
+
+        return isInside;
     }
 
     /// <summary>The area of a polygon, positive if it is clockwise in the image.</summary>

@@ -12,7 +12,7 @@ public sealed class Bdd100KWriterTests : ExportTests
 
         JsonNode frame = Frames()[4]!;
         Assert.Equal("00000004.png", (string?)frame["name"]);
-        Assert.Equal(("session-0001", 1, 1500), ((string?)frame["videoName"], (int)frame["frameIndex"]!, (int)frame["timestamp"]!));
+        Assert.Equal(("sequence-0001", 1, 1500), ((string?)frame["videoName"], (int)frame["frameIndex"]!, (int)frame["timestamp"]!));
         Assert.Equal((80, 60), ((int)frame["size"]!["width"]!, (int)frame["size"]!["height"]!));
         Assert.Equal("""{"weather":"clear","scene":"undefined","timeofday":"daytime"}""", frame["attributes"]!.ToJsonString());
         Assert.True(File.Exists(Folder.PathOf("out/images/100k/train/00000004.png")));

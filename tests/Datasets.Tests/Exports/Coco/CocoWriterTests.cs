@@ -91,6 +91,54 @@ public sealed class CocoWriterTests(SimulatedSession simulated) : ExportTests
         }
     }
 
+    [Theory]
+    [InlineData(1)]
+    [InlineData(7)]
+    public void Polygons_cover_exactly_the_pixels_of_holes_and_islands(int hole)
+    {
+        // A square with a hole, in which lies a square with a hole.
+        Session.DeterminePedestrians();
+        for (int frame = 0; frame < 3; frame++)
+        {
+            Session.PaintMask(
+                frame, (1, 30, 20, 55, 45), (0, 33, 23, 52, 42), (1, 35, 25, 45, 35), (0, 36, 26, 36 + hole, 26 + hole));
+        }
+
+        Session.Lines.ForEach(line => line["objects"]![0]!["box2dVisible"] = new System.Text.Json.Nodes.JsonArray(30, 20, 55, 45));
+        Folder.Export("coco", Session.Open(), new ExportOptions { Segmentation = SegmentationKind.Polygon });
+        using JsonDocument coco = Read("out/annotations/instances_train.json");
+        InstanceMap mask = PngDecoder.ReadInstanceMap(Session.PathOf("masks/00000000.png"));
+        JsonElement car = coco.RootElement.GetProperty("annotations").EnumerateArray().First(IsObject);
+        double[][] polygons = [.. car.GetProperty("segmentation").EnumerateArray().Select(Doubles)];
+
+        int both = 0;
+        int either = 0;
+        for (int at = 0; at < mask.Ids.Length; at++)
+        {
+            bool isDrawn = polygons.Any(polygon => IsInside(polygon, (at % mask.Image.Width) + 0.5, (at / mask.Image.Width) + 0.5));
+            both += isDrawn && mask.Ids[at] == 1 ? 1 : 0;
+            either += isDrawn || mask.Ids[at] == 1 ? 1 : 0;
+        }
+
+        Assert.Equal((either, 2), (both, polygons.Length));
+        Assert.Equal((25 * 25) - (19 * 19) + (10 * 10) - (hole * hole), either);
+        Assert.Empty(Harvester.Datasets.Exports.Validation.DatasetValidator.Validate(Folder.PathOf("out")).Problems);
+    }
+
+    /// <summary>The even-odd rule, by which COCO's API fills a polygon.</summary>
+    private static bool IsInside(double[] polygon, double x, double y)
+    {
+        int crossings = 0;
+        for (int i = 0; i < polygon.Length; i += 2)
+        {
+            (double x1, double y1) = (polygon[i], polygon[i + 1]);
+            (double x2, double y2) = (polygon[(i + 2) % polygon.Length], polygon[(i + 3) % polygon.Length]);
+            crossings += y1 > y != y2 > y && x < x1 + ((x2 - x1) * (y - y1) / (y2 - y1)) ? 1 : 0;
+        }
+
+        return crossings % 2 == 1;
+    }
+
     [Fact]
     public void Without_masks_boxes_equal_the_labels_without_segmentation()
     {

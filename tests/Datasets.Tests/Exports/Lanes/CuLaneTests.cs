@@ -9,7 +9,7 @@ namespace Harvester.Datasets.Tests.Exports.Lanes;
 
 public sealed class CuLaneTests(SimulatedSession simulated) : CheckTests(simulated, "culane")
 {
-    private const string Lines = "session-0000/00000000.lines.txt";
+    private const string Lines = "sequence-0000/00000000.lines.txt";
     private const string Truth = "list/train_gt.txt";
 
     /// <summary>Points have three decimals, and those of the label too.</summary>
@@ -23,7 +23,7 @@ public sealed class CuLaneTests(SimulatedSession simulated) : CheckTests(simulat
         Assert.Equal(known.Length, Folder.Lines("out/list/train.txt").Length);
         foreach (FrameLabel label in known)
         {
-            string[] lines = Folder.Lines($"out/session-0000/{label.Frame:D8}.lines.txt");
+            string[] lines = Folder.Lines($"out/sequence-0000/{label.Frame:D8}.lines.txt");
             Assert.InRange(lines.Length, 1, 4);
             foreach (string line in lines)
             {
@@ -48,7 +48,7 @@ public sealed class CuLaneTests(SimulatedSession simulated) : CheckTests(simulat
         {
             string[] words = line.Split(' ');
             Assert.Equal(
-                [$"/session-0000/{label.Frame:D8}.png", $"/laneseg_label_w16/session-0000/{label.Frame:D8}.png"], words[..2]);
+                [$"/sequence-0000/{label.Frame:D8}.png", $"/laneseg_label_w16/sequence-0000/{label.Frame:D8}.png"], words[..2]);
             InstanceMap map = PngDecoder.ReadLabelMap(Folder.PathOf("out" + words[1]));
             for (int place = 1; place <= 4; place++)
             {
@@ -56,7 +56,7 @@ public sealed class CuLaneTests(SimulatedSession simulated) : CheckTests(simulat
                 Assert.True(words[1 + place] == "1" || !map.Ids.Contains((ushort)place));
             }
 
-            Assert.Equal(words[2..].Count(flag => flag == "1"), Folder.Lines($"out/session-0000/{label.Frame:D8}.lines.txt").Length);
+            Assert.Equal(words[2..].Count(flag => flag == "1"), Folder.Lines($"out/sequence-0000/{label.Frame:D8}.lines.txt").Length);
             int[] left = [.. label.Lanes!.Lines.Where(view => view.IsLeftOfCar).Select(view => view.Index).Distinct()];
             Assert.True(words[2 + 1] == "0" || left.Length >= 1);
             Assert.True(words[2] == "0" || left.Length >= 2);
@@ -67,7 +67,7 @@ public sealed class CuLaneTests(SimulatedSession simulated) : CheckTests(simulat
     public void Maps_show_each_line_sixteen_pixels_wide()
     {
         Export();
-        InstanceMap map = PngDecoder.ReadLabelMap(Folder.PathOf("out/laneseg_label_w16/session-0000/00000000.png"));
+        InstanceMap map = PngDecoder.ReadLabelMap(Folder.PathOf("out/laneseg_label_w16/sequence-0000/00000000.png"));
         double[][] lines =
         [
             .. Folder.Lines("out/" + Lines).Select(line =>
@@ -95,9 +95,9 @@ public sealed class CuLaneTests(SimulatedSession simulated) : CheckTests(simulat
         AssertDamageIsFound(Lines, pattern, replacement, $"{Lines}, line 1: {expected}");
 
     [Theory]
-    [InlineData("^/session-0000/00000000", "/session-0000/00000099", "its image is not that of list/train.txt.")]
+    [InlineData("^/sequence-0000/00000000", "/sequence-0000/00000099", "its image is not that of list/train.txt.")]
     [InlineData(" [01]$", " 2", "it must have an image, a map and 4 flags, each 0 or 1.")]
-    [InlineData("w16/session-0000/00000000", "w16/session-0000/00000099", "'laneseg_label_w16/session-0000/00000099.png' is missing.")]
+    [InlineData("w16/sequence-0000/00000000", "w16/sequence-0000/00000099", "'laneseg_label_w16/sequence-0000/00000099.png' is missing.")]
     public void A_damaged_list_is_found(string pattern, string replacement, string expected) =>
         AssertDamageIsFound(Truth, pattern, replacement, $"{Truth}, line 1: {expected}");
 
@@ -106,9 +106,9 @@ public sealed class CuLaneTests(SimulatedSession simulated) : CheckTests(simulat
     {
         Export();
         Delete(Lines);
-        Delete("session-0000/00000001.png");
+        Delete("sequence-0000/00000001.png");
         AssertFound($"{Lines}: it is missing, but its image exists.");
-        AssertFound("list/train.txt, line 2: '/session-0000/00000001.png' is not in the dataset.");
+        AssertFound("list/train.txt, line 2: '/sequence-0000/00000001.png' is not in the dataset.");
     }
 
     private FrameLabel[] Known() =>

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using System.Text.Json.Nodes;
+using Harvester.Datasets.Exports;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
@@ -39,6 +40,26 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
                 }
             }
         }
+    }
+
+    [Fact]
+    public void TuSimple_has_the_five_nearest_lanes_or_all()
+    {
+        Folder.Export("tusimple", simulated.Open());
+        Folder.Export("tusimple", simulated.Open(), new ExportOptions { Lanes = LaneSelection.All }, "all");
+
+        int[][][] nearest = [.. Folder.Lines("out/label_data_train.json").Select(LanesOf)];
+        int[][][] all = [.. Folder.Lines("all/label_data_train.json").Select(LanesOf)];
+        Assert.Equal(all.Select(lanes => Math.Min(lanes.Length, 5)), nearest.Select(lanes => lanes.Length));
+        Assert.All(nearest.Zip(all), frame => Assert.Subset(
+            frame.Second.Select(lane => string.Join(' ', lane)).ToHashSet(), frame.First.Select(lane => string.Join(' ', lane)).ToHashSet()));
+        Assert.Equal(all.Length, all.Count(lanes => lanes.Length > 0));
+    }
+
+    private static int[][] LanesOf(string line)
+    {
+        using JsonDocument json = JsonDocument.Parse(line);
+        return [.. json.RootElement.GetProperty("lanes").EnumerateArray().Select(Ints)];
     }
 
     [Fact]

@@ -2,7 +2,7 @@ namespace Harvester.Datasets.Tests.Exports.MotChallenge;
 
 public sealed class MotCheckTests(SimulatedSession simulated) : CheckTests(simulated, "motchallenge")
 {
-    private const string Sequence = "MOT17-train/session-0000";
+    private const string Sequence = "MOT17-train/sequence-0000";
     private const string Truth = Sequence + "/gt/gt.txt";
     private const string Info = Sequence + "/seqinfo.ini";
 

@@ -6,7 +6,7 @@ namespace Harvester.Datasets.Tests.Exports.MotChallenge;
 
 public sealed class MotWriterTests : ExportTests
 {
-    private const string Sequence = "out/MOT17-train/session-0000";
+    private const string Sequence = "out/MOT17-train/sequence-0000";
 
     [Fact]
     public void Rows_are_those_of_mot17()
@@ -41,10 +41,10 @@ public sealed class MotWriterTests : ExportTests
         // Frames at 0.5, 1.5 and 2.5 s: one a second.
         Assert.Equal(
             [
-                "[Sequence]", "name=session-0000", "imDir=img1", "frameRate=1", "seqLength=3", "imWidth=80", "imHeight=60", "imExt=.png",
+                "[Sequence]", "name=sequence-0000", "imDir=img1", "frameRate=1", "seqLength=3", "imWidth=80", "imHeight=60", "imExt=.png",
             ],
             Folder.Lines(Sequence + "/seqinfo.ini"));
-        Assert.Equal(["name", "session-0000", "session-0001"], Folder.Lines("out/seqmaps/MOT17-train.txt"));
+        Assert.Equal(["name", "sequence-0000", "sequence-0001"], Folder.Lines("out/seqmaps/MOT17-train.txt"));
         Assert.True(File.Exists(Folder.PathOf(Sequence + "/img1/000003.png")));
     }
 

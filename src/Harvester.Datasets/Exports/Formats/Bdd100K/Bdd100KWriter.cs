@@ -72,8 +72,8 @@ internal sealed class Bdd100KWriter(ExportOptions options) : IDatasetWriter
     {
         json.WriteStartObject();
         json.WriteString("name", file);
-        json.WriteString("videoName", $"session-{frame.SessionIndex:D4}");
-        json.WriteNumber("frameIndex", frame.FrameInSession);
+        json.WriteString("videoName", $"sequence-{frame.SequenceIndex:D4}");
+        json.WriteNumber("frameIndex", frame.FrameInSequence);
         json.Number("timestamp", frame.Label.TimeSeconds * MillisecondsPerSecond, 0);
         json.WriteStartObject("size");
         json.WriteNumber("width", frame.Label.Camera.Width);

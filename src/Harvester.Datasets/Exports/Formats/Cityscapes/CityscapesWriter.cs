@@ -18,8 +18,8 @@ internal sealed class CityscapesWriter(ExportOptions options) : IDatasetWriter
     {
         InstanceMap mask = options.Parts == PartSelection.None ? frame.Mask! : frame.DividedMask!;
         Dictionary<int, ushort> ids = InstanceIds(frame);
-        string city = $"session{frame.SessionIndex:D4}";
-        string name = $"{city}_{0:D6}_{frame.FrameInSession:D6}";
+        string city = $"session{frame.RecordingIndex:D4}";
+        string name = $"{city}_{frame.SequenceIndex:D6}_{frame.FrameInSequence:D6}";
         output.Image($"leftImg8bit/{frame.Split}/{city}/{name}_leftImg8bit{frame.ImageExtension}", frame);
         string maps = $"gtFine/{frame.Split}/{city}/{name}_gtFine_";
         InstanceMap instances = Map(mask, value => ids.GetValueOrDefault(value));

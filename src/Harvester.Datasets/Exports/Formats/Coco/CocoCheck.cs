@@ -53,7 +53,7 @@ internal static class CocoCheck
             ? $"its box does not lie in the image of {image.Width} x {image.Height}, or has no area."
             : !(area > 0 && area <= MaxArea(box)) ? "its area is not positive, or larger than its box."
             : annotation.IsList("segmentation")
-                ? CocoSegmentationCheck.PolygonProblem(annotation.Rows("segmentation"), SpannedBy(annotation, box, boxes))
+                ? CocoSegmentationCheck.PolygonProblem(annotation.Rows("segmentation"), SpannedBy(annotation, box, boxes), area)
             : CocoSegmentationCheck.RunsProblem(annotation.Fields("segmentation"), image, SpannedBy(annotation, box, boxes), area);
     }
 

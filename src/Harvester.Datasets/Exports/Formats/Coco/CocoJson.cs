@@ -72,7 +72,7 @@ internal static class CocoJson
         json.WriteString("file_name", file);
         json.WriteNumber("width", frame.Label.Camera.Width);
         json.WriteNumber("height", frame.Label.Camera.Height);
-        json.WriteNumber("session", frame.SessionIndex);
+        json.WriteNumber("session", frame.RecordingIndex);
         json.WriteNumber("frame", frame.Label.Frame);
         json.Number("time_seconds", frame.Label.TimeSeconds, SecondsDecimals);
         json.WriteString("weather", frame.Label.Environment.Weather);

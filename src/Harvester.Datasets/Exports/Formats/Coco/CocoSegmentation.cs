@@ -26,7 +26,7 @@ internal sealed class CocoSegmentation
             _image = pixels.Map.Image;
             Area = pixels.Area;
             _runs = kind == SegmentationKind.Rle ? MaskRuns.Encode(pixels) : [];
-            _outlines = kind == SegmentationKind.Polygon ? pixels.Outlines() : [];
+            _outlines = kind == SegmentationKind.Polygon ? pixels.Regions() : [];
         }
     }
 

@@ -12,8 +12,8 @@ internal static class CocoSegmentationCheck
     /// <summary>Polygons run along pixel borders, and so do the boxes around visible pixels.</summary>
     private const double RoundingPixels = 0.002;
 
-    /// <summary>An empty list is not a valid segmentation.</summary>
-    public static string? PolygonProblem(double[][] polygons, Box2D? box)
+    /// <summary>Polygons along pixel borders, whose areas add up to the number of pixels; empty without a mask.</summary>
+    public static string? PolygonProblem(double[][] polygons, Box2D? box, double area)
     {
         if (polygons.Any(polygon => polygon.Length < 6 || polygon.Length % 2 != 0))
         {
@@ -22,8 +22,22 @@ internal static class CocoSegmentationCheck
 
         double[] xs = [.. polygons.SelectMany(polygon => polygon.Where((_, i) => i % 2 == 0))];
         double[] ys = [.. polygons.SelectMany(polygon => polygon.Where((_, i) => i % 2 == 1))];
-        return polygons.Length == 0 || IsSame(box, new Box2D(xs.Min(), ys.Min(), xs.Max(), ys.Max())) ? null
-            : "its polygons do not span its box.";
+        return polygons.Length == 0 ? null
+            : !IsSame(box, new Box2D(xs.Min(), ys.Min(), xs.Max(), ys.Max())) ? "its polygons do not span its box."
+            : polygons.Sum(AreaOf) != area ? "its polygons do not have its area." : null;
+    }
+
+    /// <summary>The shoelace formula: half the sum of x1 y2 - x2 y1 over the sides. Corners are whole numbers, so it is exact.</summary>
+    private static double AreaOf(double[] polygon)
+    {
+        double sum = 0;
+        for (int i = 0; i < polygon.Length; i += 2)
+        {
+            int next = (i + 2) % polygon.Length;
+            sum += (polygon[i] * polygon[next + 1]) - (polygon[next] * polygon[i + 1]);
+        }
+
+        return Math.Abs(sum) / 2;
     }
 
     /// <summary>Uncompressed run lengths, by column, beginning with the background.</summary>

@@ -100,7 +100,7 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
         CameraLabel camera = label.Camera;
         return
         [
-            Numbers.Text(frame.Index), CsvText.Of(frame.Split), Numbers.Text(frame.SessionIndex), Numbers.Text(label.Frame), image,
+            Numbers.Text(frame.Index), CsvText.Of(frame.Split), Numbers.Text(frame.RecordingIndex), Numbers.Text(label.Frame), image,
             .. Of(Seconds, label.TimeSeconds), CsvText.Of(label.Environment.Weather),
                 label.Environment.TimeOfDay.ToString(@"hh\:mm\:ss", CultureInfo.InvariantCulture),
             Numbers.Text(camera.Width), Numbers.Text(camera.Height),

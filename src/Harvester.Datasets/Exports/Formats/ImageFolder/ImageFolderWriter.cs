@@ -31,7 +31,7 @@ internal sealed class ImageFolderWriter(ExportOptions options) : IDatasetWriter
     {
         json.WriteStartObject();
         json.WriteString("file_name", file);
-        json.WriteNumber("session", frame.SessionIndex);
+        json.WriteNumber("session", frame.RecordingIndex);
         json.WriteNumber("frame", frame.Label.Frame);
         json.WriteString("weather", frame.Label.Environment.Weather);
         json.WriteStartObject("objects");

@@ -9,7 +9,7 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Exports.Formats.Jta;
 
-/// <summary>Writes JTA's layout: a sequence per session, with one annotation file of joints each. See docs/exports/jta.md.</summary>
+/// <summary>Writes JTA's layout: a sequence per place, with one annotation file of joints each. See docs/exports/jta.md.</summary>
 internal sealed class JtaWriter : IDatasetWriter
 {
     private const string SequencePrefix = "sequence ";
@@ -18,10 +18,10 @@ internal sealed class JtaWriter : IDatasetWriter
 
     public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
-        string sequence = $"{frame.Split}/seq_{frame.SessionIndex}";
-        output.Image($"frames/{sequence}/{frame.FrameInSession + 1}{frame.ImageExtension}", frame);
-        output.Part(SequencePrefix + sequence, $"{frame.FrameInSession}");
-        if (frame.FrameInSession == 0)
+        string sequence = $"{frame.Split}/seq_{frame.SequenceIndex}";
+        output.Image($"frames/{sequence}/{frame.FrameInSequence + 1}{frame.ImageExtension}", frame);
+        output.Part(SequencePrefix + sequence, $"{frame.FrameInSequence}");
+        if (frame.FrameInSequence == 0)
         {
             output.Text($"cameras/{sequence}.json", Camera(frame.Label.Camera) + "\n");
         }
@@ -57,7 +57,7 @@ internal sealed class JtaWriter : IDatasetWriter
                 Vector3D inCamera = frame.Label.Camera.Pose.ToLocal(joint.Position);
                 double[] row =
                 [
-                    frame.FrameInSession + 1, person.Id, number, pixel.X, pixel.Y, inCamera.X, -inCamera.Z, inCamera.Y,
+                    frame.FrameInSequence + 1, person.Id, number, pixel.X, pixel.Y, inCamera.X, -inCamera.Z, inCamera.Y,
                     joint.Visibility is JointVisibility.Occluded or JointVisibility.Unknown ? 1 : 0,
                     joint.Visibility == JointVisibility.SelfOccluded ? 1 : 0,
                 ];

@@ -13,9 +13,6 @@ namespace Harvester.Datasets.Exports.Formats.Kitti;
 /// </summary>
 internal sealed class KittiOdometryWriter : IDatasetWriter
 {
-    /// <summary>The numbers of the sequences of a session begin at a multiple of this; it visits fewer places.</summary>
-    public const int SequencesPerSession = 1000;
-
     private const string CalibrationPrefix = "calibration ";
     private const string PosePrefix = "pose ";
     private const string TimePrefix = "time ";
@@ -29,10 +26,9 @@ internal sealed class KittiOdometryWriter : IDatasetWriter
     public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
         KittiPlace place = KittiPlace.Of(frame);
-        int views = frame.Rig?.Cameras.Count ?? 1;
         string sequence = SequenceOf(frame, place);
         string folder = FolderOf(sequence);
-        int number = (frame.Label.PlaceFrame ?? frame.Label.Frame) / views;
+        int number = frame.FrameInSequence;
         output.Image($"{folder}/image_{place.Slot}/{number:D6}{frame.ImageExtension}", frame);
         if (place.IsFirst)
         {
@@ -51,9 +47,10 @@ internal sealed class KittiOdometryWriter : IDatasetWriter
             output.File($"{folder}/labels/{number:D6}.label", points.WriteLabels);
         }
 
-        output.Part(CalibrationPrefix + sequence, KittiCalibration.OdometryText(place.Rig.Projections(frame), points?.ToCamera));
+        output.Part(CalibrationPrefix + sequence, KittiCalibration.OdometryText(
+            place.Rig.Projections(frame, KittiRig.Origin), points?.ToCamera(place.Rig.MountOf(KittiRig.Origin, frame))));
         output.Part(TimePrefix + sequence, frame.Label.TimeSeconds.ToString("R", CultureInfo.InvariantCulture));
-        output.Part(PosePrefix + sequence, string.Join(' ', PoseOf(frame.Label.Camera.Pose)
+        output.Part(PosePrefix + sequence, string.Join(' ', PoseOf(place.Rig.PoseOf(KittiRig.Origin, frame))
             .Select(value => value.ToString("R", CultureInfo.InvariantCulture))));
         if (number == 0)
         {
@@ -83,13 +80,8 @@ internal sealed class KittiOdometryWriter : IDatasetWriter
     ];
 
     /// <summary>Cameras that belong together share a sequence, whose number is that of their first view.</summary>
-    private static string SequenceOf(ExportFrame frame, KittiPlace place)
-    {
-        int at = frame.Label.Place ?? 0;
-        int first = frame.SessionIndex - (place.Rig.IsRectified ? place.View : 0);
-        return at < SequencesPerSession ? FormattableString.Invariant($"{(first * SequencesPerSession) + at:D2}")
-            : throw frame.Problem($"it is at place {at}; kitti-odometry numbers {SequencesPerSession} places of a session.");
-    }
+    private static string SequenceOf(ExportFrame frame, KittiPlace place) =>
+        $"{frame.SequenceIndex - (place.Rig.IsRectified ? place.View : 0):D2}";
 
     /// <summary>The matrix from a camera's frame (x right, y down, z forward) to the world: three rows of four.</summary>
     private static double[] PoseOf(Pose camera)

@@ -14,8 +14,14 @@ namespace Harvester.Datasets.Exports.Formats.Kitti;
 /// </summary>
 internal sealed class KittiRig
 {
-    /// <summary>The camera in whose frame labels and points are given.</summary>
+    /// <summary>The camera whose images have labels, and in whose frame those of kitti and kitti-tracking are given.</summary>
     public const int Reference = 2;
+
+    /// <summary>The camera in whose frame KITTI odometry gives poses and the place of the laser scanner.</summary>
+    public const int Origin = 0;
+
+    /// <summary>The cameras in colour follow the grey ones, of which they stand for those that a rig lacks.</summary>
+    private const int GreyCameras = 2;
 
     /// <summary>Number of cameras.</summary>
     public const int Cameras = 4;
@@ -50,17 +56,17 @@ internal sealed class KittiRig
     }
 
     /// <summary>
-    /// P0 to P3, row by row, from the frame of the reference camera to the pixels of each: K (I | -c), with the camera at c.
+    /// P0 to P3, row by row, from the frame of a camera to the pixels of each: K (I | -c), with the camera at c.
     /// </summary>
     /// <param name="frame">The frame of the reference camera.</param>
-    public IEnumerable<double[]> Projections(ExportFrame frame)
+    /// <param name="origin">The camera from whose frame they lead.</param>
+    public IEnumerable<double[]> Projections(ExportFrame frame, int origin)
     {
         CameraLabel camera = frame.Label.Camera;
         (double cx, double cy) = (camera.Cx + KittiBox.PixelShift, camera.Cy + KittiBox.PixelShift);
         for (int slot = 0; slot < Cameras; slot++)
         {
-            Vector3D place = ViewOf(slot) is { } view
-                ? InAxesOf(frame.Rig!.Cameras[ViewOf(Reference)!.Value].Mount, frame.Rig.Cameras[view].Mount) : Vector3D.Zero;
+            Vector3D place = IsRectified ? InAxesOf(MountOf(origin, frame), MountOf(slot, frame)) : Vector3D.Zero;
             (double right, double down, double ahead) = (place.X, -place.Z, place.Y);
             yield return
             [
@@ -69,6 +75,23 @@ internal sealed class KittiRig
                 0, 0, 1, -ahead,
             ];
         }
+    }
+
+    /// <summary>The mount of a camera on the vehicle. A pair has virtual cameras 0 and 1 at the places of 2 and 3.</summary>
+    /// <param name="slot">Number of the camera.</param>
+    /// <param name="frame">The frame of the reference camera.</param>
+    public Pose MountOf(int slot, ExportFrame frame) => frame.Rig!.Cameras[
+        ViewOf(slot) ?? ViewOf(slot + GreyCameras) ?? (frame.Label.Frame % frame.Rig.Cameras.Count)].Mount;
+
+    /// <summary>The pose of a camera in the world.</summary>
+    /// <param name="slot">Number of the camera.</param>
+    /// <param name="frame">The frame of the reference camera.</param>
+    public Pose PoseOf(int slot, ExportFrame frame)
+    {
+        Pose reference = frame.Label.Camera.Pose;
+        return IsRectified
+            ? reference with { Position = reference.ToWorld(InAxesOf(MountOf(Reference, frame), MountOf(slot, frame))) }
+            : reference;
     }
 
     private static Vector3D InAxesOf(Pose camera, Pose other) => camera.ToLocal(other.Position);

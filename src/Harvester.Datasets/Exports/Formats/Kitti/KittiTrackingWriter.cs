@@ -6,7 +6,7 @@ using Harvester.Geometry;
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
 /// <summary>
-/// Writes KITTI tracking: a sequence per session, with one label file and one calibration file each. See docs/exports/kitti-tracking.md.
+/// Writes KITTI tracking: a sequence per place, with one label file and one calibration file each. See docs/exports/kitti-tracking.md.
 /// </summary>
 internal sealed class KittiTrackingWriter(ExportOptions options) : IDatasetWriter
 {
@@ -20,14 +20,14 @@ internal sealed class KittiTrackingWriter(ExportOptions options) : IDatasetWrite
 
     public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
-        string sequence = $"{frame.SessionIndex:D4}";
-        string number = Numbers.Text(frame.FrameInSession);
-        output.Image($"training/image_02/{sequence}/{frame.FrameInSession:D6}{frame.ImageExtension}", frame);
+        string sequence = $"{frame.SequenceIndex:D4}";
+        string number = Numbers.Text(frame.FrameInSequence);
+        output.Image($"training/image_02/{sequence}/{frame.FrameInSequence:D6}{frame.ImageExtension}", frame);
         output.Part($"{FramePrefix}{frame.Split} {sequence}", number);
-        if (frame.FrameInSession == 0)
+        if (frame.FrameInSequence == 0)
         {
             output.Text($"training/calib/{sequence}.txt",
-                KittiCalibration.Text(KittiRig.Of(null).Projections(frame), null, "R_rect", "Tr_velo_cam", "Tr_imu_velo"));
+                KittiCalibration.Text(KittiRig.Of(null).Projections(frame, KittiRig.Reference), null, "R_rect", "Tr_velo_cam", "Tr_imu_velo"));
             output.Part(ListPrefix + frame.Split, sequence);
         }
 

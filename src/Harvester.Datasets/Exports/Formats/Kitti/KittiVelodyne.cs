@@ -26,26 +26,23 @@ internal sealed class KittiVelodyne
         _file = FramePaths.Sweep(first, rig.Lidars[0].Name);
     }
 
-    /// <summary>Tr_velo_to_cam, row by row: from the frame of the laser scanner to the camera's, x right, y down, z forward.</summary>
-    public double[] ToCamera
+    /// <summary>Tr_velo_to_cam, row by row: from the frame of the laser scanner to the camera of the frame.</summary>
+    public double[] ToOwnCamera =>
+        ToCamera((_rig.Cameras.FirstOrDefault(each => each.Name == _frame.Label.View) ?? _rig.Cameras[0]).Mount);
+
+    /// <summary>The motion, row by row, from the frame of the laser scanner to that of a camera: x right, y down, z forward.</summary>
+    /// <param name="camera">The camera's mount on the vehicle.</param>
+    public double[] ToCamera(Pose camera)
     {
-        get
-        {
-            Pose camera = (_rig.Cameras.FirstOrDefault(each => each.Name == _frame.Label.View) ?? _rig.Cameras[0]).Mount;
-            Pose lidar = _rig.Lidars[0].Mount;
-            Vector3D place = camera.ToLocal(lidar.Position);
-            Vector3D[] columns =
-            [
-                camera.Axes.ToLocal(lidar.Axes.Forward),
-                camera.Axes.ToLocal(lidar.Axes.Right * -1),
-                camera.Axes.ToLocal(lidar.Axes.Up),
-                place,
-            ];
-            return
-            [
-                .. columns.Select(column => column.X), .. columns.Select(column => -column.Z), .. columns.Select(column => column.Y),
-            ];
-        }
+        Pose lidar = _rig.Lidars[0].Mount;
+        Vector3D[] columns =
+        [
+            camera.Axes.ToLocal(lidar.Axes.Forward),
+            camera.Axes.ToLocal(lidar.Axes.Right * -1),
+            camera.Axes.ToLocal(lidar.Axes.Up),
+            camera.ToLocal(lidar.Position),
+        ];
+        return [.. columns.Select(column => column.X), .. columns.Select(column => -column.Z), .. columns.Select(column => column.Y)];
     }
 
     /// <summary>Tr_imu_to_velo, row by row: from the inertial unit at the origin of the vehicle's model to the laser scanner.</summary>

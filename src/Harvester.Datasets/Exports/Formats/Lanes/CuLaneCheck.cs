@@ -13,14 +13,12 @@ namespace Harvester.Datasets.Exports.Formats.Lanes;
 /// <summary>Checks CULane datasets: every listed image has its points and its map, which agree with the flags of its line.</summary>
 internal static class CuLaneCheck
 {
-    private const double RoundingPixels = 0.002;
-    private const double HalfPixel = 0.5;
     private const int MinNumbers = 4;
 
     public static IEnumerable<SessionProblem> Problems(DatasetContent dataset)
     {
         Dictionary<string, int> images = dataset.Folders(".").Select(folder => Path.GetFileName(folder))
-            .Where(folder => folder.StartsWith("session-", StringComparison.Ordinal)).SelectMany(dataset.Files)
+            .Where(folder => folder.StartsWith("sequence-", StringComparison.Ordinal)).SelectMany(dataset.Files)
             .Where(file => !file.EndsWith(".txt", StringComparison.Ordinal)).ToDictionary(file => "/" + file, _ => 1);
         return SplitLists.Problems(dataset, split => $"list/{split}.txt", images)
             .Concat(images.Keys.SelectMany(image => LineProblems(dataset, image[1..])))
@@ -45,7 +43,7 @@ internal static class CuLaneCheck
         for (int i = 0; i < numbers.Length; i += 2)
         {
             (double x, double y) = (numbers[i], numbers[i + 1]);
-            if (!(x >= -HalfPixel - RoundingPixels && x <= size.Width - HalfPixel + RoundingPixels && y >= 0 && y < size.Height))
+            if (!(x >= 0 && x <= size.Width - 1 && y >= 0 && y < size.Height))
             {
                 return $"point {(i / 2) + 1} does not lie in the image of {size.Width} x {size.Height}.";
             }

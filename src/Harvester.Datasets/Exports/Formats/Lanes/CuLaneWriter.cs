@@ -44,11 +44,11 @@ internal sealed class CuLaneWriter(ExportOptions options) : IDatasetWriter
             return default;
         }
 
-        string path = $"session-{frame.SessionIndex:D4}/{frame.FrameInSession:D8}";
+        string path = $"sequence-{frame.SequenceIndex:D4}/{frame.FrameInSequence:D8}";
         string image = path + frame.ImageExtension;
         string map = $"{Maps}/{path}.png";
         var size = new ImageSize(frame.Label.Camera.Width, frame.Label.Camera.Height);
-        Vector2D[]?[] lines = LinesOf(lanes, size.Height);
+        Vector2D[]?[] lines = LinesOf(lanes, size);
         output.Image(image, frame);
         output.Text($"{path}.lines.txt", string.Concat(lines.OfType<Vector2D[]>().Select(Text)));
         output.File(map, stream => _png.WriteGrey8(LaneMap.Of(size, lines), stream));
@@ -62,13 +62,13 @@ internal sealed class CuLaneWriter(ExportOptions options) : IDatasetWriter
             new AggregateFile($"list/{list}.txt", [AggregateSection.Lines(prefix + split.Name)])));
 
     /// <summary>The points of the lines by their places, from the bottom of the image upwards; null where there is no line.</summary>
-    private static Vector2D[]?[] LinesOf(LanesLabel lanes, int height)
+    private static Vector2D[]?[] LinesOf(LanesLabel lanes, ImageSize size)
     {
         var lines = new Vector2D[]?[LanePlaces.Count];
         IReadOnlyDictionary<int, int> places = LanePlaces.Of(lanes.Lines);
         foreach (IGrouping<int, LaneLineView> line in lanes.Lines.GroupBy(view => view.Index).Where(line => places[line.Key] > 0))
         {
-            Vector2D[] points = [.. PointsOf(line, height)];
+            Vector2D[] points = [.. PointsOf(line, size)];
             if (points.Length >= MinPoints)
             {
                 lines[places[line.Key] - 1] = points;
@@ -78,13 +78,14 @@ internal sealed class CuLaneWriter(ExportOptions options) : IDatasetWriter
         return lines;
     }
 
-    private static IEnumerable<Vector2D> PointsOf(IEnumerable<LaneLineView> line, int height)
+    private static IEnumerable<Vector2D> PointsOf(IEnumerable<LaneLineView> line, ImageSize size)
     {
-        for (int row = (height - 1) / RowStep * RowStep; row >= 0; row -= RowStep)
+        for (int row = (size.Height - 1) / RowStep * RowStep; row >= 0; row -= RowStep)
         {
             if (RowCrossing.Of(line, row) is { } x)
             {
-                yield return new Vector2D(x + PixelShift, row);
+                // Between the side of the image and the middle of the outer pixel, the middle counts.
+                yield return new Vector2D(Math.Clamp(x + PixelShift, 0, size.Width - 1), row);
             }
         }
     }

@@ -24,7 +24,7 @@ internal sealed class OpenLaneWriter : IDatasetWriter
             return default;
         }
 
-        string path = $"{frame.Split}/segment-{frame.SessionIndex:D4}/{frame.FrameInSession:D8}";
+        string path = $"{frame.Split}/segment-{frame.SequenceIndex:D4}/{frame.FrameInSequence:D8}";
         string image = path + frame.ImageExtension;
         output.Image("images/" + image, frame);
         output.Text($"lane3d/{path}.json", Text(frame, lanes, image) + "\n");

@@ -8,7 +8,7 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports.Formats.Mcap;
 
-/// <summary>Writes MCAP: a file per session with a chunk per frame. See docs/exports/mcap.md.</summary>
+/// <summary>Writes MCAP: a file per place with a chunk per frame. See docs/exports/mcap.md.</summary>
 internal sealed class McapWriter : IDatasetWriter
 {
     private const double NanosecondsPerSecond = 1e9;
@@ -52,8 +52,8 @@ internal sealed class McapWriter : IDatasetWriter
             all.AddRange(DriveMessages.Of(drive, nanoseconds, Nanoseconds));
         }
 
-        output.StagedPart($"{frame.Split}/{frame.SessionIndex:D4}.mcap", frame.Name + ".chunk", stream =>
-            McapChunk.Write(stream, nanoseconds, frame.FrameInSession, all));
+        output.StagedPart($"{frame.Split}/{frame.SequenceIndex:D4}.mcap", frame.Name + ".chunk", stream =>
+            McapChunk.Write(stream, nanoseconds, frame.FrameInSequence, all));
         return new WrittenObjects(frame.Objects.Count);
     }
 

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports.Formats.MotChallenge;
@@ -9,14 +10,14 @@ namespace Harvester.Datasets.Exports.Formats.MotChallenge;
 /// <summary>The file seqinfo.ini of a sequence.</summary>
 internal static class MotSequence
 {
-    private const int SecondDecimals = 3;
+    private const int TimeDecimals = 9;
 
     /// <summary>What the file needs to know of a frame, as a part.</summary>
     public static string PartOf(ExportFrame frame)
     {
         CameraLabel camera = frame.Label.Camera;
-        return FormattableString.Invariant(
-            $"{Numbers.Row(SecondDecimals, frame.Label.TimeSeconds)} {camera.Width} {camera.Height} {frame.ImageExtension}");
+        return FormattableString.Invariant($"{Numbers.Row(TimeDecimals, frame.Label.TimeSeconds)} {camera.Width} {camera.Height} ")
+            + $"{frame.ImageExtension} {Numbers.Row(TimeDecimals, frame.RateHz)}";
     }
 
     /// <summary>Writes the file.</summary>
@@ -25,22 +26,23 @@ internal static class MotSequence
     /// <param name="parts">The parts of its frames.</param>
     public static void Write(TextWriter writer, string name, IEnumerable<string> parts)
     {
-        int frames = 0;
-        string[] first = [];
-        string[] last = [];
-        foreach (string part in parts)
-        {
-            last = part.Split(' ');
-            first = frames == 0 ? last : first;
-            frames++;
-        }
-
-        double seconds = frames > 1 ? Seconds(last) - Seconds(first) : 0;
-        double rate = seconds > 0 ? Math.Max(1, Math.Round((frames - 1) / seconds)) : 1;
+        string[][] frames = [.. parts.Select(part => part.Split(' '))];
+        string[] first = frames[0];
+        double rate = Math.Max(1, Math.Round(RateOf([.. frames.Select(frame => Number(frame[0]))], Number(first[4]))));
         writer.Write(FormattableString.Invariant(
-            $"[Sequence]\nname={name}\nimDir=img1\nframeRate={rate:0}\nseqLength={frames}\nimWidth={first[1]}\nimHeight={first[2]}\n"));
+            $"[Sequence]\nname={name}\nimDir=img1\nframeRate={rate:0}\nseqLength={frames.Length}\nimWidth={first[1]}\nimHeight={first[2]}\n"));
         writer.Write($"imExt={first[3]}\n");
     }
 
-    private static double Seconds(string[] part) => double.Parse(part[0], CultureInfo.InvariantCulture);
+    /// <summary>The reciprocal of the median time between neighbouring frames, which discarded frames change little.</summary>
+    /// <param name="times">Times of the frames, seconds.</param>
+    /// <param name="sessionRate">The rate of the session, frames a second; the result for a single frame.</param>
+    private static double RateOf(double[] times, double sessionRate)
+    {
+        double[] steps = [.. times.Zip(times.Skip(1), (before, after) => after - before).Order()];
+        double median = steps.Length > 0 ? steps[steps.Length / 2] : 0;
+        return median > 0 ? 1 / median : sessionRate;
+    }
+
+    private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
 }

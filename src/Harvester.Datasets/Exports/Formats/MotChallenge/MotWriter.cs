@@ -7,7 +7,7 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Exports.Formats.MotChallenge;
 
-/// <summary>Writes MOTChallenge: a sequence per session with its images and gt.txt. See docs/exports/motchallenge.md.</summary>
+/// <summary>Writes MOTChallenge: a sequence per place with its images and gt.txt. See docs/exports/motchallenge.md.</summary>
 internal sealed class MotWriter : IDatasetWriter
 {
     /// <summary>Name of the benchmark, with which TrackEval's names of folders begin.</summary>
@@ -28,11 +28,11 @@ internal sealed class MotWriter : IDatasetWriter
 
     public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
-        string name = $"session-{frame.SessionIndex:D4}";
+        string name = $"sequence-{frame.SequenceIndex:D4}";
         string sequence = $"{Benchmark}{frame.Split}/{name}";
-        output.Image($"{sequence}/img1/{frame.FrameInSession + 1:D6}{frame.ImageExtension}", frame);
+        output.Image($"{sequence}/img1/{frame.FrameInSequence + 1:D6}{frame.ImageExtension}", frame);
         output.Part(InfoPrefix + sequence, MotSequence.PartOf(frame));
-        if (frame.FrameInSession == 0)
+        if (frame.FrameInSequence == 0)
         {
             output.Part(ListPrefix + frame.Split, name);
         }
@@ -86,7 +86,7 @@ internal sealed class MotWriter : IDatasetWriter
         ];
         return string.Join(
             ',',
-            Numbers.Text(frame.FrameInSession + 1), Numbers.Text(id), string.Join(',', sides),
+            Numbers.Text(frame.FrameInSequence + 1), Numbers.Text(id), string.Join(',', sides),
             number == MotClasses.Pedestrian ? "1" : "0", Numbers.Text(number), InvariantNumber.Format(visible, FractionDecimals));
     }
 }

@@ -35,6 +35,9 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
     /// <summary>Records are held in memory, about a kilobyte each.</summary>
     private const int MaxRecords = 500_000;
 
+    /// <summary>Size of a table that is read as a whole.</summary>
+    private const int MaxTableBytes = 64 << 20;
+
     private const string Begin = "[";
     private const string End = "]";
     private const string Empty = "[]";
@@ -51,7 +54,7 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
         var problems = new List<SessionProblem>();
         foreach (string table in NuScenesTables.All.Keys)
         {
-            if (ReadProblem(table) is { } problem)
+            if (ReadProblem(table) is { } problem && !IsList(table))
             {
                 problems.Add(new SessionProblem(FileOf(table), null, problem));
             }
@@ -67,8 +70,16 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
         Collect(problems, ["sample_data", "map"], (_, record) =>
             dataset.Has(record.Text("filename")) ? null : $"its file '{record.Text("filename")}' is missing.");
         Collect(problems, ["sample_annotation"], (_, record) => AnnotationProblem(record));
+        Collect(problems, ["ego_pose", "calibrated_sensor"], (_, record) => NuScenesGeometryCheck.PoseProblem(record));
+        Collect(problems, ["calibrated_sensor"], (_, record) => IntrinsicsProblem(record));
         Collect(problems, ["ego_pose", "sample_annotation"], (_, record) =>
             record.Numbers("translation", 3).Take(2).All(metres => metres >= 0) ? null : "it lies outside its map.");
+        if (problems.Count == 0)
+        {
+            // Poses and boxes that are wrong by themselves say nothing of each other.
+            problems.AddRange(GeometryProblems());
+        }
+
         if (!dataset.Has(FileOf(NuScenesMap.Offsets)))
         {
             problems.Add(new SessionProblem(FileOf(NuScenesMap.Offsets), null, "it is missing."));
@@ -81,6 +92,28 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
         }
 
         return problems;
+    }
+
+    /// <summary>
+    /// Reads a table that other programs wrote, with other line breaks, as a whole. Whether it is a list of records whose tokens differ.
+    /// </summary>
+    private bool IsList(string table)
+    {
+        if (!dataset.Has(FileOf(table)))
+        {
+            return false;
+        }
+
+        var records = new Dictionary<string, JsonFields>(StringComparer.Ordinal);
+        string? problem = Checked(() =>
+        {
+            using JsonDocument document = JsonInput.Parse(InputFile.ReadAllBytes(dataset.PathOf(FileOf(table)), MaxTableBytes));
+            return document.RootElement.ValueKind != JsonValueKind.Array ? "it is no list."
+                : document.RootElement.EnumerateArray().Select(record => Add(new JsonFields(record.Clone()), records))
+                    .FirstOrDefault(found => found is not null);
+        });
+        _tables[table] = records;
+        return problem is null;
     }
 
     /// <summary>Reads a table line by line, as it is written: the records between a line for each bracket.</summary>
@@ -108,14 +141,18 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
             last = text;
         }
 
-        _tables.Add(table, records);
+        _tables[table] = records;
         return last is End or Empty ? null : "it is cut off.";
     }
 
     private string? RecordProblem(string text, Dictionary<string, JsonFields> records)
     {
         using JsonDocument document = JsonInput.Parse(text.EndsWith(',') ? text[..^1] : text);
-        var record = new JsonFields(document.RootElement.Clone());
+        return Add(new JsonFields(document.RootElement.Clone()), records);
+    }
+
+    private string? Add(JsonFields record, Dictionary<string, JsonFields> records)
+    {
         return !records.TryAdd(record.Text("token"), record) ? $"the token {record.Text("token")} occurs twice."
             : ++_records > MaxRecords ? $"the dataset has more than {MaxRecords} records, the limit of this check."
             : null;
@@ -172,6 +209,28 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
             : record.Texts("attribute_tokens") is { Length: > 1 } ? "it has several attributes."
             : record.Texts("attribute_tokens").Any(token => !_tables["attribute"].ContainsKey(token)) ? "its attribute is unknown."
             : null;
+    }
+
+    private string? IntrinsicsProblem(JsonFields record) =>
+        _tables["sensor"][record.Text("sensor_token")].Text("modality") == "camera"
+            && record.Rows("camera_intrinsic", 3) is not [[> 0, 0, _], [0, > 0, _], [0, 0, 1]]
+                ? "its camera_intrinsic is no camera matrix." : null;
+
+    private IEnumerable<SessionProblem> GeometryProblems()
+    {
+        var check = new NuScenesGeometryCheck(dataset, _tables);
+        ILookup<string, JsonFields> data = _tables["sample_data"].Values.Where(record => record.Boolean("is_key_frame"))
+            .ToLookup(record => record.Text("sample_token"));
+        foreach (string sample in _tables["sample"].Keys)
+        {
+            string? found = Checked(() => check.Problems(sample, [.. data[sample]]).FirstOrDefault());
+            if (found is not null)
+            {
+                return [new SessionProblem(FileOf("sample_annotation"), null, found)];
+            }
+        }
+
+        return [];
     }
 
     private string? SplitProblem() => Checked(() =>

@@ -16,6 +16,12 @@ namespace Harvester.Datasets.Exports.Formats.NuScenes;
 internal sealed record NuScenesObject(
     int Id, string Category, string Box, double Speed, bool? HasRider, double Area, double VisibleArea)
 {
+    /// <summary>Number of LiDAR points inside its box.</summary>
+    public int Points { get; init; }
+
+    /// <summary>Number of LiDAR points whose rays met it.</summary>
+    public int Hits { get; init; }
+
     private const int MetreDecimals = 4;
     private const int QuaternionDecimals = 9;
     private const int PixelDecimals = 3;
@@ -43,6 +49,8 @@ internal sealed record NuScenesObject(
 
         json.Number("area", Area, PixelDecimals);
         json.Number("visible", VisibleArea, PixelDecimals);
+        json.WriteNumber("points", Points);
+        json.WriteNumber("hits", Hits);
         json.WriteEndObject();
     }
 
@@ -54,7 +62,11 @@ internal sealed record NuScenesObject(
         item.Number("speed"),
         item.Has("rider") ? item.Boolean("rider") : null,
         item.Number("area"),
-        item.Number("visible"));
+        item.Number("visible"))
+    {
+        Points = item.Integer("points"),
+        Hits = item.Integer("hits"),
+    };
 
     private static string BoxOf(Cuboid cuboid) => JsonLine.Of(json =>
     {

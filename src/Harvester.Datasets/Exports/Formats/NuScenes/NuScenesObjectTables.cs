@@ -8,6 +8,9 @@ namespace Harvester.Datasets.Exports.Formats.NuScenes;
 /// <summary>The tables of a scene's objects. An object that is annotated again after a gap continues its chain.</summary>
 internal static class NuScenesObjectTables
 {
+    /// <summary>A field that nuScenes does not have: the number of LiDAR points whose rays met the object.</summary>
+    public const string Hits = "num_lidar_hits";
+
     /// <summary>The objects.</summary>
     public static IEnumerable<Action<Utf8JsonWriter>> Instances(NuScenesScene scene) =>
         Sightings(scene).GroupBy(sighting => sighting.Seen.Object.Id).OrderBy(group => group.Key).Select(group =>
@@ -47,8 +50,9 @@ internal static class NuScenesObjectTables
                 NuScenesDataTables.WriteFields(json, item.Box, scene.Area.Offset);
                 json.Link("prev", index > 0 ? scene.AnnotationTokenOf(item.Id, chain[index - 1]) : null);
                 json.Link("next", index + 1 < chain.Length ? scene.AnnotationTokenOf(item.Id, chain[index + 1]) : null);
-                json.WriteNumber("num_lidar_pts", seen.Points);
+                json.WriteNumber("num_lidar_pts", item.Points);
                 json.WriteNumber("num_radar_pts", 0);
+                json.WriteNumber(Hits, item.Hits);
             };
         }
     }

@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using System.Globalization;
 using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
@@ -18,7 +17,6 @@ namespace Harvester.Datasets.Exports.Formats.NuScenes;
 /// <param name="Ego">The fields translation and rotation of ego_pose, as JSON.</param>
 /// <param name="Sensors">Its camera, and with the first view the LiDARs.</param>
 /// <param name="Objects">The objects in its image.</param>
-/// <param name="Points">Number of LiDAR points on each object; empty except for the first view.</param>
 internal sealed record NuScenesPart(
     int Recording,
     int Place,
@@ -30,8 +28,7 @@ internal sealed record NuScenesPart(
     NuScenesArea Area,
     string Ego,
     IReadOnlyList<NuScenesSensor> Sensors,
-    IReadOnlyList<NuScenesObject> Objects,
-    IReadOnlyDictionary<int, int> Points)
+    IReadOnlyList<NuScenesObject> Objects)
 {
     /// <summary>The part as one line.</summary>
     public override string ToString() => JsonLine.Of(json =>
@@ -61,13 +58,6 @@ internal sealed record NuScenesPart(
         }
 
         json.WriteEndArray();
-        json.WriteStartObject("points");
-        foreach ((int id, int points) in Points.OrderBy(pair => pair.Key))
-        {
-            json.WriteNumber(Numbers.Text(id), points);
-        }
-
-        json.WriteEndObject();
         json.WriteEndObject();
     });
 
@@ -76,7 +66,6 @@ internal sealed record NuScenesPart(
     {
         using JsonDocument document = JsonInput.Parse(line);
         var part = new JsonFields(document.RootElement);
-        JsonFields points = part.Fields("points");
         return new NuScenesPart(
             part.Integer("recording"),
             part.Integer("place"),
@@ -88,7 +77,6 @@ internal sealed record NuScenesPart(
             NuScenesArea.Parse(part.Text("area")),
             part.RawText("ego"),
             [.. part.List("sensors").Select(NuScenesSensor.Read)],
-            [.. part.List("objects").Select(NuScenesObject.Read)],
-            points.Names.ToDictionary(name => int.Parse(name, CultureInfo.InvariantCulture), points.Integer));
+            [.. part.List("objects").Select(NuScenesObject.Read)]);
     }
 }

@@ -73,11 +73,10 @@ internal sealed record NuScenesScene(int Number, IReadOnlyList<NuScenesPart> Fra
     public IEnumerable<(int Moment, IReadOnlyList<NuScenesSighting> Objects)> Annotated() => Keys.Select(moment =>
     {
         NuScenesPart[] views = [.. Of(moment)];
-        Dictionary<int, int> points = views.SelectMany(view => view.Points).ToDictionary(pair => pair.Key, pair => pair.Value);
         return (moment, (IReadOnlyList<NuScenesSighting>)
         [
             .. views.SelectMany(view => view.Objects).GroupBy(item => item.Id).OrderBy(group => group.Key)
-                .Select(group => NuScenesSighting.Of(group, points.GetValueOrDefault(group.Key))),
+                .Select(NuScenesSighting.Of),
         ]);
     });
 

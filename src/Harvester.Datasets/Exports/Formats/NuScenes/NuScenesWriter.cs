@@ -22,6 +22,9 @@ internal sealed class NuScenesWriter : IDatasetWriter
     /// <summary>Samples per second, as in nuScenes.</summary>
     private const double KeyRateHz = 2;
 
+    /// <summary>nuScenes' devkit takes no velocity from samples that are more than 1.5 s apart: box_velocity gives NaN.</summary>
+    public const double MinRateHz = 1 / 1.5;
+
     private const string FramePart = "frame";
     private const string KeyPrefix = "key ";
 
@@ -40,6 +43,7 @@ internal sealed class NuScenesWriter : IDatasetWriter
     private const float MaxIntensity = 255;
 
     private NuScenesGround? _ground;
+    private NuScenesScan? _scan;
 
     public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
@@ -54,7 +58,6 @@ internal sealed class NuScenesWriter : IDatasetWriter
         string image = PathOf(frame, isKey, camera.Name, timestamp, frame.ImageExtension);
         output.Image(image, frame);
         var sensors = new List<NuScenesSensor> { NuScenesSensor.Of(camera, label.Camera, image) };
-        var counts = new Dictionary<int, int>();
         foreach (SweepLabel sweep in label.Lidar)
         {
             RigLidar lidar = rig.Lidars.FirstOrDefault(each => each.Name == sweep.Sensor)
@@ -63,20 +66,22 @@ internal sealed class NuScenesWriter : IDatasetWriter
             string file = PathOf(frame, isKey, lidar.Name, timestamp, ".pcd.bin");
             output.File(file, stream => WritePoints(stream, points, RingsOf(lidar)));
             sensors.Add(NuScenesSensor.Of(lidar, file));
-            foreach (LidarPoint point in points.Where(point => point.ObjectId != 0))
-            {
-                counts[point.ObjectId] = counts.GetValueOrDefault(point.ObjectId) + 1;
-            }
         }
 
         NuScenesGround ground = GroundOf(frame.Session);
         Pose ego = PoseOf(label.Ego);
         NuScenesArea area = NuScenesArea.Around(ego.Position, ground.MarginMetres);
-        NuScenesObject[] objects = [.. frame.Objects.Select(item => NuScenesObject.Of(item.Label)).OfType<NuScenesObject>()];
+        string egoPose = EgoOf(ego, rig);
+        NuScenesScan? scan = isKey ? ScanOf(frame, egoPose) : null;
+        NuScenesObject[] objects =
+        [
+            .. frame.Objects.Select(item => NuScenesObject.Of(item.Label)).OfType<NuScenesObject>()
+                .Select(item => scan?.Count(item) ?? item),
+        ];
         output.Part(FramePart, new NuScenesPart(
             frame.RecordingIndex, label.Place ?? 0, moment, isKey, timestamp, frame.Split,
-            $"{label.Environment.Weather}, {label.Environment.TimeOfDay:hh\\:mm}", area, EgoOf(ego, rig), sensors, objects,
-            counts).ToString());
+            $"{label.Environment.Weather}, {label.Environment.TimeOfDay:hh\\:mm}", area, egoPose, sensors, objects)
+            .ToString());
         bool isFirst = label.Frame % rig.Cameras.Count == 0;
         NuScenesCanBus.Add(
             output, frame, area,
@@ -132,6 +137,10 @@ internal sealed class NuScenesWriter : IDatasetWriter
 
     private NuScenesGround GroundOf(SessionReader session) =>
         _ground is { } ground && ground.Session == session ? ground : _ground = NuScenesGround.Of(session);
+
+    /// <summary>The views of a moment follow each other, so its points are read once.</summary>
+    private NuScenesScan? ScanOf(ExportFrame frame, string ego) => NuScenesScan.NameOf(frame) is not { } name ? null
+        : _scan?.File == name ? _scan : _scan = NuScenesScan.Read(frame, ego);
 
     private static string EgoOf(Pose pose, Rig rig) => JsonLine.Of(json =>
     {

@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Harvester.Datasets.Exports.Formats.OpenLabel;
 
-/// <summary>Writes ASAM OpenLABEL: a file per session, and its images. See docs/exports/openlabel.md.</summary>
+/// <summary>Writes ASAM OpenLABEL: a file per place, and its images. See docs/exports/openlabel.md.</summary>
 internal sealed class OpenLabelWriter : IDatasetWriter
 {
     /// <summary>The object that has the lane lines.</summary>
@@ -25,15 +25,15 @@ internal sealed class OpenLabelWriter : IDatasetWriter
 
     public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
-        string sequence = $"{frame.Split}/{frame.SessionIndex:D4}";
-        string image = $"images/{sequence}/{frame.FrameInSession:D8}{frame.ImageExtension}";
+        string sequence = $"{frame.Split}/{frame.SequenceIndex:D4}";
+        string image = $"images/{sequence}/{frame.FrameInSequence:D8}{frame.ImageExtension}";
         output.Image(image, frame);
-        if (frame.FrameInSession == 0)
+        if (frame.FrameInSequence == 0)
         {
             output.Part(StreamPrefix + sequence, OpenLabelStream.Text(frame.Label.Camera));
         }
 
-        output.Part(FramesPrefix + sequence, $"\"{frame.FrameInSession}\":{OpenLabelFrame.Text(frame, image)}");
+        output.Part(FramesPrefix + sequence, $"\"{frame.FrameInSequence}\":{OpenLabelFrame.Text(frame, image)}");
         output.Part(ObjectsPrefix + sequence, ObjectsPart(frame));
         return new WrittenObjects(frame.Objects.Count, frame.Ignored.Count);
     }
@@ -66,6 +66,6 @@ internal sealed class OpenLabelWriter : IDatasetWriter
             objects = objects.Append((IgnoreObject, IgnoreType));
         }
 
-        return OpenLabelObjects.PartOf(frame.FrameInSession, objects);
+        return OpenLabelObjects.PartOf(frame.FrameInSequence, objects);
     }
 }
