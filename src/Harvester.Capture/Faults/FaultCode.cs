@@ -33,7 +33,7 @@ public enum FaultCode
     /// <summary>The game does not hide entities while it is frozen, so that masks come from rays; the harvest goes on.</summary>
     NothingHidden,
 
-    /// <summary>Something is drawn over the pictures, or their colours are clipped; the harvest goes on.</summary>
+    /// <summary>Something is drawn over the pictures; the harvest goes on.</summary>
     PicturesSpoiled,
 
     /// <summary>Further pictures of moments are missing, because they did not settle or could not be taken; the harvest goes on.</summary>

@@ -64,7 +64,7 @@ public static class RoadImporter
     }
 
     /// <summary>The files of a folder and its sub-folders. Links to folders are not followed, because they may form a cycle.</summary>
-    private static IEnumerable<string> FilesIn(string folder)
+    private static FileSystemEnumerable<string> FilesIn(string folder)
     {
         var options = new EnumerationOptions
         {

@@ -6,8 +6,8 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Cli.Tests.Commands;
 
 /// <summary>
-/// Reads an export of KITTI odometry by KITTI's own definitions, in which camera 0 is the reference (Geiger et al., "Vision meets robotics",
-/// 2013), and compares it with the rig.
+/// Reads an export of KITTI odometry by KITTI's own definitions, in which camera 0 is the reference (Geiger et al., "Vision meets
+/// robotics", 2013), and compares it with the rig.
 /// </summary>
 public sealed class KittiOdometryRigTests : IDisposable
 {

@@ -35,7 +35,8 @@ public sealed class SplitPlanTests
     {
         var plan = new SplitPlan(TrainAndVal, 1);
 
-        string[] Of(int place) => [.. Enumerable.Range(place * 50, 50).Select(frame => plan.Of(new FramePlace(0, place, frame))).Distinct()];
+        string[] Of(int place) =>
+            [.. Enumerable.Range(place * 50, 50).Select(frame => plan.Of(new FramePlace(0, place, frame))).Distinct()];
 
         Assert.All(Enumerable.Range(0, 40), place => Assert.Single(Of(place)));
         Assert.Equal(2, Enumerable.Range(0, 40).SelectMany(Of).Distinct().Count());

@@ -25,10 +25,6 @@ public sealed class PictureWatchTests
     public void Display_of_another_program_is_found() => Assert.Contains(
         "upper right", WarningOf(new GameQuirks { ShowsForeignDisplay = true }), StringComparison.Ordinal);
 
-    [Fact]
-    public void Clipped_colours_are_found() => Assert.Contains(
-        "clipped", WarningOf(new GameQuirks { PictureGain = 2.5 }), StringComparison.Ordinal);
-
     private static string? WarningOf(GameQuirks quirks)
     {
         var game = new SimulatedGame(new SimulationOptions

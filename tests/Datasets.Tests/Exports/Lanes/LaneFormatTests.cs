@@ -52,7 +52,8 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
         int[][][] all = [.. Folder.Lines("all/label_data_train.json").Select(LanesOf)];
         Assert.Equal(all.Select(lanes => Math.Min(lanes.Length, 5)), nearest.Select(lanes => lanes.Length));
         Assert.All(nearest.Zip(all), frame => Assert.Subset(
-            frame.Second.Select(lane => string.Join(' ', lane)).ToHashSet(), frame.First.Select(lane => string.Join(' ', lane)).ToHashSet()));
+            frame.Second.Select(lane => string.Join(' ', lane)).ToHashSet(),
+            frame.First.Select(lane => string.Join(' ', lane)).ToHashSet()));
         Assert.Equal(all.Length, all.Count(lanes => lanes.Length > 0));
     }
 

@@ -27,7 +27,8 @@ internal sealed class KittiTrackingWriter(ExportOptions options) : IDatasetWrite
         if (frame.FrameInSequence == 0)
         {
             output.Text($"training/calib/{sequence}.txt",
-                KittiCalibration.Text(KittiRig.Of(null).Projections(frame, KittiRig.Reference), null, "R_rect", "Tr_velo_cam", "Tr_imu_velo"));
+                KittiCalibration.Text(
+                    KittiRig.Of(null).Projections(frame, KittiRig.Reference), null, "R_rect", "Tr_velo_cam", "Tr_imu_velo"));
             output.Part(ListPrefix + frame.Split, sequence);
         }
 

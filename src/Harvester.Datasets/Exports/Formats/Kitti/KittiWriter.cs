@@ -55,7 +55,8 @@ internal sealed class KittiWriter(ExportOptions options) : IDatasetWriter
 
         output.Text($"training/calib/{name}.txt",
             KittiCalibration.Text(
-                place.Rig.Projections(frame, KittiRig.Reference), points?.ToOwnCamera, "R0_rect:", "Tr_velo_to_cam:", "Tr_imu_to_velo:", points?.FromInertial));
+                place.Rig.Projections(frame, KittiRig.Reference), points?.ToOwnCamera,
+                "R0_rect:", "Tr_velo_to_cam:", "Tr_imu_to_velo:", points?.FromInertial));
         output.Part(ListPrefix + frame.Split, name);
         return new WrittenObjects(objects, ignored.Length);
     }

@@ -30,8 +30,8 @@ internal static class MotSequence
         string[] first = frames[0];
         double rate = Math.Max(1, Math.Round(RateOf([.. frames.Select(frame => Number(frame[0]))], Number(first[4]))));
         writer.Write(FormattableString.Invariant(
-            $"[Sequence]\nname={name}\nimDir=img1\nframeRate={rate:0}\nseqLength={frames.Length}\nimWidth={first[1]}\nimHeight={first[2]}\n"));
-        writer.Write($"imExt={first[3]}\n");
+            $"[Sequence]\nname={name}\nimDir=img1\nframeRate={rate:0}\nseqLength={frames.Length}\n"));
+        writer.Write($"imWidth={first[1]}\nimHeight={first[2]}\nimExt={first[3]}\n");
     }
 
     /// <summary>The reciprocal of the median time between neighbouring frames, which discarded frames change little.</summary>
