@@ -3,7 +3,6 @@ using System.Linq;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
-using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Exports;
 
