@@ -119,12 +119,12 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
     }
 
     [Fact]
-    public void Tracking_formats_have_a_sequence_for_each_view()
+    public void Tracking_formats_have_a_sequence_for_each_place_and_view()
     {
         CliRun.Of("export", harvested.Session, "--format", "kitti-tracking", "--out", _folder.PathOf("tracks")).AssertDone();
 
         Assert.Equal(
-            ["0000", "0001"],
+            ["0000", "0001", "0002", "0003"],
             Directory.GetDirectories(_folder.PathOf("tracks/training/image_02")).Select(folder => Path.GetFileName(folder)).Order());
         CliRun.Of("validate", _folder.PathOf("tracks")).AssertDone();
     }
