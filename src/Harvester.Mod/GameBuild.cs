@@ -58,7 +58,8 @@ internal sealed class GameBuild(string program, Version? fileVersion)
         new("scriptApi", Api.ToString()),
     ];
 
-    private bool IsEnhanced => string.Equals(program, EnhancedProgram, StringComparison.OrdinalIgnoreCase);
+    /// <summary>Whether the game is Enhanced.</summary>
+    public bool IsEnhanced => string.Equals(program, EnhancedProgram, StringComparison.OrdinalIgnoreCase);
 
     /// <summary>The game of this process.</summary>
     public static GameBuild OfThisProcess()

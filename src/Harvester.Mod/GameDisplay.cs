@@ -30,7 +30,7 @@ internal sealed class GameDisplay : IDisplay
         Natives.Call(Hash.SET_TEXT_COLOUR, white, white, white, Opaque);
         Natives.Call(Hash.SET_TEXT_OUTLINE);
         Natives.Call(Hash.BEGIN_TEXT_COMMAND_DISPLAY_TEXT, TenTexts);
-        foreach (string piece in TextPieces.Of(text).Take(MaxPieces))
+        foreach (string piece in TextPieces.Of(GameText.Plain(text)).Take(MaxPieces))
         {
             Natives.Call(Hash.ADD_TEXT_COMPONENT_SUBSTRING_PLAYER_NAME, piece);
         }

@@ -41,21 +41,27 @@ public sealed class HarvesterScript : Script
     private readonly SelfTesting _selfTest;
     private readonly FeatureSet _features;
     private readonly KeyBindings<Keys> _keys;
+    private readonly TickGaps _gaps;
     private bool _greeted;
     private int _aborted;
 
     /// <summary>Reads the settings; the game is not used yet.</summary>
     public HarvesterScript()
-        : this(GameWindowScreen.OfThisProcess(), new PlayerClock(), GameBuild.OfThisProcess())
+        : this(GameWindowScreen.OfThisProcess(), new PlayerClock(), GameBuild.OfThisProcess(), null)
     {
     }
 
-    internal HarvesterScript(IScreen screen, IClock clock, GameBuild build)
+    /// <summary>Reads the settings; the game is not used yet.</summary>
+    /// <param name="screen">Takes the pictures.</param>
+    /// <param name="clock">Real time.</param>
+    /// <param name="build">The game.</param>
+    /// <param name="graphicsFile">The game's settings.xml; null for the player's.</param>
+    internal HarvesterScript(IScreen screen, IClock clock, GameBuild build, string? graphicsFile)
     {
         _build = build;
         _window = screen as IGameWindow;
         _folder = new ModFolder(BaseDirectory);
-        _messages = new PlayerMessages(BaseDirectory, message => Notification.Show(message), clock);
+        _messages = new PlayerMessages(BaseDirectory, message => Notification.Show(GameText.Plain(message)), clock);
         PlayerSettings player = PlayerSettings.Read(_folder.Settings, BaseDirectory);
         player = player with
         {
@@ -150,16 +156,22 @@ public sealed class HarvesterScript : Script
         var line = new HarvestLine(_harvest, player.Folder, clock, display)
         {
             IsPictureNear = IsPictureNear,
-            SurveyLines = [() => _selfTest.Line, () => _plan.Line, () => survey.Line, () => _signs.Line, () => marking.Line]
+            SurveyLines =
+            [
+                () => _harvest.Warning, () => _selfTest.Line, () => _plan.Line, () => survey.Line, () => _signs.Line, () => marking.Line,
+            ]
         };
         var frozen = new FrozenWorld(time, () => _harvest.IsOn || _calibration.IsOn || _drive.IsOn || _selfTest.IsOn);
-        _features = new FeatureSet(_messages, calls, clock, frozen, hidden, hud, sheets, card, car, _plan, mount, _harvest, lights,
+        string graphics = graphicsFile ?? GraphicsSettingsFile.PathOf(build.IsEnhanced);
+        var advice = new GraphicsAdvice(() => GraphicsSettingsFile.Read(graphics), _messages);
+        _features = new FeatureSet(_messages, calls, clock, advice, frozen, hidden, hud, sheets, card, car, _plan, mount, _harvest, lights,
             _calibration, _selfTest, markers, survey, _signs, marking, unknown, _drive, line, overlay);
         if (player.RoadFile is { } file)
         {
             roads.Prepare(() => RoadSurveyFile.Load(file) ?? throw new FileNotFoundException($"There is no {file}."), "roadFile");
         }
 
+        _gaps = new TickGaps(_messages, clock, () => _harvest.IsOn || _drive.IsOn || _plan.IsOn || _selfTest.IsOn);
         _keys = new KeyBindings<Keys>(_folder, _features);
         BindKeys(car, mount, overlay, survey, marking, unknown);
         Tick += OnTick;
@@ -201,7 +213,9 @@ public sealed class HarvesterScript : Script
         }
 
         Greet();
+        _gaps.Begin();
         _features.Tick();
+        _gaps.End();
     }
 
     // Key up instead of key down: Windows repeats the latter as long as a key is held.

@@ -53,6 +53,8 @@ public sealed class CalibrationTests
         {
             Assert.Contains("The camera model is off by", EndOfOneFrame(driver), StringComparison.Ordinal);
         }
+
+        Assert.False(Directory.Exists(driver.Output));
     }
 
     [Fact]

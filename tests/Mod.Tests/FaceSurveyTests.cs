@@ -109,10 +109,37 @@ public sealed class SpaceSurveyTests
             driver.Game.Texts,
             text => text.StartsWith("SIGNS  ", StringComparison.Ordinal) && text.Contains(" of 109  prop_", StringComparison.Ordinal));
         driver.Press(Keys.Multiply);
-        Assert.Contains("was stopped", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.Matches("was stopped after [0-9]+ of 109 models[.] The next", driver.Game.Notifications[^1]);
         Assert.Empty(driver.Game.Objects);
         driver.Tick();
         Assert.Empty(driver.Game.Texts);
+    }
+
+    [Fact]
+    public void Key_while_the_last_rows_are_written_does_not_stop_the_survey()
+    {
+        using ScriptDriver driver = NewDriver();
+        driver.Press(Keys.Multiply);
+        for (bool isLast = false; !isLast; driver.Tick())
+        {
+            isLast = driver.Game.Texts.Any(text => text.StartsWith("SIGNS  109 of 109", StringComparison.Ordinal))
+                || driver.Game.Notifications.Count > 1;
+        }
+
+        driver.Script.RaiseKeyUp(Keys.Multiply);
+        driver.UntilMessage("All 109 models are surveyed: 3 faces");
+
+        Assert.DoesNotContain(driver.Game.Notifications, shown => shown.Contains("stopped after 109", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void Survey_stopped_before_its_first_model_names_no_number()
+    {
+        using ScriptDriver driver = NewDriver();
+        driver.Script.RaiseKeyUp(Keys.Multiply);
+        driver.Script.RaiseKeyUp(Keys.Multiply);
+
+        Assert.EndsWith("The survey of signs was stopped before its first model.", driver.Game.Notifications[^1], StringComparison.Ordinal);
     }
 
     [Fact]

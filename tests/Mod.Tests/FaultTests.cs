@@ -105,7 +105,10 @@ public sealed class FaultTests
         driver.Game.ScriptHandlePoolIsFull = true;
         driver.Tick(20);
 
-        Assert.Contains("The harvest stopped: The fwScriptGuid pool is full.", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.Contains(
+            "The harvest stopped: The fwScriptGuid pool is full. Restart the game, and remove mods that hold many",
+            driver.Game.Notifications[^1],
+            StringComparison.Ordinal);
         Assert.False(driver.Game.IsPaused);
     }
 

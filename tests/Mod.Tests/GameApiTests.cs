@@ -36,7 +36,7 @@ public sealed class GameApiTests
         string[] allowed =
         [
             "mscorlib", "System", "System.Core", "System.Drawing", "System.IO.Compression", "System.Windows.Forms",
-            "ScriptHookVDotNet3",
+            "System.Xml", "ScriptHookVDotNet3",
         ];
         using ModuleDefinition module = ModuleDefinition.ReadModule(BuiltMod.Path);
 

@@ -126,6 +126,20 @@ public sealed class HidingTests
         Assert.DoesNotContain("\"pictures\"", driver.Labels()[^1], StringComparison.Ordinal);
     }
 
+    [Fact]
+    public void Masks_from_rays_are_shown_and_logged_once_it_is_known()
+    {
+        using var driver = new ScriptDriver(Ini);
+        driver.Screen.ShowsHiding = false;
+        HarvestTests.Street(driver.Game);
+        driver.Press(Keys.J);
+        driver.Until(() => driver.Game.Texts.Any(text => text.StartsWith("Masks come from rays: ", StringComparison.Ordinal)));
+
+        Assert.Contains(driver.Game.Texts, text =>
+            text.StartsWith("REC  ", StringComparison.Ordinal) && text.Contains("  MASKS FROM RAYS", StringComparison.Ordinal));
+        Assert.Contains("Masks come from rays: ", driver.Log(), StringComparison.Ordinal);
+    }
+
     [Theory]
     [MemberData(nameof(Natives))]
     public void Everything_is_shown_after_a_fault(Hash broken)

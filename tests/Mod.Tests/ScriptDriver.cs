@@ -50,6 +50,9 @@ internal sealed class ScriptDriver : IDisposable
     /// <summary>The folder that the mod lies in.</summary>
     public string Folder => _folder.Path;
 
+    /// <summary>The game's settings.xml, which is there only where a test writes it.</summary>
+    public string GraphicsFile => Path.Combine(_folder.Path, "settings.xml");
+
     /// <summary>The folder that sessions go to.</summary>
     public string Output => Path.Combine(_folder.Path, "out");
 
@@ -67,7 +70,7 @@ internal sealed class ScriptDriver : IDisposable
 
     public void Tick(int count = 1)
     {
-        for (int i = 0; i < count; i++)
+        for (int i = 0; i < count && Game.GivesTicks; i++)
         {
             Game.NextFrame();
             Script.RaiseTick();
@@ -134,5 +137,5 @@ internal sealed class ScriptDriver : IDisposable
         Assert.Empty(Game.Misuses);
     }
 
-    private HarvesterScript Load() => ScriptThread.Run(() => new HarvesterScript(_screen, _clock, Game.Build));
+    private HarvesterScript Load() => ScriptThread.Run(() => new HarvesterScript(_screen, _clock, Game.Build, GraphicsFile));
 }

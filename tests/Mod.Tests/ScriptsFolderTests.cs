@@ -1,3 +1,5 @@
+using System.Text.RegularExpressions;
+
 namespace Harvester.Mod.Tests;
 
 /// <summary>The folder that the build makes is what the player copies.</summary>
@@ -5,13 +7,15 @@ public sealed class ScriptsFolderTests
 {
     private static readonly string Folder = Path.Combine(BuiltMod.RepositoryRoot, "artifacts", BuiltMod.Configuration, "scripts");
 
+    private static readonly Regex PictureLink = new(@"!\[[^\]]*\]\(([^)]+)\)", RegexOptions.CultureInvariant);
+
     [Fact]
     public void Build_creates_a_folder_with_exactly_the_scripts_content()
     {
         Assert.Equal(
             [
-                "GtaDataHarvester-LICENSE.txt", "GtaDataHarvester-rigs", "GtaDataHarvester.dll", "GtaDataHarvester.ini", "INSTALL.txt",
-                "materials.csv", "spaces_of_interest.csv",
+                "GtaDataHarvester-LICENSE.txt", "GtaDataHarvester-guide", "GtaDataHarvester-rigs", "GtaDataHarvester.dll",
+                "GtaDataHarvester.ini", "INSTALL.txt", "materials.csv", "spaces_of_interest.csv",
             ],
             Directory.EnumerateFileSystemEntries(Folder).Select(Path.GetFileName).Order(StringComparer.Ordinal));
     }
@@ -21,6 +25,27 @@ public sealed class ScriptsFolderTests
         ["kitti.json", "nuscenes-half.json", "nuscenes.json", "stereo.json", "thesis.json"],
         Directory.EnumerateFileSystemEntries(Path.Combine(Folder, "GtaDataHarvester-rigs")).Select(Path.GetFileName)
             .Order(StringComparer.Ordinal));
+
+    [Fact]
+    public void Guide_in_the_folder_has_all_its_pictures()
+    {
+        string guide = Path.Combine(Folder, "GtaDataHarvester-guide");
+        string page = File.ReadAllText(Path.Combine(guide, "mod.md"));
+        string[] pictures = [.. PictureLink.Matches(page).Select(link => link.Groups[1].Value)];
+
+        Assert.NotEmpty(pictures);
+        Assert.All(pictures, picture => Assert.True(File.Exists(Path.Combine(guide, picture)), picture));
+    }
+
+    [Theory]
+    [InlineData("vc_redist.x64.exe")]
+    [InlineData("Visual C++ 2019 x64")]
+    [InlineData("dev-c.com/gtav/scripthookv")]
+    [InlineData("github.com/scripthookvdotnet/scripthookvdotnet/releases")]
+    [InlineData("dotnet-framework/net48")]
+    [InlineData("Pause Game On Focus Loss")]
+    public void Install_says_what_is_needed_and_where_it_is(string text) =>
+        Assert.Contains(text, File.ReadAllText(Path.Combine(Folder, "INSTALL.txt")), StringComparison.Ordinal);
 
     [Fact]
     public void Dll_in_the_folder_is_the_one_that_was_built()

@@ -92,6 +92,12 @@ public sealed class SessionWriter : IFrameSink
     /// </summary>
     public WriterLock? Lock { get; init; }
 
+    /// <summary>
+    /// Whether the directory is removed when the writer is disposed before <see cref="Open"/>, so that a harvest that failed to start
+    /// leaves none. A directory with anything in it stays.
+    /// </summary>
+    public bool RemovesUnopened { get; init; }
+
     /// <inheritdoc />
     public string? Fault => _fault;
 
@@ -175,7 +181,24 @@ public sealed class SessionWriter : IFrameSink
         _queue?.Dispose();
         _queue = null;
         _files.Dispose();
+        if (RemovesUnopened && _start is null)
+        {
+            RemoveIfEmpty(Folder);
+        }
+
         Lock?.Dispose();
+    }
+
+    private static void RemoveIfEmpty(string directory)
+    {
+        try
+        {
+            Directory.Delete(directory, recursive: false);
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        {
+            // Something is in it, or another program holds it: it stays.
+        }
     }
 
     /// <summary>The folders of frames that are there, each before the folders of views in it.</summary>

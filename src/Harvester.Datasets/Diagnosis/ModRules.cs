@@ -20,6 +20,22 @@ internal static class ModRules
             "The game's pool of script handles is full: too many mods hold entities.",
             "Restart the game, and remove mods that continually list entities."),
         new(
+            "settings of the game harm pictures and labels: (.+)[.] Change",
+            "Settings of the game harm pictures and labels: $1.",
+            "Change them under Settings, Graphics, as the table of recommended settings in docs/mod.md says."),
+        new(
+            "no tick for ([0-9.]+) s: the game was paused[.]",
+            "The game stopped for $1 s while a harvest, a drive or a plan was running.",
+            "Switch off Pause Game On Focus Loss under Settings, Graphics, and do not open menus meanwhile."),
+        new(
+            "pause game on focus loss is on",
+            "The game stops while another window has the focus, so a program that drives gets no frames then.",
+            "Switch off Pause Game On Focus Loss under Settings, Graphics."),
+        new(
+            "masks come from rays: ",
+            "Masks were to be photographed and come from rays instead, which are less exact.",
+            "The log line says why; Masks = Rays under [Harvest] asks for them in the first place."),
+        new(
             "address already in use|only one usage of each socket address",
             "Another program, or another game, uses the port of the bridge.",
             "Change Port under [Bridge] in GtaDataHarvester.ini, or close the other program."),

@@ -75,15 +75,19 @@ public sealed class FaceSurveying : ILastingFeature
     public string? Line =>
         _isOn ? FormattableString.Invariant($"SIGNS  {_survey?.Done ?? 0} of {_models.Count}  {_survey?.Current}") : null;
 
+    /// <summary>Whether nothing is left to do but to write the last rows.</summary>
+    private bool IsMeasured => _survey is { } survey && survey.Done == _models.Count;
+
     /// <summary>Continues the survey, or ends the one that is running.</summary>
     public void Toggle()
     {
-        if (_isOn)
+        if (IsMeasured)
         {
-            int done = _survey?.Done ?? 0;
-            Stop();
-            _messages.Tell(FormattableString.Invariant(
-                $"The survey of signs was stopped after {done} of {_models.Count} models. The next survey continues there."));
+            _messages.Tell($"All {_models.Count} models are measured; the survey of signs ends when they are written.");
+        }
+        else if (_isOn)
+        {
+            Interrupt("was stopped");
         }
         else if (_harvest.IsOn)
         {
@@ -109,10 +113,9 @@ public sealed class FaceSurveying : ILastingFeature
             return;
         }
 
-        if (_mount.IsMounted)
+        if (_mount.IsMounted && !IsMeasured)
         {
-            Stop();
-            _messages.Tell("The survey of signs ended, because the camera was mounted. The next survey continues there.");
+            Interrupt("ended because the camera was mounted");
             return;
         }
 
@@ -154,6 +157,21 @@ public sealed class FaceSurveying : ILastingFeature
     {
         _leaving.ForEach(survey => survey.Dispose());
         _leaving.RemoveAll(survey => !survey.HasLeftSomething);
+    }
+
+    private void Interrupt(string how)
+    {
+        if (_survey is not { } survey)
+        {
+            Stop();
+            _messages.Tell($"The survey of signs {how} before its first model.");
+        }
+        else
+        {
+            Stop();
+            _messages.Tell(FormattableString.Invariant(
+                $"The survey of signs {how} after {survey.Done} of {_models.Count} models. The next survey continues there."));
+        }
     }
 
     private void End(FaceSurvey survey)

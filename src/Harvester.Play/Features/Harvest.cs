@@ -30,6 +30,8 @@ public sealed class Harvest : ILastingFeature, IDisposable
     private int _lastCaptured;
     private string? _lastFault;
     private bool _isSpaceLow;
+    private int _waitingSingles;
+    private FaultCode[] _loggedWarnings = [];
 
     /// <summary>Creates the feature; no harvest is running.</summary>
     /// <param name="options">What to harvest and how.</param>
@@ -72,6 +74,13 @@ public sealed class Harvest : ILastingFeature, IDisposable
 
     /// <summary>The status of the running harvest; null if there is none, or its folder is not open yet.</summary>
     public HarvestStatus? Status => _session?.Status;
+
+    /// <summary>What could not be checked or done as asked in the running harvest, and its remedy; null without a warning.</summary>
+    public string? Warning => _session?.Warnings is { Count: > 0 } warnings
+        ? string.Join("  ", warnings.Select(HarvestAdvice.TextOf)) : null;
+
+    /// <summary>Whether the running harvest was to photograph its masks and makes them from rays instead.</summary>
+    public bool AreMasksReplaced => _session?.Warnings.Any(warning => warning.Code == FaultCode.NothingHidden) ?? false;
 
     /// <summary>Number of frames waiting to be written.</summary>
     public int Queued => _writer.Opened?.Queued ?? 0;
@@ -124,13 +133,21 @@ public sealed class Harvest : ILastingFeature, IDisposable
     }
 
     /// <summary>
-    /// Harvests one frame. The single frames of one run of the game form a session, as long as lens and faces do not change.
+    /// Harvests one frame, after those that were asked for before and are not yet taken or written. The single frames of one run of the
+    /// game form a session, as long as lens and faces do not change.
     /// </summary>
     public void TakeOne()
     {
-        if (IsOn)
+        if (IsOn && !_isSingle)
         {
             _messages.Tell("A harvest is running already.");
+            return;
+        }
+
+        if (IsOn || IsBusy)
+        {
+            _waitingSingles++;
+            _messages.Log(FormattableString.Invariant($"Single frames waiting: {_waitingSingles}."));
             return;
         }
 
@@ -162,6 +179,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         TellLateFault();
         if (!IsOn)
         {
+            TakeWaiting();
             return;
         }
 
@@ -174,6 +192,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         {
             HarvestStatus status = session.Step();
             KeepFreezing(session);
+            LogWarnings(session);
             if (status.IsOver)
             {
                 Close(session);
@@ -184,6 +203,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
     /// <inheritdoc/>
     public void Stop()
     {
+        _waitingSingles = 0;
         if (_session is { } session)
         {
             session.Stop();
@@ -235,8 +255,27 @@ public sealed class Harvest : ILastingFeature, IDisposable
         if (_mount.IsMounted)
         {
             // Resuming reads the session, and a disk may have to spin up.
+            _loggedWarnings = [];
             _startedWith = options;
             _writer.Open(open);
+        }
+    }
+
+    /// <summary>Takes the next single frame once the one before is written; unmounting the camera cancels those that wait.</summary>
+    private void TakeWaiting()
+    {
+        if (_waitingSingles == 0 || IsBusy)
+        {
+            return;
+        }
+
+        int others = _mount.IsMounted ? _waitingSingles - 1 : 0;
+        bool isNext = _mount.IsMounted;
+        _waitingSingles = 0;
+        if (isNext)
+        {
+            TakeOne();
+            _waitingSingles = IsOn ? others : 0;
         }
     }
 
@@ -277,8 +316,23 @@ public sealed class Harvest : ILastingFeature, IDisposable
         }
     }
 
+    /// <summary>Logs each warning once, when it is known; the player sees it in the lines at the top, and as a message at the end.</summary>
+    private void LogWarnings(HarvestSession session)
+    {
+        foreach (CaptureFault warning in session.Warnings.Where(warning => !_loggedWarnings.Contains(warning.Code)))
+        {
+            _messages.Log(HarvestAdvice.TextOf(warning));
+            _loggedWarnings = [.. _loggedWarnings, warning.Code];
+        }
+    }
+
     private void Close(HarvestSession session)
     {
+        if (session.Failure is not null)
+        {
+            _waitingSingles = 0;
+        }
+
         SessionWriter writer = _writer.Opened!;
         HarvestStatus status = session.Status;
         (_lastCaptured, _lastFault) = (status.Captured, session.Failure is { } failure ? failure.Message : null);

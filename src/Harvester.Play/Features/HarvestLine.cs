@@ -87,7 +87,7 @@ public sealed class HarvestLine : IFeature
     {
         AskDisk();
         string state = status.Phase == HarvestPhase.WaitingForSink ? "WAITING FOR DISK" : "REC";
-        string frames = Counted.Of(status.Captured, "frame");
+        string frames = Counted.Of(status.Captured, "frame") + (_harvest.AreMasksReplaced ? "  MASKS FROM RAYS" : string.Empty);
         string line = FormattableString.Invariant(
             $"{state}  {frames}  {status.FramesPerSecond:0.0}/s  {status.Discarded} discarded  queue {_harvest.Queued}  {_disk}");
         _display.Text(line, 0.02, 0.02);

@@ -47,7 +47,7 @@ public sealed class PlayerMessages
     /// </summary>
     public void TellFailure(string what, Exception exception)
     {
-        string message = $"{what} failed: {exception?.Message} More in GtaDataHarvester.log.";
+        string message = $"{what} failed: {FailureAdvice.AddTo(exception?.Message ?? string.Empty)} More in GtaDataHarvester.log.";
         if (!_failures.TryGetValue(message, out double lastShown) || IsLongAgo(lastShown))
         {
             _failures[message] = _clock.Milliseconds;

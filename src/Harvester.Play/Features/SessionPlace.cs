@@ -27,10 +27,11 @@ internal static class SessionPlace
     /// <summary>Opens a session in a folder that no other process may write until the session is closed.</summary>
     public static SessionWriter Locked(string folder, SessionOrigin origin, int viewsPerMoment = 1, bool resume = false)
     {
+        bool isNew = !Directory.Exists(folder);
         WriterLock held = WriterLock.Take(folder);
         try
         {
-            return new SessionWriter(folder, origin, resume, viewsPerMoment) { Lock = held };
+            return new SessionWriter(folder, origin, resume, viewsPerMoment) { Lock = held, RemovesUnopened = isNew };
         }
         catch
         {

@@ -68,6 +68,15 @@ public sealed class DoctorTests : IDisposable
             "The overlay failed unexpectedly"
         },
         { "Window: 2560 x 1440, exclusive full screen, 144 dpi.", "exclusive full screen" },
+        {
+            "No tick for 12.3 s: the game was paused. Switch off Pause Game On Focus Loss under Settings, Graphics, and so on.",
+            "stopped for 12.3 s"
+        },
+        {
+            "Settings of the game harm pictures and labels: MSAA is 4. Change them under Settings, Graphics.",
+            "harm pictures and labels: MSAA is 4."
+        },
+        { "Masks come from rays: hidden objects still show in the picture of the frozen game after 8 ticks.", "come from rays instead" },
         { "The harvest: on", "The log ends while 'The harvest' is on" },
         {
             "The overlay: off after 780 ticks in 31.0 s, 215.0 natives per tick, 0 rays per second, tick time p50 16.10 ms, p99 41.20 ms",

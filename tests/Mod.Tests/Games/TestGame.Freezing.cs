@@ -13,6 +13,15 @@ internal sealed partial class TestGame
     /// <summary>Whether the world is frozen by either method.</summary>
     public bool IsFrozen => IsPaused || TimeScale == 0;
 
+    /// <summary>Whether the game's window has the focus.</summary>
+    public bool HasFocus { get; set; } = true;
+
+    /// <summary>"Pause Game On Focus Loss", on in a new game: without the focus no script gets a tick.</summary>
+    public bool PausesWithoutFocus { get; set; } = true;
+
+    /// <summary>Whether frames pass and scripts get their ticks.</summary>
+    public bool GivesTicks => HasFocus || !PausesWithoutFocus;
+
     /// <summary>The freeze method in which a camera keeps its position, however it is attached; null if there is none.</summary>
     public FreezeMethod? HoldsCamera { get; set; }
 

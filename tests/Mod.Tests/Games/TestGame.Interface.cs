@@ -97,6 +97,7 @@ internal sealed partial class TestGame
         {
             string text = (string)a[0];
             _texts.Add(text);
+            ReportMarkup(text);
             if (Encoding.UTF8.GetByteCount(text) > MaxTextLength)
             {
                 Report($"The text is longer than {MaxTextLength} bytes: {text}");

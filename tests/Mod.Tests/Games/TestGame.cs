@@ -185,7 +185,20 @@ internal sealed partial class TestGame : IGameHost
         return near;
     }
 
-    public void Notify(string message) => Notifications.Add(message);
+    public void Notify(string message)
+    {
+        ReportMarkup(message);
+        Notifications.Add(message);
+    }
+
+    /// <summary>What stands between two tildes, such as ~r~, changes a text and is not shown.</summary>
+    private void ReportMarkup(string text)
+    {
+        if (text.Contains('~', StringComparison.Ordinal))
+        {
+            Report($"The text has the game's markup: {text}");
+        }
+    }
 
     public void Report(string fault) => Misuses.Add(fault);
 
