@@ -113,7 +113,7 @@ public sealed class SelfTest : IDisposable
             // The world runs for a moment between two checks, so that each begins with the same game.
             for (int tick = 0; tick < _pauseTicks; tick++)
             {
-                IsPictureNear = tick + PictureLag.MaxTicks >= _pauseTicks;
+                IsPictureNear = tick + _context.PictureTicks >= _pauseTicks;
                 yield return SelfTestPhase.Running;
             }
         }

@@ -28,7 +28,7 @@ public sealed class SelfTesting(
     : ILastingFeature, IDisposable
 {
     /// <summary>Ticks between two checks: a second without the line of progress, and before it three seconds with it.</summary>
-    private const int PauseTicks = 4 * PictureLag.MaxTicks;
+    private const int PauseTicks = PictureLag.MaxTicks;
 
     private const string BackupSuffix = ".before-selftest";
     private static readonly TimeSpan MaxWaitForDisk = TimeSpan.FromSeconds(10);
