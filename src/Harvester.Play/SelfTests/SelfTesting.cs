@@ -27,7 +27,7 @@ public sealed class SelfTesting(
     Harvest harvest, GamePorts game, IMount mount, PlayerMessages messages, string folder, string iniPath, Func<SessionOrigin> origin)
     : ILastingFeature, IDisposable
 {
-    /// <summary>Ticks between two checks: a second without the line of progress, and before it three seconds with it.</summary>
+    /// <summary>Ticks between two checks: a second, in which the line of progress is shown until the lag of pictures forbids it.</summary>
     private const int PauseTicks = PictureLag.MaxTicks;
 
     private const string BackupSuffix = ".before-selftest";
