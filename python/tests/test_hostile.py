@@ -1,4 +1,4 @@
-"""Sessions of strangers: whatever is in them, reading ends in a result or a SessionError, which is one line."""
+"""Untrusted sessions: whatever is in them, reading ends in a result or a SessionError, which is one line."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def test_mutated_sessions_never_escape(tmp_path: Path, kind: str) -> None:
         folder = tmp_path / "damaged"
         shutil.copytree(sound, folder)
         if kind == "label":
-            # json writes NaN and lone surrogates, as a stranger might.
+            # json writes NaN and lone surrogates, as an attacker might.
             (folder / "labels.jsonl").write_text(json.dumps(mutation.of_json(label, chance)) + "\n")
         elif kind == "session.json":
             (folder / kind).write_text(json.dumps(mutation.of_json(info, chance)))

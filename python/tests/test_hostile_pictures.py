@@ -1,4 +1,4 @@
-"""Pictures of strangers: only the formats of sessions, each by its own decoder, and files that are neither pipes nor devices."""
+"""Untrusted pictures: only the formats of sessions, each by its own decoder, and files that are neither pipes nor devices."""
 
 from __future__ import annotations
 

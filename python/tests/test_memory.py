@@ -145,7 +145,7 @@ INPUTS: Dict[str, Callable[[Path], None]] = {
 
 HARMLESS = (
     "80 x 60 pixels and 2 GB of data", "2 GB of text in a picture", "a manifest of 5,000,000 labels of 0 bytes")
-"""What does no harm: data beyond the pixels is not unpacked, and a manifest that does not fit is not used."""
+"""Harmless input: data beyond the pixels is not unpacked, and a manifest that does not fit is not used."""
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="measures memory as Linux counts it")

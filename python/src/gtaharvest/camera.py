@@ -159,7 +159,7 @@ class Camera:
 
     @staticmethod
     def from_json(camera: Mapping[str, Any]) -> Camera:
-        """The camera of a label or of session.json. Raises KeyError, TypeError and ValueError if it is none."""
+        """The camera of a label or of session.json. Raises KeyError, TypeError or ValueError if it is invalid."""
         distortion = camera["distortion"]
         return Camera(
             vector(camera["position"]), vector(camera["right"]), vector(camera["forward"]), vector(camera["up"]),

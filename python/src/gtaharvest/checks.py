@@ -1,4 +1,4 @@
-"""Checks of the values in labels and frames, which may come from strangers, so that nothing wrong gets further than where it is read."""
+"""Checks untrusted values of labels and frames where they are read."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ _MAX_MESSAGE = 200
 
 
 def one_line(text: object) -> str:
-    """A text of a stranger for a message: one line, without control characters, not long."""
+    """Untrusted text for a message: one short line without control characters."""
     line = "".join(letter if letter.isprintable() else " " for letter in str(text)[:_MAX_MESSAGE * 4])
     line = " ".join(line.split())
     return line if len(line) <= _MAX_MESSAGE else line[:_MAX_MESSAGE] + "..."
 
 
 def shown(value: object) -> str:
-    """A value of a stranger for a message; of lists and objects, which may be large, the type alone."""
+    """An untrusted value for a message; for lists and objects, which may be large, only the type."""
     return one_line(repr(value)) if isinstance(value, (str, int, float)) else f"a {type(value).__name__}"
 
 
@@ -43,7 +43,7 @@ def checked(source: str, read: Callable[[], _T], error: Type[Exception] = LabelE
 
 
 def number(value: Any) -> float:
-    """A finite number. Raises TypeError if it is none, and ValueError if it is out of range."""
+    """A finite number. Raises TypeError for another type, and ValueError if it is out of range."""
     if not -MAX_NUMBER <= value <= MAX_NUMBER:
         raise ValueError(f"{value!r} is out of range")
     return value  # type: ignore[no-any-return]
@@ -57,7 +57,7 @@ def positive(value: Any) -> float:
 
 
 def integer(value: Any) -> int:
-    """A whole number. Raises TypeError if it is none, and ValueError if it is out of range."""
+    """A whole number. Raises TypeError for another type, and ValueError if it is out of range."""
     if type(value) is not int:
         raise TypeError(f"{type(value).__name__} instead of a whole number")
     if not -MAX_NUMBER <= value <= MAX_NUMBER:
@@ -66,14 +66,14 @@ def integer(value: Any) -> int:
 
 
 def flag(value: Any) -> bool:
-    """A boolean. Raises TypeError if it is none."""
+    """A boolean. Raises TypeError for another type."""
     if type(value) is not bool:
         raise TypeError(f"{type(value).__name__} instead of a boolean")
     return value
 
 
 def text(value: Any) -> str:
-    """A text. Raises TypeError if it is none, and ValueError if it is too long."""
+    """A text. Raises TypeError for another type, and ValueError if it is too long."""
     if type(value) is not str:
         raise TypeError(f"{type(value).__name__} instead of a text")
     if len(value) > MAX_TEXT:

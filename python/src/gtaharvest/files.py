@@ -1,4 +1,4 @@
-"""Opens files of sessions, which may come from strangers: regular files alone, so that a pipe or a device neither blocks nor never ends."""
+"""Opens files of untrusted sessions: only regular files, because a pipe or a device can block or never end."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Objects of JSON that come from strangers."""
+"""JSON objects from untrusted files and peers."""
 
 from __future__ import annotations
 

@@ -30,7 +30,7 @@ def unfiltered(rows: Picture, step: int) -> Picture:
 
 
 def _undo_sub_and_up(result: Picture, kinds: Picture, step: int) -> None:
-    # Sub needs only its own row, so many of its rows are done at once; Up goes on from the row above.
+    # Sub needs only its own row, so several of its rows are processed at once; Up continues from the row above.
     sub = np.flatnonzero(kinds == _SUB)
     for start in range(0, len(sub), _BLOCK):
         block = sub[start:start + _BLOCK]
