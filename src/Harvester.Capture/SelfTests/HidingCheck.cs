@@ -15,7 +15,7 @@ internal sealed class HidingCheck(SelfTestContext context) : SelfCheck(context)
     private const int MaxObjects = 6;
     private const double MinBoxPixels = 300;
 
-    /// <summary>Number of rays to the object that must meet it for it to count as visible.</summary>
+    /// <summary>Rays to the object, of which at least MinHits must meet it for it to count as visible.</summary>
     private const int RaysPerSide = 3;
     private const int MinHits = 4;
 

@@ -19,7 +19,7 @@ internal sealed class MarkerCheck(SelfTestContext context) : SelfCheck(context)
     private const int Rows = 11;
     private static readonly double[] Depths = [0.9, 1.2, 1.6];
 
-    /// <summary>How many of the markers that are found one by one must be found when all are drawn at once.</summary>
+    /// <summary>Fraction of the markers found one by one that must be found when all are drawn at once.</summary>
     private const double MinFraction = 0.9;
 
     /// <summary>Fewer spots may be anything.</summary>
