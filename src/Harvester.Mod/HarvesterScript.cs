@@ -133,7 +133,8 @@ public sealed class HarvesterScript : Script
         { Problem = HarvestProblem, FacesInUse = () => measured.InUse };
         _calibration = new LensCalibration(_harvest, game, mount, display, _messages, _folder.SettingsPath);
         _selfTest = new SelfTesting(
-            _harvest, game, mount, _messages, player.Folder, _folder.SettingsPath, () => Origin(player)) { Obstacle = DriveObstacle };
+            _harvest, game, mount, _messages, player.Folder, _folder.SettingsPath, () => Origin(player))
+        { Obstacle = DriveObstacle };
         var overlay = new Overlay(
             _harvest, game, _messages, new Sight(new GameSight(mount, world)), display)
         { IsPictureNear = IsPictureNear };

@@ -11,7 +11,8 @@ public sealed class GraphicsAdviceTests
         using var driver = new ScriptDriver();
         File.WriteAllText(
             driver.GraphicsFile,
-            "<Settings><graphics><MSAA value=\"4\" /><DoF value=\"true\" /><MotionBlurStrength value=\"0.500000\" /></graphics></Settings>");
+            "<Settings><graphics><MSAA value=\"4\" /><DoF value=\"true\" />" +
+            "<MotionBlurStrength value=\"0.500000\" /></graphics></Settings>");
         UntilRead(driver);
         driver.Tick(10);
 

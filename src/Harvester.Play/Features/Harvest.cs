@@ -316,7 +316,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         }
     }
 
-    /// <summary>Logs each warning once, when it is known; the player sees it in the lines at the top, and as a message at the end.</summary>
+    /// <summary>Logs each warning once, when it is known; the player sees it in the lines at the top and as a message at the end.</summary>
     private void LogWarnings(HarvestSession session)
     {
         foreach (CaptureFault warning in session.Warnings.Where(warning => !_loggedWarnings.Contains(warning.Code)))

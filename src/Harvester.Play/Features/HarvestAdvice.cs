@@ -10,7 +10,8 @@ internal static class HarvestAdvice
     private const string SkipCheck = "To skip this check, set MaxError = 0 under [Lens].";
 
     /// <summary>The message in one line.</summary>
-    public static string TextOf(CaptureFault fault) => SettingFor(fault.Code) is { } setting ? $"{fault.Message} {setting}" : FailureAdvice.AddTo(fault.Message);
+    public static string TextOf(CaptureFault fault) =>
+        SettingFor(fault.Code) is { } setting ? $"{fault.Message} {setting}" : FailureAdvice.AddTo(fault.Message);
 
     private static string? SettingFor(FaultCode code) => code switch
     {

@@ -26,7 +26,7 @@ public sealed class RealFrameTests
     /// <summary>Margin about the cuboids within which the other measurement found all pixels, metres.</summary>
     private const double Margin = 0.05;
 
-    /// <summary>Greatest fraction inside with a wrong camera: half a degree of yaw leaves 0.902, one degree of field of view 0.956.</summary>
+    /// <summary>Greatest fraction inside with a wrong camera: half a degree of yaw leaves 0.902, a degree of field of view 0.956.</summary>
     private const double WrongCameraFraction = 0.97;
 
     /// <summary>The fractions of the other measurement have two digits, cut or rounded.</summary>

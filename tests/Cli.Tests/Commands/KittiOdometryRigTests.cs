@@ -1,7 +1,6 @@
 using System.Globalization;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
-using Harvester.Sessions.Labels;
 
 namespace Harvester.Cli.Tests.Commands;
 

@@ -42,7 +42,7 @@ public sealed class SuperviseCommandTests : IDisposable
     [InlineData("leaves-daemon")]
     [InlineData("hangs")]
     [Trait("Category", "Heavy")]
-    public void Helper_of_a_crashed_program_is_ended(string behaviour)
+    public async Task Helper_of_a_crashed_program_is_ended(string behaviour)
     {
         if (!OperatingSystem.IsLinux())
         {
@@ -55,7 +55,7 @@ public sealed class SuperviseCommandTests : IDisposable
         string helper = File.ReadAllText(_folder.PathOf(StandIn.Helper)).Trim();
         Signal("KILL", heartbeat.Process);
 
-        run.GetAwaiter().GetResult().AssertDone();
+        (await run).AssertDone();
         Assert.True(IsEnded(helper));
     }
 

@@ -38,8 +38,9 @@ public sealed class GraphicsSettingsTests : IDisposable
     {
         GraphicsSettings settings = Read(Whole);
 
-        Assert.Equal((1, true, 4, true, 3, true), (settings.MotionBlur, settings.DepthOfField, settings.Msaa, settings.Txaa, settings.PostFx,
-            settings.PausesWithoutFocus));
+        Assert.Equal(
+            (1, true, 4, true, 3, true),
+            (settings.MotionBlur, settings.DepthOfField, settings.Msaa, settings.Txaa, settings.PostFx, settings.PausesWithoutFocus));
         Assert.Equal(
             ["Motion Blur Strength is 1", "In-Game Depth Of Field Effects is on", "MSAA is 4", "TXAA is on", "Post FX is above Normal (3)"],
             settings.Harmful);
@@ -119,7 +120,8 @@ public sealed class GraphicsSettingsTests : IDisposable
             file.SetLength(sparse);
         }
 
-        Assert.Contains("longer than 1 MiB", Assert.Throws<IOException>(() => GraphicsSettingsFile.Read(Path)).Message, StringComparison.Ordinal);
+        IOException refused = Assert.Throws<IOException>(() => GraphicsSettingsFile.Read(Path));
+        Assert.Contains("longer than 1 MiB", refused.Message, StringComparison.Ordinal);
         File.Delete(Path);
         Assert.Throws<FileNotFoundException>(() => GraphicsSettingsFile.Read(Path));
         Directory.CreateDirectory(Path);
