@@ -149,9 +149,14 @@ def filled(mask):
 
 
 def inside(polygon, shape):
-    """The pixels whose centres lie inside a polygon along the borders of pixels."""
+    """The pixels whose centres lie inside a polygon by the even-odd rule: an odd number of edges crosses the ray to their right."""
     height, width = shape
-    return np.array([[cv2.pointPolygonTest(polygon, (x + 0.5, y + 0.5), False) > 0 for x in range(width)] for y in range(height)])
+    columns, rows = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
+    crossings = np.zeros(shape, int)
+    for (x0, y0), (x1, y1) in zip(polygon, np.roll(polygon, -1, axis=0)):
+        if y0 != y1:
+            crossings += ((y0 > rows) != (y1 > rows)) & (columns < x0 + (rows - y0) * (x1 - x0) / (y1 - y0))
+    return crossings % 2 == 1
 
 
 def read_coco_polygons(folder, labels):
@@ -162,8 +167,8 @@ def read_coco_polygons(folder, labels):
         x, y, width, height = (int(side) for side in annotation["bbox"])
         seen = np.zeros((height, width), bool)
         for polygon in annotation["segmentation"]:
-            seen |= inside(np.array(polygon, np.float32).reshape(-1, 2) - np.float32([x, y]), seen.shape)
-        assert (seen == filled(mask)[y : y + height, x : x + width]).all()
+            seen |= inside(np.array(polygon).reshape(-1, 2) - [x, y], seen.shape)
+        assert (seen == mask[y : y + height, x : x + width]).all()
 
 
 def read_panoptic(folder, labels):

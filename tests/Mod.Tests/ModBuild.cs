@@ -9,13 +9,14 @@ internal sealed class ModBuild : IDisposable
 {
     private static readonly string[] Folders =
     [
-        "build", "data", "ref", "src/Polyfills", "src/Harvester.Geometry", "src/Harvester.Sessions", "src/Harvester.Capture",
-        "src/Harvester.Surveys", "src/Harvester.Driving", "src/Harvester.Play", "src/Harvester.Mod",
+        "build", "data", "docs/images/mod", "ref", "src/Polyfills", "src/Harvester.Geometry", "src/Harvester.Sessions",
+        "src/Harvester.Capture", "src/Harvester.Surveys", "src/Harvester.Driving", "src/Harvester.Play", "src/Harvester.Mod",
     ];
 
     private static readonly string[] Files =
     [
         "Directory.Build.props", "Directory.Packages.props", "global.json", ".editorconfig", "LICENSE", "src/Directory.Build.targets",
+        "docs/mod.md",
     ];
 
     private readonly TemporaryFolder _folder = new();

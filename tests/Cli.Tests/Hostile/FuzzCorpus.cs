@@ -58,11 +58,15 @@ public sealed class FuzzCorpus : IDisposable
         return Start(command);
     }
 
-    /// <summary>The output that a command has left although it refused its input; null for none.</summary>
-    internal string? LeftBy(CliRun run) =>
-        run.ExitCode == ExitCode.BadData && run.Error.Length > 0 && Directory.Exists(_folder.PathOf("out"))
-            ? $"{Directory.GetFiles(_folder.PathOf("out"), "*", SearchOption.AllDirectories).Length} files are left: {run.Error}"
-            : null;
+    /// <summary>
+    /// The output that a command has left although it refused its input; null for none. An export that is interrupted by an error keeps
+    /// what it has written and the journal by which it continues.
+    /// </summary>
+    internal string? LeftBy(CliRun run, string command) =>
+        run.ExitCode != ExitCode.BadData || run.Error.Length == 0 || !Directory.Exists(_folder.PathOf("out"))
+            || (command.StartsWith("export ", StringComparison.Ordinal) && Directory.Exists(_folder.PathOf("out/.export")))
+            ? null
+            : $"{Directory.GetFiles(_folder.PathOf("out"), "*", SearchOption.AllDirectories).Length} files are left: {run.Error}";
 
     private void Restore()
     {

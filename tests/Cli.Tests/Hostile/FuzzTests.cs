@@ -49,7 +49,7 @@ public sealed class FuzzTests(FuzzCorpus corpus, ITestOutputHelper output) : ICl
             string command = kind.Commands[i % kind.Commands.Length];
             CliRun run = corpus.Run(kind, content, command);
             refused += run.ExitCode == ExitCode.Done ? 0 : 1;
-            if ((FaultOf(run) ?? corpus.LeftBy(run)) is { } fault)
+            if ((FaultOf(run) ?? corpus.LeftBy(run, command)) is { } fault)
             {
                 faults.TryAdd($"{command}: {fault}", content);
             }
@@ -75,7 +75,7 @@ public sealed class FuzzTests(FuzzCorpus corpus, ITestOutputHelper output) : ICl
         Assert.All(kind.Commands, command =>
         {
             CliRun run = corpus.Run(kind, content, command);
-            Assert.Null(FaultOf(run) ?? corpus.LeftBy(run));
+            Assert.Null(FaultOf(run) ?? corpus.LeftBy(run, command));
         });
     }
 

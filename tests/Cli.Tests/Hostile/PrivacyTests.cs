@@ -55,12 +55,13 @@ public sealed class PrivacyTests : IClassFixture<PrivacyTests.Work>, IDisposable
         using var stop = new CancellationTokenSource();
 
         Task<CliRun> run = CliRun.BesideAsync(
-            stop.Token, _work.Of("harvest --out OUT --roads ROADS --frames 100000 --size 80x60 --no-report", made));
-        while (!File.Exists(mark) && !run.IsCompleted)
+            stop.Token, _work.Of("harvest --out OUT --roads ROADS --places 1 --frames 100000 --size 80x60 --no-report", made));
+        while (!run.IsCompleted && !(File.Exists(mark) && File.Exists(Path.Combine(made, "labels.jsonl"))))
         {
             await Task.Delay(1);
         }
 
+        Assert.False(run.IsCompleted, run.IsCompleted ? (await run).Error : "");
         File.Copy(mark, Path.Combine(seen, "mark"));
         await stop.CancelAsync();
         await run;

@@ -212,7 +212,7 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
     }
 
     private string? IntrinsicsProblem(JsonFields record) =>
-        _tables["sensor"][record.Text("sensor_token")].Text("modality") == "camera"
+        _tables["sensor"].TryGetValue(record.Text("sensor_token"), out JsonFields sensor) && sensor.Text("modality") == "camera"
             && record.Rows("camera_intrinsic", 3) is not [[> 0, 0, _], [0, > 0, _], [0, 0, 1]]
                 ? "its camera_intrinsic is no camera matrix." : null;
 
