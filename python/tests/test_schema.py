@@ -71,10 +71,11 @@ def test_wrong_labels_are_refused(handmade: HandmadeSession, change: Any, place:
 
 Field = Tuple[str, ...]
 
-# What the simulated game and these sessions do not have: GTA V reads lists, and knows its edition and build; only it and a real network
-# have props of a file. A resumed session can report faults.
+# What the simulated game and these sessions do not have: GTA V reads lists, knows its edition and build, and can draw over the pictures;
+# only it and a real network have props of a file. A resumed session can report faults.
 ONLY_ELSEWHERE = {
-    ("session", "reading"), *(("session", "settings", name) for name in ("gameEdition", "gameBuild", "scriptApi", "props")),
+    ("session", "reading"), ("session", "pictures"), ("session", "pictures", "warning"),
+    *(("session", "settings", name) for name in ("gameEdition", "gameBuild", "scriptApi", "props")),
 }
 
 

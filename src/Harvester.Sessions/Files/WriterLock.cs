@@ -173,6 +173,11 @@ public sealed class WriterLock : IDisposable
                 // The name still leads to the file that is held.
                 return file;
             }
+            catch
+            {
+                file.Dispose();
+                throw;
+            }
         }
 
         return file;
