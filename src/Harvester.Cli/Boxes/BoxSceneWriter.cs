@@ -23,10 +23,10 @@ internal static class BoxSceneWriter
         {
             json.WriteStartObject();
             json.WriteStartArray("cuboids");
-            var rays = new CuboidRayCaster([.. scene.Cuboids.Select(cuboid => cuboid.Cuboid)]);
+            Cuboid[] cuboids = [.. scene.Cuboids.Select(cuboid => cuboid.Cuboid)];
             for (int i = 0; i < scene.Cuboids.Count; i++)
             {
-                WriteCuboid(json, scene, i, rays);
+                WriteCuboid(json, scene, i, cuboids);
             }
 
             json.WriteEndArray();
@@ -36,12 +36,11 @@ internal static class BoxSceneWriter
         return Encoding.UTF8.GetString(stream.ToArray());
     }
 
-    private static void WriteCuboid(Utf8JsonWriter json, BoxScene scene, int index, CuboidRayCaster rays)
+    private static void WriteCuboid(Utf8JsonWriter json, BoxScene scene, int index, Cuboid[] cuboids)
     {
         (string? name, Cuboid cuboid) = scene.Cuboids[index];
         CuboidProjection projection = CuboidProjector.Project(scene.Camera, cuboid);
-        OcclusionEstimate occlusion = new OcclusionEstimator().Estimate(
-            scene.Camera, cuboid, projection, index + 1, RayHit.World, rays);
+        double? occluded = SolidOcclusion.FractionOf(scene.Camera, cuboids, index, projection);
 
         json.WriteStartObject();
         json.WriteString("name", name);
@@ -49,20 +48,24 @@ internal static class BoxSceneWriter
         WriteBox(json, "box2d", projection.Box);
         WriteBox(json, "box2dAmodal", projection.AmodalBox);
         json.WriteNumber("truncatedFraction", projection.TruncatedFraction);
-        if (occlusion.Method == OcclusionMethod.None)
-        {
-            json.WriteNull("occludedFraction");
-        }
-        else
-        {
-            json.WriteNumber("occludedFraction", occlusion.OccludedFraction);
-        }
-
-        json.WriteString("occlusionMethod", JsonName.Of(occlusion.Method));
+        WriteFraction(json, "occludedFraction", occluded);
+        json.WriteString("occlusionMethod", JsonName.Of(occluded is null ? OcclusionMethod.None : OcclusionMethod.Rays));
         json.WriteNumber("distanceMetres", (cuboid.Centre - scene.Camera.Pose.Position).Length);
         json.WritePropertyName("silhouette");
         json.WriteRawValue($"[{string.Join(", ", projection.Silhouette.Select(corner => OnOneLine([corner.X, corner.Y])))}]");
         json.WriteEndObject();
+    }
+
+    private static void WriteFraction(Utf8JsonWriter json, string name, double? fraction)
+    {
+        if (fraction is { } value)
+        {
+            json.WriteNumber(name, value);
+        }
+        else
+        {
+            json.WriteNull(name);
+        }
     }
 
     private static void WriteBox(Utf8JsonWriter json, string name, Box2D? box)

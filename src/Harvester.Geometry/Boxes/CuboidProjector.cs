@@ -59,7 +59,7 @@ public static class CuboidProjector
         if (buffers.EndCount == 0 && !isAround)
         {
             outline.Clear();
-            return new BoxProjection(BoxOutcome.BehindNearPlane, null, null, 0);
+            return new BoxProjection(BoxOutcome.BehindNearPlane, null, null, 1);
         }
 
         SetOutline(buffers, camera);

@@ -8,6 +8,9 @@ public sealed class BoxesCommandTests
     private const string Camera =
         """{ "position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 90, "width": 800, "height": 600 }""";
 
+    /// <summary>256 rays, spread evenly: an error of a few rays on a half plane.</summary>
+    private const double SamplingTolerance = 4.0 / 256;
+
     [Fact]
     public void Boxes_of_a_cuboid_ahead_gives_its_box_worked_out_by_hand()
     {
@@ -55,9 +58,54 @@ public sealed class BoxesCommandTests
             """{ "centre": [0, 20, 0], "halfExtents": [1, 1, 1], "rotation": [0, 0, 0] }""",
             """{ "centre": [5, 5, 0], "halfExtents": [5, 0, 5], "rotation": [0, 0, 0] }""")[0];
 
-        // 64 samples: the sequence is spread evenly, so an error of three samples is plenty.
-        const double samplingTolerance = 3.0 / 64;
-        Assert.Equal(0.5, cuboid.GetProperty("occludedFraction").GetDouble(), samplingTolerance);
+        Assert.Equal(0.5, cuboid.GetProperty("occludedFraction").GetDouble(), SamplingTolerance);
+    }
+
+    [Theory]
+    [InlineData("""{ "centre": [0, 20, 0], "halfExtents": [1, 2, 1], "rotation": [0, 0, 30] }""")]
+    [InlineData("""{ "centre": [0, 20, 0], "halfExtents": [2, 1, 1], "rotation": [0, 0, 120] }""")]
+    public void Boxes_of_coinciding_cuboids_hide_none_of_each_other(string second)
+    {
+        JsonElement cuboids = Boxes(
+            Camera, """{ "centre": [0, 20, 0], "halfExtents": [1, 2, 1], "rotation": [0, 0, 30] }""", second);
+
+        foreach (JsonElement cuboid in cuboids.EnumerateArray())
+        {
+            Assert.Equal(0, cuboid.GetProperty("occludedFraction").GetDouble());
+            Assert.Equal("rays", cuboid.GetProperty("occlusionMethod").GetString());
+        }
+    }
+
+    [Fact]
+    public void Boxes_of_a_cuboid_partly_inside_another_counts_that_part()
+    {
+        // A plate 10 m ahead from x = -1 to 1; the second cuboid holds its right half.
+        JsonElement cuboids = Boxes(
+            Camera,
+            """{ "centre": [0, 10, 0], "halfExtents": [1, 0, 1], "rotation": [0, 0, 0] }""",
+            """{ "centre": [5, 10, 0], "halfExtents": [5, 2, 5], "rotation": [0, 0, 0] }""");
+
+        Assert.Equal(0.5, cuboids[0].GetProperty("occludedFraction").GetDouble(), SamplingTolerance);
+        Assert.Equal(0, cuboids[1].GetProperty("occludedFraction").GetDouble());
+    }
+
+    [Theory]
+    [InlineData(0.1)]
+    [InlineData(0.0001)]
+    public void Boxes_of_a_cuboid_smaller_than_a_pixel_has_an_occlusion(double half)
+    {
+        // 300 px · 0.1 m / 900 m = 0.03 px, between the centres of pixels; two screens at 9 m cover x from -9.9 to 10.1.
+        string small = FormattableString.Invariant(
+            $$"""{ "centre": [10, 900, 10], "halfExtents": [{{half}}, {{half}}, {{half}}], "rotation": [0, 0, 0] }""");
+
+        JsonElement free = Boxes(Camera, small)[0];
+        JsonElement hidden = Boxes(
+            Camera, small, """{ "centre": [5.1, 9, 0], "halfExtents": [5, 0, 5], "rotation": [0, 0, 0] }""",
+            """{ "centre": [-4.9, 9, 0], "halfExtents": [5, 0, 5], "rotation": [0, 0, 0] }""")[0];
+
+        Assert.Equal("inImage", free.GetProperty("outcome").GetString());
+        Assert.Equal(0, free.GetProperty("occludedFraction").GetDouble());
+        Assert.Equal(1, hidden.GetProperty("occludedFraction").GetDouble());
     }
 
     [Fact]
@@ -68,6 +116,18 @@ public sealed class BoxesCommandTests
         Assert.Equal("behindNearPlane", cuboid.GetProperty("outcome").GetString());
         Assert.Equal(JsonValueKind.Null, cuboid.GetProperty("box2d").ValueKind);
         Assert.Equal(JsonValueKind.Null, cuboid.GetProperty("occludedFraction").ValueKind);
+        Assert.Equal("none", cuboid.GetProperty("occlusionMethod").GetString());
+        Assert.Equal(1, cuboid.GetProperty("truncatedFraction").GetDouble());
+    }
+
+    [Fact]
+    public void Boxes_of_a_cuboid_beside_the_image_is_truncated_and_has_no_box()
+    {
+        JsonElement cuboid = Boxes(Camera, """{ "centre": [50, 10, 0], "halfExtents": [1, 1, 1], "rotation": [0, 0, 0] }""")[0];
+
+        Assert.Equal("outsideImage", cuboid.GetProperty("outcome").GetString());
+        Assert.Equal(JsonValueKind.Null, cuboid.GetProperty("occludedFraction").ValueKind);
+        Assert.Equal(1, cuboid.GetProperty("truncatedFraction").GetDouble());
     }
 
     [Theory]

@@ -91,6 +91,7 @@ public sealed class CuboidProjectorTests
         Assert.Equal(BoxOutcome.BehindNearPlane, behind.Outcome);
         Assert.Null(behind.Box);
         Assert.Null(behind.AmodalBox);
+        Assert.Equal(1, behind.TruncatedFraction);
         Assert.Empty(behind.Silhouette);
 
         CuboidProjection beside = CuboidProjector.Project(Origin, Cube(-50, 10, 0, 1));
