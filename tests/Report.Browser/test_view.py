@@ -18,7 +18,7 @@ from hostile import ATTACK
 from page import Page, resize
 from png import grey
 from serving import viewer
-from test_report import CONTROLS, FRAME, area
+from test_report import CONTROLS, FRAME, area, drawn
 
 # Points are stored in single precision, and the labels that place them have four decimals.
 RANGE_METRES = 0.001
@@ -99,7 +99,7 @@ def test_each_frame_is_asked_for_by_number(view, labels):
     page = view("long", "#frame=700")
     frame = labels("long")[700]
     assert page.frame() == 700
-    assert page.count("rect.box") == len(frame["objects"])
+    assert page.count("rect.box") == len(drawn(frame))
     asked = page.script("return performance.getEntriesByType('resource').map(entry => new URL(entry.name).pathname.split('/').slice(-2).join('/'))")
     frames = {int(path.split("/")[1]) for path in asked if path.startswith("frame/")}
     assert 700 in frames and len(frames) < 20

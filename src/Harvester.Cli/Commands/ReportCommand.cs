@@ -52,6 +52,10 @@ internal static class ReportCommand
         {
             Description = "Link the images instead of embedding them; the page is small and works only next to its session",
         };
+        var posts = new Option<bool>("--posts")
+        {
+            Description = "Draw the posts of signs and lights too, not only faces and heads; the page has a switch for them",
+        };
         var predictions = new Option<string?>("--predictions")
         {
             Description = "Compare the labels with predictions: a file with COCO results, or a folder with KITTI results",
@@ -62,7 +66,7 @@ internal static class ReportCommand
             text => ValueParsers.Number(text) is { } score && Math.Abs(score) <= MaxScore ? score : null, "a number, e.g. 0.5");
         var command = new Command("report", "Show a session as one self-contained HTML page.")
         {
-            folder, output, frames, still, link, predictions, minScore,
+            folder, output, frames, still, posts, link, predictions, minScore,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
@@ -84,7 +88,7 @@ internal static class ReportCommand
                     throw new UsageException($"--out '{picture}' would replace a file of the session. Name another file.");
                 }
 
-                StillWriter.Write(reader, frame, picture);
+                StillWriter.Write(reader, frame, picture, parsed.GetValue(posts));
                 terminal.Out.WriteLine(picture);
                 return Task.FromResult(ExitCode.Done);
             }
@@ -96,7 +100,7 @@ internal static class ReportCommand
                 throw new UsageException($"--out '{page}' would replace a file of the session. Name another file.");
             }
 
-            var limits = new ReportLimits(parsed.GetValue(frames)) { LinksImages = parsed.GetValue(link) };
+            var limits = new ReportLimits(parsed.GetValue(frames)) { LinksImages = parsed.GetValue(link), ShowsPosts = parsed.GetValue(posts) };
             PredictionEvaluation? evaluation = null;
             if (parsed.GetValue(predictions) is { } predicted)
             {

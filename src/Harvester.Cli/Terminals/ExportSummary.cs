@@ -14,6 +14,8 @@ internal static class ExportSummary
         string ignored = result.Ignored > 0 ? $", {Counted.Of(result.Ignored, "region")} marked as ignored" : "";
         string lacks = result.Format.LeavesOutUnknownLanes ? "known lanes" : "points";
         string leftOut = result.FramesLeftOut > 0 ? $"; {Counted.Of(result.FramesLeftOut, "frame")} without {lacks} left out" : "";
-        return $"{folder}: {result.Format.Name}, {Counted.Of(result.Frames, "frame")} ({splits}){objects}{ignored}{leftOut}";
+        string kind = result.Format.HasPoles ? "written as poles: posts" : "not written: posts";
+        string posts = result.Posts > 0 ? $"; {result.Posts} of {Counted.Of(result.Labels, "label")} {kind}" : "";
+        return $"{folder}: {result.Format.Name}, {Counted.Of(result.Frames, "frame")} ({splits}){objects}{ignored}{posts}{leftOut}";
     }
 }

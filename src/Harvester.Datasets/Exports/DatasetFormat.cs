@@ -71,6 +71,9 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
     /// <summary>Whether it lists faces of signs and heads of lights, which are parts of other objects.</summary>
     public bool HasParts { get; init; }
 
+    /// <summary>Whether posts whose faces or heads are exported instead are labelled as poles.</summary>
+    public bool HasPoles { get; init; }
+
     /// <summary>Whether the encoding of masks can be chosen.</summary>
     public bool HasSegmentations { get; init; }
 

@@ -133,6 +133,9 @@ public sealed class ExportFrame
     /// <summary>Whether a label is a post whose faces or heads are exported instead.</summary>
     internal bool IsPost(ObjectLabel label) => _selector.IsPost(label, this);
 
+    /// <summary>Number of such labels.</summary>
+    internal int PostCount => Label.Objects.Count(IsPost);
+
     /// <summary>
     /// The pixels of an object or part; null if none is visible or the session has no masks. Those of an object include its parts.
     /// </summary>

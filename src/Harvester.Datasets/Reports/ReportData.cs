@@ -24,10 +24,11 @@ internal static class ReportData
     /// <summary>Writes the data as one object.</summary>
     public static void Write(
         Utf8JsonWriter json, string title, SessionInfo info, SessionStatistics statistics, IReadOnlyList<FrameLabel> frames,
-        double pictureScale, bool hasPredictions)
+        double pictureScale, bool hasPredictions, bool showsPosts)
     {
         json.WriteStartObject();
         WriteHead(json, title, info);
+        json.WriteBoolean("posts", showsPosts);
         ReportFigures.Write(json, info, statistics);
         json.WriteString("note",
             string.Join(

@@ -52,7 +52,7 @@ internal static class ReportFrame
         json.WriteStartArray("objects");
         foreach (ObjectLabel item in frame.Objects)
         {
-            ReportObject.Write(json, item, camera);
+            ReportObject.Write(json, item, camera, Posts.Has(item, frame));
         }
 
         json.WriteEndArray();

@@ -11,6 +11,9 @@ public sealed record ReportLimits(int Frames = 100, int Labels = 100_000, long I
     /// <summary>Whether images are linked instead of embedded: the page is small, and works only next to the session.</summary>
     public bool LinksImages { get; init; }
 
+    /// <summary>Whether the page draws the posts of signs and lights at first; it has a switch for them.</summary>
+    public bool ShowsPosts { get; init; }
+
     /// <summary>Largest total size of embedded instance masks, bytes; the page has none if they need more.</summary>
     public long MaskBytes { get; init; } = 1_500_000;
 }

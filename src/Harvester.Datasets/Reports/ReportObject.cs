@@ -22,10 +22,19 @@ internal static class ReportObject
     private const int DegreeDecimals = 0;
 
     /// <summary>Writes what may change from frame to frame.</summary>
-    public static void Write(Utf8JsonWriter json, ObjectLabel item, Camera camera)
+    /// <param name="json">Receives the object.</param>
+    /// <param name="item">The label.</param>
+    /// <param name="camera">The camera of the frame.</param>
+    /// <param name="isPost">Whether its faces or heads are objects of their own.</param>
+    public static void Write(Utf8JsonWriter json, ObjectLabel item, Camera camera, bool isPost)
     {
         json.WriteStartObject();
         json.WriteNumber("id", item.Id);
+        if (isPost)
+        {
+            json.WriteBoolean("post", true);
+        }
+
         WriteBox(json, "box", item.Box2D, BoxDecimals);
         if (item.Box2DAmodal != item.Box2D)
         {

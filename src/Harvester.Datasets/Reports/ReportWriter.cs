@@ -67,7 +67,8 @@ public sealed class ReportWriter
         {
             page.Json(
                 "data",
-                json => ReportData.Write(json, title, info, statistics, frames, embedder?.Scale ?? 1, _predictions is not null));
+                json => ReportData.Write(
+                    json, title, info, statistics, frames, embedder?.Scale ?? 1, _predictions is not null, _limits.ShowsPosts));
             if (_predictions is { } predictions)
             {
                 page.Json("predictions", json => ReportPredictions.Write(json, predictions, places, frames));

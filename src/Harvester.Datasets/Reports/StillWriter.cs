@@ -14,7 +14,7 @@ namespace Harvester.Datasets.Reports;
 
 /// <summary>
 /// Draws a frame of a session with its 2D and 3D boxes, in the colours of the classes. Boxes of occluded objects are fainter. Of
-/// signs and lights, faces and heads are drawn, and not their posts.
+/// signs and lights, faces and heads are drawn, and their posts only if asked for.
 /// </summary>
 public static class StillWriter
 {
@@ -32,9 +32,10 @@ public static class StillWriter
     /// <param name="session">The session.</param>
     /// <param name="frame">The frame number.</param>
     /// <param name="path">The file to write.</param>
+    /// <param name="showsPosts">Whether the posts of signs and lights are drawn too.</param>
     /// <exception cref="DatasetFormatException">There is no such frame, or it cannot be read.</exception>
     /// <exception cref="IOException">A file cannot be read or written.</exception>
-    public static void Write(SessionReader session, int frame, string path)
+    public static void Write(SessionReader session, int frame, string path, bool showsPosts = false)
     {
         FrameLabel label = LabelOf(session, frame);
         PixelBuffer picture = ReadPicture(session, label.Image);
@@ -42,7 +43,7 @@ public static class StillWriter
         Camera camera = LabelCamera.Of(label.Camera);
 
         // Sorted by distance, farthest first, so that the nearest is on top.
-        foreach (ObjectLabel item in label.Objects.Where(item => !Posts.Has(item, label))
+        foreach (ObjectLabel item in label.Objects.Where(item => showsPosts || !Posts.Has(item, label))
             .OrderByDescending(item => item.DistanceMetres))
         {
             int colour = ClassColours.Of(item.Class);

@@ -23,7 +23,8 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
         Assert.Equal(ExitCode.Done, run.ExitCode);
         Assert.Matches(
             $"^{Regex.Escape(_folder.PathOf("out"))}: {format}, 2 frames \\(train 2\\), "
-                + "[0-9]+ of [0-9]+ labels written(, [0-9]+ regions? marked as ignored)?\n$",
+                + "[0-9]+ of [0-9]+ labels written(, [0-9]+ regions? marked as ignored)?"
+                + "(; [0-9]+ of [0-9]+ labels (not written|written as poles): posts)?\n$",
             run.Out);
         Assert.True(File.Exists(_folder.PathOf("out/" + file)));
     }
@@ -88,6 +89,22 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
 
         Assert.Equal(
             "out: kitti, 4 frames (train 4), 12 of 20 labels written, 3 regions marked as ignored", ExportSummary.Of("out", result));
+    }
+
+    [Theory]
+    [InlineData("coco", "197 of 247 labels written; 50 of 247 labels not written: posts")]
+    [InlineData("cityscapes", "197 of 247 labels written; 50 of 247 labels written as poles: posts")]
+    public void Summary_counts_posts(string format, string counts)
+    {
+        var result = new ExportResult(DatasetFormats.Find(format)!, 4, IsFinished: true)
+        {
+            Labels = 247,
+            Posts = 50,
+            Objects = 197,
+            FramesOfSplits = new Dictionary<string, int> { ["train"] = 4 },
+        };
+
+        Assert.Equal($"out: {format}, 4 frames (train 4), {counts}", ExportSummary.Of("out", result));
     }
 
     [Fact]

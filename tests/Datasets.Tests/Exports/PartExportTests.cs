@@ -1,5 +1,6 @@
 using System.Text.Json;
 using Harvester.Datasets.Exports;
+using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Images;
 using Harvester.Geometry.PixelMaps;
@@ -110,6 +111,21 @@ public sealed class PartExportTests : ExportTests
         InstanceMap labels = PngDecoder.ReadLabelMap(
             Folder.PathOf("city/gtFine/train/session0000/session0000_000000_000000_gtFine_labelIds.png"));
         Assert.Equal(FacePixels + PostPixels, labels.Ids.Count(id => id == 17));
+    }
+
+    [Theory]
+    [InlineData("coco", null, 1)]
+    [InlineData("cityscapes", null, 1)]
+    [InlineData("coco", PartSelection.All, 0)]
+    [InlineData("csv", null, 0)]
+    [InlineData("kitti", null, 0)]
+    public void Posts_that_faces_replace_are_counted(string format, PartSelection? parts, int posts)
+    {
+        ExportResult result = Folder.Export(format, Session.Open(), new ExportOptions { Parts = parts });
+
+        Assert.Equal(posts, result.Posts);
+        using JsonDocument header = JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/export.json")));
+        Assert.Equal(posts, header.RootElement.GetProperty("posts").GetInt32());
     }
 
     private void AssertValid() => Assert.Empty(DatasetValidator.Validate(Folder.PathOf("out")).Problems);

@@ -90,6 +90,24 @@ public sealed partial class ReportWriterTests : IDisposable
         Assert.InRange(car.GetProperty("edges").GetArrayLength(), 4, 12);
     }
 
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Posts_are_marked_and_drawn_if_asked_for(bool showsPosts)
+    {
+        _session.Car(1)["class"] = "sign";
+        _session.Pedestrian(1)["class"] = "sign";
+        _session.Pedestrian(1)["parent"] = 1;
+
+        JsonElement data = Data(Write(new ReportLimits { ShowsPosts = showsPosts }));
+
+        Assert.Equal(showsPosts, data.GetProperty("posts").GetBoolean());
+        Assert.Equal(
+            [[false, false], [true, false], [false, false]],
+            data.GetProperty("frames").EnumerateArray().Select(
+                frame => frame.GetProperty("objects").EnumerateArray().Select(item => item.TryGetProperty("post", out _))));
+    }
+
     [Fact]
     public void Page_has_the_statistics_beside_those_of_KITTI()
     {

@@ -46,8 +46,10 @@ public sealed class StillWriterTests : IDisposable
         Assert.InRange(Colour(PngDecoder.ReadRgb(path), 36, 30) & 0xFF, 90, 92);
     }
 
-    [Fact]
-    public void Write_draws_faces_without_their_posts()
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Write_draws_posts_only_if_asked_for(bool showsPosts)
     {
         DrawOnBlack(1);
         _session.Car(1)["class"] = "sign";
@@ -55,10 +57,10 @@ public sealed class StillWriterTests : IDisposable
         _session.Pedestrian(1)["parent"] = 1;
         string path = _session.PathOf("still.png");
 
-        StillWriter.Write(_session.Open(), 1, path);
+        StillWriter.Write(_session.Open(), 1, path, showsPosts);
 
         PixelBuffer still = PngDecoder.ReadRgb(path);
-        Assert.Equal(0, Colour(still, 36, 30));
+        Assert.Equal(showsPosts, Colour(still, 36, 30) != 0);
         Assert.NotEqual(0, Colour(still, 70, 30));
     }
 

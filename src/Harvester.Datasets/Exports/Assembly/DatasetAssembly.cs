@@ -53,6 +53,7 @@ internal static class DatasetAssembly
         {
             FramesLeftOut = header.Integer("framesLeftOut"),
             Labels = header.Integer("labels"),
+            Posts = header.Has("posts") ? header.Integer("posts") : 0,
             Objects = header.Integer("objects"),
             Ignored = header.Integer("ignored"),
             FramesOfSplits = splits.Names.ToDictionary(split => split, splits.Integer),
@@ -88,6 +89,7 @@ internal static class DatasetAssembly
         SortedDictionary<string, int> splits = new(options.Splits.Splits.ToDictionary(split => split.Name, _ => 0), StringComparer.Ordinal);
         int leftOut = 0;
         int labels = 0;
+        int posts = 0;
         int objects = 0;
         int ignored = 0;
         foreach (JournalEntry entry in InOrder(journals))
@@ -106,6 +108,7 @@ internal static class DatasetAssembly
             }
 
             labels += entry.Labels;
+            posts += format.HasParts ? entry.Posts : 0;
             objects += entry.Written.Objects;
             ignored += entry.Written.Ignored;
             manifest.AddFrame(entry.Files);
@@ -120,6 +123,7 @@ internal static class DatasetAssembly
         {
             FramesLeftOut = leftOut,
             Labels = labels,
+            Posts = posts,
             Objects = objects,
             Ignored = ignored,
             FramesOfSplits = splits,
@@ -214,6 +218,7 @@ internal static class DatasetAssembly
         json.WriteNumber("frames", result.Frames);
         json.WriteNumber("framesLeftOut", result.FramesLeftOut);
         json.WriteNumber("labels", result.Labels);
+        json.WriteNumber("posts", result.Posts);
         json.WriteNumber("objects", result.Objects);
         json.WriteNumber("ignored", result.Ignored);
         json.WriteNumber("files", files);

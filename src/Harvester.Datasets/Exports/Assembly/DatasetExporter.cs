@@ -125,7 +125,7 @@ public sealed class DatasetExporter
                 var output = new FrameOutput(_folder, plan.Options.Images, encoder, digests.Of);
                 WrittenObjects written = writer.Write(frame, output);
                 journal.Append(new JournalEntry(
-                    frame.Index, frame.Split, frame.Label.Objects.Count, written, output.Files, output.Parts));
+                    frame.Index, frame.Split, frame.Label.Objects.Count, frame.PostCount, written, output.Files, output.Parts));
                 report(journal.Frames);
             }
         }

@@ -15,6 +15,11 @@ public sealed record ExportResult(DatasetFormat Format, int Frames, bool IsFinis
     /// <summary>Number of labels in the sessions; 0 for a shard, because they are counted in the merge.</summary>
     public int Labels { get; init; }
 
+    /// <summary>
+    /// Number of labels of posts whose faces or heads are exported instead; 0 for a shard, and in formats without such parts.
+    /// </summary>
+    public int Posts { get; init; }
+
     /// <summary>Number of labels written, after filters; 0 for a shard.</summary>
     public int Objects { get; init; }
 

@@ -13,11 +13,12 @@ namespace Harvester.Datasets.Exports.Assembly;
 /// <param name="Frame">Number of the frame in the dataset.</param>
 /// <param name="Split">The split of the frame.</param>
 /// <param name="Labels">Number of labels.</param>
+/// <param name="Posts">Number of labels of posts whose faces or heads are exported instead.</param>
 /// <param name="Written">Number of labels written.</param>
 /// <param name="Files">The files of the frame, with their digests.</param>
 /// <param name="Parts">Its parts of aggregate files, in the order of writing.</param>
 internal sealed record JournalEntry(
-    int Frame, string Split, int Labels, WrittenObjects Written, IReadOnlyList<KeyValuePair<string, FileDigest>> Files,
+    int Frame, string Split, int Labels, int Posts, WrittenObjects Written, IReadOnlyList<KeyValuePair<string, FileDigest>> Files,
         IReadOnlyList<KeyValuePair<string, string>> Parts)
 {
     public string ToLine() => JsonLine.Of(json =>
@@ -26,6 +27,7 @@ internal sealed record JournalEntry(
         json.WriteNumber("frame", Frame);
         json.WriteString("split", Split);
         json.WriteNumber("labels", Labels);
+        json.WriteNumber("posts", Posts);
         json.WriteNumber("objects", Written.Objects);
         json.WriteNumber("ignored", Written.Ignored);
         json.WriteStartArray("files");
@@ -77,6 +79,7 @@ internal sealed record JournalEntry(
             entry.Integer("frame"),
             entry.Text("split"),
             entry.Integer("labels"),
+            entry.Integer("posts"),
             new WrittenObjects(entry.Integer("objects"), entry.Integer("ignored")),
             [.. entry.List("files").Select(file => KeyValuePair.Create(file.Text("path"), ManifestParser.DigestOf(file)))],
             parts.Length % 2 == 0

@@ -51,7 +51,7 @@ public static class DatasetFormats
         new("coco-panoptic", "COCO panoptic segmentation", options => new CocoPanopticWriter(options))
         {
             NeedsMasks = true, UsesClassMaps = true, HasNames = true, HasSubclasses = true, HasParts = true,
-                Check = CocoPanopticCheck.Problems,
+                HasPoles = true, Check = CocoPanopticCheck.Problems,
         },
         new("coco-keypoints", "COCO keypoints of people", options => new CocoKeypointsWriter(options))
         {
@@ -76,7 +76,7 @@ public static class DatasetFormats
         new("cityscapes", "Maps of instances and classes in the style of Cityscapes", options => new CityscapesWriter(options))
         {
             NeedsMasks = true, UsesClassMaps = true, HasNames = true, Names = CityscapesLabels.ObjectNames, HasParts = true,
-                Check = CityscapesCheck.Problems,
+                HasPoles = true, Check = CityscapesCheck.Problems,
         },
         new("semantic", "Class maps with a palette, and the drivable area", _ => new SemanticWriter())
         {

@@ -22,7 +22,9 @@ function drawGround() {
   drawn.push(fieldOfView(frame), ...groundPoints());
   for (const line of frame.lines ?? []) drawn.push(shape("path", { d: pathOf(frame, pairs(line.ground)), class: `ground-line ${line.colour ?? ""}` }));
   drawn.push(shape("path", { d: pathOf(frame, egoPath()), class: "path" }));
-  drawn.push(...frame.objects.filter(object => object.parent === undefined && passes(object)).map(object => footprint(frame, object)));
+  // A part is drawn where what it belongs to is not.
+  const objects = frame.objects.filter(isDrawn), ids = new Set(objects.map(object => object.id));
+  drawn.push(...objects.filter(object => !ids.has(object.parent)).map(object => footprint(frame, object)));
   drawn.push(shape("path", { d: "M-1 2.2L0 -2.6L1 2.2Z", class: "ego" }));
   byId("ground").replaceChildren(...drawn);
 }

@@ -42,7 +42,7 @@ function crops() {
 
 /** Follows the next object of the frame, by distance. */
 function chooseNext(step) {
-  const ids = current().objects.filter(passes).sort((a, b) => a.distance - b.distance).map(object => object.id);
+  const ids = current().objects.filter(isDrawn).sort((a, b) => a.distance - b.distance).map(object => object.id);
   if (ids.length === 0) return;
   const place = ids.indexOf(state.chosen);
   choose(ids[place < 0 ? (step > 0 ? 0 : ids.length - 1) : (place + step + ids.length) % ids.length]);

@@ -35,7 +35,7 @@ function drawPicture() {
   const view = [zoom.x, zoom.y, width / zoom.scale, height / zoom.scale];
   byId("overlay").setAttribute("viewBox", view.join(" "));
   // The farthest first, so that the nearest lies on top and is the one pointed at.
-  const objects = frame.objects.filter(passes).sort((a, b) => b.distance - a.distance);
+  const objects = frame.objects.filter(isDrawn).sort((a, b) => b.distance - a.distance);
   byId("marks").replaceChildren(...(state.shown.has("lanes") ? (frame.lines ?? []).flatMap(drawLine) : []), ...objects.flatMap(drawObject), ...drawPredictions());
 }
 

@@ -98,7 +98,7 @@ async function copyLink() {
 }
 
 const nearSpeed = by => setSpeed(speeds[Math.min(speeds.length - 1, Math.max(0, speeds.indexOf(state.framesPerSecond) + by))]);
-const layerKeys = { b: "box", v: "visible", a: "amodal", d: "edges", l: "lanes", j: "joints", k: "mask", t: "depth", r: "points" };
+const layerKeys = { b: "box", v: "visible", a: "amodal", d: "edges", l: "lanes", j: "joints", o: "posts", k: "mask", t: "depth", r: "points" };
 const keys = {
   ArrowRight: ["next frame", () => step(1)], ArrowLeft: ["previous frame", () => step(-1)],
   PageDown: ["ten frames on", () => step(10 % source.count)], PageUp: ["ten frames back", () => step(-10 % source.count)],

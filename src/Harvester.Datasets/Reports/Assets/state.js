@@ -3,7 +3,7 @@ const data = JSON.parse(byId("data").textContent);
 
 const layers = [
   ["box", "2D box"], ["visible", "visible box"], ["amodal", "amodal box"], ["edges", "3D box"], ["lanes", "lane lines"], ["joints", "joints"],
-  ["mask", "mask"], ["depth", "depth"], ["points", "LiDAR points"],
+  ["posts", "posts of signs and lights"], ["mask", "mask"], ["depth", "depth"], ["points", "LiDAR points"],
 ];
 // The name of each limit in the address, and how it judges an object.
 const limits = {
@@ -14,7 +14,7 @@ const limits = {
   leastSeen: (object, limit) => (object.box[2] - object.box[0]) * (object.box[3] - object.box[1]) * (1 - (object.occluded ?? 0)) >= limit,
 };
 const state = {
-  index: 0, frame: null, shown: new Set(["box", "lanes", "joints"]), hidden: new Set(), chosen: null,
+  index: 0, frame: null, shown: new Set(["box", "lanes", "joints", ...(data.posts ? ["posts"] : [])]), hidden: new Set(), chosen: null,
   ...Object.fromEntries(Object.keys(limits).map(name => [name, null])),
   text: "", plot: "speed", paint: "instance", opacity: 50, framesPerSecond: 8, timer: null,
 };
@@ -43,6 +43,9 @@ function passes(object) {
   for (const name in limits) if (state[name] !== null && !limits[name](object, state[name])) return false;
   return !state.hidden.has(object.class) && passesText(object.id);
 }
+
+/** Whether an object is drawn: it passes the filters, and a post is asked for or followed. */
+const isDrawn = object => passes(object) && (!object.post || state.shown.has("posts") || object.id === state.chosen);
 
 const isFiltered = () => state.hidden.size > 0 || state.text !== "" || Object.keys(limits).some(name => state[name] !== null);
 
