@@ -1,3 +1,4 @@
+using System.CommandLine;
 using Harvester.Cli.Commands;
 using Harvester.Cli.Terminals;
 
@@ -35,6 +36,8 @@ public sealed class ApplicationTests
             + $"{cells[2].Trim().Replace(", which `kill`, `timeout` and batch systems send", "", StringComparison.Ordinal)}\n";
     }
 
+    private static Terminal Silent => new(TextReader.Null, TextWriter.Null, TextWriter.Null, IsInteractive: false);
+
     public static TheoryData<string> Commands => [.. CommandsWithin("")];
 
     [Theory]
@@ -50,6 +53,56 @@ public sealed class ApplicationTests
         Assert.Equal(options.Distinct(), options);
         Assert.Contains("-?,", options);
         Assert.All(lines, line => Assert.InRange(line.Split("[default:").Length, 1, 2));
+    }
+
+    [Theory]
+    [MemberData(nameof(Commands))]
+    public void Help_with_many_options_has_each_under_a_heading(string command)
+    {
+        const int most = 20;
+        string help = CliRun.Of([.. command.Split(' '), "--help"]).Out;
+        string[] all = [.. OptionsOf(help)];
+        string[] general = [.. OptionsOf(Section(help, "General"))];
+
+        // Every command has --help and --quiet, which belong to no subject.
+        Assert.Equal(all.Length > most, !help.Contains("\nOptions:\n", StringComparison.Ordinal));
+        Assert.Equal(all.Length > most ? ["-?", "-q"] : [], general);
+
+        static IEnumerable<string> OptionsOf(string text) => text.Split('\n')
+            .Where(line => line.StartsWith("  -", StringComparison.Ordinal)).Select(line => line.Trim().Split(' ', ',')[0]);
+
+        static string Section(string text, string heading) =>
+            text.Split($"\n{heading}:\n") is [_, var rest, ..] ? rest.Split("\n\n")[0] : "";
+    }
+
+    [Theory]
+    [InlineData("harvest")]
+    [InlineData("drive")]
+    [InlineData("serve")]
+    [InlineData("export")]
+    [InlineData("relabel")]
+    public void Groups_of_the_help_have_every_option_once(string command)
+    {
+        IReadOnlyList<OptionGroup> groups = command switch
+        {
+            "harvest" => OptionGroups.OfHarvest,
+            "drive" => OptionGroups.OfDrive,
+            "serve" => OptionGroups.OfServe,
+            "export" => OptionGroups.OfExport,
+            _ => OptionGroups.OfRelabel,
+        };
+        Command made = command switch
+        {
+            "harvest" => HarvestCommand.Create(Silent),
+            "drive" => DriveCommand.Create(Silent),
+            "serve" => ServeCommand.Create(Silent),
+            "export" => ExportCommand.Create(Silent),
+            _ => RelabelCommand.Create(Silent),
+        };
+
+        Assert.Equal(
+            made.Options.Select(option => option.Name).Where(name => name != "--help").Order(),
+            groups.SelectMany(group => group.Options).Order());
     }
 
     [Fact]

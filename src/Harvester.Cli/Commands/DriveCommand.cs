@@ -59,7 +59,7 @@ internal sealed class DriveCommand
             command.Options.Add(option);
         }
 
-        HelpWithNotes.AddTo(command, Notes);
+        HelpWithNotes.AddTo(command, Notes, OptionGroups.OfDrive);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
         return command;
     }

@@ -134,7 +134,7 @@ internal sealed class ExportCommand
             Sessions, Format, Out, Resume, Splits, Seed, Block, Classes, Map, SubclassesOf, MinVisible, Parts, Boxes, Segmentation, Lanes,
                 Images, ImageFormat, Quality, ShardOf, Sync, MinFree,
         };
-        HelpWithNotes.AddTo(command, Notes);
+        HelpWithNotes.AddTo(command, Notes, OptionGroups.OfExport);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
         return command;
     }

@@ -171,7 +171,7 @@ internal sealed class HarvestCommand
         LensOf.AddTo(command);
         RigOf.AddTo(command);
         PairsOf.AddTo(command);
-        HelpWithNotes.AddTo(command, Notes);
+        HelpWithNotes.AddTo(command, Notes, OptionGroups.OfHarvest);
         command.SetAction((parsed, cancellation) =>
             Task.FromResult(Run(
                 terminal, RigOf.AppliedTo(parsed, PlanOf(parsed)), CommandText.Of(parsed), !parsed.GetValue(NoReport), cancellation)));

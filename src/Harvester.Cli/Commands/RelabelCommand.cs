@@ -69,7 +69,7 @@ internal sealed class RelabelCommand
             Session, Out, Overwrite, Resume, Range, Classes, MinArea, MinSide, MaxOccluded, Calibration, Faces, Roads, LaneLookAhead,
                 LaneWidth, NarrowLaneWidth, Images, ShardOf, Sync, MinFree, NoReport,
         };
-        HelpWithNotes.AddTo(command, Notes);
+        HelpWithNotes.AddTo(command, Notes, OptionGroups.OfRelabel);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
         return command;
     }

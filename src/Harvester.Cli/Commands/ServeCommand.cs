@@ -108,7 +108,7 @@ internal sealed class ServeCommand
             command.Options.Add(option);
         }
 
-        HelpWithNotes.AddTo(command, Notes);
+        HelpWithNotes.AddTo(command, Notes, OptionGroups.OfServe);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
         return command;
     }
