@@ -37,6 +37,37 @@ public sealed class ProcessTests : IDisposable
         Assert.Equal(code, serve.ExitCode);
     }
 
+    [PosixTheory]
+    [Trait("Category", "Heavy")]
+    [InlineData("TERM")]
+    [InlineData("INT")]
+    public void Forced_stop_leaves_no_lock(string signal)
+    {
+        // A frame of this size takes many seconds; after the first signal alone, it would be finished and counted.
+        using Process harvest = Start(
+            HeededSignals.Script + "exec $heeding dotnet \"$0\" harvest --out out --frames 2 --size 3840x2160 --masks --no-report", Program);
+        Assert.StartsWith("Harvesting ", harvest.StandardOutput.ReadLine(), StringComparison.Ordinal);
+        Assert.Equal([".out.harvester-lock", ".out.harvester-lock.txt"], Locks());
+        using Process kill = Start(
+            "kill -\"$0\" \"$1\"; sleep 0.2; kill -\"$0\" \"$1\"", signal, harvest.Id.ToString(CultureInfo.InvariantCulture));
+
+        try
+        {
+            Assert.True(harvest.WaitForExit(GenerousDeadline), HeededSignals.NotEnded);
+        }
+        finally
+        {
+            harvest.Kill();
+        }
+
+        Assert.Equal("", harvest.StandardError.ReadToEnd());
+        Assert.Equal(signal == "INT" ? ExitCode.Cancelled : ExitCode.Terminated, harvest.ExitCode);
+        Assert.Empty(Locks());
+
+        string[] Locks() =>
+            [.. Directory.EnumerateFiles(_folder.Path, "*harvester-lock*").Select(path => Path.GetFileName(path)).Order()];
+    }
+
     [PosixFact]
     public void Folder_name_that_is_not_utf_8_is_refused_without_output()
     {

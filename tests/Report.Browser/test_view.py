@@ -89,6 +89,12 @@ def test_controls_are_visible_without_scrolling(view):
     assert [box for box in boxes if box[1] < 0 or box[2] > 720 or box[3] < 0 or box[4] > 1280] == []
 
 
+def test_tools_have_no_sideways_scrolling(view):
+    page = view("town")
+    assert page.script("return byId('raster-options').hidden") is False
+    assert page.script("return byId('tools').scrollWidth - byId('tools').clientWidth") == 0
+
+
 def test_phone_has_no_sideways_scrolling(driver, view):
     page = view("rig")
     resize(driver, 390, 844)

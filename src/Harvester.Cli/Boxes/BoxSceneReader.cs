@@ -29,7 +29,7 @@ internal static class BoxSceneReader
         }
         catch (JsonException e)
         {
-            throw new DatasetFormatException($"{file.Name}: invalid JSON at line {e.LineNumber + 1}, byte {e.BytePositionInLine + 1}.", e);
+            throw new DatasetFormatException($"{file.Name}: {JsonFault.InText(e)}", e);
         }
         catch (DatasetFormatException e)
         {

@@ -73,6 +73,12 @@ internal static class MergeCommand
             return ExitCode.Done;
         }
 
+        if (options.Resume && SessionMerger.FramesOfFinished(shards, folder) is { } done)
+        {
+            terminal.Out.WriteLine($"{folder}: {Counted.Of(done, "frame")}; the merge is finished already.");
+            return ExitCode.Done;
+        }
+
         using var session = new SessionOutput(
             terminal, folder, command, overwrite: null, keepsFrames: false, options.Resume, minFreeBytes: options.MinFreeBytes);
         string written = session.Begin();

@@ -61,6 +61,13 @@ internal sealed class PairsCommand
         {
             Resumes = resumes,
         };
+        if (resumes && exporter.Finished(target) is { } finished)
+        {
+            terminal.Out.WriteLine($"{target}: {Counted.Of(finished.Groups, "group")}, "
+                + $"{Counted.Of(finished.Images, "picture")}; the export is finished already.");
+            return ExitCode.Done;
+        }
+
         using var output = new PairsOutput(target, CommandText.Of(parsed), resumes);
         output.Begin();
         PairExport done = new(0, 0, 0);

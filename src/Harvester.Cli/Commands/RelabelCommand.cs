@@ -85,11 +85,17 @@ internal sealed class RelabelCommand
 
         bool resumes = parsed.GetValue(Resume);
         ResumeOption.Check(resumes, parsed.GetValue(Overwrite));
+        RelabelOptions changes = ChangesOf(terminal, parsed);
+        var relabeller = new SessionRelabeller(session, changes);
+        if (resumes && relabeller.FramesOfFinished(folder) is { } done)
+        {
+            terminal.Out.WriteLine($"{folder}: {Counted.Of(done, "frame")}; the relabelling is finished already.");
+            return ExitCode.Done;
+        }
+
         using var output = new SessionOutput(
             terminal, folder, CommandText.Of(parsed), parsed.GetValue(Overwrite), keepsFrames: false, resumes,
             minFreeBytes: MinFreeOption.BytesIn(parsed, MinFree));
-        RelabelOptions changes = ChangesOf(terminal, parsed);
-        var relabeller = new SessionRelabeller(session, changes);
         string written = output.Begin();
         int frames = new JobProgress(terminal, session.CountLines() / changes.Shard.Count)
             .Run(report => output.Writing(() => relabeller.Run(written, report, cancellation)));

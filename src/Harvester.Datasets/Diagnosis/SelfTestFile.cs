@@ -43,7 +43,7 @@ public sealed record SelfTestFile(
         catch (Exception exception) when (exception is JsonException or DatasetFormatException or InvalidDataException
             or NotSupportedException or EndOfStreamException)
         {
-            throw new DatasetFormatException($"{path}: this is not the result of a self-test: {exception.Message}", exception);
+            throw new DatasetFormatException($"{path}: this is not the result of a self-test: {JsonFault.InText(exception)}", exception);
         }
     }
 

@@ -72,6 +72,36 @@ public sealed class PairExporter(SessionReader session, PairFormat format, Image
     public static string? ForeignIn(string folder) => Directory.EnumerateFileSystemEntries(folder).Select(Path.GetFileName)
         .FirstOrDefault(name => name != Images && !IsOwn(name!) && !UnfinishedMark.Is(name!));
 
+    /// <summary>What a finished export of this session in this form has; null if a folder has none.</summary>
+    /// <param name="folder">The folder.</param>
+    /// <exception cref="DatasetFormatException">A label is invalid.</exception>
+    /// <exception cref="IOException">A file cannot be read.</exception>
+    public PairExport? Finished(string folder)
+    {
+        bool hasForm = Directory.Exists(folder) && (format == PairFormat.Webdataset
+            ? Directory.EnumerateFiles(folder).Any(path => PairArchives.IsName(Path.GetFileName(path)))
+            : Directory.Exists(Path.Combine(folder, Images)));
+        if (!hasForm || UnfinishedMark.IsIn(folder) || !IsFinished(folder))
+        {
+            return null;
+        }
+
+        // The table of objects has every label of every moment, whatever the form.
+        using var objects = new StringWriter();
+        PairExport done = new(0, 0, 0);
+        using (var tables = new PairTables(TextWriter.Null, objects))
+        {
+            foreach (LabelLine line in session.ReadGoodLines().Where(line => line.Label!.Pairs.Count > 0))
+            {
+                var group = PairGroup.Of(line);
+                tables.Add(group, image => image.Name);
+                done = done.With(group);
+            }
+        }
+
+        return FileDigest.OfFile(Path.Combine(folder, PairTables.Objects)) == FileDigest.Of(objects.ToString()) ? done : null;
+    }
+
     /// <summary>Writes the export.</summary>
     /// <param name="folder">The folder, which has nothing but its mark and what may stay of an earlier run.</param>
     /// <param name="report">Receives the number of frames after each frame.</param>
@@ -102,10 +132,7 @@ public sealed class PairExporter(SessionReader session, PairFormat format, Image
 
                     string? archive = format == PairFormat.Webdataset ? archives.Add(group, session) : null;
                     tables.Add(group, image => archive is null ? Placed(folder, group, image) : $"{archive}/{group.Key}.{image.Name}");
-                    done = new PairExport(
-                        done.Groups + 1,
-                        done.Images + group.Images.Count,
-                        done.Missing + line.Label.Pairs.Count(pair => pair.File is null));
+                    done = done.With(group);
                 }
 
                 report(++frames);

@@ -16,7 +16,6 @@ using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
-using Harvester.Sessions.Semantics;
 
 namespace Harvester.Datasets.Relabelling;
 
@@ -79,13 +78,9 @@ public sealed class SessionRelabeller
 
         RecordedIds ids = _recorded.ReadIds();
         IRoads? roads = RoadsOf();
-        FrameRelabeller? labeller = null;
-        Lens lens = Lens.Ideal;
+        RelabelStart? start = null;
         int position = 0;
         int frames = 0;
-        bool masks = _recorded.Options.Masks;
-        bool depth = _recorded.Options.Depth;
-        SemanticsMethod? semantics = _recorded.Options.Semantics;
         using var digests = new CarriedDigests(_recorded.Session);
         string key = RelabelKey.Of(_recorded.Session, _changes);
         NewSession.Write(folder, _changes.Sync, key, _changes.Resume, _changes.MinFreeBytes, session =>
@@ -93,33 +88,85 @@ public sealed class SessionRelabeller
             foreach ((FrameLabel label, RecordedScene scene) in _recorded.Frames())
             {
                 cancellation.ThrowIfCancellationRequested();
-                if (labeller is null)
-                {
-                    lens = _changes.Lens ?? scene.Lens;
-                    masks = masks && FrameRelabeller.KeepsMask(scene, label, lens);
-                    depth = depth && scene.Lens == lens;
-                    semantics = FrameRelabeller.KeepsClassMap(scene, label, lens) ? semantics : null;
-                    labeller = new FrameRelabeller(_options with { Lens = lens }, _recorded.Options, ids, roads);
-                }
-
+                start ??= StartAt(scene, label, ids, roads);
                 bool isOurs = _changes.Shard.Takes(position++ / _options.ViewsPerMoment);
                 if (!isOurs || frames < session.Resumed)
                 {
-                    Checked(() => labeller.Pass(scene, label));
+                    Checked(() => start.Labeller.Pass(scene, label));
                     frames += isOurs ? 1 : 0;
                     continue;
                 }
 
                 FrameLabel made = label;
-                Checked(() => made = labeller.Relabel(scene, label, () => Picture(label)));
+                Checked(() => made = start.Labeller.Relabel(scene, label, () => Picture(label)));
                 PlaceFiles(session, digests, label, made);
                 session.EndFrame(made.Frame, JsonLabelWriter.Line(made));
                 report(++frames);
             }
-        }, () => new RelabelledHeader(
-            _recorded, _changes, _options with { Lens = lens, Masks = masks, Depth = depth, Semantics = semantics }).Text(frames));
+        }, () => HeaderOf(start, frames));
         return frames;
     }
+
+    /// <summary>
+    /// The number of frames in a finished result of this relabelling: its session.json, the number of its labels and its first label are
+    /// those that a run would write.
+    /// </summary>
+    /// <param name="folder">The folder.</param>
+    /// <returns>Null if the folder has no such result.</returns>
+    /// <exception cref="DatasetFormatException">A label or scene of the recorded session is invalid.</exception>
+    /// <exception cref="IOException">A file cannot be read.</exception>
+    public int? FramesOfFinished(string folder)
+    {
+        string header = Path.Combine(folder, SessionInfo.FileName);
+        if (!File.Exists(header) || UnfinishedMark.IsIn(folder))
+        {
+            return null;
+        }
+
+        int views = _options.ViewsPerMoment;
+        int frames = Enumerable.Range(0, _recorded.Session.CountLines()).Count(place => _changes.Shard.Takes(place / views));
+        var finished = new SessionReader(folder);
+        if (finished.CountLines() != frames)
+        {
+            return null;
+        }
+
+        RecordedIds ids = _recorded.ReadIds();
+        IRoads? roads = RoadsOf();
+        RelabelStart? start = null;
+        string? first = null;
+        int position = 0;
+        foreach ((FrameLabel label, RecordedScene scene) in _recorded.Frames())
+        {
+            start ??= StartAt(scene, label, ids, roads);
+            if (_changes.Shard.Takes(position++ / views))
+            {
+                Checked(() => first = JsonLabelWriter.Line(start.Labeller.Relabel(scene, label, () => Picture(label))));
+                break;
+            }
+
+            Checked(() => start.Labeller.Pass(scene, label));
+        }
+
+        return InputFile.ReadAllText(header) == HeaderOf(start, frames) && finished.ReadTexts().FirstOrDefault() == first ? frames : null;
+    }
+
+    /// <summary>What the first frame decides for all.</summary>
+    private RelabelStart StartAt(RecordedScene scene, FrameLabel label, RecordedIds ids, IRoads? roads)
+    {
+        Lens lens = _changes.Lens ?? scene.Lens;
+        HarvestOptions options = _options with
+        {
+            Lens = lens,
+            Masks = _recorded.Options.Masks && FrameRelabeller.KeepsMask(scene, label, lens),
+            Depth = _recorded.Options.Depth && scene.Lens == lens,
+            Semantics = FrameRelabeller.KeepsClassMap(scene, label, lens) ? _recorded.Options.Semantics : null,
+        };
+        return new RelabelStart(new FrameRelabeller(_options with { Lens = lens }, _recorded.Options, ids, roads), options);
+    }
+
+    private string HeaderOf(RelabelStart? start, int frames) => new RelabelledHeader(
+        _recorded, _changes, start?.Options ?? _options with { Lens = Lens.Ideal }).Text(frames);
 
     private static void Checked(Action label)
     {

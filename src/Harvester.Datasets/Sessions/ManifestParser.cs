@@ -46,7 +46,7 @@ internal static class ManifestParser
         }
         catch (JsonException e)
         {
-            throw new DatasetFormatException($"not JSON, from character {e.BytePositionInLine + 1} on.", e);
+            throw new DatasetFormatException(JsonFault.InLine(e), e);
         }
     }
 

@@ -63,6 +63,25 @@ public static class SessionMerger
         }
     }
 
+    /// <summary>The number of frames in a finished merge of these shards.</summary>
+    /// <param name="shards">Folders of the shards, in any order.</param>
+    /// <param name="folder">The folder.</param>
+    /// <returns>Null if the folder has no such result: its session.json or the number of its labels differs.</returns>
+    /// <exception cref="DatasetFormatException">As for <see cref="Merge"/>.</exception>
+    /// <exception cref="IOException">Something cannot be read.</exception>
+    public static int? FramesOfFinished(IReadOnlyList<string> shards, string folder)
+    {
+        if (!IsSession(folder) || UnfinishedMark.IsIn(folder))
+        {
+            return null;
+        }
+
+        IReadOnlyList<SessionShard> sources = Find(shards);
+        int frames = sources.Sum(shard => shard.Session.CountLines());
+        return InputFile.ReadAllText(Path.Combine(folder, SessionInfo.FileName)) == sources[0].WholeHeader(frames)
+            && new SessionReader(folder).CountLines() == frames ? frames : null;
+    }
+
     private static int PlaceAll(
         NewSession session,
         IReadOnlyList<SessionShard> sources,

@@ -129,7 +129,23 @@ internal sealed class JsonReader(string text)
     }
 
     /// <summary>The error that something unexpected stands at the current position.</summary>
-    public FormatException Wrong(string found) => new(FormattableString.Invariant($"{found} at character {_at + 1}"));
+    /// <param name="found">What is wrong.</param>
+    public FormatException Wrong(string found)
+    {
+        int lines = 1;
+        int start = 0;
+        for (int i = 0; i < _at; i++)
+        {
+            if (text[i] == '\n')
+            {
+                lines++;
+                start = i + 1;
+            }
+        }
+
+        int bytes = Encoding.UTF8.GetByteCount(text.Substring(start, _at - start));
+        return new(FormattableString.Invariant($"invalid JSON at line {lines}, byte {bytes + 1}: {found}"));
+    }
 
     private void Items(char begin, char end, Action readItem)
     {
@@ -204,7 +220,7 @@ internal sealed class JsonReader(string text)
     {
         if (!Take(letter))
         {
-            throw Wrong($"something other than {letter}");
+            throw Wrong($"expected {letter}");
         }
     }
 }

@@ -45,6 +45,34 @@ public sealed class MasksCommandTests
         Assert.False(File.Exists(Path.Combine(session, "report.html")));
     }
 
+    [Fact]
+    public void Matching_import_counts_the_pixels_that_it_drops()
+    {
+        using var folder = new TemporaryFolder();
+        string session = folder.PathOf("session");
+        SharedHarvest.CopyTo(session, "--frames", "2", "--seed", "6", "--masks", "--no-report", "--size", "640x480");
+        string maps = folder.PathOf("maps");
+        Directory.CreateDirectory(maps);
+        foreach (int frame in (int[])[0, 1])
+        {
+            // In the sky, six pixels of frame 1 belong to no object.
+            var map = new InstanceMap(new ImageSize(640, 480));
+            foreach (int at in frame == 0 ? (int[])[] : [0, 1, 2, 640, 641, 642])
+            {
+                map.Ids[at] = (ushort)(at < 640 ? 900 : 901);
+            }
+
+            using FileStream file = File.Create(Path.Combine(maps, $"{frame}.png"));
+            new PngEncoder().Write(map, file);
+        }
+
+        CliRun run = CliRun.Of("masks", "import", session, maps, "--match");
+
+        Assert.Equal(
+            (ExitCode.Done, "harvester: 6 pixels match no object and are dropped, first in frame 1: values 900, 901\n"),
+            (run.ExitCode, run.Error));
+    }
+
     /// <summary>The harvest recorded what rays found of objects and faces; what was imported since counts.</summary>
     [Fact]
     public void Relabel_keeps_faces_hidden_that_no_imported_map_shows()

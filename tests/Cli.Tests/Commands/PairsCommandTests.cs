@@ -1,5 +1,6 @@
 using System.Formats.Tar;
 using Harvester.Cli.Terminals;
+using Harvester.Cli.Tests.Repetition;
 using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
@@ -143,6 +144,32 @@ public sealed class PairsCommandTests(HarvestedPairs harvested) : IClassFixture<
 
         CliRun.Of(command).AssertFailed(ExitCode.InputOutput, "is a link");
         Assert.Equal(["mine"], Directory.GetFiles(outside).Select(file => Path.GetFileName(file)));
+    }
+
+    [Theory]
+    [InlineData("csv", "webdataset")]
+    [InlineData("webdataset", "csv")]
+    public void Resume_of_a_finished_export_is_success(string format, string other)
+    {
+        string[] command = ["pairs", harvested.Session, "--out", Made, "--resume", "--format"];
+        CliRun.Of([.. command, format]).AssertDone();
+        FolderContent complete = FolderContent.Of(Made);
+
+        CliRun run = CliRun.Of([.. command, format]);
+
+        run.AssertDone();
+        Assert.EndsWith("; the export is finished already.\n", run.Out, StringComparison.Ordinal);
+        CliRun.Of([.. command, other]).AssertFailed(ExitCode.Usage, "already has a finished export");
+        Assert.Equal(complete, FolderContent.Of(Made));
+    }
+
+    [Fact]
+    public void Resume_of_a_finished_export_of_other_labels_is_refused()
+    {
+        CliRun.Of("pairs", harvested.Session, "--out", Made).AssertDone();
+        File.AppendAllText(Path.Combine(Made, "objects.csv"), "00000009,1,car,,,0,0,1,1,5\n");
+
+        CliRun.Of("pairs", harvested.Session, "--out", Made, "--resume").AssertFailed(ExitCode.Usage, "already has a finished export");
     }
 
     [Fact]

@@ -52,6 +52,55 @@ public sealed class RepairCommandTests : IDisposable
     }
 
     [Fact]
+    public void Refused_repair_leaves_no_output()
+    {
+        Harvest();
+        File.Delete(Path.Combine(Session, "session.json"));
+        Directory.Delete(Path.Combine(Session, "frames"), recursive: true);
+
+        CliRun.Of("repair", Session).AssertFailed(ExitCode.BadData, "nothing can be recovered");
+
+        Assert.False(Directory.Exists(Session + "-repaired"));
+    }
+
+    /// <summary>Bits, missing and inserted bytes, and missing ends, spread over the file.</summary>
+    [Theory]
+    [Trait("Category", "Heavy")]
+    [InlineData("manifest.jsonl")]
+    [InlineData("session.json")]
+    [InlineData("labels.jsonl")]
+    [InlineData("scenes/00000001.json")]
+    public void Repair_of_a_damaged_file_succeeds_or_leaves_no_output(string file)
+    {
+        const int places = 60;
+        Harvest();
+        string path = Path.Combine(Session, file);
+        byte[] bytes = File.ReadAllBytes(path);
+        File.Delete(path);
+        for (int place = 0; place < places; place++)
+        {
+            int at = place * bytes.Length / places;
+            byte[] flipped = [.. bytes];
+            flipped[at] ^= (byte)(1 << (place % 8));
+            byte[][] damaged = [flipped, bytes[..at], [.. bytes[..at], .. bytes[(at + 1)..]], [.. bytes[..at], 0xFF, .. bytes[at..]]];
+            foreach (byte[] content in damaged)
+            {
+                File.WriteAllBytes(path, content);
+
+                CliRun run = CliRun.Of("repair", Session);
+
+                Assert.InRange(run.ExitCode, ExitCode.Done, ExitCode.BadData);
+                Assert.Equal(run.Error.Length == 0, Directory.Exists(Session + "-repaired"));
+                Assert.True(run.Error.Length > 0 || CliRun.Of("validate", Session + "-repaired", "--quick").ExitCode == ExitCode.Done);
+                if (run.Error.Length == 0)
+                {
+                    Directory.Delete(Session + "-repaired", recursive: true);
+                }
+            }
+        }
+    }
+
+    [Fact]
     public void Quick_validate_finds_damage_by_the_manifest()
     {
         Harvest();

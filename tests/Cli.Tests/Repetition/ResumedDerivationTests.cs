@@ -143,6 +143,65 @@ public sealed class ResumedDerivationTests : IClassFixture<ResumedDerivationTest
         Assert.Equal(time, File.GetLastWriteTimeUtc(first));
     }
 
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void Resume_of_a_finished_result_is_success(bool relabels)
+    {
+        string[] words = relabels ? RelabelWords : MergeWords;
+        Run([.. words, "--out", Out]);
+        FolderContent complete = FolderContent.Of(Out);
+
+        CliRun run = CliRun.Of([.. words, "--out", Out, "--resume"]);
+
+        run.AssertDone();
+        Assert.Contains("6 frames; the ", run.Out, StringComparison.Ordinal);
+        Assert.Contains(" is finished already.", run.Out, StringComparison.Ordinal);
+        Assert.Equal(complete, FolderContent.Of(Out));
+    }
+
+    [Theory]
+    [InlineData("--range", "50")]
+    [InlineData("--classes", "sign")]
+    [InlineData("--shard", "1/2")]
+    [InlineData("--min-box-area", "50")]
+    public void Resume_of_another_finished_relabelling_is_refused(string option, string value)
+    {
+        Run([.. RelabelWords, "--out", Out]);
+        FolderContent complete = FolderContent.Of(Out);
+        string[] other =
+            [.. RelabelWords.Where((word, index) => word != option && (index == 0 || RelabelWords[index - 1] != option))];
+
+        CliRun.Of([.. other, option, value, "--out", Out, "--resume"]).AssertFailed(ExitCode.Usage, $"'{Out}' already has a session.");
+
+        Assert.Equal(complete, FolderContent.Of(Out));
+    }
+
+    [Fact]
+    public void Resume_of_a_finished_result_of_other_shards_is_refused()
+    {
+        Run([.. RelabelWords, "--out", Out]);
+
+        CliRun.Of([.. MergeWords, "--out", Out, "--resume"]).AssertFailed(ExitCode.Usage, $"'{Out}' already has a session.");
+    }
+
+    [Fact]
+    public void Resume_of_a_finished_merge_of_an_export_is_success()
+    {
+        string[] Shard(string number) =>
+            ["export", _inputs.Session, "--format", "yolo", "--out", _folder.PathOf("shards"), "--shard", number];
+        Run(Shard("1/2"));
+        Run(Shard("2/2"));
+        string[] words = ["merge", _folder.PathOf("shards"), "--out", Out];
+        Run(words);
+        FolderContent complete = FolderContent.Of(Out);
+
+        CliRun.Of([.. words, "--resume"]).AssertDone();
+
+        Assert.Equal(complete, FolderContent.Of(Out));
+        CliRun.Of(words).AssertFailed(ExitCode.Usage, $"'{Out}'");
+    }
+
     [Fact]
     public void Resume_and_overwrite_of_a_relabelling_are_refused() =>
         CliRun.Of([.. RelabelWords, "--out", Out, "--resume", "--overwrite"]).AssertFailed(

@@ -26,13 +26,17 @@ public sealed class ComparedDatasetTests(SimulatedSession session) : IDisposable
 
     public void Dispose() => Directory.Delete(_folder, recursive: true);
 
-    [Fact]
-    public void KITTI_labels_are_read_in_the_terms_of_the_development_kit()
+    [Theory]
+    [InlineData(" ")]
+    [InlineData("\t")]
+    [InlineData("  \t")]
+    public void KITTI_labels_are_read_in_the_terms_of_the_development_kit(string separator)
     {
         // A car 3 m high whose bottom is 1.5 m below the camera, 3 m to the right and 4 m ahead: its centre is 5 m away.
         Write(
             "label_2/000000.txt",
-            "Car 0.25 1 1.5 100 50 150 80 3 1.6 4 3 1.5 4 2.1\nDontCare -1 -1 -10 0 0 9 9 -1 -1 -1 -1000 -1000 -1000 -10\n");
+            "Car 0.25 1 1.5 100 50 150 80 3 1.6 4 3 1.5 4 2.1\nDontCare -1 -1 -10 0 0 9 9 -1 -1 -1 -1000 -1000 -1000 -10\n"
+                .Replace(" ", separator, StringComparison.Ordinal));
         Write("label_2/000001.txt", "");
 
         DatasetProfile profile = Read(ComparedKitti.Open(_folder));

@@ -67,19 +67,20 @@ public class JsonReaderTests
     }
 
     [Theory]
-    [InlineData("", "end of the text instead of a value at character 1")]
-    [InlineData("{\"a\":1", "something other than } at character 7")]
-    [InlineData("{\"a\" 1}", "something other than : at character 6")]
-    [InlineData("{a:1}", "something other than \" at character 2")]
-    [InlineData("[1,]", "invalid number at character 4")]
+    [InlineData("", "invalid JSON at line 1, byte 1: the end of the text instead of a value")]
+    [InlineData("{\"a\":1", "invalid JSON at line 1, byte 7: expected }")]
+    [InlineData("{\"a\" 1}", "invalid JSON at line 1, byte 6: expected :")]
+    [InlineData("{a:1}", "invalid JSON at line 1, byte 2: expected \"")]
+    [InlineData("[1,]", "invalid JSON at line 1, byte 4: an invalid number")]
     [InlineData("[1e999]", "invalid number")]
     [InlineData("[NaN]", "invalid number")]
-    [InlineData("[trve]", "unknown word at character 2")]
+    [InlineData("[trve]", "invalid JSON at line 1, byte 2: an unknown word")]
     [InlineData("[\"\\x\"]", "unknown escape")]
     [InlineData("[\"\\u12\"]", "unknown escape")]
     [InlineData("[\"a\nb\"]", "control character")]
-    [InlineData("[\"a", "end of the text in a string at character 4")]
-    [InlineData("[] []", "more text after the value at character 4")]
+    [InlineData("[\"a", "byte 4: the end of the text in a string")]
+    [InlineData("{\n\"é\": x}", "invalid JSON at line 2, byte 7: an invalid number")]
+    [InlineData("[] []", "byte 4: more text after the value")]
     public void Text_that_is_not_JSON_is_refused_with_its_position(string text, string expected)
     {
         var json = new JsonReader(text);

@@ -24,9 +24,13 @@ public static class DatasetMerger
     {
         var target = new DatasetFolder(folder, options.Sync);
         DatasetFolder[] sources = [.. shards.Select(shard => new DatasetFolder(shard))];
-        if (target.HasLeftovers && IsMergeOf(sources, target))
+        if ((target.HasLeftovers || (options.Resume && target.IsFinished)) && IsMergeOf(sources, target))
         {
-            target.Finish();
+            if (target.HasLeftovers)
+            {
+                target.Finish();
+            }
+
             return DatasetAssembly.ResultOf(target);
         }
 

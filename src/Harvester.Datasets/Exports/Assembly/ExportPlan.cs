@@ -107,7 +107,7 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
         catch (JsonException e)
         {
             throw new DatasetFormatException(
-                $"The plan of the export is invalid JSON at byte {e.BytePositionInLine + 1}. Delete the folder and export again.", e);
+                $"The plan of the export: {JsonFault.InLine(e)} Delete the folder and export again.", e);
         }
     }
 

@@ -35,7 +35,7 @@ internal sealed record DatasetHeader(
         }
         catch (Exception e) when (e is JsonException or DatasetFormatException)
         {
-            throw new DatasetFormatException($"{DatasetFolder.Header} is malformed: {e.Message}", e);
+            throw new DatasetFormatException($"{DatasetFolder.Header} is malformed: {JsonFault.InText(e)}", e);
         }
     }
 }

@@ -127,7 +127,7 @@ internal static class JsonDumpImporter
         }
         catch (JsonException e)
         {
-            throw new DatasetFormatException($"{source.Name}, line {e.LineNumber + 1}: {e.Message}", e);
+            throw new DatasetFormatException($"{source.Name}: {JsonFault.InText(e)}", e);
         }
     }
 

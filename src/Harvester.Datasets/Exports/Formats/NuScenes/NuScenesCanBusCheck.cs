@@ -55,7 +55,7 @@ internal static class NuScenesCanBusCheck
             }
             catch (Exception e) when (e is JsonException or DatasetFormatException)
             {
-                return new SessionProblem(name, number, e.Message);
+                return new SessionProblem(name, number, JsonFault.InText(e));
             }
         }
 

@@ -270,7 +270,7 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
         }
         catch (Exception e) when (e is DatasetFormatException or JsonException)
         {
-            return e.Message;
+            return JsonFault.InText(e);
         }
     }
 }

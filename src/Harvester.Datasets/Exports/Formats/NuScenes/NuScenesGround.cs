@@ -62,7 +62,7 @@ internal sealed class NuScenesGround
         }
         catch (Exception e) when (e is DatasetFormatException or JsonException)
         {
-            throw new DatasetFormatException($"{session.PathOf(name)}: {e.Message}", e);
+            throw new DatasetFormatException($"{session.PathOf(name)}: {JsonFault.InText(e)}", e);
         }
     }
 
