@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using System.Text;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
@@ -73,7 +72,7 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
     {
         try
         {
-            using JsonDocument document = JsonInput.Parse(Encoding.UTF8.GetString(content));
+            using JsonDocument document = JsonInput.Parse(content.AsMemory());
             return Read(new JsonFields(document.RootElement));
         }
         catch (JsonException e)

@@ -63,6 +63,22 @@ public sealed class RepairCommandTests : IDisposable
         Assert.False(Directory.Exists(Session + "-repaired"));
     }
 
+    [Fact]
+    public void Header_that_is_not_UTF_8_is_made_again()
+    {
+        Harvest();
+        string path = Path.Combine(Session, "session.json");
+        byte[] bytes = File.ReadAllBytes(path);
+        File.Delete(path);
+        int at = bytes.AsSpan().IndexOf("harvester "u8);
+        File.WriteAllBytes(path, [.. bytes[..at], 0xFF, .. bytes[at..]]);
+
+        CliRun run = CliRun.Of("repair", Session);
+
+        Assert.Equal((ExitCode.BadData, ""), (run.ExitCode, run.Error));
+        Assert.Contains("session.json: it is damaged (it is not UTF-8); game, options and lens are lost.", run.Out, StringComparison.Ordinal);
+    }
+
     /// <summary>Bits, missing and inserted bytes, and missing ends, spread over the file.</summary>
     [Theory]
     [Trait("Category", "Heavy")]
