@@ -73,7 +73,7 @@ internal static class MergeCommand
             return ExitCode.Done;
         }
 
-        if (options.Resume && SessionMerger.FramesOfFinished(shards, folder) is { } done)
+        if (options.Resume && FinishedResult.Of(folder, () => SessionMerger.FramesOfFinished(shards, folder)) is { } done)
         {
             terminal.Out.WriteLine($"{folder}: {Counted.Of(done, "frame")}; the merge is finished already.");
             return ExitCode.Done;

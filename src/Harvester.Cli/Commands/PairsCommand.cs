@@ -61,7 +61,7 @@ internal sealed class PairsCommand
         {
             Resumes = resumes,
         };
-        if (resumes && exporter.Finished(target) is { } finished)
+        if (resumes && FinishedResult.Of(target, () => exporter.Finished(target)) is { } finished)
         {
             terminal.Out.WriteLine($"{target}: {Counted.Of(finished.Groups, "group")}, "
                 + $"{Counted.Of(finished.Images, "picture")}; the export is finished already.");

@@ -87,7 +87,7 @@ internal sealed class RelabelCommand
         ResumeOption.Check(resumes, parsed.GetValue(Overwrite));
         RelabelOptions changes = ChangesOf(terminal, parsed);
         var relabeller = new SessionRelabeller(session, changes);
-        if (resumes && relabeller.FramesOfFinished(folder) is { } done)
+        if (resumes && FinishedResult.Of(folder, () => relabeller.FramesOfFinished(folder)) is { } done)
         {
             terminal.Out.WriteLine($"{folder}: {Counted.Of(done, "frame")}; the relabelling is finished already.");
             return ExitCode.Done;
