@@ -16,7 +16,7 @@ Colour = Tuple[int, int, int]
 
 CLASS_COLOURS: Dict[str, Colour] = {
     "car": (0, 200, 255), "truck": (255, 140, 0), "bus": (255, 220, 0), "motorcycle": (200, 80, 255), "bicycle": (120, 120, 255),
-    "trailer": (180, 120, 60), "pedestrian": (255, 60, 90), "sign": (60, 230, 90), "trafficLight": (180, 255, 60)}
+    "trailer": (180, 120, 60), "pedestrian": (255, 60, 90), "rider": (255, 140, 200), "sign": (60, 230, 90), "trafficLight": (180, 255, 60)}
 """Red, green, blue by class; other classes are white."""
 
 KINDS = ("cuboid", "amodal", "visible", "whole", "3d", "none")

@@ -25,7 +25,7 @@ JOINT_NAMES: Tuple[str, ...] = (
 """The joints of a person, in the order of the labels (that of the dataset JTA)."""
 
 CLASS_NAMES: Tuple[str, ...] = (
-    "car", "truck", "bus", "motorcycle", "bicycle", "trailer", "pedestrian", "sign", "trafficLight", "other")
+    "car", "truck", "bus", "motorcycle", "bicycle", "trailer", "pedestrian", "sign", "trafficLight", "other", "rider")
 """The classes of the format, in the order of their numbers."""
 
 SEMANTIC_CLASS_NAMES: Tuple[str, ...] = (
@@ -138,6 +138,7 @@ class ObjectLabel:
     parent: Optional[int]
     known_parts: Optional[int]
     has_rider: Optional[bool]
+    vehicle: Optional[int]
     box2d: Box
     box2d_amodal: Box
     box2d_visible: Optional[Box]
@@ -166,6 +167,7 @@ class ObjectLabel:
             parent=optional(integer, item["parent"]),
             known_parts=optional(integer, item["knownParts"]),
             has_rider=optional(flag, item["hasRider"]),
+            vehicle=optional(integer, item.get("vehicle")),
             box2d=box(item["box2d"]),
             box2d_amodal=box(item["box2dAmodal"]),
             box2d_visible=optional(box, item["box2dVisible"]),

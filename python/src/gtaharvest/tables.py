@@ -35,7 +35,7 @@ def table_of(frames: Iterable[Frame], selection: Optional[Selection]) -> pandas.
 def _row(item: ObjectLabel) -> Dict[str, Any]:
     row: Dict[str, Any] = {
         "id": item.id, "class_name": item.class_name, "model": item.model, "name": item.name, "parent": item.parent,
-        "has_rider": item.has_rider}
+        "has_rider": item.has_rider, "vehicle": item.vehicle}
     for name, box in (
             ("box2d", item.box2d), ("box2d_amodal", item.box2d_amodal), ("box2d_visible", item.box2d_visible),
             ("box2d_whole", item.box2d_whole)):

@@ -25,12 +25,27 @@ internal sealed record HiddenVariant(
             found => found.Key, found => found.First().Handle);
         IGrouping<int, ObjectLabel>[] entities =
             [.. draft.Objects.Where(label => handles.ContainsKey(label.Id)).GroupBy(label => handles[label.Id])];
-        return [.. choices.Select(choice => (choice.Name, Entities: choice.Of(entities))).Where(variant => variant.Entities.Count > 0)
-            .Select((variant, number) => new HiddenVariant(
-                number + 1,
-                variant.Name,
-                [.. variant.Entities.Select(entity => entity.Key)],
-                [.. variant.Entities.SelectMany(entity => entity).Select(label => label.Id).OrderBy(static id => id)],
-                [.. variant.Entities.SelectMany(entity => entity).Select(label => label.Box2D)]))];
+        return [.. choices.Select(choice => (choice.Name, Handles: WithRiders(draft, choice.Of(entities).Select(entity => entity.Key))))
+            .Where(variant => variant.Handles.Count > 0)
+            .Select((variant, number) => (variant, number, Labels: entities.Where(entity => variant.Handles.Contains(entity.Key))
+                .SelectMany(entity => entity).ToArray()))
+            .Select(each => new HiddenVariant(
+                each.number + 1,
+                each.variant.Name,
+                each.variant.Handles,
+                [.. each.Labels.Select(label => label.Id).OrderBy(static id => id)],
+                [.. each.Labels.Select(label => label.Box2D)]))];
+    }
+
+    /// <summary>Some entities and the riders of those that are two-wheelers: nobody rides a vehicle that is not there.</summary>
+    private static IReadOnlyList<int> WithRiders(FrameDraft draft, IEnumerable<int> handles)
+    {
+        int[] chosen = [.. handles];
+        return
+        [
+            .. chosen,
+            .. draft.Snapshot.Entities.Where(entity => entity.VehicleHandle is { } vehicle && chosen.Contains(vehicle))
+                .Select(entity => entity.Handle).Except(chosen),
+        ];
     }
 }

@@ -14,6 +14,9 @@ namespace Harvester.Capture.Labelling;
 /// <param name="Projection">The cuboid's projection, with both boxes.</param>
 internal sealed record LabelCandidate(EntityState Entity, ushort Id, Cuboid Cuboid, CuboidProjection Projection)
 {
+    /// <summary>The id of the two-wheeler that a rider sits on; null for other classes and if that is not in the scene.</summary>
+    public ushort? VehicleId { get; init; }
+
     /// <summary>The box around its part inside the image, pixels.</summary>
     public Box2D Box => Projection.Box!.Value;
 
@@ -32,6 +35,7 @@ internal sealed record LabelCandidate(EntityState Entity, ushort Id, Cuboid Cubo
         Model = Entity.Model,
         KnownParts = knownParts,
         HasRider = Entity.HasRider,
+        Vehicle = VehicleId,
         Lights = Entity.Lights,
         Box2D = Box,
         Box2DAmodal = Projection.AmodalBox!.Value,

@@ -24,7 +24,7 @@ internal static class LidarIntensity
     {
         SemanticClass.Road => 0.15,
         SemanticClass.LaneMarking => 0.6,
-        SemanticClass.Pavement or SemanticClass.Pedestrian => 0.35,
+        SemanticClass.Pavement or SemanticClass.Pedestrian or SemanticClass.Rider => 0.35,
         SemanticClass.Building => 0.4,
         SemanticClass.Vegetation => 0.5,
         SemanticClass.Terrain => 0.25,

@@ -16,9 +16,9 @@ internal sealed class ObjectLabeller(LabellingOptions options, ObjectRegistry re
 {
     /// <summary>The entities in the image, with their ids.</summary>
     public List<LabelCandidate> CandidatesOf(Camera camera, SceneSnapshot snapshot) =>
-        [.. snapshot.Entities.Select(entity => CandidateOf(camera, entity)).OfType<LabelCandidate>()];
+        [.. snapshot.Entities.Select(entity => CandidateOf(camera, snapshot, entity)).OfType<LabelCandidate>()];
 
-    private LabelCandidate? CandidateOf(Camera camera, EntityState entity)
+    private LabelCandidate? CandidateOf(Camera camera, SceneSnapshot snapshot, EntityState entity)
     {
         if (options.Classes is { } classes && !classes.Contains(entity.Class))
         {
@@ -28,6 +28,10 @@ internal sealed class ObjectLabeller(LabellingOptions options, ObjectRegistry re
         Cuboid cuboid = Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose);
         return CuboidProjector.BoxesOf(camera, cuboid).Box is { } box && options.IsLargeEnough(box)
             ? new LabelCandidate(entity, registry.IdOf(entity), cuboid, CuboidProjector.Project(camera, cuboid))
+            {
+                VehicleId = entity.VehicleHandle is { } handle
+                    && snapshot.Entities.FirstOrDefault(other => other.Handle == handle) is { } vehicle ? registry.IdOf(vehicle) : null,
+            }
             : null;
     }
 

@@ -65,6 +65,9 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
     /// <summary>Whether it lists objects; lane formats and class maps do not.</summary>
     public bool HasObjects => ListsObjects && !NeedsLanes && !NeedsClassMaps;
 
+    /// <summary>Whether a two-wheeler and its rider are one object of it.</summary>
+    internal bool IncludesRiders { get; init; }
+
     /// <summary>Whether it lists objects of its images; formats of points and poses do not.</summary>
     internal bool ListsObjects { get; init; } = true;
 

@@ -1,9 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
-using Harvester.Sessions.Files;
-using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Exports;
 
@@ -27,20 +24,11 @@ internal static class MovingObjects
     public static HashSet<int> At(ExportFrame frame)
     {
         HashSet<int> moving = [.. frame.Label.Objects.Where(item => IsMoving(item.Velocity.Length)).Select(item => item.Id)];
-        string file = FramePaths.Scene(frame.Label.Frame);
-        if (frame.HasFile(file))
+        if (FrameScene.Read(frame) is { } scene)
         {
-            try
-            {
-                RecordedScene scene = SceneParser.Read(frame.Session.PathOf(file), frame.Label);
-                HashSet<int> handles =
-                    [.. scene.Snapshot.Entities.Where(entity => IsMoving(entity.Velocity.Length)).Select(entity => entity.Handle)];
-                moving.UnionWith(scene.Ids.Where(id => handles.Contains(id.Key)).Select(id => id.Value));
-            }
-            catch (DatasetFormatException e)
-            {
-                throw frame.Problem($"its scene '{file}' cannot be read: {e.Message}");
-            }
+            HashSet<int> handles =
+                [.. scene.Snapshot.Entities.Where(entity => IsMoving(entity.Velocity.Length)).Select(entity => entity.Handle)];
+            moving.UnionWith(scene.Ids.Where(id => handles.Contains(id.Key)).Select(id => id.Value));
         }
 
         return moving;

@@ -3,6 +3,7 @@ using System.Linq;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Exports;
 
@@ -16,9 +17,10 @@ internal sealed class ObjectSelector(DatasetFormat format, ExportOptions options
     {
         var objects = new List<ExportObject>();
         var ignored = new List<ExportRegion>();
-        foreach (ObjectLabel label in frame.Label.Objects.Where(label => IsThing(label, frame)))
+        IEnumerable<ObjectLabel> labels = format.IncludesRiders ? RiddenVehicles.WithRiders(frame.Label) : frame.Label.Objects;
+        foreach (ObjectLabel label in labels.Where(label => IsThing(label, frame)))
         {
-            DatasetClass? kind = _classes.Of(label);
+            DatasetClass? kind = format.IncludesRiders && label.Class == ObjectClass.Rider ? null : _classes.Of(label);
             Box2D? box = BoxOf(label, frame);
             if (kind is not null && box is { } exported && IsVisible(label, frame))
             {

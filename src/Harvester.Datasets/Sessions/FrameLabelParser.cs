@@ -203,6 +203,7 @@ public static class FrameLabelParser
             Parent = label.Has("parent") ? label.Integer("parent") : null,
             KnownParts = label.Has("knownParts") ? label.Integer("knownParts") : null,
             HasRider = label.OptionalBoolean("hasRider"),
+            Vehicle = label.Has("vehicle") ? label.Integer("vehicle") : null,
             Lights = VehicleLightsParser.Parse(label),
             Box2D = ReadBox(label, "box2d"),
             Box2DAmodal = ReadBox(label, "box2dAmodal"),

@@ -98,6 +98,7 @@ internal static class SceneParser
         entity.Vector("velocity"))
     {
         HasRider = entity.OptionalBoolean("hasRider"),
+        VehicleHandle = entity.Has("vehicle") ? entity.Integer("vehicle") : null,
         Lights = VehicleLightsParser.Parse(entity),
         Skeleton = entity.Has("joints") ? SkeletonOf(entity) : null,
     };

@@ -20,9 +20,9 @@ internal static class JointsCheck
             yield break;
         }
 
-        if (item.Class != ObjectClass.Pedestrian)
+        if (!VehicleClasses.ArePeople(item.Class))
         {
-            yield return "joints are given, but it is not a pedestrian.";
+            yield return "joints are given, but it is no person.";
         }
 
         for (int i = 0; i < joints.Joints.Count; i++)

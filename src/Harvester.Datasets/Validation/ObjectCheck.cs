@@ -87,7 +87,8 @@ internal static class ObjectCheck
                 $"distanceMetres is {item.DistanceMetres}, but box3d.centre is {distance:0.###} m from the camera."));
         }
 
-        foreach (string problem in FaceCheck.Problems(item).Concat(JointsCheck.Problems(item, camera)))
+        foreach (string problem in FaceCheck.Problems(item).Concat(JointsCheck.Problems(item, camera))
+            .Concat(RiderCheck.Problems(item, frame)))
         {
             yield return Of(item, problem);
         }

@@ -146,7 +146,7 @@ public sealed class Overlay : IFeature
     {
         Colour colour = entity.Model.Class switch
         {
-            ObjectClass.Pedestrian => People,
+            ObjectClass.Pedestrian or ObjectClass.Rider => People,
             ObjectClass.Sign or ObjectClass.TrafficLight => Signs,
             _ => Vehicles,
         };

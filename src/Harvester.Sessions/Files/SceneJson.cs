@@ -88,11 +88,12 @@ internal static class SceneJson
         VehicleLightsJson.Append(json, entity.Lights);
         json.Key("class").String(JsonName.Of(entity.Class))
             .Key("model").String(entity.Model);
-        return Append(json, entity.Pose)
+        Append(json, entity.Pose)
             .Key("modelMin").Exact(entity.ModelMin)
             .Key("modelMax").Exact(entity.ModelMax)
             .Key("velocity").Exact(entity.Velocity)
             .Key("hasRider").Boolean(entity.HasRider);
+        return entity.VehicleHandle is { } vehicle ? json.Key("vehicle").Integer(vehicle) : json;
     }
 
     private static JsonText Append(JsonText json, Pose pose) =>

@@ -230,8 +230,13 @@ public static class JsonLabelWriter
             .Key("name").String(label.Name)
             .Key("parent").Integer(label.Parent)
             .Key("knownParts").Integer(label.KnownParts)
-            .Key("hasRider").Boolean(label.HasRider)
-            .Key("box2d").Box(label.Box2D, LabelDecimals.Pixels)
+            .Key("hasRider").Boolean(label.HasRider);
+        if (label.Class == ObjectClass.Rider)
+        {
+            json.Key("vehicle").Integer(label.Vehicle);
+        }
+
+        json.Key("box2d").Box(label.Box2D, LabelDecimals.Pixels)
             .Key("box2dAmodal").Box(label.Box2DAmodal, LabelDecimals.Pixels)
             .Key("box2dVisible").Box(label.Box2DVisible, LabelDecimals.Pixels);
         if (label.Box2DWhole is { } whole)

@@ -35,6 +35,11 @@ public sealed record ObjectLabel
     /// <summary>Whether somebody sits on a motorcycle or bicycle; null for other classes and if unknown.</summary>
     public bool? HasRider { get; init; }
 
+    /// <summary>
+    /// Id of the motorcycle or bicycle that a rider sits on, which need not be in the image; null for other classes and if unknown.
+    /// </summary>
+    public int? Vehicle { get; init; }
+
     /// <summary>The lamps of a vehicle that shine; null for other classes and if unknown.</summary>
     public VehicleLights? Lights { get; init; }
 
@@ -95,6 +100,6 @@ public sealed record ObjectLabel
     /// <summary>The data of a face or head; null for an object of its own.</summary>
     public FaceLabel? Face { get; init; }
 
-    /// <summary>The joints of a person; null for other classes and if unknown.</summary>
+    /// <summary>The joints of a person, also of a rider; null for other classes and if unknown.</summary>
     public JointsLabel? Joints { get; init; }
 }

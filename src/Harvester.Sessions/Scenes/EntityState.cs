@@ -16,6 +16,9 @@ public sealed record EntityState(
     /// <summary>Whether somebody sits on a motorcycle or bicycle; null for other classes and if unknown.</summary>
     public bool? HasRider { get; init; }
 
+    /// <summary>Handle of the motorcycle or bicycle that a rider sits on; null for other classes.</summary>
+    public int? VehicleHandle { get; init; }
+
     /// <summary>The lamps of a vehicle that shine; null for other classes and if unknown.</summary>
     public VehicleLights? Lights { get; init; }
 

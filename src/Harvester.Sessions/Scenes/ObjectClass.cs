@@ -32,4 +32,7 @@ public enum ObjectClass
 
     /// <summary>Any other labelled object.</summary>
     Other,
+
+    /// <summary>A person on a motorcycle or bicycle.</summary>
+    Rider,
 }

@@ -50,4 +50,7 @@ public static class VehicleClasses
 
     /// <summary>Whether objects of a class have riders, who sit on them and not in them.</summary>
     public static bool HaveRiders(ObjectClass kind) => kind is ObjectClass.Motorcycle or ObjectClass.Bicycle;
+
+    /// <summary>Whether objects of a class are people: on foot, or on a two-wheeler.</summary>
+    public static bool ArePeople(ObjectClass kind) => kind is ObjectClass.Pedestrian or ObjectClass.Rider;
 }

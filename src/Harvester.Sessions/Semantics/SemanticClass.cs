@@ -54,7 +54,7 @@ public enum SemanticClass : byte
     /// <summary>A trailer.</summary>
     Trailer = 16,
 
-    /// <summary>A person, also on a two-wheeler.</summary>
+    /// <summary>A person on foot. Class maps without <see cref="Rider"/> also have riders so.</summary>
     Pedestrian = 17,
 
     /// <summary>A traffic sign with its post.</summary>
@@ -65,4 +65,7 @@ public enum SemanticClass : byte
 
     /// <summary>Anything else.</summary>
     Other = 20,
+
+    /// <summary>A person on a motorcycle or bicycle.</summary>
+    Rider = 21,
 }

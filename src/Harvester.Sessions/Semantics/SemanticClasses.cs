@@ -14,18 +14,18 @@ public static class SemanticClasses
     [
         (0, 0, 0), (128, 64, 128), (244, 35, 232), (255, 255, 255), (70, 70, 70), (107, 142, 35), (152, 251, 152), (70, 130, 180),
         (0, 170, 255), (153, 153, 153), (190, 153, 153), (0, 0, 142), (0, 0, 70), (0, 60, 100), (0, 0, 230), (119, 11, 32), (0, 0, 110),
-        (220, 20, 60), (220, 220, 0), (250, 170, 30), (110, 110, 0),
+        (220, 20, 60), (220, 220, 0), (250, 170, 30), (110, 110, 0), (255, 0, 0),
     ];
 
     /// <summary>The greatest value in a class map.</summary>
-    public const int Greatest = (int)SemanticClass.Other;
+    public const int Greatest = (int)SemanticClass.Rider;
 
     /// <summary>The class of objects of a class.</summary>
     public static SemanticClass Of(ObjectClass kind) => (SemanticClass)((int)SemanticClass.Car + (int)kind);
 
     /// <summary>The objects that a class stands for; null for surfaces, the sky and <see cref="SemanticClass.None"/>.</summary>
     public static ObjectClass? ObjectOf(SemanticClass kind) =>
-        kind is >= SemanticClass.Car and <= SemanticClass.Other ? (ObjectClass)((int)kind - (int)SemanticClass.Car) : null;
+        kind is >= SemanticClass.Car and <= SemanticClass.Rider ? (ObjectClass)((int)kind - (int)SemanticClass.Car) : null;
 
     /// <summary>The colour of a class in pictures for display: red, green, blue.</summary>
     /// <exception cref="IndexOutOfRangeException">The value is no class.</exception>

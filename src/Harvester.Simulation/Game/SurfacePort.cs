@@ -33,7 +33,6 @@ internal sealed class SurfacePort(SimulatedGame game) : ISurfaceTruth
         SurfaceKind.Sky => SemanticClass.Sky,
         SurfaceKind.Pole => SemanticClass.Pole,
         SurfaceKind.Fence => SemanticClass.Fence,
-        SurfaceKind.Person => SemanticClass.Pedestrian,
         _ => SemanticClass.Other,
     };
 }

@@ -5,7 +5,7 @@ using Harvester.Simulation.Rendering;
 namespace Harvester.Simulation.Models;
 
 /// <summary>
-/// Motorcycles and bicycles without their riders, who are entities of their own in the game: the model's box is that of the machine alone.
+/// Motorcycles and bicycles without their riders, who are entities of their own: the model's box is that of the machine alone.
 /// </summary>
 internal static class CycleModels
 {

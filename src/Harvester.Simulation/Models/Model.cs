@@ -15,8 +15,8 @@ namespace Harvester.Simulation.Models;
 /// <see cref="SignalState"/>).</param>
 public sealed record Model(string Name, ObjectClass Class, Vector3D Min, Vector3D Max, IReadOnlyList<Mesh> Variants)
 {
-    /// <summary>The riders of a two-wheeler, who are not part of it; empty for everything else.</summary>
-    public IReadOnlyList<Mesh> Riders { get; init; } = [];
+    /// <summary>The riders of a two-wheeler, in its frame; empty for everything else. They are entities of their own.</summary>
+    public IReadOnlyList<Model> Riders { get; init; } = [];
 
     /// <summary>The light of its lamps; null unless it is a vehicle.</summary>
     public VehicleLampMeshes? Lamps { get; init; }

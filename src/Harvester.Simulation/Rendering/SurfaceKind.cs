@@ -30,7 +30,7 @@ public enum SurfaceKind : byte
     /// <summary>A parapet or railing.</summary>
     Fence,
 
-    /// <summary>A person who is no entity: the rider of a two-wheeler.</summary>
+    /// <summary>A rider of a two-wheeler.</summary>
     Person,
 
     /// <summary>Something else, such as a bench.</summary>

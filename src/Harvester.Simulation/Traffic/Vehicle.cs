@@ -70,7 +70,13 @@ internal sealed class Vehicle
     /// <summary>Its brake lights and indicators.</summary>
     public VehicleSignals Signals { get; } = new();
 
-    /// <summary>Its meshes: the vehicle itself, the light of its lamps, and its rider, who is no part of it.</summary>
+    /// <summary>Handle of its rider; 0 without one.</summary>
+    public int RiderHandle { get; set; }
+
+    /// <summary>The model of its rider; null for a vehicle that has none.</summary>
+    public Model? Rider => Model.Riders.Count > 0 ? Model.Riders[Handle % Model.Riders.Count] : null;
+
+    /// <summary>Its meshes: the vehicle itself, the light of its lamps, and its rider, who is an entity of its own.</summary>
     public IEnumerable<MeshInstance> Instances(VehicleLights lights)
     {
         yield return new MeshInstance(Model.Variant(Handle), Pose, Handle);
@@ -79,9 +85,9 @@ internal sealed class Vehicle
             yield return new MeshInstance(lamps, Pose, Handle);
         }
 
-        if (Model.Riders.Count > 0)
+        if (Rider is { } rider)
         {
-            yield return new MeshInstance(Model.Riders[Handle % Model.Riders.Count], Pose, 0);
+            yield return new MeshInstance(rider.Mesh, Pose, RiderHandle);
         }
     }
 

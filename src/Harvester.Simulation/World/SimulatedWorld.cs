@@ -115,6 +115,11 @@ internal sealed class SimulatedWorld
             _signalProps.AddGiven(props.Where(prop => prop.Name.StartsWith("prop_traffic", StringComparison.Ordinal)), catalogue);
         }
 
+        foreach (Vehicle ridden in _vehicles.Where(vehicle => vehicle.Rider is not null))
+        {
+            ridden.RiderHandle = handles.Next();
+        }
+
         LaneControl control = new(site.Signals, scenery.StopArms);
         IEnumerable<Footprint> obstacles = parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max));
         _traffic = new TrafficFlow(site.Lanes, control, _vehicles, Car, obstacles, placing) { Radius = options.TrafficRadiusMetres };
@@ -233,6 +238,15 @@ internal sealed class SimulatedWorld
                 HasRider = VehicleClasses.HaveRiders(vehicle.Model.Class) ? true : null,
                 Lights = LightsOf(vehicle),
             });
+        IEnumerable<EntityState> riders = _vehicles.Skip(1)
+            .Where(vehicle => vehicle.Rider is not null && vehicle.Handle != HiddenHandle && IsNear(vehicle.Pose))
+            .Select(vehicle => new EntityState(
+                vehicle.RiderHandle, ObjectClass.Rider, vehicle.Rider!.Name, vehicle.Pose, vehicle.Rider.Min, vehicle.Rider.Max,
+                vehicle.Velocity)
+            {
+                VehicleHandle = vehicle.Handle,
+                Skeleton = vehicle.Rider.Skeletons[0].MovedBy(vehicle.Pose),
+            });
         IEnumerable<EntityState> walkers = _walkers.Where(walker => IsNear(walker.Pose)).Select(walker =>
             new EntityState(walker.Handle, walker.Model.Class, walker.Model.Name, walker.Pose, walker.Model.Min, walker.Model.Max,
                 walker.Velocity)
@@ -240,7 +254,7 @@ internal sealed class SimulatedWorld
                 Skeleton = walker.Skeleton,
             });
         IEnumerable<EntityState> props = _entities.Where(prop => IsNear(prop.Pose)).Select(prop => prop.State);
-        return [.. vehicles.Concat(walkers).Concat(props).Concat(_signalProps.States.Where(signal => IsNear(signal.Pose)))
+        return [.. vehicles.Concat(riders).Concat(walkers).Concat(props).Concat(_signalProps.States.Where(signal => IsNear(signal.Pose)))
             .Where(entity => entity.Handle != HiddenHandle)
             .OrderBy(entity => entity.Handle)];
 

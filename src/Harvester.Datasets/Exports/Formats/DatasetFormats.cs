@@ -30,13 +30,13 @@ public static class DatasetFormats
     [
         new("kitti", "KITTI object detection: images, label_2, calib, velodyne, oxts", options => new KittiWriter(options))
         {
-            NeedsRectilinear = true, UsesMasks = true, HasBoxes = true, HasNames = true, Names = KittiClasses.Types,
+            NeedsRectilinear = true, UsesMasks = true, HasBoxes = true, HasNames = true, Names = KittiClasses.Types, IncludesRiders = true,
                 HasPoints = true, Check = KittiCheck.Problems,
         },
         new("kitti-tracking", "KITTI tracking: a sequence for each place", options => new KittiTrackingWriter(options))
         {
             NeedsRectilinear = true, UsesMasks = true, HasBoxes = true, HasNames = true, Names = KittiClasses.Types, KeepsSequences = true,
-            Check = KittiTrackingCheck.Problems,
+            IncludesRiders = true, Check = KittiTrackingCheck.Problems,
         },
         new("kitti-odometry", "KITTI odometry: images, points, poses and SemanticKITTI's labels", _ => new KittiOdometryWriter())
         {
@@ -98,7 +98,7 @@ public static class DatasetFormats
         },
         new("nuscenes", "nuScenes: the tables, samples and sweeps of a rig", _ => new NuScenesWriter())
         {
-            NeedsRectilinear = true, KeepsSequences = true, MinRateHz = NuScenesWriter.MinRateHz, HasPoints = true,
+            NeedsRectilinear = true, KeepsSequences = true, MinRateHz = NuScenesWriter.MinRateHz, HasPoints = true, IncludesRiders = true,
             Check = NuScenesCheck.Problems,
         },
         new("pcd", "Point clouds of LiDARs, as PCL's PCD files", _ => new PointCloudWriter(PointCloudKind.Pcd))

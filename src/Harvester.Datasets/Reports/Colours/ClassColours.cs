@@ -18,6 +18,7 @@ public static class ClassColours
         ObjectClass.Bicycle => 0x2FD3C0,
         ObjectClass.Trailer => 0xC79A6B,
         ObjectClass.Pedestrian => 0xFF4F79,
+        ObjectClass.Rider => 0xFF8FC7,
         ObjectClass.Sign => 0x7EE05A,
         ObjectClass.TrafficLight => 0xEDFF6B,
         _ => 0xB4BCC4,

@@ -50,6 +50,7 @@ internal static class Bdd100KClasses
             ObjectClass.Bicycle => "bicycle",
             ObjectClass.Trailer => "trailer",
             ObjectClass.Pedestrian => "pedestrian",
+            ObjectClass.Rider => "rider",
             ObjectClass.Sign => "traffic sign",
             ObjectClass.TrafficLight => "traffic light",
             _ => "other vehicle",

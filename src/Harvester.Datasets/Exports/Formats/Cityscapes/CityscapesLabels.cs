@@ -68,6 +68,7 @@ internal static class CityscapesLabels
             ObjectClass.Motorcycle => "motorcycle",
             ObjectClass.Bicycle => "bicycle",
             ObjectClass.Pedestrian => "person",
+            ObjectClass.Rider => "rider",
             ObjectClass.TrafficLight => "traffic light",
             ObjectClass.Sign => "traffic sign",
             ObjectClass.Other => "dynamic",

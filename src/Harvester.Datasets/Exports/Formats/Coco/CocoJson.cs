@@ -81,7 +81,7 @@ internal static class CocoJson
 
     private static string SuperCategoryOf(ObjectClass kind) => kind switch
     {
-        ObjectClass.Pedestrian => "person",
+        ObjectClass.Pedestrian or ObjectClass.Rider => "person",
         ObjectClass.Sign or ObjectClass.TrafficLight => "outdoor",
         ObjectClass.Other => "other",
         _ => "vehicle",

@@ -20,7 +20,7 @@ internal sealed class CocoKeypointsWriter(ExportOptions options) : IDatasetWrite
         Camera camera = frame.Label.Camera.ToCamera();
         int objects = 0;
         int ignored = 0;
-        foreach (ExportObject item in frame.Objects.Where(item => item.Label.Class == ObjectClass.Pedestrian))
+        foreach (ExportObject item in frame.Objects.Where(item => VehicleClasses.ArePeople(item.Label.Class)))
         {
             // With a mask, a person without visible pixels has nothing to annotate.
             var segmentation = new CocoSegmentation(SegmentationKind.Rle, frame.PixelsOf(item.Label));
@@ -33,7 +33,7 @@ internal sealed class CocoKeypointsWriter(ExportOptions options) : IDatasetWrite
             }
         }
 
-        foreach (ExportRegion region in frame.Ignored.Where(region => region.Kind == ObjectClass.Pedestrian && region.Class is not null))
+        foreach (ExportRegion region in frame.Ignored.Where(region => VehicleClasses.ArePeople(region.Kind) && region.Class is not null))
         {
             int id = region.Label?.Id ?? CocoIds.FirstRegion + ignored;
             CocoSegmentation segmentation = CocoSegmentation.OfRegion(region, frame);

@@ -43,7 +43,7 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
         "frame", "id", "class", "model", "name", .. BoxColumns("box2d"), .. BoxColumns("box2d_amodal"), .. BoxColumns("box2d_visible"),
         "truncated_fraction", "occluded_fraction", "visible_fraction", .. VectorColumns("centre"), .. VectorColumns("half_extents"),
         .. VectorColumns("right"), .. VectorColumns("forward"), .. VectorColumns("up"), "distance_metres",
-            .. VectorColumns("velocity"), "parent", "mutcd", "light_state", "has_rider",
+            .. VectorColumns("velocity"), "parent", "mutcd", "light_state", "has_rider", "vehicle",
     ];
 
     /// <summary>Columns of ignore_regions.csv.</summary>
@@ -121,6 +121,7 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
             .. Of(label.Box3D.Centre, Metres), .. Of(label.Box3D.HalfExtents, Metres), .. Of(label.Box3D.Axes),
             .. Of(Metres, label.DistanceMetres), .. Of(label.Velocity, Metres), .. Of(0, label.Parent),
             CsvText.Of(label.Face?.MutcdCode), label.Face?.Light is { } light ? JsonName.Of(light.State) : "", Of(label.HasRider),
+            .. Of(0, label.Vehicle),
         ];
     }
 

@@ -27,7 +27,7 @@ internal sealed class JtaWriter : IDatasetWriter
         }
 
         ObjectLabel[] people =
-            [.. frame.Objects.Select(item => item.Label).Where(label => label is { Class: ObjectClass.Pedestrian, Joints: not null })];
+            [.. frame.Objects.Select(item => item.Label).Where(label => VehicleClasses.ArePeople(label.Class) && label.Joints is not null)];
         if (people.Length > 0)
         {
             output.Part(RowsPrefix + sequence, string.Join(",", people.SelectMany(person => Rows(frame, person))));

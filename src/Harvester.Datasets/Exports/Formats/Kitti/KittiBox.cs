@@ -69,7 +69,7 @@ internal sealed class KittiBox
     {
         foreach (ExportRegion region in frame.Ignored)
         {
-            if (KittiClasses.Has(region.Kind) && BoxIn(region.Box, frame.Label.Camera) is { } box)
+            if (KittiClasses.Ignores(region.Kind) && BoxIn(region.Box, frame.Label.Camera) is { } box)
             {
                 yield return box;
             }

@@ -22,8 +22,11 @@ internal static class KittiClasses
     /// <summary>The type of ignore regions.</summary>
     public const string DontCare = "DontCare";
 
-    /// <summary>Whether KITTI labels objects of a class.</summary>
-    public static bool Has(ObjectClass kind) => kind is not (ObjectClass.Sign or ObjectClass.TrafficLight);
+    /// <summary>Whether KITTI labels objects of a class. Riders belong to their vehicles.</summary>
+    public static bool Has(ObjectClass kind) => kind is not (ObjectClass.Sign or ObjectClass.TrafficLight or ObjectClass.Rider);
+
+    /// <summary>Whether KITTI ignores regions of a class.</summary>
+    public static bool Ignores(ObjectClass kind) => Has(kind) || kind == ObjectClass.Rider;
 
     /// <summary>The type of an object.</summary>
     /// <param name="label">The object, of a class that KITTI labels.</param>

@@ -79,7 +79,7 @@ internal sealed class KittiVelodyne
 
     /// <summary>Writes SemanticKITTI's label of each point.</summary>
     public void WriteLabels(Stream stream) =>
-        SemanticKittiLabels.Write(stream, _frame.ReadPoints(_file), MovingObjects.At(_frame));
+        SemanticKittiLabels.Write(stream, _frame.ReadPoints(_file), MovingObjects.At(_frame), Riders.At(_frame));
 
     /// <summary>Writes the points: four float32 each, x, y, z and reflectance from 0 to 1.</summary>
     public void Write(Stream stream)

@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Text;
 using Harvester.Sessions.Lidar;
+using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Semantics;
 
 namespace Harvester.Datasets.Exports.Formats.Kitti;
@@ -23,6 +24,7 @@ internal static class SemanticKittiLabels
         [SemanticClass.Truck] = 18,
         [SemanticClass.Trailer] = 20,
         [SemanticClass.Pedestrian] = 30,
+        [SemanticClass.Rider] = 30,
         [SemanticClass.Road] = 40,
         [SemanticClass.Pavement] = 48,
         [SemanticClass.Water] = 49,
@@ -35,36 +37,52 @@ internal static class SemanticKittiLabels
         [SemanticClass.Sign] = 81,
     };
 
+    private const uint Bicyclist = 31;
+    private const uint Motorcyclist = 32;
+    private const uint MovingBicyclist = 253;
+    private const uint MovingMotorcyclist = 255;
+
     /// <summary>The classes of objects that move: SemanticKITTI has none for a two-wheeler without its rider.</summary>
     private static readonly Dictionary<SemanticClass, uint> MovingIds = new()
     {
         [SemanticClass.Car] = 252,
-        [SemanticClass.Bicycle] = 253,
         [SemanticClass.Pedestrian] = 254,
-        [SemanticClass.Motorcycle] = 255,
+        [SemanticClass.Rider] = 254,
         [SemanticClass.Bus] = 257,
         [SemanticClass.Truck] = 258,
         [SemanticClass.Trailer] = 259,
     };
 
     /// <summary>Numbers that a label can have as its class.</summary>
-    public static IReadOnlyCollection<uint> Classes { get; } = [.. Ids.Values, .. MovingIds.Values, OtherObject];
+    public static IReadOnlyCollection<uint> Classes { get; } =
+        [.. Ids.Values, .. MovingIds.Values, Bicyclist, Motorcyclist, MovingBicyclist, MovingMotorcyclist, OtherObject];
 
     /// <summary>The class of a label.</summary>
     public static uint ClassOf(uint label) => label & ((1u << InstanceShift) - 1);
 
-    /// <summary>Writes the labels of points, four bytes each.</summary>
+    /// <summary>
+    /// Writes the labels of points, four bytes each. A bicyclist or motorcyclist is a person with the vehicle, under the vehicle's id.
+    /// </summary>
     /// <param name="stream">Receives the labels.</param>
     /// <param name="points">The points.</param>
     /// <param name="moving">The ids of the objects that move.</param>
-    public static void Write(Stream stream, IEnumerable<LidarPoint> points, IReadOnlySet<int> moving)
+    /// <param name="riders">Who rides what.</param>
+    public static void Write(Stream stream, IEnumerable<LidarPoint> points, IReadOnlySet<int> moving, Riders riders)
     {
+        IReadOnlySet<int> ridden = riders.Ridden;
         using var writer = new BinaryWriter(stream, Encoding.UTF8, leaveOpen: true);
         foreach (LidarPoint point in points)
         {
-            uint id = moving.Contains(point.ObjectId) && MovingIds.TryGetValue(point.Class, out uint mover) ? mover
-                : Ids.GetValueOrDefault(point.Class, OtherObject);
-            writer.Write(((uint)point.ObjectId << InstanceShift) | id);
+            bool isMoving = moving.Contains(point.ObjectId);
+            (int instance, uint id) = riders.VehicleOf(point.ObjectId) is { } vehicle ? (vehicle.Id, RiderOf(vehicle.Class, isMoving))
+                : ridden.Contains(point.ObjectId) ? (point.ObjectId, RiderOf(SemanticClasses.ObjectOf(point.Class), isMoving))
+                : isMoving && MovingIds.TryGetValue(point.Class, out uint mover) ? (point.ObjectId, mover)
+                : (point.ObjectId, Ids.GetValueOrDefault(point.Class, OtherObject));
+            writer.Write(((uint)instance << InstanceShift) | id);
         }
     }
+
+    private static uint RiderOf(ObjectClass? vehicle, bool isMoving) => vehicle == ObjectClass.Bicycle
+        ? isMoving ? MovingBicyclist : Bicyclist
+        : isMoving ? MovingMotorcyclist : Motorcyclist;
 }

@@ -14,6 +14,7 @@ internal static class MotClasses
     /// <summary>The greatest number of a class.</summary>
     public const int Last = 12;
 
+    private const int PersonOnVehicle = 2;
     private const int Car = 3;
     private const int Bicycle = 4;
     private const int Motorbike = 5;
@@ -23,6 +24,7 @@ internal static class MotClasses
     public static int? Of(ObjectClass kind) => kind switch
     {
         ObjectClass.Pedestrian => Pedestrian,
+        ObjectClass.Rider => PersonOnVehicle,
         ObjectClass.Car or ObjectClass.Truck or ObjectClass.Bus => Car,
         ObjectClass.Bicycle => Bicycle,
         ObjectClass.Motorcycle => Motorbike,

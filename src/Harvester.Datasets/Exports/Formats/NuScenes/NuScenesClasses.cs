@@ -30,9 +30,10 @@ internal static class NuScenesClasses
     public static IReadOnlyList<(string Level, double From)> Visibilities { get; } =
         [("v0-40", 0), ("v40-60", 0.4), ("v60-80", 0.6), ("v80-100", 0.8)];
 
-    /// <summary>The category of an object; null if nuScenes does not annotate it.</summary>
+    /// <summary>The category of an object; null if nuScenes does not annotate it. Riders belong to their vehicles.</summary>
     public static string? CategoryOf(ObjectLabel label) => label.Parent is not null ? null : label.Class switch
     {
+        ObjectClass.Rider => null,
         ObjectClass.Pedestrian => "human.pedestrian.adult",
         ObjectClass.Bicycle => "vehicle.bicycle",
         ObjectClass.Bus => "vehicle.bus.rigid",

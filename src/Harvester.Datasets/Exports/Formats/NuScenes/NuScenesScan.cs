@@ -29,6 +29,7 @@ internal sealed class NuScenesScan
     public static NuScenesScan Read(ExportFrame frame, string ego)
     {
         var scan = new NuScenesScan(NameOf(frame)!);
+        Riders riders = Riders.At(frame);
         NuScenesMotion toWorld = MotionOf(ego);
         foreach (RigLidar lidar in frame.Rig!.Lidars)
         {
@@ -39,7 +40,8 @@ internal sealed class NuScenesScan
                 foreach (LidarPoint point in frame.ReadPoints(file))
                 {
                     scan._points.Add(toWorld.Apply(toEgo.Apply(new Vector3D(point.X, point.Y, point.Z))));
-                    scan._hits[point.ObjectId] = scan._hits.GetValueOrDefault(point.ObjectId) + 1;
+                    int id = riders.VehicleOf(point.ObjectId)?.Id ?? point.ObjectId;
+                    scan._hits[id] = scan._hits.GetValueOrDefault(id) + 1;
                 }
             }
         }
@@ -47,7 +49,7 @@ internal sealed class NuScenesScan
         return scan;
     }
 
-    /// <summary>An object with its points: those inside its box as it is written, and those whose rays met it.</summary>
+    /// <summary>An object with its points: those inside its box as it is written, and those whose rays met it or its rider.</summary>
     public NuScenesObject Count(NuScenesObject item)
     {
         using JsonDocument box = JsonInput.Parse(item.Box);

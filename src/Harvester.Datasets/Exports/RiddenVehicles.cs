@@ -1,0 +1,65 @@
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Geometry;
+using Harvester.Geometry.Boxes;
+using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Datasets.Exports;
+
+/// <summary>Two-wheelers together with their riders, as formats want them that label both as one object.</summary>
+internal static class RiddenVehicles
+{
+    /// <summary>
+    /// The objects of a frame, with each listed two-wheeler and its listed rider as one object that has the two-wheeler's id and class. A
+    /// rider whose two-wheeler is not listed stays as it is.
+    /// </summary>
+    public static IEnumerable<ObjectLabel> WithRiders(FrameLabel frame)
+    {
+        HashSet<int> listed = [.. frame.Objects.Where(label => VehicleClasses.HaveRiders(label.Class)).Select(label => label.Id)];
+        ILookup<int, ObjectLabel> riders = frame.Objects.Where(label => label.Vehicle is { } vehicle && listed.Contains(vehicle))
+            .ToLookup(label => label.Vehicle!.Value);
+        return frame.Objects.Where(label => label.Vehicle is not { } vehicle || !listed.Contains(vehicle))
+            .Select(label => riders[label.Id].Aggregate(label, (whole, rider) => Joined(whole, rider, frame.Camera)));
+    }
+
+    /// <summary>
+    /// Both as one object. What one hides of the other is no occlusion of both, so the smaller of their occluded fractions counts; the
+    /// truncated fraction is their mean by the areas of their amodal boxes.
+    /// </summary>
+    private static ObjectLabel Joined(ObjectLabel vehicle, ObjectLabel rider, CameraLabel camera)
+    {
+        Cuboid cuboid = Enclosing(vehicle.Box3D, rider.Box3D);
+        (double own, double riders) = (vehicle.Box2DAmodal.Area, rider.Box2DAmodal.Area);
+        double? occluded = vehicle.OccludedFraction is { } first && rider.OccludedFraction is { } second ? System.Math.Min(first, second)
+            : vehicle.OccludedFraction ?? rider.OccludedFraction;
+        return vehicle with
+        {
+            Box2D = vehicle.Box2D.Union(rider.Box2D),
+            Box2DAmodal = vehicle.Box2DAmodal.Union(rider.Box2DAmodal),
+            Box2DVisible = vehicle.Box2DVisible is { } seen ? rider.Box2DVisible?.Union(seen) ?? seen : rider.Box2DVisible,
+            AmodalMask = vehicle.AmodalMask is { } pixels && rider.AmodalMask is { } others
+                ? Union(pixels, others, new ImageSize(camera.Width, camera.Height))
+                : vehicle.AmodalMask ?? rider.AmodalMask,
+            TruncatedFraction = ((own * vehicle.TruncatedFraction) + (riders * rider.TruncatedFraction)) / (own + riders),
+            OccludedFraction = occluded,
+            OcclusionMethod = vehicle.OccludedFraction is null ? rider.OcclusionMethod : vehicle.OcclusionMethod,
+            TrueOccludedFraction = null,
+            Box3D = cuboid,
+            DistanceMetres = (cuboid.Centre - camera.Pose.Position).Length,
+        };
+    }
+
+    private static AmodalMask Union(AmodalMask a, AmodalMask b, ImageSize image) => AmodalMask.Of(a.ToMap(image).Or(b.ToMap(image)));
+
+    /// <summary>The smallest cuboid with the axes of the first that contains both: per axis from the least to the greatest corner.</summary>
+    private static Cuboid Enclosing(Cuboid first, Cuboid second)
+    {
+        Vector3D[] corners = [.. new[] { first, second }.SelectMany(cuboid =>
+            Enumerable.Range(0, Cuboid.CornerCount).Select(number => first.Axes.ToLocal(cuboid.Corner(number) - first.Centre)))];
+        var least = new Vector3D(corners.Min(corner => corner.X), corners.Min(corner => corner.Y), corners.Min(corner => corner.Z));
+        var most = new Vector3D(corners.Max(corner => corner.X), corners.Max(corner => corner.Y), corners.Max(corner => corner.Z));
+        return new Cuboid(first.Centre + first.Axes.ToWorld((least + most) * 0.5), (most - least) * 0.5, first.Axes);
+    }
+}
