@@ -97,14 +97,25 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
                 continue;
             }
 
-            if (Natives.IsInVehicle(ped))
+            int? vehicle = Natives.IsInVehicle(ped) ? Natives.VehicleSeating(ped) : null;
+            if (vehicle is { } seat)
             {
-                occupied.Add(Natives.VehicleSeating(ped));
+                occupied.Add(seat);
+            }
+
+            if (vehicle is { } boarded && !IsRidden(boarded))
+            {
+                // Who is seen through the windows belongs to the vehicle.
                 yield return null;
             }
             else
             {
                 EntityState? state = ped != player && Natives.IsHuman(ped) ? Read(ped, EntityKind.Ped) : null;
+                if (state is not null && vehicle is not null)
+                {
+                    state = state with { Class = ObjectClass.Rider, VehicleHandle = vehicle };
+                }
+
                 if (state is not null && IsForJoints(state, centre) && _bones.HasAll(ped))
                 {
                     foreach (Skeleton? joints in PedBones.ReadInSteps(ped))
@@ -125,11 +136,11 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
             }
         }
 
-        foreach (int vehicle in Near(EntityKind.Vehicle, centre, range))
+        foreach (int machine in Near(EntityKind.Vehicle, centre, range))
         {
-            EntityState? state = Read(vehicle, EntityKind.Vehicle);
+            EntityState? state = Read(machine, EntityKind.Vehicle);
             yield return state is not null && VehicleClasses.HaveRiders(state.Class)
-                ? state with { HasRider = occupied.Contains(vehicle) }
+                ? state with { HasRider = occupied.Contains(machine) }
                 : state;
         }
 
@@ -185,6 +196,10 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
             _ => _known.OfProp(hash),
         };
     }
+
+    /// <summary>Whether those on a vehicle sit on it and are seen: on a two-wheeler other than the one that carries the camera.</summary>
+    private bool IsRidden(int vehicle) => vehicle != _mount.Vehicle && Natives.EntityExists(vehicle)
+        && VehicleClasses.HaveRiders(FactsOf(EntityKind.Vehicle, vehicle).Class);
 
     /// <summary>Whether the joints of a ped may be in the image of the camera read last.</summary>
     private bool IsForJoints(EntityState ped, Vector3D centre) =>

@@ -29,11 +29,13 @@ internal sealed class ObjectLabeller(LabellingOptions options, ObjectRegistry re
         return CuboidProjector.BoxesOf(camera, cuboid).Box is { } box && options.IsLargeEnough(box)
             ? new LabelCandidate(entity, registry.IdOf(entity), cuboid, CuboidProjector.Project(camera, cuboid))
             {
-                VehicleId = entity.VehicleHandle is { } handle
-                    && snapshot.Entities.FirstOrDefault(other => other.Handle == handle) is { } vehicle ? registry.IdOf(vehicle) : null,
+                VehicleId = entity.VehicleHandle is { } handle ? IdOf(snapshot, handle) : null,
             }
             : null;
     }
+
+    private ushort? IdOf(SceneSnapshot snapshot, int handle) =>
+        snapshot.Entities.FirstOrDefault(other => other.Handle == handle) is { } entity ? registry.IdOf(entity) : null;
 
     /// <summary>The label of an entity in the image; null if it is not listed.</summary>
     public ObjectLabel? LabelOf(Camera camera, LabelCandidate candidate, OcclusionEstimate occlusion) => options.IsListed(occlusion)

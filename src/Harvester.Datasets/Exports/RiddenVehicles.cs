@@ -15,13 +15,15 @@ internal static class RiddenVehicles
     /// The objects of a frame, with each listed two-wheeler and its listed rider as one object that has the two-wheeler's id and class. A
     /// rider whose two-wheeler is not listed stays as it is.
     /// </summary>
-    public static IEnumerable<ObjectLabel> WithRiders(FrameLabel frame)
+    /// <param name="objects">The objects.</param>
+    /// <param name="camera">The camera of the frame.</param>
+    public static IEnumerable<ObjectLabel> WithRiders(IReadOnlyList<ObjectLabel> objects, CameraLabel camera)
     {
-        HashSet<int> listed = [.. frame.Objects.Where(label => VehicleClasses.HaveRiders(label.Class)).Select(label => label.Id)];
-        ILookup<int, ObjectLabel> riders = frame.Objects.Where(label => label.Vehicle is { } vehicle && listed.Contains(vehicle))
+        HashSet<int> listed = [.. objects.Where(label => VehicleClasses.HaveRiders(label.Class)).Select(label => label.Id)];
+        ILookup<int, ObjectLabel> riders = objects.Where(label => label.Vehicle is { } vehicle && listed.Contains(vehicle))
             .ToLookup(label => label.Vehicle!.Value);
-        return frame.Objects.Where(label => label.Vehicle is not { } vehicle || !listed.Contains(vehicle))
-            .Select(label => riders[label.Id].Aggregate(label, (whole, rider) => Joined(whole, rider, frame.Camera)));
+        return objects.Where(label => label.Vehicle is not { } vehicle || !listed.Contains(vehicle))
+            .Select(label => riders[label.Id].Aggregate(label, (whole, rider) => Joined(whole, rider, camera)));
     }
 
     /// <summary>
@@ -53,7 +55,7 @@ internal static class RiddenVehicles
 
     private static AmodalMask Union(AmodalMask a, AmodalMask b, ImageSize image) => AmodalMask.Of(a.ToMap(image).Or(b.ToMap(image)));
 
-    /// <summary>The smallest cuboid with the axes of the first that contains both: per axis from the least to the greatest corner.</summary>
+    /// <summary>The smallest cuboid with the axes of the first that contains both: from the least to the greatest corner per axis.</summary>
     private static Cuboid Enclosing(Cuboid first, Cuboid second)
     {
         Vector3D[] corners = [.. new[] { first, second }.SelectMany(cuboid =>

@@ -7,9 +7,11 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Datasets.Exports;
 
 /// <summary>Who rides what at a moment.</summary>
-internal sealed class Riders
+/// <param name="vehicles">The vehicle of each rider, by the rider's id.</param>
+internal sealed class Riders(IReadOnlyDictionary<int, (int Id, ObjectClass Class)> vehicles)
 {
-    private readonly Dictionary<int, (int Id, ObjectClass Class)> _vehicles = [];
+    /// <summary>The ids of the vehicles that are ridden.</summary>
+    public IReadOnlySet<int> Ridden { get; } = vehicles.Values.Select(vehicle => vehicle.Id).ToHashSet();
 
     /// <summary>
     /// The riders of a frame's scene, which has all around the vehicle or, in a session without scenes, those in its image.
@@ -17,7 +19,7 @@ internal sealed class Riders
     /// <exception cref="DatasetFormatException">The scene is damaged.</exception>
     public static Riders At(ExportFrame frame)
     {
-        var riders = new Riders();
+        var vehicles = new Dictionary<int, (int Id, ObjectClass Class)>();
         if (FrameScene.Read(frame) is { } scene)
         {
             Dictionary<int, ObjectClass> classes = scene.Snapshot.Entities.ToDictionary(entity => entity.Handle, entity => entity.Class);
@@ -26,7 +28,7 @@ internal sealed class Riders
                 if (scene.Ids.TryGetValue(rider.Handle, out int id) && scene.Ids.TryGetValue(rider.VehicleHandle!.Value, out int vehicle)
                     && classes.TryGetValue(rider.VehicleHandle.Value, out ObjectClass kind))
                 {
-                    riders._vehicles[id] = (vehicle, kind);
+                    vehicles[id] = (vehicle, kind);
                 }
             }
         }
@@ -36,15 +38,13 @@ internal sealed class Riders
         foreach ((int id, int vehicle) in frame.Label.Objects.Where(label => label.Vehicle is { } ridden && listed.ContainsKey(ridden))
             .Select(label => (label.Id, label.Vehicle!.Value)))
         {
-            riders._vehicles[id] = (vehicle, listed[vehicle]);
+            vehicles[id] = (vehicle, listed[vehicle]);
         }
 
-        return riders;
+        return new Riders(vehicles);
     }
 
     /// <summary>The vehicle of a rider, by the rider's id; null if it is not known.</summary>
-    public (int Id, ObjectClass Class)? VehicleOf(int rider) => _vehicles.TryGetValue(rider, out (int, ObjectClass) vehicle) ? vehicle : null;
-
-    /// <summary>The ids of the vehicles that are ridden.</summary>
-    public IReadOnlySet<int> Ridden => _vehicles.Values.Select(vehicle => vehicle.Id).ToHashSet();
+    public (int Id, ObjectClass Class)? VehicleOf(int rider) =>
+        vehicles.TryGetValue(rider, out (int, ObjectClass) vehicle) ? vehicle : null;
 }

@@ -14,6 +14,9 @@ internal static class RiderModels
 {
     private const double Shin = 0.46;
     private const double HelmetHeight = 0.14;
+
+    /// <summary>Depth of the crown below the top of the helmet, metres.</summary>
+    private const double CrownDepth = 0.02;
     private static readonly Rgb Skin = new(206, 160, 126);
     private static readonly Rgb Shoes = new(36, 32, 32);
 
@@ -62,7 +65,7 @@ internal static class RiderModels
     private static void AddTrunkJoints(Vector3D[] joints, Vector3D hips, Vector3D neck, Vector3D head)
     {
         const int spine = Joint.Spine4 - Joint.Spine0 + 1;
-        joints[(int)Joint.HeadTop] = head + new Vector3D(0, 0, HelmetHeight);
+        joints[(int)Joint.HeadTop] = head + new Vector3D(0, 0, HelmetHeight - CrownDepth);
         joints[(int)Joint.HeadCenter] = head;
         joints[(int)Joint.Neck] = neck;
         for (int i = 0; i < spine; i++)

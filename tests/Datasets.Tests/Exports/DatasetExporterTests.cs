@@ -148,8 +148,8 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         Assert.Equal(6, Folder.Export("csv", Session.Open(), to: "all").Objects);
         Assert.Equal(5, Folder.Export("csv", Session.Open(), new ExportOptions { Parts = PartSelection.None }, "none").Objects);
         Assert.Equal(1, Folder.Export("csv", Session.Open(), new ExportOptions { Parts = PartSelection.Only }, "only").Objects);
-        Assert.EndsWith(",1,,,", Folder.Lines("only/objects.csv")[1], StringComparison.Ordinal);
-        Assert.EndsWith(",,,,", Folder.Lines("none/objects.csv")[1], StringComparison.Ordinal);
+        Assert.EndsWith(",1,,,,", Folder.Lines("only/objects.csv")[1], StringComparison.Ordinal);
+        Assert.EndsWith(",,,,,", Folder.Lines("none/objects.csv")[1], StringComparison.Ordinal);
     }
 
     [Fact]

@@ -15,7 +15,7 @@ public sealed class ExportCountTests(SimulatedSession simulated) : ExportTests
     [InlineData("kitti", "training/label_2/*.txt", "\n")]
     [InlineData("kitti-tracking", "training/label_02/*.txt", "\n")]
     [InlineData("coco", "annotations/*.json", "\"category_id\"")]
-    [InlineData("coco-panoptic", "annotations/*.json", "\"category_id\":([1-9]|10),")]
+    [InlineData("coco-panoptic", "annotations/*.json", "\"category_id\":([1-9]|1[01]),")]
     [InlineData("yolo", "labels/train/*.txt", "\n")]
     [InlineData("yolo-segment", "labels/train/*.txt", "\n")]
     [InlineData("voc", "Annotations/*.xml", "<bndbox>")]

@@ -225,7 +225,7 @@ public sealed class SelectionTests : ExportTests
         Folder.Export("csv", Session.Open(), to: "csv");
 
         Assert.Contains("R1-1", Annotations().Select(item => item.GetProperty("mutcd").GetString()));
-        Assert.EndsWith(",3,R1-1,,", Folder.Lines("csv/objects.csv")[4], StringComparison.Ordinal);
+        Assert.EndsWith(",3,R1-1,,,", Folder.Lines("csv/objects.csv")[4], StringComparison.Ordinal);
     }
 
     private JsonElement[] Annotations() =>

@@ -124,7 +124,7 @@ public sealed class PredictionEvaluationTests : IDisposable
     [InlineData("[7]", "line 1: the text")]
     [InlineData("[\n{ 'image_id': 3, 'category_id': 1, 'bbox': [0, 0, 1, 1], 'score': 1 }]", "line 2: image_id 3 is unknown")]
     [InlineData("[{ 'image_id': -1, 'category_id': 1, 'bbox': [0, 0, 1, 1], 'score': 1 }]", "the images of the session are 0 to 2")]
-    [InlineData("[{ 'image_id': 0, 'category_id': 11, 'bbox': [0, 0, 1, 1], 'score': 1 }]", "category_id 11 is unknown")]
+    [InlineData("[{ 'image_id': 0, 'category_id': 12, 'bbox': [0, 0, 1, 1], 'score': 1 }]", "category_id 12 is unknown")]
     [InlineData("[{ 'image_id': 0, 'category_id': 1, 'bbox': [0, 0, -1, 1], 'score': 1 }]", "are -1 and 1, less than 0")]
     [InlineData("[{ 'image_id': 0, 'category_id': 1, 'bbox': [0, 0, NaN, 1], 'score': 1 }]", "JSON has no NaN and Infinity")]
     [InlineData("[{ 'image_id': 0, 'category_id': 1, 'bbox': [0, 0, 1e99, 1], 'score': 1 }]", "bbox")]

@@ -43,7 +43,12 @@ internal static class ComparedLabels
         ],
     };
 
-    private static ObjectLabel Numberless(ObjectLabel item) => item with { Id = 0, Parent = item.Parent is null ? null : 0 };
+    private static ObjectLabel Numberless(ObjectLabel item) => item with
+    {
+        Id = 0,
+        Parent = item.Parent is null ? null : 0,
+        Vehicle = item.Vehicle is null ? null : 0,
+    };
 
     private static LanesLabel Numberless(LanesLabel lanes) =>
         lanes with { Vehicles = [.. lanes.Vehicles.Select(vehicle => vehicle with { Id = 0 })] };

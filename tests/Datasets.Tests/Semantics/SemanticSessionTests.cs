@@ -54,7 +54,7 @@ public sealed class SemanticSessionTests : IDisposable
     {
         using var session = new SemanticSession(SemanticsMethod.Exact);
         InstanceMap map = PngDecoder.ReadLabelMap(session.PathOf(First));
-        map.Ids[7] = 21;
+        map.Ids[7] = 22;
         File.Delete(session.PathOf("manifest.jsonl"));
         Write(session.PathOf(First), map);
         File.Delete(session.PathOf("classes/00000001.png"));
@@ -62,7 +62,7 @@ public sealed class SemanticSessionTests : IDisposable
         string[] problems = [.. SessionValidator.Validate(session.Open()).Problems.Select(problem => problem.ToString())];
 
         Assert.Contains(problems, text => text.Contains(
-            $"line 1: class map '{First}' has values that are no classes: 21. Classes are 0 to 20.", StringComparison.Ordinal));
+            $"line 1: class map '{First}' has values that are no classes: 22. Classes are 0 to 21.", StringComparison.Ordinal));
         Assert.Contains(problems, text => text.Contains(
             "line 2: class map 'classes/00000001.png' is missing.", StringComparison.Ordinal));
     }

@@ -12,8 +12,6 @@ namespace Harvester.Mod.Tests.Games;
 internal sealed class SimulatedScene
 {
     private const double SecondsOfAFrame = 0.05;
-    /// <summary>Handles of riders are those of their machines and this.</summary>
-    private const int AboveAllHandles = 1 << 24;
 
     private readonly SimulatedGame _simulation;
     private readonly SinglePrecisionWorld _world;
@@ -86,29 +84,12 @@ internal sealed class SimulatedScene
         foreach (EntityState entity in _world.Unrounded())
         {
             Put(game, entity);
-            if (entity.HasRider == true)
-            {
-                PutRider(game, entity);
-            }
         }
 
         game.PlayersVehicle = ego.Handle;
         game.Frame = (int)_world.GameFrame;
         game.TimerMilliseconds = _world.Milliseconds;
         game.Environment = _world.ReadEnvironment();
-    }
-
-    private void PutRider(TestGame game, EntityState entity)
-    {
-        int handle = entity.Handle + AboveAllHandles;
-        _handles.Add(handle);
-        game.Entities[handle] = new GameEntity
-        {
-            Pool = PoolKind.Peds,
-            Name = "a_m_y_cyclist_01",
-            Pose = entity.Pose,
-            Vehicle = entity.Handle,
-        };
     }
 
     private void Put(TestGame game, EntityState entity, double heightAboveGround = 0)
@@ -118,7 +99,7 @@ internal sealed class SimulatedScene
         {
             Pool = entity.Class switch
             {
-                ObjectClass.Pedestrian => PoolKind.Peds,
+                ObjectClass.Pedestrian or ObjectClass.Rider => PoolKind.Peds,
                 ObjectClass.Sign or ObjectClass.TrafficLight or ObjectClass.Other => PoolKind.Props,
                 _ => PoolKind.Vehicles,
             },
@@ -139,6 +120,7 @@ internal sealed class SimulatedScene
             Velocity = entity.Velocity,
             HeightAboveGround = heightAboveGround,
             Skeleton = entity.Skeleton,
+            Vehicle = entity.VehicleHandle ?? 0,
         };
     }
 }

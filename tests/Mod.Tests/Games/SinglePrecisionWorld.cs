@@ -67,8 +67,8 @@ internal sealed class SinglePrecisionWorld(IWorld world, FaceTable faces) : IWor
 
     /// <summary>Everything that the mod reads, before it is rounded: vehicles, people, and the props of the table.</summary>
     public IEnumerable<EntityState> Unrounded() => world.ReadEntities(default, BeyondAll)
-        .Where(entity => entity.Class < ObjectClass.Sign || faces.Of(entity.Model).Count > 0)
-        .Select(entity => entity.Class == ObjectClass.Pedestrian ? entity with { Model = $"0x{ModelHash.Of(entity.Model):X8}" } : entity);
+        .Where(entity => entity.Class < ObjectClass.Sign || entity.Class == ObjectClass.Rider || faces.Of(entity.Model).Count > 0)
+        .Select(entity => VehicleClasses.ArePeople(entity.Class) ? entity with { Model = $"0x{ModelHash.Of(entity.Model):X8}" } : entity);
 
     public static Vector3D Round(Vector3D vector) => new((float)vector.X, (float)vector.Y, (float)vector.Z);
 

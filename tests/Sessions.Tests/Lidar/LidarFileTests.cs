@@ -20,7 +20,7 @@ public sealed class LidarFileTests
             [Point, Point with { IsInterpolated = true }], LidarFile.Read(BytesOf(Point, Point with { IsInterpolated = true })));
 
     [Theory]
-    [InlineData(22, 21, "point 0 has an unknown class.")]
+    [InlineData(22, 22, "point 0 has an unknown class.")]
     [InlineData(23, 2, "point 0 has unknown flags.")]
     [InlineData(3, 0x7F, "point 0 has no finite position.")]
     [InlineData(15, 0x40, "point 0 has an intensity outside 0 to 1.")]

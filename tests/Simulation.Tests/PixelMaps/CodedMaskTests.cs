@@ -30,6 +30,11 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
     private const double MinMeanIou = 0.985;
     private const double MinIou = 0.90;
 
+    /// <summary>
+    /// Of five large objects, of which two are a motorcycle and its rider, both black in part: there no colour says which is in front.
+    /// </summary>
+    private const double MinMeanIouWithRider = 0.97;
+
     private const double MinMeanAmodalIou = 0.97;
 
     private const double MinFound = 0.99;
@@ -57,7 +62,7 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
     {
         Scores scores = Judge([61], 1, new ImageSize(400, 300), Detail.Plain, new GameQuirks { RaysMeetBoxes = true });
 
-        Assert.InRange(scores.Large.Average(), MinMeanIou, 1);
+        Assert.InRange(scores.Large.Average(), MinMeanIouWithRider, 1);
         Assert.InRange(scores.MaxPictures, MinPictures, MaxPictures);
         Assert.InRange(scores.MaxRays, 0, MaxRays);
     }
@@ -68,7 +73,7 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
         Scores scores = Judge(
             [61], 1, new ImageSize(400, 300), Detail.Plain, new GameQuirks { VisibilityDelayTicks = 5, PictureLagTicks = 2 });
 
-        Assert.InRange(scores.Large.Average(), MinMeanIou, 1);
+        Assert.InRange(scores.Large.Average(), MinMeanIouWithRider, 1);
     }
 
     [Fact]

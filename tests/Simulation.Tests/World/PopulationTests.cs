@@ -1,4 +1,5 @@
 using Harvester.Geometry;
+using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
@@ -36,14 +37,20 @@ public sealed class PopulationTests
     public void Two_wheelers_in_traffic_have_riders_above_their_boxes()
     {
         SimulatedWorld world = new(new SimulationOptions { Seed = 1 });
-        EntityState[] ridden = [.. world.EntitiesNear(Vector3D.Zero, double.PositiveInfinity).Where(entity => entity.HasRider == true)];
+        List<EntityState> entities = world.EntitiesNear(Vector3D.Zero, double.PositiveInfinity);
+        EntityState[] ridden = [.. entities.Where(entity => entity.HasRider == true)];
         Assert.NotEmpty(ridden);
         MeshInstance[] drawn = [.. world.MovingNear(Vector3D.Zero, double.PositiveInfinity)];
         foreach (EntityState machine in ridden)
         {
-            MeshInstance rider = Assert.Single(drawn, instance => instance.Handle == 0 && instance.Pose == machine.Pose);
-            Assert.InRange(rider.Mesh.Max.Z, machine.ModelMax.Z + 0.2, machine.ModelMax.Z + 1.2);
-            Assert.True(rider.Mesh.Min.Z >= machine.ModelMin.Z, $"The feet of the rider of {machine.Model} are below the ground.");
+            EntityState rider = Assert.Single(entities, entity => entity.VehicleHandle == machine.Handle);
+            MeshInstance body = Assert.Single(drawn, instance => instance.Handle == rider.Handle);
+            Assert.Equal((ObjectClass.Rider, machine.Pose, machine.Velocity), (rider.Class, rider.Pose, rider.Velocity));
+            Assert.Equal((rider.ModelMin, rider.ModelMax), (body.Mesh.Min, body.Mesh.Max));
+            Assert.InRange(rider.ModelMax.Z, machine.ModelMax.Z + 0.2, machine.ModelMax.Z + 1.2);
+            Assert.True(rider.ModelMin.Z >= machine.ModelMin.Z, $"The feet of the rider of {machine.Model} are below the ground.");
+            Assert.All(rider.Skeleton!.Joints, joint => Assert.True(
+                Cuboid.FromModel(rider.ModelMin, rider.ModelMax, rider.Pose).Contains(joint), $"A joint of {machine.Model}'s rider."));
         }
     }
 

@@ -7,19 +7,23 @@ namespace Harvester.Geometry.PixelMaps.Screens;
 
 /// <summary>
 /// Which of several objects is in front at a pixel. If the line of sight leaves the cuboid of one before it enters that of another, the
-/// first is in front of the second. Otherwise it is the one whose colour is seen in the picture with all objects, at this pixel or at most
-/// pixels that both cover.
+/// first is in front of the second. Otherwise it is the one whose colour is seen in the picture with all objects, at this pixel, at most
+/// pixels around it, or at most pixels that both cover. A rider and a motorcycle are each in front of the other somewhere.
 /// </summary>
 internal sealed class FrontOrder(
     Camera camera, IReadOnlyList<MapTarget> targets, ScreenPlan plan, IReadOnlyList<byte[]> pictures, ScreenMatte[] mattes)
 {
     /// <summary>A colour that differs by more than this, squared grey levels, is another: far more than noise.</summary>
-    private const int ClearSquares = 300;
+    private const int ClearSquares = 100;
 
     /// <summary>And it must differ by so many times more than the other object's, squared.</summary>
     private const int ClearRatio = 4;
 
+    /// <summary>Pixels around a pixel without a clear colour that decide for it: half the side of the greatest square, pixels.</summary>
+    private const int MaxReach = 8;
+
     private readonly Dictionary<(int, int), int> _votes = [];
+    private readonly Dictionary<(int A, int B, int Pixel), bool> _clear = [];
 
     /// <summary>Takes the votes of a pixel.</summary>
     /// <param name="there">The objects that cover it, in ascending order.</param>
@@ -35,6 +39,7 @@ internal sealed class FrontOrder(
                 if (ByPlace(a, b, column, row) is null && ByColour(a, b, column, row) is { } isBefore)
                 {
                     _votes[(a, b)] = (_votes.TryGetValue((a, b), out int sum) ? sum : 0) + (isBefore ? 1 : -1);
+                    _clear[(a, b, (row * camera.Image.Width) + column)] = isBefore;
                 }
             }
         }
@@ -59,8 +64,28 @@ internal sealed class FrontOrder(
             return known;
         }
 
-        int votes = _votes.TryGetValue((Math.Min(a, b), Math.Max(a, b)), out int sum) ? sum : 0;
+        (int first, int second) = (Math.Min(a, b), Math.Max(a, b));
+        int votes = !_votes.TryGetValue((first, second), out int sum) ? 0 : VotesAround(first, second, column, row) is var near and not 0 ? near
+            : sum;
         return votes != 0 ? votes > 0 == a < b : plan.Screens[a].DistanceMetres <= plan.Screens[b].DistanceMetres;
+    }
+
+    /// <summary>The votes of the pixels around one: those of the smallest square about it in which one side has more; 0 for none.</summary>
+    private int VotesAround(int a, int b, int column, int row)
+    {
+        int sum = 0;
+        for (int reach = 1; reach <= MaxReach && sum == 0; reach++)
+        {
+            for (int y = Math.Max(0, row - reach); y <= Math.Min(camera.Image.Height - 1, row + reach); y++)
+            {
+                for (int x = Math.Max(0, column - reach); x <= Math.Min(camera.Image.Width - 1, column + reach); x++)
+                {
+                    sum += _clear.TryGetValue((a, b, (y * camera.Image.Width) + x), out bool isBefore) ? (isBefore ? 1 : -1) : 0;
+                }
+            }
+        }
+
+        return sum;
     }
 
     private bool? ByPlace(int a, int b, int column, int row)

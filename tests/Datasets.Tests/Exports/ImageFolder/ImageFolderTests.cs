@@ -37,7 +37,7 @@ public sealed class ImageFolderTests(SimulatedSession simulated) : CheckTests(si
     [InlineData("^\\{", "", "invalid JSON at ")]
     [InlineData("00000000.png", "00000099.png", "file_name '00000099.png' is not in data/train.")]
     [InlineData("\"categories\":\\[", "\"categories\":[0,", "bbox, categories and track_ids are not of one length.")]
-    [InlineData("\"categories\":\\[\\d+", "\"categories\":[10", "a category is not a whole number from 0 to 9.")]
+    [InlineData("\"categories\":\\[\\d+", "\"categories\":[11", "a category is not a whole number from 0 to 10.")]
     [InlineData("\"track_ids\":\\[\\d+,(\\d+)", "\"track_ids\":[$1,$1", "a track id occurs twice.")]
     [InlineData("\"bbox\":\\[\\[[^,]*", "\"bbox\":[[200", "a box does not lie in the image of 200 x 150, or has no area.")]
     public void A_damaged_row_is_found(string pattern, string replacement, string expected) =>

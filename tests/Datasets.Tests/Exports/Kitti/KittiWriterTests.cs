@@ -68,10 +68,19 @@ public sealed class KittiWriterTests(SimulatedSession simulated) : ExportTests
             [
                 .. KittiObject.ReadAll(Folder.PathOf($"out/training/label_2/{frame:D6}.txt")).Where(item => item.Type != "DontCare")
             ];
-            ObjectLabel[] labels = [.. label.Objects.Where(item => item.Class is not (ObjectClass.Sign or ObjectClass.TrafficLight))];
+            ObjectLabel[] labels =
+            [
+                .. label.Objects.Where(item => item.Class is not (ObjectClass.Sign or ObjectClass.TrafficLight or ObjectClass.Rider)),
+            ];
             Assert.Equal(labels.Length, written.Length);
             foreach ((KittiObject item, ObjectLabel source) in written.Zip(labels))
             {
+                // A ridden two-wheeler is exported with its rider; RiddenVehiclesTests has those boxes.
+                if (source.HasRider == true)
+                {
+                    continue;
+                }
+
                 double allowed = AllowedPixels(source, label.Camera);
                 if (item.Location.Z - source.Box3D.HalfExtents.Length < 1)
                 {

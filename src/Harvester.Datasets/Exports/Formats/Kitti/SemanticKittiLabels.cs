@@ -69,13 +69,13 @@ internal static class SemanticKittiLabels
     /// <param name="riders">Who rides what.</param>
     public static void Write(Stream stream, IEnumerable<LidarPoint> points, IReadOnlySet<int> moving, Riders riders)
     {
-        IReadOnlySet<int> ridden = riders.Ridden;
+
         using var writer = new BinaryWriter(stream, Encoding.UTF8, leaveOpen: true);
         foreach (LidarPoint point in points)
         {
             bool isMoving = moving.Contains(point.ObjectId);
             (int instance, uint id) = riders.VehicleOf(point.ObjectId) is { } vehicle ? (vehicle.Id, RiderOf(vehicle.Class, isMoving))
-                : ridden.Contains(point.ObjectId) ? (point.ObjectId, RiderOf(SemanticClasses.ObjectOf(point.Class), isMoving))
+                : riders.Ridden.Contains(point.ObjectId) ? (point.ObjectId, RiderOf(SemanticClasses.ObjectOf(point.Class), isMoving))
                 : isMoving && MovingIds.TryGetValue(point.Class, out uint mover) ? (point.ObjectId, mover)
                 : (point.ObjectId, Ids.GetValueOrDefault(point.Class, OtherObject));
             writer.Write(((uint)instance << InstanceShift) | id);
