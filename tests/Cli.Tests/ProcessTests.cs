@@ -45,7 +45,8 @@ public sealed class ProcessTests : IDisposable
     {
         // A frame of this size takes many seconds; after the first signal alone, it would be finished and counted.
         using Process harvest = Start(
-            HeededSignals.Script + "exec $heeding dotnet \"$0\" harvest --out out --frames 2 --size 3840x2160 --masks --no-report", Program);
+            HeededSignals.Script + "exec $heeding dotnet \"$0\" harvest --out out --frames 2 --size 3840x2160 --masks --no-report",
+            Program);
         Assert.StartsWith("Harvesting ", harvest.StandardOutput.ReadLine(), StringComparison.Ordinal);
         Assert.Equal([".out.harvester-lock", ".out.harvester-lock.txt"], Locks());
         using Process kill = Start(

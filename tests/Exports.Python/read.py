@@ -24,6 +24,7 @@ import openlabel
 import pairs
 import panoptic
 import rigs
+from riders import joined
 
 VANS = ("minivan", "speedo", "boxville")
 
@@ -79,7 +80,7 @@ def read_kitti(folder, labels):
     for number, label in enumerate(labels):
         image, targets = dataset[by_image[f"{number:06d}.png"]]
         assert image.size == size_of(label)
-        expected = [item for item in seen_of(label) if kitti_type(item)]
+        expected = [item for item in seen_of({"objects": list(joined(label))}) if kitti_type(item)]
         objects = [target for target in targets if target["type"] != "DontCare"]
         assert [target["type"] for target in objects] == [kitti_type(item) for item in expected]
         for target, item in zip(objects, expected):

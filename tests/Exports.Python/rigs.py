@@ -12,9 +12,13 @@ FORMATS = ("kitti", "kitti-odometry", "pcd", "ply")
 POINT = np.dtype([("position", "<f4", 3), ("intensity", "<f4"), ("column", "<u2"), ("beam", "<u2"), ("id", "<u2"), ("class", "u1"),
                   ("flags", "u1")])
 # From the class of a point, by its number in the session, to SemanticKITTI's.
-SEMANTIC_KITTI = [0, 40, 48, 60, 50, 70, 72, 0, 49, 80, 51, 10, 18, 13, 15, 11, 20, 30, 81, 99, 99]
-# And of those that move: a car, a truck, a bus, a motorcycle, a bicycle, a trailer, a person.
-MOVING = {10: 252, 18: 258, 13: 257, 15: 255, 11: 253, 20: 259, 30: 254}
+SEMANTIC_KITTI = [0, 40, 48, 60, 50, 70, 72, 0, 49, 80, 51, 10, 18, 13, 15, 11, 20, 30, 81, 99, 99, 30]
+# And of those that move: a car, a truck, a bus, a trailer, a person, a motorcyclist, a bicyclist.
+MOVING = {10: 252, 18: 258, 13: 257, 20: 259, 30: 254, 32: 255, 31: 253}
+# A motorcycle or bicycle together with its rider.
+RIDDEN = {15: 32, 11: 31}
+RIDER = 21
+SEMANTIC_CLASSES = {"motorcycle": 14, "bicycle": 15}
 MOVING_SPEED = 0.2
 PCD_TYPES = {("F", 4): "<f4", ("U", 1): "u1", ("U", 2): "<u2", ("U", 4): "<u4"}
 PLY_TYPES = {"float": "<f4", "ushort": "<u2", "uchar": "u1"}
@@ -122,6 +126,27 @@ def check_kitti(root, session, moments):
     return compared
 
 
+def check_point(value, instance, kind, number, objects):
+    """Class and id of a point. Objects that no image shows may be among the points: what they ride and their speed is in the scene only."""
+    item = objects.get(number)
+    vehicle = objects.get(item["vehicle"]) if item is not None and kind == RIDER else None
+    if kind != RIDER:
+        assert instance == number
+    elif item is not None:
+        assert instance == item["vehicle"]
+    still = {SEMANTIC_KITTI[kind]}
+    if kind == RIDER:
+        still = {RIDDEN[SEMANTIC_KITTI[SEMANTIC_CLASSES[vehicle["class"]]]]} if vehicle is not None else {30, *RIDDEN.values()}
+    elif SEMANTIC_KITTI[kind] in RIDDEN and item is None:
+        still |= {RIDDEN[SEMANTIC_KITTI[kind]]}
+    elif SEMANTIC_KITTI[kind] in RIDDEN and item["hasRider"]:
+        still = {RIDDEN[SEMANTIC_KITTI[kind]]}
+    moving = {MOVING.get(was, was) for was in still}
+    expected = still if number == 0 else still | moving if item is None else \
+        moving if np.linalg.norm(item["velocity"]) > MOVING_SPEED else still
+    assert value in expected, (number, kind, value, expected)
+
+
 def check_odometry(root, session, moments):
     """Scans that are moved by the poses stay where they are in the world, and labels are the classes and ids of the session."""
     sequences = sorted(os.listdir(os.path.join(root, "sequences")))
@@ -141,14 +166,9 @@ def check_odometry(root, session, moments):
             points = np.fromfile(os.path.join(session, views["image_00"]["lidar"][0]["file"]), POINT)
             scan = check_scan(os.path.join(folder, "velodyne", f"{number:06d}.bin"), points)
             labels = np.fromfile(os.path.join(folder, "labels", f"{number:06d}.label"), "<u4")
-            assert np.array_equal(labels >> 16, points["id"])
-            still = np.array(SEMANTIC_KITTI)[points["class"]]
-            speeds = {item["id"]: np.linalg.norm(item["velocity"]) for view in views.values() for item in view["objects"]}
-            for value, was, number_of in zip(labels & 0xffff, still, points["id"]):
-                # Objects that no image shows may be among the points: their speed is in the scene only.
-                expected = {was} if number_of == 0 else {was, MOVING.get(was, was)} if number_of not in speeds else {
-                    MOVING.get(was, was) if speeds[number_of] > MOVING_SPEED else was}
-                assert value in expected, (number_of, value, expected)
+            objects = {item["id"]: item for view in views.values() for item in view["objects"]}
+            for label, kind, number_of in zip(labels, points["class"], points["id"]):
+                check_point(label & 0xffff, label >> 16, kind, number_of, objects)
             moving += int(np.isin(labels & 0xffff, list(MOVING.values())).sum())
             labelled += len(labels)
             check_oxts(os.path.join(folder, "oxts", "data", f"{number:010d}.txt"), views["image_00"])

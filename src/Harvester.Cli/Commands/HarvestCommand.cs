@@ -10,7 +10,6 @@ using Harvester.Capture.Ports;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Reports;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
@@ -178,21 +177,11 @@ internal sealed class HarvestCommand
         return command;
     }
 
-    /// <summary>
-    /// As <see cref="FinishedHarvest.FramesIn"/>, under the lock of the folder: a run that was killed at its very end has left its own,
-    /// which goes with this one.
-    /// </summary>
-    private static int? FramesOfFinished(HarvestPlan plan)
-    {
-        using FolderLock held = FolderLock.Take(plan.Folder);
-        return FinishedHarvest.FramesIn(plan);
-    }
-
     private static int Run(Terminal terminal, HarvestPlan plan, string command, bool withReport, CancellationToken cancellation)
     {
         ResumeOption.Check(plan.Resume, plan.Overwrite);
 
-        if (plan.Resume && FramesOfFinished(plan) is { } frames)
+        if (plan.Resume && FinishedResult.Of(plan.Folder, () => FinishedHarvest.FramesIn(plan)) is { } frames)
         {
             terminal.Out.WriteLine($"{plan.Folder}: {Counted.Of(frames, "frame")}; the harvest is finished already.");
             return ExitCode.Done;

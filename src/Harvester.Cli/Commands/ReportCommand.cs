@@ -100,7 +100,11 @@ internal static class ReportCommand
                 throw new UsageException($"--out '{page}' would replace a file of the session. Name another file.");
             }
 
-            var limits = new ReportLimits(parsed.GetValue(frames)) { LinksImages = parsed.GetValue(link), ShowsPosts = parsed.GetValue(posts) };
+            var limits = new ReportLimits(parsed.GetValue(frames))
+            {
+                LinksImages = parsed.GetValue(link),
+                ShowsPosts = parsed.GetValue(posts),
+            };
             PredictionEvaluation? evaluation = null;
             if (parsed.GetValue(predictions) is { } predicted)
             {

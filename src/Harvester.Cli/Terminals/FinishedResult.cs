@@ -4,8 +4,8 @@ using Harvester.Datasets.Files;
 namespace Harvester.Cli.Terminals;
 
 /// <summary>
-/// Looks for the finished result of a command that is to be resumed, under the lock of its folder: a run that was killed at its very end has
-/// left its own, which goes with this one.
+/// Looks for the finished result of a command that is to be resumed, under the lock of its folder: a run that was killed at its very end
+/// has left its own, which goes with this one.
 /// </summary>
 internal static class FinishedResult
 {

@@ -17,7 +17,8 @@ internal sealed class ObjectSelector(DatasetFormat format, ExportOptions options
     {
         var objects = new List<ExportObject>();
         var ignored = new List<ExportRegion>();
-        IEnumerable<ObjectLabel> labels = format.IncludesRiders ? RiddenVehicles.WithRiders(frame.Label.Objects, frame.Label.Camera) : frame.Label.Objects;
+        IEnumerable<ObjectLabel> labels = format.IncludesRiders
+            ? RiddenVehicles.WithRiders(frame.Label.Objects, frame.Label.Camera) : frame.Label.Objects;
         foreach (ObjectLabel label in labels.Where(label => IsThing(label, frame)))
         {
             DatasetClass? kind = format.IncludesRiders && label.Class == ObjectClass.Rider ? null : _classes.Of(label);

@@ -55,7 +55,7 @@ internal static class RiddenVehicles
 
     private static AmodalMask Union(AmodalMask a, AmodalMask b, ImageSize image) => AmodalMask.Of(a.ToMap(image).Or(b.ToMap(image)));
 
-    /// <summary>The smallest cuboid with the axes of the first that contains both: from the least to the greatest corner per axis.</summary>
+    /// <summary>The smallest cuboid with the axes of the first that contains both: per axis, from the least to the greatest.</summary>
     private static Cuboid Enclosing(Cuboid first, Cuboid second)
     {
         Vector3D[] corners = [.. new[] { first, second }.SelectMany(cuboid =>

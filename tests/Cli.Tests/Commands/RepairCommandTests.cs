@@ -76,7 +76,8 @@ public sealed class RepairCommandTests : IDisposable
         CliRun run = CliRun.Of("repair", Session);
 
         Assert.Equal((ExitCode.BadData, ""), (run.ExitCode, run.Error));
-        Assert.Contains("session.json: it is damaged (it is not UTF-8); game, options and lens are lost.", run.Out, StringComparison.Ordinal);
+        Assert.Contains(
+            "session.json: it is damaged (it is not UTF-8); game, options and lens are lost.", run.Out, StringComparison.Ordinal);
     }
 
     /// <summary>Bits, missing and inserted bytes, and missing ends, spread over the file.</summary>

@@ -7,7 +7,8 @@ public sealed class GroupedHelpTests
     [Fact]
     public void Wrapped_description_stays_with_its_option()
     {
-        const string help = "Usage:\n  x [options]\n\nOptions:\n  --a <N>     First\n              line\n  -?, --help  Help\n  --b         Second\n\n";
+        const string help = "Usage:\n  x [options]\n\nOptions:\n  --a <N>     First\n              line\n  -?, --help  Help\n"
+            + "  --b         Second\n\n";
 
         Assert.Equal(
             "Usage:\n  x [options]\n\nLast:\n  --b         Second\n\nFirst:\n  --a <N>     First\n              line\n\n"

@@ -32,11 +32,13 @@ public sealed class RiderCheckTests : IDisposable
 
     private void Ride(string kind, string vehicle, bool? hasRider, int? id)
     {
-        JsonObject car = _session.Car(1);
-        JsonObject rider = _session.Pedestrian(1);
-        car["class"] = vehicle;
-        car["hasRider"] = hasRider;
-        rider["class"] = kind;
-        rider["vehicle"] = id ?? car["id"]!.GetValue<int>();
+        for (int line = 0; line < _session.Lines.Count; line++)
+        {
+            _session.Car(line)["class"] = vehicle;
+            _session.Pedestrian(line)["class"] = kind;
+        }
+
+        _session.Car(1)["hasRider"] = hasRider;
+        _session.Pedestrian(1)["vehicle"] = id ?? _session.Car(1)["id"]!.GetValue<int>();
     }
 }

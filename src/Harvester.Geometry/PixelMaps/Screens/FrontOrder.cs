@@ -65,8 +65,8 @@ internal sealed class FrontOrder(
         }
 
         (int first, int second) = (Math.Min(a, b), Math.Max(a, b));
-        int votes = !_votes.TryGetValue((first, second), out int sum) ? 0 : VotesAround(first, second, column, row) is var near and not 0 ? near
-            : sum;
+        int votes = !_votes.TryGetValue((first, second), out int sum) ? 0
+            : VotesAround(first, second, column, row) is var near and not 0 ? near : sum;
         return votes != 0 ? votes > 0 == a < b : plan.Screens[a].DistanceMetres <= plan.Screens[b].DistanceMetres;
     }
 

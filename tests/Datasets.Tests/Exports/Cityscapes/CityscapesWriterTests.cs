@@ -68,6 +68,7 @@ public sealed class CityscapesWriterTests(SimulatedSession simulated) : ExportTe
         ["traffic light"] = 19,
         ["traffic sign"] = 20,
         ["person"] = 24,
+        ["rider"] = 25,
         ["car"] = 26,
         ["truck"] = 27,
         ["bus"] = 28,
