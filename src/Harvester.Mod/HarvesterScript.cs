@@ -95,7 +95,10 @@ public sealed class HarvesterScript : Script
         var nearby = new NearbyEntities(build, new NativeLists(time, rays), reading, _messages);
         var hidden = new HiddenEntities(
             new GameShownEntities(nearby), _folder.HiddenPath, _messages, () => _harvest!.IsOn || _selfTest!.IsOn);
-        var world = new GameWorld(mount, time, rays, models, () => _harvest!.Faces, nearby, reading);
+        var world = new GameWorld(mount, time, rays, models, () => _harvest!.Faces, nearby, reading)
+        {
+            LooksAround = () => _harvest!.HasRig,
+        };
         var lights = new LightDriving(
             world, new GameTrafficLights(), player.LightOrder, player.Options.RangeMetres, player.Options.MaxPictureLagTicks + 2)
         {

@@ -51,7 +51,7 @@ internal sealed class PedBones
 
     /// <summary>Reads the joints in steps.</summary>
     /// <param name="ped">A ped whose model has all bones.</param>
-    /// <param name="known">Its joints as they were; they are returned if head, hands and feet are where they were. Null to read all.</param>
+    /// <param name="known">Its joints as they were, which are returned if head, hands and feet have not moved; null to read all.</param>
     /// <returns>Null after each step; the joints at the end.</returns>
     public static IEnumerable<Skeleton?> ReadInSteps(int ped, Skeleton? known)
     {

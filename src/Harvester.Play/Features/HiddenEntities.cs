@@ -11,7 +11,7 @@ namespace Harvester.Play.Features;
 
 /// <summary>
 /// Hides entities for coded masks, and shows them again whatever happens. What moves with an entity, such as the occupants of a vehicle, is
-/// hidden and shown with it, unless it is to be hidden by itself, as a rider is. Before anything is hidden, the list of what may be hidden is on
+/// hidden and shown with it, unless it is announced itself, as a rider is. Before anything is hidden, the list of what may be hidden is on
 /// disk, and it stays there until everything is shown. If the script ends in between, its next start shows what is on the list. Entities
 /// that were hidden by someone else are left as they are.
 /// </summary>

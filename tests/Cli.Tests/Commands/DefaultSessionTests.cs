@@ -18,7 +18,7 @@ public sealed class DefaultSessionTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [LinuxX64Theory]
-    [InlineData("labels.jsonl", "be7cd8ddbefcae7c28caff7fd625ec4b0a54f0eb6814f5abc3ddcdd7ff12bff9")]
+    [InlineData("labels.jsonl", "b6e21fd1838c4b94d82fcc76fdb42fe43e9135a028b579e61b34a6bd146bc6fb")]
     [InlineData("session.json", "acd0eba2bcb9f550fa115ff5f1cfe6cf8d6a220ec9afae3998f0eb038f0de12a")]
     [InlineData("frames/00000000.png", "77b8a7f459ef16a9f2c2fb3afa143b70164b0b842e57c3636549e12360328bce")]
     public void Bytes_of_a_default_session_stay_what_they_are(string file, string digest) =>
