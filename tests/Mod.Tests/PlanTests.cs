@@ -68,7 +68,7 @@ public sealed class PlanTests
     }
 
     [Fact]
-    public void Start_of_a_plan_states_how_long_it_takes_once_that_is_measured()
+    public void Start_of_a_plan_states_how_long_it_takes_once_measured()
     {
         using var driver = new ScriptDriver(Ini);
         HarvestTests.Street(driver.Game);

@@ -138,8 +138,8 @@ public sealed class HarvestSettingsTests
     }
 
     /// <summary>
-    /// A player's game is frozen in the way that a trial finds better, slowly enough to drive by hand, and the display is checked; a program
-    /// says itself what it wants.
+    /// A player's game is frozen in the way that a trial finds better, slowly enough to drive by hand, and the display is checked; a
+    /// program says itself what it wants.
     /// </summary>
     private static HarvestOptions Defaults => new() { FreezeBy = null, RateHz = 2, ChecksDisplay = true };
 
