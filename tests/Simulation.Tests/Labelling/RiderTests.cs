@@ -19,8 +19,13 @@ public sealed class RiderTests(ITestOutputHelper output)
     /// <summary>A seed that had no part in any choice.</summary>
     private const int OtherSeed = 4711;
 
-    /// <summary>The share of a rider's drawn pixels that masks from rays may miss at outlines.</summary>
-    private const double MaxMissedFraction = 0.02;
+    /// <summary>
+    /// The share of the riders' drawn pixels that masks from rays may miss: at outlines, of which riders of 10 to 240 pixels mostly consist.
+    /// </summary>
+    private const double MaxMissedFraction = 0.04;
+
+    /// <summary>Seeds for the pixels, from <see cref="OtherSeed"/> on.</summary>
+    private const int Seeds = 7;
 
     /// <summary>The required distance of a visible joint from its own mask, pixels.</summary>
     private const int NearPixels = 2;
@@ -28,13 +33,11 @@ public sealed class RiderTests(ITestOutputHelper output)
     /// <summary>The required share of visible joints that are so near.</summary>
     private const double MinNearFraction = 0.99;
 
-    [Theory]
-    [InlineData(DevelopmentSeed)]
-    [InlineData(OtherSeed)]
-    public void Pixels_of_riders_have_their_ids(int seed)
+    [Fact]
+    public void Pixels_of_riders_have_their_ids()
     {
         int drawn = 0, missed = 0, labels = 0;
-        Harvest(seed, (frame, truth) =>
+        Array.ForEach([.. Enumerable.Range(OtherSeed, Seeds)], seed => Harvest(seed, (frame, truth) =>
         {
             foreach (EntityState rider in truth.Scene.Entities.Where(entity => entity.Class == ObjectClass.Rider))
             {
@@ -50,9 +53,9 @@ public sealed class RiderTests(ITestOutputHelper output)
                     missed += truth.PixelsOf(rider.Handle).Count(pixel => frame.Mask!.Ids[pixel] != label.Id);
                 }
             }
-        });
+        }));
         output.WriteLine($"{labels} labels of riders, {missed} of {drawn} pixels without their id");
-        Assert.True(labels > 10, $"Only {labels} labels of riders.");
+        Assert.True(labels > 50, $"Only {labels} labels of riders.");
         Assert.InRange(missed / (double)drawn, 0, MaxMissedFraction);
     }
 
