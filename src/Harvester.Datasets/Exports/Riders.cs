@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Datasets.Files;
-using Harvester.Sessions.Files;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Exports;

@@ -1,4 +1,3 @@
-using System.Text.Json.Nodes;
 using Harvester.Datasets.Validation;
 
 namespace Harvester.Datasets.Tests.Validation;
