@@ -116,6 +116,11 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
             }
             else
             {
+                if (vehicle is not null)
+                {
+                    yield return null;
+                }
+
                 EntityState? state = ped != player && Natives.IsHuman(ped) ? Read(ped, EntityKind.Ped) : null;
                 if (state is not null && vehicle is not null)
                 {

@@ -11,16 +11,33 @@ public sealed class RiddenVehiclesTests
 {
     private static readonly ObjectLabel Bicycle = new()
     {
-        Id = 4, Class = ObjectClass.Bicycle, Model = "scorcher", HasRider = true, Box2D = new Box2D(10, 30, 30, 50),
-        Box2DAmodal = new Box2D(10, 30, 30, 50), Box2DVisible = new Box2D(10, 40, 30, 50), TruncatedFraction = 0, OccludedFraction = 0.6,
-        OcclusionMethod = OcclusionMethod.Rays, DistanceMetres = 10, Velocity = new Vector3D(0, 4, 0),
+        Id = 4,
+        Class = ObjectClass.Bicycle,
+        Model = "scorcher",
+        HasRider = true,
+        Box2D = new Box2D(10, 30, 30, 50),
+        Box2DAmodal = new Box2D(10, 30, 30, 50),
+        Box2DVisible = new Box2D(10, 40, 30, 50),
+        TruncatedFraction = 0,
+        OccludedFraction = 0.6,
+        OcclusionMethod = OcclusionMethod.Rays,
+        DistanceMetres = 10,
+        Velocity = new Vector3D(0, 4, 0),
         Box3D = new Cuboid(new Vector3D(0, 10, 0.5), new Vector3D(0.3, 0.9, 0.5), Axes.Identity),
     };
 
     private static readonly ObjectLabel Rider = Bicycle with
     {
-        Id = 5, Class = ObjectClass.Rider, Model = "a_m_y_roadcyc_01", HasRider = null, Vehicle = 4, Box2D = new Box2D(15, 0, 25, 40),
-        Box2DAmodal = new Box2D(15, -10, 25, 40), Box2DVisible = new Box2D(15, 0, 25, 40), TruncatedFraction = 0.2, OccludedFraction = 0.1,
+        Id = 5,
+        Class = ObjectClass.Rider,
+        Model = "a_m_y_roadcyc_01",
+        HasRider = null,
+        Vehicle = 4,
+        Box2D = new Box2D(15, 0, 25, 40),
+        Box2DAmodal = new Box2D(15, -10, 25, 40),
+        Box2DVisible = new Box2D(15, 0, 25, 40),
+        TruncatedFraction = 0.2,
+        OccludedFraction = 0.1,
         Box3D = new Cuboid(new Vector3D(0, 10, 1.2), new Vector3D(0.4, 0.4, 0.7), Axes.Identity),
     };
 
