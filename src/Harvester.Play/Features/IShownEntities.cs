@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Play.Features;
 
 /// <summary>Whether the game draws its entities.</summary>
@@ -15,12 +12,6 @@ public interface IShownEntities
     /// <summary>Whether the game may draw an entity.</summary>
     bool IsShown(int entity);
 
-    /// <summary>
-    /// What moves with entities and stays in the picture when only they are hidden, such as the occupants of a vehicle, by the entity.
-    /// </summary>
-    /// <param name="entities">Entities that exist.</param>
-    ILookup<int, int> GroupsOf(IReadOnlyCollection<int> entities);
-
-    /// <summary>Shows or hides an entity alone.</summary>
+    /// <summary>Shows or hides an entity.</summary>
     void Show(int entity, bool isShown);
 }

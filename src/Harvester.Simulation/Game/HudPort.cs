@@ -9,7 +9,5 @@ internal sealed class HudPort(SimulatedGame game) : IHud
 
     public void Hide() => game.Layers.IsHudHidden = true;
 
-    public void Show() => game.Layers.IsHudHidden = false;
-
     public void Restore() => game.Layers.IsHudHidden = false;
 }
