@@ -11,8 +11,9 @@ import gtaharvest
 import numpy as np
 import pytest
 import rich
-from conftest import HandmadeSession
+from conftest import HandmadeSession, car
 from gtaharvest import Selection, open_session
+from gtaharvest.records import ObjectLabel
 
 
 def test_frames_by_position_number_and_in_order(handmade: HandmadeSession) -> None:
@@ -280,3 +281,9 @@ def test_damaged_labels_are_named_by_line_and_field(handmade: HandmadeSession) -
             session[position]
     with pytest.raises(gtaharvest.LabelError, match="line 3"):
         session[2].number
+
+
+def test_rider_names_its_vehicle():
+    rider = ObjectLabel.from_json({**car(9, 0, 20), "class": "rider", "vehicle": 7})
+    assert (rider.class_name, rider.vehicle) == ("rider", 7)
+    assert ObjectLabel.from_json(car(9, 0, 20)).vehicle is None

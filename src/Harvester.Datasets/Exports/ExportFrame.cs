@@ -8,10 +8,12 @@ using Harvester.Datasets.Masks.Pixels;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Lidar;
 using Harvester.Sessions.Rigs;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Exports;
 
@@ -25,6 +27,7 @@ public sealed class ExportFrame
     private IReadOnlyDictionary<int, InstancePixels>? _pixels;
     private IReadOnlyDictionary<int, InstancePixels>? _dividedPixels;
     private FrameSelection? _selection;
+    private RecordedScene? _scene;
 
     internal ExportFrame(SessionReader session, LabelLine line, ObjectSelector selector, ImageFormat? format)
     {
@@ -119,6 +122,10 @@ public sealed class ExportFrame
     /// <exception cref="DatasetFormatException">As for <see cref="Mask"/>.</exception>
     internal InstanceMap? DividedMask => Mask is { } mask ? _dividedMask ??= PartPixels.Divide(mask, Label) : null;
 
+    /// <summary>The scene, read on first use; null if the session has none.</summary>
+    /// <exception cref="DatasetFormatException">The scene is damaged.</exception>
+    internal RecordedScene? Scene => _scene ??= ReadScene();
+
     /// <summary>The objects to export, by ascending id.</summary>
     internal IReadOnlyList<ExportObject> Objects => Selection.Objects;
 
@@ -181,6 +188,19 @@ public sealed class ExportFrame
 
     private string PathOf(string name) =>
         Session.IsWithin(name) ? Session.PathOf(name) : throw Problem($"'{name}' points outside the session.");
+
+    private RecordedScene? ReadScene()
+    {
+        string file = FramePaths.Scene(Label.Frame);
+        try
+        {
+            return HasFile(file) ? SceneParser.Read(PathOf(file), Label) : null;
+        }
+        catch (DatasetFormatException e)
+        {
+            throw Problem($"its scene '{file}' cannot be read: {e.Message}");
+        }
+    }
 
     private InstanceMap ReadMap(string name, string kind, Func<string, InstanceMap> read)
     {

@@ -24,7 +24,7 @@ internal static class MovingObjects
     public static HashSet<int> At(ExportFrame frame)
     {
         HashSet<int> moving = [.. frame.Label.Objects.Where(item => IsMoving(item.Velocity.Length)).Select(item => item.Id)];
-        if (FrameScene.Read(frame) is { } scene)
+        if (frame.Scene is { } scene)
         {
             HashSet<int> handles =
                 [.. scene.Snapshot.Entities.Where(entity => IsMoving(entity.Velocity.Length)).Select(entity => entity.Handle)];

@@ -1,8 +1,9 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
+using Harvester.Datasets.Files;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
-using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 
@@ -17,6 +18,7 @@ internal static class RiddenVehicles
     /// </summary>
     /// <param name="objects">The objects.</param>
     /// <param name="camera">The camera of the frame.</param>
+    /// <exception cref="DatasetFormatException">A cuboid and that of its rider are too far apart for numbers.</exception>
     public static IEnumerable<ObjectLabel> WithRiders(IReadOnlyList<ObjectLabel> objects, CameraLabel camera)
     {
         HashSet<int> listed = [.. objects.Where(label => VehicleClasses.HaveRiders(label.Class)).Select(label => label.Id)];
@@ -28,23 +30,24 @@ internal static class RiddenVehicles
 
     /// <summary>
     /// Both as one object. What one hides of the other is no occlusion of both, so the smaller of their occluded fractions counts; the
-    /// truncated fraction is their mean by the areas of their amodal boxes.
+    /// truncated fraction is their mean by the areas of their amodal boxes. There is no amodal mask of both, only its box.
     /// </summary>
     private static ObjectLabel Joined(ObjectLabel vehicle, ObjectLabel rider, CameraLabel camera)
     {
-        Cuboid cuboid = Enclosing(vehicle.Box3D, rider.Box3D);
+        Cuboid cuboid = Enclosing(vehicle, rider);
         (double own, double riders) = (vehicle.Box2DAmodal.Area, rider.Box2DAmodal.Area);
-        double? occluded = vehicle.OccludedFraction is { } first && rider.OccludedFraction is { } second ? System.Math.Min(first, second)
+        double? occluded = vehicle.OccludedFraction is { } first && rider.OccludedFraction is { } second ? Math.Min(first, second)
             : vehicle.OccludedFraction ?? rider.OccludedFraction;
         return vehicle with
         {
             Box2D = vehicle.Box2D.Union(rider.Box2D),
             Box2DAmodal = vehicle.Box2DAmodal.Union(rider.Box2DAmodal),
-            Box2DVisible = vehicle.Box2DVisible is { } seen ? rider.Box2DVisible?.Union(seen) ?? seen : rider.Box2DVisible,
-            AmodalMask = vehicle.AmodalMask is { } pixels && rider.AmodalMask is { } others
-                ? Union(pixels, others, new ImageSize(camera.Width, camera.Height))
-                : vehicle.AmodalMask ?? rider.AmodalMask,
-            TruncatedFraction = ((own * vehicle.TruncatedFraction) + (riders * rider.TruncatedFraction)) / (own + riders),
+            Box2DVisible = Union(vehicle.Box2DVisible, rider.Box2DVisible),
+            Box2DWhole = Union(vehicle.Box2DWhole, rider.Box2DWhole),
+            AmodalMask = null,
+            TruncatedFraction = own + riders > 0
+                ? ((own * vehicle.TruncatedFraction) + (riders * rider.TruncatedFraction)) / (own + riders)
+                : vehicle.TruncatedFraction,
             OccludedFraction = occluded,
             OcclusionMethod = vehicle.OccludedFraction is null ? rider.OcclusionMethod : vehicle.OcclusionMethod,
             TrueOccludedFraction = null,
@@ -53,15 +56,23 @@ internal static class RiddenVehicles
         };
     }
 
-    private static AmodalMask Union(AmodalMask a, AmodalMask b, ImageSize image) => AmodalMask.Of(a.ToMap(image).Or(b.ToMap(image)));
+    private static Box2D? Union(Box2D? a, Box2D? b) => a is { } first && b is { } second ? first.Union(second) : a ?? b;
 
     /// <summary>The smallest cuboid with the axes of the first that contains both: per axis, from the least to the greatest.</summary>
-    private static Cuboid Enclosing(Cuboid first, Cuboid second)
+    private static Cuboid Enclosing(ObjectLabel vehicle, ObjectLabel rider)
     {
-        Vector3D[] corners = [.. new[] { first, second }.SelectMany(cuboid =>
+        Cuboid first = vehicle.Box3D;
+        Vector3D[] corners = [.. new[] { first, rider.Box3D }.SelectMany(cuboid =>
             Enumerable.Range(0, Cuboid.CornerCount).Select(number => first.Axes.ToLocal(cuboid.Corner(number) - first.Centre)))];
         var least = new Vector3D(corners.Min(corner => corner.X), corners.Min(corner => corner.Y), corners.Min(corner => corner.Z));
         var most = new Vector3D(corners.Max(corner => corner.X), corners.Max(corner => corner.Y), corners.Max(corner => corner.Z));
-        return new Cuboid(first.Centre + first.Axes.ToWorld((least + most) * 0.5), (most - least) * 0.5, first.Axes);
+        try
+        {
+            return new Cuboid(first.Centre + first.Axes.ToWorld((least + most) * 0.5), (most - least) * 0.5, first.Axes);
+        }
+        catch (ArgumentOutOfRangeException)
+        {
+            throw new DatasetFormatException($"box3d of object {vehicle.Id} and of its rider, {rider.Id}, are impossibly far apart.");
+        }
     }
 }

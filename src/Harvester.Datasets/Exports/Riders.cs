@@ -19,7 +19,7 @@ internal sealed class Riders(IReadOnlyDictionary<int, (int Id, ObjectClass Class
     public static Riders At(ExportFrame frame)
     {
         var vehicles = new Dictionary<int, (int Id, ObjectClass Class)>();
-        if (FrameScene.Read(frame) is { } scene)
+        if (frame.Scene is { } scene)
         {
             Dictionary<int, ObjectClass> classes = scene.Snapshot.Entities.ToDictionary(entity => entity.Handle, entity => entity.Class);
             foreach (EntityState rider in scene.Snapshot.Entities.Where(entity => entity.VehicleHandle is not null))

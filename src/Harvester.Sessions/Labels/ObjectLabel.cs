@@ -9,6 +9,8 @@ namespace Harvester.Sessions.Labels;
 /// <summary>One object in an image.</summary>
 public sealed record ObjectLabel
 {
+    private readonly Box2D? _whole;
+
     /// <summary>Id of the object: the same in every frame of a session, 1 to 65,535; also its value in the masks.</summary>
     public required int Id { get; init; }
 
@@ -58,9 +60,13 @@ public sealed record ObjectLabel
     public AmodalMask? AmodalMask { get; init; }
 
     /// <summary>
-    /// The box around all its pixels in the image, hidden ones included; null without an amodal mask.
+    /// The box around all its pixels in the image, hidden ones included: that of the amodal mask unless it is set; null without both.
     /// </summary>
-    public Box2D? Box2DWhole => AmodalMask?.Box;
+    public Box2D? Box2DWhole
+    {
+        get => _whole ?? AmodalMask?.Box;
+        init => _whole = value;
+    }
 
     /// <summary>The kinds of boxes that are known.</summary>
     public IReadOnlyList<BoxKind> Boxes => BoxKinds.Known(Box2DVisible is not null, Box2DWhole is not null);

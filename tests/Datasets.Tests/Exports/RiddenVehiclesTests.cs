@@ -1,4 +1,5 @@
 using Harvester.Datasets.Exports;
+using Harvester.Datasets.Files;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Visibility;
@@ -36,6 +37,7 @@ public sealed class RiddenVehiclesTests
         Box2D = new Box2D(15, 0, 25, 40),
         Box2DAmodal = new Box2D(15, -10, 25, 40),
         Box2DVisible = new Box2D(15, 0, 25, 40),
+        AmodalMask = new AmodalMask(15, 0, 10, 40, [0, 400]),
         TruncatedFraction = 0.2,
         OccludedFraction = 0.1,
         Box3D = new Cuboid(new Vector3D(0, 10, 1.2), new Vector3D(0.4, 0.4, 0.7), Axes.Identity),
@@ -50,6 +52,7 @@ public sealed class RiddenVehiclesTests
         Assert.Equal(new Box2D(10, 0, 30, 50), joined.Box2D);
         Assert.Equal(new Box2D(10, -10, 30, 50), joined.Box2DAmodal);
         Assert.Equal(new Box2D(10, 0, 30, 50), joined.Box2DVisible);
+        Assert.Equal(new Box2D(15, 0, 25, 40), joined.Box2DWhole);
         Assert.Equal(0.1, joined.OccludedFraction);
 
         // The amodal boxes have 400 and 500 square pixels.
@@ -67,6 +70,19 @@ public sealed class RiddenVehiclesTests
 
         Assert.Equal([6, 5], objects.Select(label => label.Id));
         Assert.Equal(Bicycle.Box3D, objects[0].Box3D);
+    }
+
+    [Fact]
+    public void Cuboids_beyond_all_numbers_are_refused()
+    {
+        ObjectLabel far = Rider with { Box3D = new Cuboid(new Vector3D(0, 1.7e308, 0), new Vector3D(0.4, 0.4, 0.7), Axes.Identity) };
+        ObjectLabel opposite = Bicycle with
+        {
+            Box3D = new Cuboid(new Vector3D(0, -1.7e308, 0), new Vector3D(0.3, 0.9, 0.5), Axes.Identity),
+        };
+
+        Assert.Contains(
+            "impossibly far apart", Assert.Throws<DatasetFormatException>(() => Joined(opposite, far)).Message, StringComparison.Ordinal);
     }
 
     private static ObjectLabel[] Joined(params ObjectLabel[] objects)

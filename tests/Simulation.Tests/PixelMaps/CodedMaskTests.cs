@@ -31,7 +31,8 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
     private const double MinIou = 0.90;
 
     /// <summary>
-    /// Of five large objects, of which two are a motorcycle and its rider, both black in part: there no colour says which is in front.
+    /// Of five large objects, of which one is the rider of a bicycle: where both have nearly the same colour, no picture shows which is in
+    /// front.
     /// </summary>
     private const double MinMeanIouWithRider = 0.97;
 
