@@ -20,7 +20,7 @@ public sealed class RiderTests(ITestOutputHelper output)
     private const int OtherSeed = 4711;
 
     /// <summary>
-    /// The share of the riders' drawn pixels that masks from rays may miss: at outlines, of which riders of 10 to 240 pixels mostly consist.
+    /// The share of the riders' drawn pixels that masks from rays may miss: at outlines, which are most of a rider of 10 to 240 pixels.
     /// </summary>
     private const double MaxMissedFraction = 0.04;
 
