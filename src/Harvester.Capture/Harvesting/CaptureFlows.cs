@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
@@ -19,7 +20,8 @@ internal sealed class CaptureFlows(
     public ICaptureFlow For(IFrameSink sink, PictureLag? lag)
     {
         var registry = new ObjectRegistry(sink.FirstObjectId);
-        FrameRays rays = options.Depth ? new FrameRays(game.SurfaceRays!, options.RayBudget) { Record = new RayRecord() }
+        FrameRays rays = CaptureChannels.Of(options).Any(channel => channel.NeedsNormals)
+            ? new FrameRays(game.SurfaceRays!, options.RayBudget) { Record = new RayRecord() }
             : new FrameRays(game.Rays, options.RayBudget);
         LaneLabeller? lanes = game.Roads is { } roads ? new LaneLabeller(roads, game.Paint, rays, registry) : null;
         if (options.Rig is { } rig)
@@ -72,8 +74,7 @@ internal sealed class CaptureFlows(
         {
             Comparison = Comparison,
             Lanes = lanes,
-            Semantics = of.Semantics is null ? null : new SemanticLabeller(of, rays, game.Paint, game.Surfaces),
-            Depth = of.Depth ? new DepthLabeller(rays) : null,
+            Channels = [.. CaptureChannels.Of(of).Select(channel => channel.LabellerFor(of, rays, game)).OfType<IChannelLabeller>()],
             Faces = of.Faces is { } faces ? new FaceLabeller(faces, of, rays, game.Lights, registry) : null,
             DrawnOcclusion = game.DrawnOcclusion,
         };

@@ -1,32 +1,31 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Harvester.Capture.Labelling;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
-using Harvester.Sessions.Lidar;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
-/// One frame, ready to be written: image, label and mask of one moment. Disposing it returns the image's buffer to the pool.
+/// One frame, ready to be written: image, label, mask and what the channels found, all of one moment. Disposing it returns the image's
+/// buffer to the pool.
 /// </summary>
 public sealed class CapturedFrame : IDisposable
 {
     private readonly PixelBufferPool? _pool;
     private bool _disposed;
 
-    /// <summary>Creates a frame from its parts.</summary>
+    /// <summary>Creates a frame.</summary>
     /// <param name="label">Its label, one line of labels.jsonl.</param>
     /// <param name="picture">Its image.</param>
-    /// <param name="mask">Its instance map; null without pixel maps.</param>
     /// <param name="pool">The pool to which the image's buffer returns; null if it came from none.</param>
-    public CapturedFrame(FrameLabel label, PixelBuffer picture, InstanceMap? mask, PixelBufferPool? pool = null)
+    public CapturedFrame(FrameLabel label, PixelBuffer picture, PixelBufferPool? pool = null)
     {
         Label = label;
         Picture = picture;
-        Mask = mask;
         _pool = pool;
     }
 
@@ -37,22 +36,23 @@ public sealed class CapturedFrame : IDisposable
     public PixelBuffer Picture { get; }
 
     /// <summary>Its instance map; null without pixel maps.</summary>
-    public InstanceMap? Mask { get; }
+    public InstanceMap? Mask { get; init; }
 
-    /// <summary>Its class map; null without one.</summary>
-    public InstanceMap? Classes { get; init; }
+    /// <summary>What its channels have found, in the order of the label.</summary>
+    public IReadOnlyList<FramePart> Parts { get; init; } = [];
 
-    /// <summary>Its depth maps; null without any.</summary>
-    public DepthMaps? Depth { get; init; }
+    /// <summary>The files of its channels, in the order of the label.</summary>
+    public IReadOnlyList<FrameFile> Files { get; init; } = [];
 
-    /// <summary>The points of the LiDARs, in the order of the label; empty except for the first view of a moment.</summary>
-    public IReadOnlyList<LidarSweep> Sweeps { get; init; } = [];
-
-    /// <summary>The bytes of the files of further pictures, in the order of those in the label that have a file.</summary>
-    public IReadOnlyList<byte[]> Pairs { get; init; } = [];
+    /// <summary>The folders that hold files of this frame alone.</summary>
+    public IReadOnlyList<string> Folders { get; init; } = [];
 
     /// <summary>The scene from which its labels were made; null if scenes are not recorded.</summary>
     public RecordedScene? Scene { get; init; }
+
+    /// <summary>What one channel has found; null if that is nothing.</summary>
+    public T? Part<T>()
+        where T : FramePart => Parts.OfType<T>().FirstOrDefault();
 
     /// <summary>Adds to the label what is known only later: the action that answered the frame, and the motion up to the frame.</summary>
     public void Attach(DriveLabel drive, IReadOnlyList<MotionSample> motion) => Label = Label with { Drive = drive, Motion = motion };

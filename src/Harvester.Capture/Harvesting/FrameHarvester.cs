@@ -3,9 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Labelling;
 using Harvester.Sessions.Imaging;
-using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
-using Harvester.Sessions.Semantics;
 
 namespace Harvester.Capture.Harvesting;
 
@@ -121,21 +119,18 @@ internal sealed class FrameHarvester(
             picture = grabbed.Take();
             LightObserver.Observe(draft, picture);
             Watch?.Add(draft.Camera.Pose.Position, picture);
-            if (draft.Classes is { } classes && draft.ClassSource.Method == SemanticsMethod.Rays)
+            foreach (FramePart part in draft.Parts)
             {
-                ClassColours.Complete(classes, draft.Mask, picture);
+                part.Complete(draft.Mask, picture);
             }
 
-            FrameLabel label = draft.Label(number, options.Format, options.Places) with
+            FrameKey key = draft.KeyOf(number, options.Format);
+            return new CapturedFrame(draft.Label(number, options.Format, options.Places), picture, grabbed.Pool)
             {
-                Pairs = [.. taken.Pairs.Select(pair => pair.Label(number, options.Format))],
-            };
-            return new CapturedFrame(label, picture, draft.Mask, grabbed.Pool)
-            {
-                Pairs = [.. taken.Pairs.Where(pair => pair.Content is not null).Select(pair => pair.Content!.GetAwaiter().GetResult())],
-                Classes = draft.Classes,
-                Depth = draft.Depth,
-                Sweeps = draft.Sweeps,
+                Mask = draft.Mask,
+                Parts = draft.Parts,
+                Files = [.. draft.Parts.SelectMany(part => part.FilesIn(key))],
+                Folders = [.. draft.Parts.Select(part => part.FolderIn(key)).OfType<string>()],
                 Scene = options.Scenes
                     ? new RecordedScene(draft.Snapshot, draft.Camera.Intrinsics.Lens, draft.Ids, draft.Occlusions)
                     {

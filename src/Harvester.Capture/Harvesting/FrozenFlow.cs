@@ -127,7 +127,12 @@ internal sealed class FrozenFlow(
             TakenSeconds = snapshot.TimeSeconds;
             if (isOurs)
             {
-                Taken = [new TakenFrame(draft!, picture!) { Pairs = pairs?.Taken ?? [] }];
+                if (pairs is { Taken: { Count: > 0 } pictures })
+                {
+                    draft!.Add(new PairPictures(pictures));
+                }
+
+                Taken = [new TakenFrame(draft!, picture!)];
                 picture = null;
             }
         }

@@ -66,16 +66,9 @@ public sealed class HarvestSession : IDisposable
                 "A rig needs a game that is frozen for each moment and lets its camera move, and masks from rays.", nameof(options));
         }
 
-        if (options.Depth && (!options.Freeze || game.SurfaceRays is null))
+        if (CaptureChannels.ProblemFor(options, game) is { } problem)
         {
-            throw new ArgumentException("Depth maps need a game that is frozen for each frame and reports normals.", nameof(options));
-        }
-
-        if (options.Pairs.IsAny && (!options.Freeze || options.Rig is not null || game.Sky is null || game.Visibility is null))
-        {
-            throw new ArgumentException(
-                "Pairs need a game that is frozen for each moment, without a rig, and lets its weather be set and its objects be hidden.",
-                nameof(options));
+            throw new ArgumentException(problem, nameof(options));
         }
 
         _budget = new TickBudget(game.Clock, options.TickBudgetMilliseconds);

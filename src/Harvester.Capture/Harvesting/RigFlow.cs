@@ -241,6 +241,9 @@ internal sealed class RigFlow : ICaptureFlow
             }
         }
 
-        views[0].Sweeps = sweeps;
+        if (sweeps.Count > 0)
+        {
+            views[0].Add(new SweptPoints(sweeps));
+        }
     }
 }

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Capture.Labelling;
 
 namespace Harvester.Capture.Harvesting;
@@ -6,8 +5,4 @@ namespace Harvester.Capture.Harvesting;
 /// <summary>A frame that a flow has taken.</summary>
 /// <param name="Draft">Its scene and labels.</param>
 /// <param name="Picture">Its picture, which belongs to the frame.</param>
-internal sealed record TakenFrame(FrameDraft Draft, GrabbedPicture Picture)
-{
-    /// <summary>The further pictures of its moment.</summary>
-    public IReadOnlyList<PairPicture> Pairs { get; init; } = [];
-}
+internal sealed record TakenFrame(FrameDraft Draft, GrabbedPicture Picture);

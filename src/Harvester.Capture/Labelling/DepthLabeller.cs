@@ -12,7 +12,7 @@ namespace Harvester.Capture.Labelling;
 /// <summary>
 /// Makes the depth maps of a frame: the sparse one from the frame's rays and further ones of its own, and with a mask the completed one.
 /// </summary>
-internal sealed class DepthLabeller(FrameRays rays)
+internal sealed class DepthLabeller(FrameRays rays) : IChannelLabeller
 {
     /// <summary>Maximum rays of a depth map, as a fraction of the pixels.</summary>
     private const double MaxRayFraction = 0.03;
@@ -20,9 +20,13 @@ internal sealed class DepthLabeller(FrameRays rays)
     /// <summary>A ray this close to the centre of a pixel, in pixels, passes through it.</summary>
     private const double CentreTolerance = 1e-6;
 
-    /// <summary>Makes the maps, in steps.</summary>
-    /// <param name="draft">The frame with its mask; receives the maps.</param>
-    /// <param name="mayCastRays">Called before each part of the maps.</param>
+    /// <inheritdoc />
+    public ChannelTurn Turn => ChannelTurn.Last;
+
+    /// <inheritdoc />
+    public string RaysKey => "depth";
+
+    /// <inheritdoc />
     public IEnumerable<bool> Label(FrameDraft draft, Func<bool> mayCastRays)
     {
         Camera camera = draft.Camera;
@@ -62,10 +66,15 @@ internal sealed class DepthLabeller(FrameRays rays)
         }
 
         DepthMap completed = mapper.Complete();
-        draft.DepthEstimate = completed;
-        draft.Depth = draft.Mask is null ? new DepthMaps(sparse, null, null, mapper.RaysCast)
-            : new DepthMaps(sparse, Units(completed, completed.Metres, DepthUnits.OfDepth),
-                Units(completed, completed.ErrorMetres, DepthUnits.OfError), mapper.RaysCast);
+        bool hasMask = draft.Mask is not null;
+        draft.Add(new DepthMaps(
+            sparse,
+            hasMask ? Units(completed, completed.Metres, DepthUnits.OfDepth) : null,
+            hasMask ? Units(completed, completed.ErrorMetres, DepthUnits.OfError) : null,
+            mapper.RaysCast)
+        {
+            Estimate = completed,
+        });
 
         DepthSample SampleAt(int column, int row)
         {

@@ -2,15 +2,12 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Geometry.Cameras;
-using Harvester.Geometry.Depth;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
-using Harvester.Sessions.Lidar;
 using Harvester.Sessions.Scenes;
-using Harvester.Sessions.Semantics;
 
 namespace Harvester.Capture.Labelling;
 
@@ -24,6 +21,7 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
     private readonly List<RecordedOcclusion> _occlusions = [];
     private readonly List<DistantEntity> _distant = [];
     private readonly Dictionary<int, OcclusionEstimate> _entities = [];
+    private readonly List<FramePart> _parts = [];
 
     /// <summary>The state that the image shows.</summary>
     public SceneSnapshot Snapshot => snapshot;
@@ -40,18 +38,6 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
     /// <summary>The instance map; null until there is one.</summary>
     public InstanceMap? Mask { get; set; }
 
-    /// <summary>The class map; null until there is one.</summary>
-    public InstanceMap? Classes { get; private set; }
-
-    /// <summary>Where the class map comes from.</summary>
-    public (SemanticsMethod Method, int RaysCast, int InterpolatedPixels) ClassSource { get; private set; }
-
-    /// <summary>The depth maps; null until there are any.</summary>
-    public DepthMaps? Depth { get; set; }
-
-    /// <summary>The estimate behind the depth maps; null until there is one.</summary>
-    public DepthMap? DepthEstimate { get; set; }
-
     /// <summary>The accuracy of the mask; null without one.</summary>
     public PixelMapLabel? PixelMap { get; set; }
 
@@ -64,8 +50,8 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
     /// <summary>The view of a rig that the frame is; null without a rig.</summary>
     public RigView? View { get; set; }
 
-    /// <summary>The points of the LiDARs at its moment, if it is the first view.</summary>
-    public IReadOnlyList<LidarSweep> Sweeps { get; set; } = [];
+    /// <summary>What the channels have found so far.</summary>
+    public IReadOnlyList<FramePart> Parts => _parts;
 
     /// <summary>
     /// The motion of the ego since the frame before; null if it is not recorded, or the frame is not a moment's first view.
@@ -113,9 +99,15 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
         List(null, region);
     }
 
-    /// <summary>Takes the class map.</summary>
-    public void Take(InstanceMap classes, SemanticsMethod method, int raysCast, int interpolatedPixels) =>
-        (Classes, ClassSource) = (classes, (method, raysCast, interpolatedPixels));
+    /// <summary>Adds what a channel has found.</summary>
+    public void Add(FramePart part) => _parts.Add(part);
+
+    /// <summary>What one channel has found; null if that is nothing, or nothing yet.</summary>
+    public T? Part<T>()
+        where T : FramePart => _parts.OfType<T>().FirstOrDefault();
+
+    /// <summary>What the names of its files are made of.</summary>
+    public FrameKey KeyOf(int frame, ImageFormat format) => new(frame, View?.Camera.Name, format);
 
     /// <summary>Replaces each object label by the result of a function.</summary>
     public void Update(Func<ObjectLabel, ObjectLabel> change)
@@ -145,31 +137,15 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
     {
         Moment = View?.MomentOf(frame),
         View = View?.Camera.Name,
-        Lidar = [.. Sweeps.Select(sweep => new SweepLabel(
-            sweep.Sensor, FramePaths.Sweep(frame, sweep.Sensor), sweep.Points.Count, sweep.RaysCast))],
         Motion = Motion,
         Place = places?.PlaceOf(frame),
         PlaceFrame = frame - places?.FirstFrameOf(places.PlaceOf(frame)),
         PixelMap = PixelMap,
-        ClassMap = Classes is null ? null
-            : new ClassMapLabel(
-                FramePaths.Classes(frame, View?.Camera.Name),
-                ClassSource.Method,
-                ClassSource.RaysCast,
-                ClassSource.InterpolatedPixels),
-        Depth = DepthLabelOf(frame),
+        Channels = _parts.Aggregate(ChannelLabels.None, (labels, part) => labels.And(part.LabelIn(KeyOf(frame, format)))),
         Rays = Rays,
         IgnoreRegions = IgnoreRegions,
         Lanes = Lanes,
     };
-
-    private DepthLabel? DepthLabelOf(int frame) => Depth is not { } maps ? null
-        : new DepthLabel(
-            FramePaths.Depth(frame, View?.Camera.Name),
-            maps.Completed is null ? null : FramePaths.CompletedDepth(frame, View?.Camera.Name),
-            maps.Error is null ? null : FramePaths.DepthError(frame, View?.Camera.Name),
-            maps.RaysCast,
-            maps.Sparse.Ids.Count(static depth => depth != 0));
 
     private void List(ObjectLabel? label, IgnoreRegion? region)
     {

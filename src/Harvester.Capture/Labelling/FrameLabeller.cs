@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
@@ -10,7 +11,8 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Labelling;
 
 /// <summary>
-/// Makes the labels of one snapshot, phase by phase: objects, their faces, objects beyond the labelling range, lanes, joints.
+/// Makes the labels of one snapshot, phase by phase: objects, channels, faces, objects beyond the labelling range, lanes, joints, further
+/// channels.
 /// </summary>
 /// <param name="options">What to label.</param>
 /// <param name="rays">The ray caster; also that of <see cref="Lanes"/> and <see cref="Faces"/>.</param>
@@ -31,11 +33,8 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
     /// <summary>Labels faces of signs and heads of traffic lights; null to label none.</summary>
     public FaceLabeller? Faces { get; init; }
 
-    /// <summary>Makes the class map; null for none.</summary>
-    public SemanticLabeller? Semantics { get; init; }
-
-    /// <summary>Makes the depth maps; null for none.</summary>
-    public DepthLabeller? Depth { get; init; }
+    /// <summary>Produces the parts of the channels.</summary>
+    public IReadOnlyList<IChannelLabeller> Channels { get; init; } = [];
 
     /// <summary>Tells how much of each object the drawing hides; null to leave it open.</summary>
     public IDrawnOcclusion? DrawnOcclusion { get; init; }
@@ -63,8 +62,7 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
             yield return null;
         }
 
-        rays.Begin(RayPhase.Semantics);
-        foreach (bool _ in Semantics?.Label(draft, mayCastRays) ?? [])
+        foreach (bool _ in LabelChannels(ChannelTurn.AfterObjects, draft, mayCastRays))
         {
             yield return null;
         }
@@ -99,8 +97,7 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
             yield return null;
         }
 
-        rays.Begin(RayPhase.Depth);
-        foreach (bool _ in Depth?.Label(draft, mayCastRays) ?? [])
+        foreach (bool _ in LabelChannels(ChannelTurn.Last, draft, mayCastRays))
         {
             yield return null;
         }
@@ -131,6 +128,18 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
         _objects.CandidatesOf(camera, snapshot);
         Faces?.Pass(camera, snapshot);
         Lanes?.Pass(snapshot);
+    }
+
+    private IEnumerable<bool> LabelChannels(ChannelTurn turn, FrameDraft draft, Func<bool> mayCastRays)
+    {
+        foreach (IChannelLabeller channel in Channels.Where(channel => channel.Turn == turn))
+        {
+            rays.Begin(channel.RaysKey);
+            foreach (bool step in channel.Label(draft, mayCastRays))
+            {
+                yield return step;
+            }
+        }
     }
 
     private IEnumerable<bool> LabelByRays(FrameDraft draft, List<LabelCandidate> candidates, Func<bool> mayCastRays)

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
@@ -13,8 +14,10 @@ namespace Harvester.Capture.Labelling;
 /// <param name="budget">Maximum number of rays per frame.</param>
 internal sealed class FrameRays(IRayCaster rays, int budget) : IRayCaster
 {
-    private readonly int[] _counts = new int[1 + (int)RayPhase.Depth];
+    private readonly int[] _counts = new int[1 + (int)RayPhase.Joints];
+    private readonly Dictionary<string, int> _channels = [];
     private RayPhase _phase;
+    private string? _channel;
     private int _cast;
 
     /// <summary>Remembers what the rays of the frame hit, if they report normals; null to remember nothing.</summary>
@@ -32,20 +35,23 @@ internal sealed class FrameRays(IRayCaster rays, int budget) : IRayCaster
         _counts[(int)RayPhase.Lanes],
         _counts[(int)RayPhase.Joints])
     {
-        Classes = _counts[(int)RayPhase.Semantics],
-        Depth = _counts[(int)RayPhase.Depth],
+        Channels = new Dictionary<string, int>(_channels),
     };
 
     /// <summary>Begins a frame.</summary>
     public void Begin()
     {
         Array.Clear(_counts, 0, _counts.Length);
+        _channels.Clear();
         _cast = 0;
         Record?.Clear();
     }
 
     /// <summary>Sets the purpose of the following rays.</summary>
-    public void Begin(RayPhase phase) => _phase = phase;
+    public void Begin(RayPhase phase) => (_phase, _channel) = (phase, null);
+
+    /// <summary>The following rays are those of a channel.</summary>
+    public void Begin(string channel) => _channel = channel;
 
     /// <inheritdoc/>
     public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity) => Cast(ray, maxDistance, ignoredEntity, out _);
@@ -53,7 +59,7 @@ internal sealed class FrameRays(IRayCaster rays, int budget) : IRayCaster
     /// <summary>Casts a ray that also reports the normal of the surface; zero if the game does not, or nothing is recorded.</summary>
     public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity, out Vector3D normal)
     {
-        _counts[(int)_phase]++;
+        Count();
         _cast++;
         normal = Vector3D.Zero;
         if (Record is null || rays is not ISurfaceRays surfaces)
@@ -68,5 +74,17 @@ internal sealed class FrameRays(IRayCaster rays, int budget) : IRayCaster
         }
 
         return hit;
+    }
+
+    private void Count()
+    {
+        if (_channel is null)
+        {
+            _counts[(int)_phase]++;
+        }
+        else
+        {
+            _channels[_channel] = (_channels.TryGetValue(_channel, out int count) ? count : 0) + 1;
+        }
     }
 }

@@ -7,7 +7,6 @@ using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
-using Harvester.Sessions.Semantics;
 
 namespace Harvester.Capture.Labelling;
 
@@ -51,13 +50,6 @@ public sealed class FrameRelabeller
     /// <param name="lens">The lens for the new label.</param>
     public static bool KeepsMask(RecordedScene scene, FrameLabel recorded, Lens lens) =>
         recorded?.Mask is not null && (scene?.Lens == lens || recorded.PixelMap is null);
-
-    /// <summary>Whether a frame's class map still holds: rays were cast through the lens of the harvest.</summary>
-    /// <param name="scene">The frame's scene.</param>
-    /// <param name="recorded">The label of the harvest.</param>
-    /// <param name="lens">The lens for the new label.</param>
-    public static bool KeepsClassMap(RecordedScene scene, FrameLabel recorded, Lens lens) =>
-        recorded?.ClassMap is { } map && (scene?.Lens == lens || map.Method == SemanticsMethod.Exact);
 
     /// <summary>Recomputes the label of a frame.</summary>
     /// <param name="scene">The frame's scene.</param>
@@ -124,8 +116,7 @@ public sealed class FrameRelabeller
         {
             Mask = keepsMask ? recorded.Mask : null,
             PixelMap = keepsMask ? recorded.PixelMap : null,
-            ClassMap = KeepsClassMap(scene, recorded, lens) ? recorded.ClassMap : null,
-            Depth = isLensSame ? recorded.Depth : null,
+            Channels = isLensSame ? recorded.Channels : recorded.Channels.WithoutLens(),
             Camera = CameraLabel.Of(camera),
             Ego = EgoLabel.Of(snapshot.Ego),
             Objects = draft.Objects,

@@ -1,10 +1,12 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Faces;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Semantics;
 using Harvester.Sessions.Text;
@@ -17,6 +19,8 @@ public record LabellingOptions
 {
     /// <summary>Maximum <see cref="RayBudget"/>: more than one ray per pixel of a large image.</summary>
     public const int MaxRays = 10_000_000;
+
+    private static readonly string DepthKey = new DepthChannel().Key;
 
     /// <summary>Size of the saved images, pixels; 800 x 600 as in the thesis.</summary>
     public ImageSize Image { get; init; } = new(800, 600);
@@ -46,7 +50,14 @@ public record LabellingOptions
     public SemanticsMethod? Semantics { get; init; }
 
     /// <summary>Whether depth maps are made, of a game whose rays report normals.</summary>
-    public bool Depth { get; init; }
+    public bool Depth
+    {
+        get => Channels.Contains(DepthKey);
+        init => Channels = Channels.With(DepthKey, value);
+    }
+
+    /// <summary>The channels that are switched on by their key alone: <see cref="FrameChannel.Switch"/>.</summary>
+    public ChannelKeys Channels { get; init; } = ChannelKeys.None;
 
     /// <summary>The classes of the materials that rays report.</summary>
     public MaterialTable Materials { get; init; } = MaterialTable.BuiltIn;

@@ -20,10 +20,4 @@ internal enum RayPhase
 
     /// <summary>The visibility of joints.</summary>
     Joints,
-
-    /// <summary>The class map.</summary>
-    Semantics,
-
-    /// <summary>The depth map.</summary>
-    Depth,
 }

@@ -17,6 +17,7 @@ namespace Harvester.Capture.Labelling;
 /// knows. In a simulated game the renderer may give all classes instead.
 /// </summary>
 internal sealed class SemanticLabeller(LabellingOptions options, FrameRays rays, IRoadPaint? paint, ISurfaceTruth? truth)
+    : IChannelLabeller
 {
     /// <summary>Maximum rays of a class map, as a fraction of the pixels.</summary>
     private const double MaxRayFraction = 0.02;
@@ -27,15 +28,19 @@ internal sealed class SemanticLabeller(LabellingOptions options, FrameRays rays,
     /// <summary>Points of paint are half a metre apart, and a dash continues by half of that beyond the last of them, metres.</summary>
     private const double PaintEnd = 0.25;
 
-    /// <summary>Makes the map, in steps.</summary>
-    /// <param name="draft">The frame with its mask and labels; receives the class map.</param>
-    /// <param name="mayCastRays">Called before each part of the map.</param>
+    /// <inheritdoc />
+    public ChannelTurn Turn => ChannelTurn.AfterObjects;
+
+    /// <inheritdoc />
+    public string RaysKey => "classes";
+
+    /// <inheritdoc />
     public IEnumerable<bool> Label(FrameDraft draft, Func<bool> mayCastRays)
     {
         Dictionary<int, SemanticClass> entities = EntityClasses(draft.Snapshot);
         if (options.Semantics == SemanticsMethod.Exact && truth is not null)
         {
-            draft.Take(truth.Draw(options.Image, handle => ClassOf(entities, handle)), SemanticsMethod.Exact, 0, 0);
+            draft.Add(new ClassMapPart(truth.Draw(options.Image, handle => ClassOf(entities, handle)), SemanticsMethod.Exact, 0, 0));
             yield break;
         }
 
@@ -55,7 +60,7 @@ internal sealed class SemanticLabeller(LabellingOptions options, FrameRays rays,
                 .Paint(paint.Near(camera.Pose.Position, PaintRange), PaintEnd);
         }
 
-        draft.Take(map, SemanticsMethod.Rays, mapper.RaysCast, interpolated);
+        draft.Add(new ClassMapPart(map, SemanticsMethod.Rays, mapper.RaysCast, interpolated));
 
         byte SampleAt(int column, int row)
         {

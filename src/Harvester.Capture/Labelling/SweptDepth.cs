@@ -18,7 +18,7 @@ internal static class SweptDepth
     /// <summary>Adds the points that the view sees and that lie in pixels without a measured depth.</summary>
     public static void Add(FrameDraft view, IEnumerable<Vector3D> points)
     {
-        if (view is not { Depth: { } maps, DepthEstimate: { } estimate })
+        if (view.Part<DepthMaps>() is not { Estimate: { } estimate } maps)
         {
             return;
         }

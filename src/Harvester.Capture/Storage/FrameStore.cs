@@ -5,11 +5,11 @@ using System.Linq;
 using System.Text;
 using System.Threading;
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Labelling;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
-using Harvester.Sessions.Lidar;
 
 namespace Harvester.Capture.Storage;
 
@@ -86,32 +86,16 @@ internal sealed class FrameStore(
             written.Add(new(path, files.WriteWhole(path, stream => _png.Write(mask, stream))));
         }
 
-        if (frame is { Label.ClassMap.File: { } classPath, Classes: { } classes })
+        foreach (string folder in frame.Folders)
         {
-            written.Add(new(classPath, files.WriteWhole(classPath, stream => _png.WriteGrey8(classes, stream))));
+            files.MakeFolder(folder);
         }
 
-        if (frame is { Label.Depth: { } paths, Depth: { } depth })
+        foreach (FrameFile file in frame.Files)
         {
-            foreach ((string? name, InstanceMap? map) in new[]
-            {
-                (paths.Sparse, depth.Sparse), (paths.Completed, depth.Completed), (paths.Error, depth.Error),
-            })
-            {
-                if (name is not null && map is not null)
-                {
-                    written.Add(new(name, files.WriteWhole(name, stream => _png.Write(map, stream))));
-                }
-            }
+            written.Add(new(file.Path, files.WriteWhole(file.Path, stream => file.Content(stream, _png))));
         }
 
-        foreach (LidarSweep sweep in frame.Sweeps)
-        {
-            string name = FramePaths.Sweep(frame.Label.Frame, sweep.Sensor);
-            written.Add(new(name, files.WriteWhole(name, stream => LidarFile.Write(stream, sweep.Points))));
-        }
-
-        WritePairs(frame, written);
         if (frame.Scene is { } scene)
         {
             string name = FramePaths.Scene(frame.Label.Frame);
@@ -131,20 +115,6 @@ internal sealed class FrameStore(
         if (mode != SyncMode.Batch || _labelLines.Count >= SyncBatch.MaxFrames || _age.Elapsed >= SyncBatch.MaxAge)
         {
             Commit();
-        }
-    }
-
-    private void WritePairs(CapturedFrame frame, List<KeyValuePair<string, FileDigest>> written)
-    {
-        if (frame.Pairs.Count > 0)
-        {
-            files.MakeFolder(FramePaths.PairsOf(frame.Label.Frame));
-        }
-
-        IEnumerable<string> names = frame.Label.Pairs.Select(pair => pair.File).OfType<string>();
-        foreach ((string name, byte[] bytes) in names.Zip(frame.Pairs, (name, bytes) => (name, bytes)))
-        {
-            written.Add(new(name, files.WriteWhole(name, stream => stream.Write(bytes, 0, bytes.Length))));
         }
     }
 

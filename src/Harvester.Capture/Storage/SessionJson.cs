@@ -100,9 +100,9 @@ internal static class SessionJson
             json.Key("maskMethod").String(JsonName.Of(options.MaskMethod));
         }
 
-        if (options.Depth)
+        foreach (string key in FrameChannels.All.Select(static channel => channel.Key).Where(options.Channels.Contains))
         {
-            json.Key("depth").Boolean(true);
+            json.Key(key).Boolean(true);
         }
 
         if (options.Motion)

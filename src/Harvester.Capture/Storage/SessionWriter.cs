@@ -8,6 +8,7 @@ using Harvester.Capture.Harvesting;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.Storage;
@@ -204,7 +205,7 @@ public sealed class SessionWriter : IFrameSink
     /// <summary>The folders of frames that are there, each before the folders of views in it.</summary>
     private IEnumerable<string> InnerFolders()
     {
-        foreach (string folder in FramePaths.Folders.Select(name => Path.Combine(Folder, name)).Where(Directory.Exists))
+        foreach (string folder in FrameChannels.Folders.Select(name => Path.Combine(Folder, name)).Where(Directory.Exists))
         {
             yield return folder;
             foreach (string view in Directory.GetDirectories(folder))
@@ -283,22 +284,15 @@ public sealed class SessionWriter : IFrameSink
 
     private static IEnumerable<string> FoldersOf(HarvestOptions options)
     {
-        string[] views = [.. options.Rig?.Cameras.Select(camera => camera.Name) ?? []];
-        string[] lidars = [.. options.Rig?.Lidars.Select(lidar => lidar.Name) ?? []];
+        IEnumerable<string> views = options.Rig?.Cameras.Select(camera => camera.Name) ?? [];
         return
         [
-            .. With(FramePaths.Frames, views),
-            .. options.Masks ? With(FramePaths.Masks, views) : [],
-            .. options.Semantics is null ? [] : With(FramePaths.ClassMaps, views),
-            .. options.Depth ? With(FramePaths.DepthMaps, views) : [],
-            .. options is { Depth: true, Masks: true } ? With(FramePaths.CompletedDepths, views) : [],
-            .. options is { Depth: true, Masks: true } ? With(FramePaths.DepthErrors, views) : [],
-            .. options.Pairs.IsAny ? [FramePaths.Pairs] : Array.Empty<string>(),
-            .. lidars.Length == 0 ? [] : With(FramePaths.Lidar, lidars),
+            .. With(FramePaths.Frames),
+            .. options.Masks ? With(FramePaths.Masks) : [],
+            .. CaptureChannels.Of(options).SelectMany(channel => channel.FoldersFor(options)),
         ];
 
-        static IEnumerable<string> With(string folder, string[] inner) =>
-            new[] { folder }.Concat(inner.Select(name => FramePaths.In(folder, name)));
+        IEnumerable<string> With(string folder) => [folder, .. views.Select(view => FramePaths.In(folder, view))];
     }
 
     private void Finish(SessionEnd end)

@@ -89,8 +89,7 @@ internal sealed class HarvestCommand
     private Option<string?> Masks { get; } = MaskOption.Create();
     private SemanticsOptions Semantics { get; } = new();
 
-    private Option<bool> Depth { get; } =
-        new("--depth") { Description = "Also write depth maps; with --masks also completed ones and their estimated errors" };
+    private ChannelOptions Channels { get; } = new();
 
     private Option<bool> TrueOcclusion { get; } = new("--true-occlusion")
     {
@@ -160,11 +159,12 @@ internal sealed class HarvestCommand
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Resume, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, Masks, Depth, TrueOcclusion,
+            Out, Overwrite, Resume, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, Masks, TrueOcclusion,
                 Rays, RayReach, NoScenes, Motion, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, DetailOf, Quirks,
                     FreezeBy, MaxPictureLag, MaxCameraError, ShardOf, Sync, MinFree, NoReport,
         };
         Semantics.AddTo(command);
+        Channels.AddTo(command);
         Moment.AddTo(command);
         Variety.AddTo(command);
         LensOf.AddTo(command);
@@ -291,7 +291,7 @@ internal sealed class HarvestCommand
             Masks = masks is not null || Semantics.Method(parsed) is not null,
             MaskMethod = masks ?? MaskMethod.Rays,
             Semantics = Semantics.Method(parsed),
-            Depth = parsed.GetValue(Depth),
+            Channels = Channels.Keys(parsed),
             Materials = Semantics.Materials(parsed),
             RayBudget = parsed.GetValue(Rays),
             RayReachMetres = parsed.GetValue(RayReach),

@@ -1,4 +1,6 @@
 using System.Collections.Generic;
+using System.Linq;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Cli.Terminals;
 
@@ -15,11 +17,13 @@ internal static class OptionGroups
             ["--roads", "--props", "--near", "--places", "--weather", "--time", "--date", "--wander", "--lane-changes", "--traffic",
                 "--pedestrians", "--parked", "--detail"]),
         new("Objects", ["--classes", "--range", "--ignore-range", "--spaces", "--true-occlusion", "--rays", "--ray-reach"]),
-        new("Further data", ["--masks", "--semantics", "--materials", "--depth", "--motion", "--no-scenes"]),
+        new("Further data", ["--masks", "--semantics", "--materials", .. Switches, "--motion", "--no-scenes"]),
         new("Lanes", ["--look-ahead", "--lane-width", "--narrow-lane-width"]),
         new("Pairs of pictures", ["--pair-weathers", "--pair-hours", "--pair-without", "--pair-ticks"]),
         new("Faults of the game", ["--quirks", "--freeze", "--max-picture-lag", "--max-camera-error"]),
     ];
+
+    private static IEnumerable<string> Switches => FrameChannels.All.Select(channel => channel.Switch?.Option).OfType<string>();
 
     public static IReadOnlyList<OptionGroup> OfDrive { get; } =
     [

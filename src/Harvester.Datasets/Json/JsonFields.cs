@@ -4,13 +4,14 @@ using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Geometry;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Json;
 
 /// <summary>
 /// An object of a JSON text whose fields are read by name. Every error names the field by its path, such as camera.position.
 /// </summary>
-public readonly struct JsonFields
+public readonly struct JsonFields : IJsonFields
 {
     /// <summary>
     /// Limit of numbers. No length, time or angle of a session is as large, and sums and products of smaller numbers stay finite.
@@ -211,6 +212,12 @@ public readonly struct JsonFields
             ? [.. field.EnumerateArray().Select((item, index) => new JsonFields(item, $"{path}[{index}]"))]
             : throw Wrong(path, "a list of objects", field);
     }
+
+    IJsonFields IJsonFields.Fields(string name) => Fields(name);
+
+    IReadOnlyList<IJsonFields> IJsonFields.List(string name) => [.. List(name).Select(static fields => (IJsonFields)fields)];
+
+    Exception IJsonFields.Refusal(string message) => new DatasetFormatException(message);
 
     /// <summary>Creates a value from this object's fields; if it is invalid, the error names this object.</summary>
     public T Checked<T>(Func<T> make)

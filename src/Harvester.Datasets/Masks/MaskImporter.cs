@@ -110,24 +110,9 @@ public static class MaskImporter
     {
         yield return new(label.Image, digests.Of(label.Frame, label.Image));
         yield return new(FramePaths.Mask(label.Frame, label.View), mask);
-        if (label.ClassMap is { } classes)
+        foreach (string file in label.Channels.Files)
         {
-            yield return new(classes.File, digests.Of(label.Frame, classes.File));
-        }
-
-        foreach (string map in label.Depth?.Files ?? [])
-        {
-            yield return new(map, digests.Of(label.Frame, map));
-        }
-
-        foreach (SweepLabel sweep in label.Lidar)
-        {
-            yield return new(sweep.File, digests.Of(label.Frame, sweep.File));
-        }
-
-        foreach (string pair in label.Pairs.Select(pair => pair.File).OfType<string>())
-        {
-            yield return new(pair, digests.Of(label.Frame, pair));
+            yield return new(file, digests.Of(label.Frame, file));
         }
 
         if (label.Frame >= 0 && FramePaths.Scene(label.Frame) is var scene && File.Exists(session.PathOf(scene)))

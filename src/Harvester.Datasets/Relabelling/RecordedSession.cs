@@ -78,7 +78,8 @@ internal sealed class RecordedSession
                 RangeMetres = options.Number("rangeMetres"),
                 IgnoreRangeMetres = options.OptionalNumber("ignoreRangeMetres") ?? 0,
                 Masks = options.Boolean("masks"),
-                Depth = options.Has("depth") && options.Boolean("depth"),
+                Channels = new ChannelKeys(FrameChannels.All.Where(channel => channel.Switch is not null).Select(channel => channel.Key)
+                    .Where(key => options.Has(key) && options.Boolean(key))),
                 Semantics = options.Has("semantics") ? options.Name<SemanticsMethod>("semantics") : null,
                 MinBoxAreaPixels = options.Number("minBoxAreaPixels"),
                 MinBoxSidePixels = options.Number("minBoxSidePixels"),

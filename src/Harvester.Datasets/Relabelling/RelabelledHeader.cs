@@ -36,9 +36,9 @@ internal sealed class RelabelledHeader(RecordedSession recorded, RelabelOptions 
         Set(asked, "maxOccludedFraction", changes.MaxOccludedFraction, 4);
         asked["masks"] = options.Masks;
         asked["semantics"] = options.Semantics is { } semantics ? JsonName.Of(semantics) : null;
-        if (!options.Depth)
+        foreach (string key in recorded.Options.Channels.Keys.Except(options.Channels.Keys))
         {
-            asked.Remove("depth");
+            asked.Remove(key);
         }
 
         asked["scenes"] = false;

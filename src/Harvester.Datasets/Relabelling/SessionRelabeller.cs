@@ -155,12 +155,14 @@ public sealed class SessionRelabeller
     private RelabelStart StartAt(RecordedScene scene, FrameLabel label, RecordedIds ids, IRoads? roads)
     {
         Lens lens = _changes.Lens ?? scene.Lens;
+        ChannelLabels kept = scene.Lens == lens ? label.Channels : label.Channels.WithoutLens();
         HarvestOptions options = _options with
         {
             Lens = lens,
             Masks = _recorded.Options.Masks && FrameRelabeller.KeepsMask(scene, label, lens),
-            Depth = _recorded.Options.Depth && scene.Lens == lens,
-            Semantics = FrameRelabeller.KeepsClassMap(scene, label, lens) ? _recorded.Options.Semantics : null,
+            Channels = new ChannelKeys(FrameChannels.All.Where(channel => channel.LabelIn(kept) is not null).Select(channel => channel.Key)
+                .Intersect(_recorded.Options.Channels.Keys)),
+            Semantics = kept.Get<ClassMapLabel>() is null ? null : _recorded.Options.Semantics,
         };
         return new RelabelStart(new FrameRelabeller(_options with { Lens = lens }, _recorded.Options, ids, roads), options);
     }
@@ -220,24 +222,9 @@ public sealed class SessionRelabeller
     private void PlaceFiles(NewSession session, CarriedDigests digests, FrameLabel recorded, FrameLabel made)
     {
         Place(recorded.Image);
-        if (made.ClassMap is { } classes)
+        foreach (string file in made.Channels.Files)
         {
-            Place(classes.File);
-        }
-
-        foreach (string depth in made.Depth?.Files ?? [])
-        {
-            Place(depth);
-        }
-
-        foreach (SweepLabel sweep in made.Lidar)
-        {
-            Place(sweep.File);
-        }
-
-        foreach (string pair in made.Pairs.Select(pair => pair.File).OfType<string>())
-        {
-            Place(pair);
+            Place(file);
         }
 
         if (made.Mask is not { } mask)

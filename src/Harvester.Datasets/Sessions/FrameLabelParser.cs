@@ -11,7 +11,6 @@ using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
-using Harvester.Sessions.Semantics;
 
 namespace Harvester.Datasets.Sessions;
 
@@ -20,10 +19,6 @@ namespace Harvester.Datasets.Sessions;
 /// </summary>
 public static class FrameLabelParser
 {
-    private const string SweepFile = ".bin";
-
-    private static readonly string[] PictureEndings = [".png", ".bmp", ".jpg", ".jpeg"];
-
     /// <exception cref="DatasetFormatException">The line is not a valid label; the message names the field.</exception>
     public static FrameLabel Parse(string line) => Parse(line, static (label, _) => label);
 
@@ -52,8 +47,8 @@ public static class FrameLabelParser
             frame.Number("timeSeconds"),
             frame.Integer("lagFrames"),
             frame.Number("lagSeconds"),
-            PictureName(frame, "image"),
-            frame.Has("mask") ? PictureName(frame, "mask") : null,
+            FileNames.Picture(frame, "image"),
+            frame.Has("mask") ? FileNames.Picture(frame, "mask") : null,
             ReadCamera(frame.Fields("camera")),
             ReadEgo(frame.Fields("ego")),
             ReadEnvironment(frame.Fields("environment")),
@@ -61,26 +56,26 @@ public static class FrameLabelParser
         {
             Moment = frame.Has("moment") ? frame.Integer("moment") : null,
             View = frame.OptionalText("view"),
-            Lidar = frame.Has("lidar") ? [.. frame.List("lidar").Select(ReadSweep)] : [],
             Motion = MotionParser.Parse(frame),
             Drive = DriveParser.Parse(frame),
-            Pairs = frame.Has("pairs") ? [.. frame.List("pairs").Select(ReadPair)] : [],
             Place = frame.Has("place") ? frame.Integer("place") : null,
             PlaceFrame = frame.Has("placeFrame") ? frame.Integer("placeFrame") : null,
             PixelMap = frame.Has("pixelMap") ? ReadPixelMap(frame.Fields("pixelMap")) : null,
-            ClassMap = frame.Has("classMap") ? ReadClassMap(frame.Fields("classMap")) : null,
-            Depth = frame.Has("depth") ? ReadDepth(frame.Fields("depth")) : null,
+            Channels = ReadChannels(frame),
             Rays = frame.Has("rays") ? ReadRays(frame.Fields("rays")) : null,
             IgnoreRegions = frame.Has("ignoreRegions") ? [.. frame.List("ignoreRegions").Select(ReadIgnoreRegion)] : [],
             Lanes = frame.Has("lanes") ? LanesParser.Parse(frame.Fields("lanes")) : null,
         };
 
-    /// <summary>The name of a picture; that of another file of the session, such as labels.jsonl, is refused.</summary>
-    private static string PictureName(JsonFields frame, string field)
+    private static ChannelLabels ReadChannels(JsonFields frame)
     {
-        string name = frame.Text(field);
-        return Array.Exists(PictureEndings, ending => name.EndsWith(ending, StringComparison.OrdinalIgnoreCase)) ? name
-            : throw new DatasetFormatException($"{field} must name a picture ({string.Join(", ", PictureEndings)}), not \"{name}\".");
+        ChannelLabels labels = ChannelLabels.None;
+        foreach (FrameChannel channel in FrameChannels.All.Where(channel => frame.Has(channel.Key)))
+        {
+            labels = channel.Read(frame) is { } label ? labels.And(label) : labels;
+        }
+
+        return labels;
     }
 
     private static PixelMapLabel ReadPixelMap(JsonFields map) =>
@@ -115,39 +110,9 @@ public static class FrameLabelParser
         // Sessions of earlier versions have no joints.
         rays.Has("joints") ? rays.Integer("joints") : 0)
     {
-        Classes = rays.Has("classes") ? rays.Integer("classes") : 0,
-        Depth = rays.Has("depth") ? rays.Integer("depth") : 0,
+        Channels = FrameChannels.All.Select(channel => channel.RaysKey).OfType<string>().Where(rays.Has)
+            .ToDictionary(key => key, rays.Integer),
     };
-
-    private static ClassMapLabel ReadClassMap(JsonFields map) => new(
-        PictureName(map, "file"), map.Name<SemanticsMethod>("method"), map.Integer("raysCast"), map.Integer("interpolatedPixels"));
-
-    private static DepthLabel ReadDepth(JsonFields depth) => new(
-        PictureName(depth, "sparse"),
-        depth.Has("completed") ? PictureName(depth, "completed") : null,
-        depth.Has("error") ? PictureName(depth, "error") : null,
-        depth.Integer("raysCast"),
-        depth.Integer("measuredPixels"));
-
-    private static SweepLabel ReadSweep(JsonFields sweep) => new(
-        sweep.Text("sensor"),
-        sweep.Text("file") is var name && name.EndsWith(SweepFile, StringComparison.OrdinalIgnoreCase) ? name
-            : throw new DatasetFormatException($"file of lidar must name points ({SweepFile}), not \"{name}\"."),
-        sweep.Integer("points"),
-        sweep.Integer("raysCast"));
-
-    private static PairLabel ReadPair(JsonFields pair)
-    {
-        EnvironmentState sky = ReadEnvironment(pair);
-        string? file = pair.Has("file") ? PictureName(pair, "file") : null;
-        PairDrop? dropped = pair.Has("dropped") ? pair.Name<PairDrop>("dropped") : null;
-        return file is null == dropped is not null
-            ? new PairLabel(file, sky.Weather, sky.TimeOfDay, [.. pair.Numbers("without").Select(ReadId)]) { Dropped = dropped }
-            : throw new DatasetFormatException("A picture of pairs must have either a file or the reason why it was dropped.");
-    }
-
-    private static int ReadId(double number) => number is >= 1 and <= ushort.MaxValue && number == Math.Floor(number) ? (int)number
-        : throw new DatasetFormatException($"without of pairs must hold ids from 1 to {ushort.MaxValue}.");
 
     private static CameraLabel ReadCamera(JsonFields camera)
     {

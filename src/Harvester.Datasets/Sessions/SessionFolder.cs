@@ -5,6 +5,7 @@ using System.Linq;
 using System.Text.RegularExpressions;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Sessions;
 
@@ -16,7 +17,7 @@ public static class SessionFolder
 
     private static readonly string[] Files =
         [SessionInfo.FileName, SessionReader.LabelsFile, Manifest.FileName, Report, SessionJournal.FileName];
-    private static readonly IReadOnlyList<string> Folders = FramePaths.Folders;
+    private static readonly IReadOnlyList<string> Folders = FrameChannels.Folders;
     private static readonly string[] Common = [Path.GetFileName(FramePaths.Faces), Path.GetFileName(FramePaths.Roads)];
     private static readonly Regex FrameFile = new(@"\A[0-9]{8,}\.(png|bmp|jpg|json|bin)\z", RegexOptions.CultureInvariant);
 

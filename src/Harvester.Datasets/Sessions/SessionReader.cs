@@ -80,7 +80,7 @@ public sealed class SessionReader
     {
         string name = Path.GetRelativePath(InnerPath.Resolve(Folder), InnerPath.Resolve(path)).Replace('\\', '/');
         return name is SessionInfo.FileName or LabelsFile or Manifest.FileName
-            || FramePaths.Folders.Contains(name.Split('/')[0], StringComparer.OrdinalIgnoreCase)
+            || FrameChannels.Folders.Contains(name.Split('/')[0], StringComparer.OrdinalIgnoreCase)
             || (InnerPath.IsWithin(Folder, name)
                 && ReadLines().Any(line => line.Label?.Files.Contains(name) == true));
     }

@@ -19,7 +19,6 @@ namespace Harvester.Datasets.Validation;
 internal sealed class FileCheck(SessionReader session, bool isQuick)
 {
     private const int MaskBitsPerPixel = 16;
-    private const int ClassBitsPerPixel = 8;
 
     private readonly HashSet<string> _named = new(StringComparer.Ordinal);
 
@@ -35,19 +34,9 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
     {
         IEnumerable<string> mask = label.Mask is { } name ? MaskProblems(label, name, taken, manifest)
             : MaskCheck.ProblemsWithoutMask(label);
-        if (label.ClassMap is { } classes)
-        {
-            mask = mask.Concat(ClassProblems(label, classes.File, taken, manifest));
-        }
-
-        if (label.Depth is { } depth)
-        {
-            mask = mask.Concat(DepthProblems(label, depth, taken, manifest));
-        }
-
-        mask = mask.Concat(label.Pairs.Select(pair => pair.File).OfType<string>()
-            .Select(file => Problem("further picture", file, label.Camera, null, taken, manifest)).OfType<string>());
-        mask = mask.Concat(label.Lidar.Select(sweep => SweepProblem(sweep, taken, manifest)).OfType<string>());
+        IEnumerable<string> channels = FrameChannels.All.SelectMany(channel =>
+            channel.LabelIn(label.Channels) is { } found ? ChannelProblems(channel, found, label, taken, manifest) : []);
+        mask = mask.Concat(channels);
         return Problem("image", label.Image, label.Camera, null, taken, manifest) is { } image ? mask.Prepend(image) : mask;
     }
 
@@ -68,27 +57,16 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
         }
     }
 
-    private IEnumerable<string> ClassProblems(FrameLabel label, string name, IReadOnlyList<string> taken, ManifestFrame? manifest)
+    private IEnumerable<string> ChannelProblems(
+        FrameChannel channel, IChannelLabel found, FrameLabel label, IReadOnlyList<string> taken, ManifestFrame? manifest)
     {
-        if (Problem("class map", name, label.Camera, ClassBitsPerPixel, taken, manifest) is { } problem)
+        if (found is SweepsLabel { Sweeps: { } sweeps })
         {
-            return [problem];
+            return sweeps.Select(sweep => SweepProblem(sweep, taken, manifest)).OfType<string>();
         }
 
-        try
-        {
-            return isQuick ? [] : ClassMapCheck.Problems(name, PngDecoder.ReadLabelMap(session.PathOf(name)));
-        }
-        catch (DatasetFormatException e)
-        {
-            return [$"class map '{name}' cannot be used: {e.Message}"];
-        }
-    }
-
-    private IEnumerable<string> DepthProblems(FrameLabel label, DepthLabel depth, IReadOnlyList<string> taken, ManifestFrame? manifest)
-    {
-        string[] problems = [.. depth.Files.Select(name => Problem("depth map", name, label.Camera, MaskBitsPerPixel, taken, manifest))
-            .OfType<string>()];
+        string[] problems = [.. found.Files
+            .Select(name => Problem(channel.FileKind, name, label.Camera, channel.BitsPerPixel, taken, manifest)).OfType<string>()];
         if (problems.Length > 0 || isQuick)
         {
             return problems;
@@ -96,11 +74,16 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
 
         try
         {
-            return DepthCheck.Problems(depth, name => PngDecoder.ReadInstanceMap(session.PathOf(name)));
+            return found switch
+            {
+                ClassMapLabel map => [.. ClassMapCheck.Problems(map.File, PngDecoder.ReadLabelMap(session.PathOf(map.File)))],
+                DepthLabel depth => [.. DepthCheck.Problems(depth, name => PngDecoder.ReadInstanceMap(session.PathOf(name)))],
+                _ => Array.Empty<string>(),
+            };
         }
         catch (DatasetFormatException e)
         {
-            return [$"a depth map of '{depth.Sparse}' cannot be used: {e.Message}"];
+            return [$"{channel.FileKind} '{found.Files.First()}' cannot be used: {e.Message}"];
         }
     }
 

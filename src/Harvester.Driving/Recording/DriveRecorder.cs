@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Bridge;
 using Harvester.Sessions.Labels;
@@ -63,7 +64,7 @@ public sealed class DriveRecorder : IDisposable
         Scenes = false,
         Masks = false,
         Semantics = null,
-        Depth = false,
+        Channels = ChannelKeys.None,
         Pairs = new PairOptions(),
         Rig = null,
     };

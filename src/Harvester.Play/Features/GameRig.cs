@@ -5,6 +5,7 @@ using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Rigs;
 using Harvester.Sessions.Scenes;
 
@@ -48,7 +49,7 @@ public static class GameRig
         };
     }
 
-    /// <summary>Why options for a rig, for pairs or for depth maps cannot be used, as a message for the player; null if they can.</summary>
+    /// <summary>Why options for a rig, for pairs or for maps cannot be used, as a message for the player; null if they can.</summary>
     /// <exception cref="ArgumentNullException"><paramref name="options"/> is null.</exception>
     public static string? ProblemOf(HarvestOptions options)
     {
@@ -56,8 +57,8 @@ public static class GameRig
         return options.Rig is { } rig ? ProblemOf(options, rig)
             : options.Pairs.IsAny && !options.Freeze
                 ? "PairWeathers, PairHours and PairWithout need Mode = Freeze, because all pictures of a pair show one moment."
-            : options is { Depth: true, Freeze: false }
-                ? "Depth needs Mode = Freeze, because its rays are cast while the world stands still."
+            : options is { Freeze: false } && FrameChannels.All.FirstOrDefault(channel => options.Channels.Contains(channel.Key)) is { } map
+                ? $"{map.Switch?.Name} needs Mode = Freeze, because its rays are cast while the world stands still."
             : null;
     }
 

@@ -7,6 +7,7 @@ using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Imaging.Jpeg;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Semantics;
 
@@ -63,7 +64,8 @@ public static class HarvestSettings
                 _ => MaskMethod.Rays,
             },
             Semantics = semantics ? SemanticsMethod.Rays : null,
-            Depth = ini.Choice(Harvest, "Depth", Switch.Off, "On or Off") == Switch.On,
+            Channels = new ChannelKeys(FrameChannels.All.Where(channel => channel.Switch is { } own
+                && ini.Choice(Harvest, own.Name, Switch.Off, "On or Off") == Switch.On).Select(channel => channel.Key)),
             Motion = ini.Choice(Harvest, "Motion", Switch.Off, "On or Off") == Switch.On,
             Pairs = PairsOf(ini),
             RayBudget = ini.Whole(Harvest, "Rays", fallback.RayBudget, 0, LabellingOptions.MaxRays),

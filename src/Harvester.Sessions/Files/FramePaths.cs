@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using System.Globalization;
 using Harvester.Sessions.Imaging;
 
@@ -18,10 +17,6 @@ public static class FramePaths
 
     /// <summary>Folder of the scenes from which labels can be recomputed.</summary>
     public const string Scenes = "scenes";
-
-    /// <summary>The folders of a session that hold files of frames.</summary>
-    public static IReadOnlyList<string> Folders { get; } =
-        [Frames, Masks, ClassMaps, DepthMaps, CompletedDepths, DepthErrors, Lidar, Pairs, Scenes];
 
     /// <summary>Path of the table of faces used for the labels.</summary>
     public const string Faces = Scenes + "/spaces.csv";

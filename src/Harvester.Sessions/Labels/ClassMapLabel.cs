@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using Harvester.Sessions.Semantics;
 
 namespace Harvester.Sessions.Labels;
@@ -7,4 +8,8 @@ namespace Harvester.Sessions.Labels;
 /// <param name="Method">Where its classes come from.</param>
 /// <param name="RaysCast">The rays cast for it.</param>
 /// <param name="InterpolatedPixels">Number of its pixels that show no object of the mask and were drawn without a ray.</param>
-public sealed record ClassMapLabel(string File, SemanticsMethod Method, int RaysCast, int InterpolatedPixels);
+public sealed record ClassMapLabel(string File, SemanticsMethod Method, int RaysCast, int InterpolatedPixels) : IChannelLabel
+{
+    /// <inheritdoc />
+    public IEnumerable<string> Files => [File];
+}

@@ -1,3 +1,5 @@
+using System.Collections.Generic;
+
 namespace Harvester.Sessions.Labels;
 
 /// <summary>The depth maps of a frame. File format: docs/depth.md.</summary>
@@ -6,10 +8,10 @@ namespace Harvester.Sessions.Labels;
 /// <param name="Error">Path of their estimated errors; null without a mask.</param>
 /// <param name="RaysCast">The rays cast for them alone.</param>
 /// <param name="MeasuredPixels">Number of pixels with a measured depth.</param>
-public sealed record DepthLabel(string Sparse, string? Completed, string? Error, int RaysCast, int MeasuredPixels)
+public sealed record DepthLabel(string Sparse, string? Completed, string? Error, int RaysCast, int MeasuredPixels) : IChannelLabel
 {
-    /// <summary>The paths of the maps that there are.</summary>
-    public System.Collections.Generic.IEnumerable<string> Files
+    /// <inheritdoc />
+    public IEnumerable<string> Files
     {
         get
         {

@@ -30,43 +30,11 @@ public sealed record FrameLabel(
     EnvironmentState Environment,
     IReadOnlyList<ObjectLabel> Objects)
 {
-    /// <summary>
-    /// Paths within the session of the files that the label names: image, mask, class map, depth maps, points of LiDARs, further pictures.
-    /// </summary>
-    public IEnumerable<string> Files
-    {
-        get
-        {
-            yield return Image;
-            if (Mask is not null)
-            {
-                yield return Mask;
-            }
+    /// <summary>Paths within the session of the files that the label names: image, mask, and the files of the channels.</summary>
+    public IEnumerable<string> Files => [Image, .. Mask is null ? [] : new[] { Mask }, .. Channels.Files];
 
-            if (ClassMap is not null)
-            {
-                yield return ClassMap.File;
-            }
-
-            foreach (string map in Depth?.Files ?? [])
-            {
-                yield return map;
-            }
-
-            foreach (SweepLabel sweep in Lidar)
-            {
-                yield return sweep.File;
-            }
-
-            foreach (PairLabel pair in Pairs)
-            {
-                if (pair.File is { } picture)
-                {
-                    yield return picture;
-                }
-            }
-        }
-    }
+    /// <summary>What the channels say of the frame.</summary>
+    public ChannelLabels Channels { get; init; } = ChannelLabels.None;
 
     /// <summary>Number of the moment, from 0; null unless the session was harvested with a rig, whose views are frames.</summary>
     public int? Moment { get; init; }
@@ -84,13 +52,17 @@ public sealed record FrameLabel(
     public PixelMapLabel? PixelMap { get; init; }
 
     /// <summary>The class map; null without one.</summary>
-    public ClassMapLabel? ClassMap { get; init; }
+    public ClassMapLabel? ClassMap { get => Channels.Get<ClassMapLabel>(); init => Channels = Channels.With(value); }
 
     /// <summary>The depth maps; null without any.</summary>
-    public DepthLabel? Depth { get; init; }
+    public DepthLabel? Depth { get => Channels.Get<DepthLabel>(); init => Channels = Channels.With(value); }
 
     /// <summary>What the LiDARs of the rig saw at the moment; empty except in the frame of its first view.</summary>
-    public IReadOnlyList<SweepLabel> Lidar { get; init; } = [];
+    public IReadOnlyList<SweepLabel> Lidar
+    {
+        get => Channels.Get<SweepsLabel>()?.Sweeps ?? [];
+        init => Channels = Channels.With(value is { Count: > 0 } ? new SweepsLabel(value) : null);
+    }
 
     /// <summary>
     /// The ego at the ticks since the frame, or moment, before; empty if it is the first. Null unless motion is recorded, and in all but
@@ -102,7 +74,11 @@ public sealed record FrameLabel(
     public DriveLabel? Drive { get; init; }
 
     /// <summary>Further pictures of the moment in other weathers, at other hours and without objects; empty if there are none.</summary>
-    public IReadOnlyList<PairLabel> Pairs { get; init; } = [];
+    public IReadOnlyList<PairLabel> Pairs
+    {
+        get => Channels.Get<PairsLabel>()?.Pairs ?? [];
+        init => Channels = Channels.With(value is { Count: > 0 } ? new PairsLabel(value) : null);
+    }
 
     /// <summary>Regions that show, or may show, objects without a label, the nearest first.</summary>
     public IReadOnlyList<IgnoreRegion> IgnoreRegions { get; init; } = [];

@@ -1,5 +1,7 @@
 using System;
+using System.Collections.Generic;
 using System.Globalization;
+using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Sessions.Scenes;
@@ -39,30 +41,9 @@ public static class JsonLabelWriter
             .Key("image").String(frame.Image)
             .Key("mask").String(frame.Mask);
         Append(json.Key("pixelMap"), frame.PixelMap);
-        if (frame.ClassMap is { } classes)
-        {
-            json.Key("classMap").BeginObject()
-                .Key("file").String(classes.File)
-                .Key("method").String(JsonName.Of(classes.Method))
-                .Key("raysCast").Integer(classes.RaysCast)
-                .Key("interpolatedPixels").Integer(classes.InterpolatedPixels)
-                .EndObject();
-        }
-
-        if (frame.Depth is { } depth)
-        {
-            json.Key("depth").BeginObject()
-                .Key("sparse").String(depth.Sparse)
-                .Key("completed").String(depth.Completed)
-                .Key("error").String(depth.Error)
-                .Key("raysCast").Integer(depth.RaysCast)
-                .Key("measuredPixels").Integer(depth.MeasuredPixels)
-                .EndObject();
-        }
-
+        Append(json, FrameChannels.Maps, frame.Channels);
         Append(json.Key("rays"), frame.Rays);
-        SweepsJson.Append(json, frame.Lidar);
-        PairsJson.Append(json, frame.Pairs);
+        Append(json, FrameChannels.Others, frame.Channels);
         Append(json.Key("camera"), frame.Camera);
         Append(json.Key("ego"), frame.Ego);
         MotionJson.Append(json, frame.Motion);
@@ -125,6 +106,17 @@ public static class JsonLabelWriter
             .EndObject();
     }
 
+    private static void Append(JsonText json, IReadOnlyList<FrameChannel> channels, ChannelLabels labels)
+    {
+        foreach (FrameChannel channel in channels)
+        {
+            if (channel.LabelIn(labels) is { } label)
+            {
+                channel.Append(json.Key(channel.Key), label);
+            }
+        }
+    }
+
     private static void Append(JsonText json, PixelMapLabel? map)
     {
         if (map is null)
@@ -174,14 +166,9 @@ public static class JsonLabelWriter
             .Key("ignoreRegions").Integer(rays.IgnoreRegions)
             .Key("lanes").Integer(rays.Lanes)
             .Key("joints").Integer(rays.Joints);
-        if (rays.Classes > 0)
+        foreach (string key in FrameChannels.All.Select(channel => channel.RaysKey).OfType<string>().Where(key => rays.Of(key) > 0))
         {
-            json.Key("classes").Integer(rays.Classes);
-        }
-
-        if (rays.Depth > 0)
-        {
-            json.Key("depth").Integer(rays.Depth);
+            json.Key(key).Integer(rays.Of(key));
         }
 
         json.EndObject();

@@ -1,3 +1,6 @@
+using System.Collections.Generic;
+using System.Linq;
+
 namespace Harvester.Sessions.Labels;
 
 /// <summary>The rays used for the labels of a frame, by purpose.</summary>
@@ -9,12 +12,12 @@ namespace Harvester.Sessions.Labels;
 /// <param name="Joints">For the visibility of joints.</param>
 public sealed record RayCounts(int Map, int Occlusion, int Faces, int IgnoreRegions, int Lanes, int Joints)
 {
-    /// <summary>For the class map; 0 without one.</summary>
-    public int Classes { get; init; }
-
-    /// <summary>For the depth map; 0 without one.</summary>
-    public int Depth { get; init; }
+    /// <summary>For the channels, by <see cref="FrameChannel.RaysKey"/>; those that used none may be missing.</summary>
+    public IReadOnlyDictionary<string, int> Channels { get; init; } = new Dictionary<string, int>();
 
     /// <summary>Rays of all phases together.</summary>
-    public int Total => Classes + Depth + Map + Occlusion + Faces + IgnoreRegions + Lanes + Joints;
+    public int Total => Channels.Values.Sum() + Map + Occlusion + Faces + IgnoreRegions + Lanes + Joints;
+
+    /// <summary>The rays of a channel; 0 if it used none.</summary>
+    public int Of(string raysKey) => Channels.TryGetValue(raysKey, out int count) ? count : 0;
 }

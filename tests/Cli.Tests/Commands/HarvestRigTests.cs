@@ -191,7 +191,7 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
             Assert.Equal($"depth/{label.View}/{label.Frame:D8}.png", depth.Sparse);
             Assert.Equal($"depth-completed/{label.View}/{label.Frame:D8}.png", depth.Completed);
             Assert.Equal($"depth-error/{label.View}/{label.Frame:D8}.png", depth.Error);
-            Assert.Equal(depth.RaysCast, label.Rays!.Depth);
+            Assert.Equal(depth.RaysCast, label.Rays!.Of("depth"));
             Assert.InRange(depth.MeasuredPixels, 1, label.Camera.Width * label.Camera.Height);
             Assert.All(depth.Files, file =>
             {

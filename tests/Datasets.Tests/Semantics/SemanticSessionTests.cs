@@ -33,7 +33,7 @@ public sealed class SemanticSessionTests : IDisposable
         {
             ClassMapLabel map = Assert.IsType<ClassMapLabel>(label.ClassMap);
             Assert.Equal(method, map.Method);
-            Assert.Equal(label.Rays!.Classes, map.RaysCast);
+            Assert.Equal(label.Rays!.Of("classes"), map.RaysCast);
             Assert.Equal(method == SemanticsMethod.Rays, map.RaysCast > 0);
             InstanceMap classes = PngDecoder.ReadLabelMap(session.PathOf(map.File));
             InstanceMap mask = PngDecoder.ReadInstanceMap(session.PathOf(label.Mask!));

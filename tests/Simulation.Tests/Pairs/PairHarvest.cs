@@ -1,7 +1,9 @@
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Labelling;
 using Harvester.Capture.Tests.Doubles;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Game;
@@ -78,11 +80,9 @@ internal sealed class PairHarvest
                 harvest.Handles = frame.Scene!.Ids.ToDictionary(pair => pair.Value, pair => pair.Key);
             }
 
-            string[] names = [.. frame.Label.Pairs.Select(pair => pair.File).OfType<string>().Select(file =>
-                Path.GetFileNameWithoutExtension(file))];
-            Assert.Equal(names.Length, frame.Pairs.Count);
-            Dictionary<string, byte[]> pictures =
-                names.Zip(frame.Pairs.Select(Decoded)).ToDictionary(pair => pair.First, pair => pair.Second);
+            Assert.Equal(frame.Label.Pairs.Select(pair => pair.File).OfType<string>(), frame.Files.Select(file => file.Path));
+            Dictionary<string, byte[]> pictures = frame.Files.ToDictionary(
+                file => Path.GetFileNameWithoutExtension(file.Path), file => Decoded(Written(file)));
             pictures.Add("frame", [.. frame.Picture.Bytes]);
             harvest.Pictures.Add(pictures);
             frame.Dispose();
@@ -98,6 +98,13 @@ internal sealed class PairHarvest
         Without = [.. without.Split(',', StringSplitOptions.RemoveEmptyEntries).Select(text => HiddenChoice.Parse(text)!)],
         TakesAllTicks = true,
     };
+
+    private static byte[] Written(FrameFile file)
+    {
+        using var stream = new MemoryStream();
+        file.Content(stream, new PngEncoder());
+        return stream.ToArray();
+    }
 
     private static RenderTarget Copy(RenderTarget target)
     {

@@ -32,7 +32,7 @@ public sealed class DepthAgainstPictureTests(ITestOutputHelper output)
     public void Completed_depth_is_that_of_the_renderer(int seed)
     {
         (CapturedFrame frame, RenderTarget picture) = Take(seed, masks: true);
-        DepthMaps maps = frame.Depth!;
+        DepthMaps maps = frame.Part<DepthMaps>()!;
         int[] compared = [.. Enumerable.Range(0, Image.PixelCount).Where(i => picture.Depth[i] < MaxMetres && maps.Completed!.Ids[i] > 0)];
         double ErrorAt(int i) => Math.Abs((maps.Completed!.Ids[i] / UnitsPerMetre) - picture.Depth[i]);
         double[] errors = [.. compared.Select(ErrorAt).Order()];
@@ -40,7 +40,8 @@ public sealed class DepthAgainstPictureTests(ITestOutputHelper output)
         int missing = Enumerable.Range(0, Image.PixelCount).Count(i => picture.Depth[i] < MaxMetres != maps.Completed!.Ids[i] > 0);
         double[] estimates = [.. compared.Select(i => maps.Error!.Ids[i] / UnitsPerMetre).Order()];
         output.WriteLine(FormattableString.Invariant(
-            $"{seed}: rays {maps.RaysCast}, median {errors[errors.Length / 2]:0.0000} m, 95 % {errors[errors.Length * 95 / 100]:0.000} m, ")
+            $"{seed}: rays {frame.Label.Depth!.RaysCast}, median {errors[errors.Length / 2]:0.0000} m, ")
+            + FormattableString.Invariant($"95 % {errors[errors.Length * 95 / 100]:0.000} m, ")
             + FormattableString.Invariant(
                 $"under {underFraction:0.0000}, estimate {estimates[estimates.Length / 2]:0.000} m, missing {missing}"));
 
@@ -53,7 +54,7 @@ public sealed class DepthAgainstPictureTests(ITestOutputHelper output)
         Assert.InRange(errors[errors.Length * 95 / 100], 0, ninetyFifth);
         Assert.InRange(underFraction, underEstimate, 1);
         Assert.InRange(missing, 0, Image.PixelCount / missingPart);
-        Assert.InRange(maps.RaysCast, 1, Image.PixelCount * 3 / 100);
+        Assert.InRange(frame.Label.Depth!.RaysCast, 1, Image.PixelCount * 3 / 100);
     }
 
     [Fact]
@@ -61,7 +62,7 @@ public sealed class DepthAgainstPictureTests(ITestOutputHelper output)
     public void Measured_depth_lies_between_those_of_its_neighbours()
     {
         (CapturedFrame frame, RenderTarget picture) = Take(31, masks: false);
-        DepthMaps maps = frame.Depth!;
+        DepthMaps maps = frame.Part<DepthMaps>()!;
         int measured = 0;
         int wrong = 0;
         for (int row = 1; row + 1 < Image.Height; row++)

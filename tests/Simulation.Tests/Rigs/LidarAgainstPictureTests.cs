@@ -1,3 +1,4 @@
+using Harvester.Capture.Labelling;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;
@@ -24,7 +25,7 @@ public sealed class LidarAgainstPictureTests
         Rig rig = new("test", Vector3D.Zero, [RigHarvest.Camera("front", place, 0, new ImageSize(1600, 1200))],
             [new RigLidar("top", new Pose(place, Axes.Identity), [2, 0, -2, -5, -9, -14, -20], 720, 10, 0.5, 60)]);
         var moment = new RigHarvest(rig, seed);
-        LidarSweep sweep = Assert.Single(moment.Frames[0].Sweeps);
+        LidarSweep sweep = Assert.Single(moment.Frames[0].Part<SweptPoints>()!.Sweeps);
         RenderTarget picture = moment.Game.Render(rig.Cameras[0].Image);
         CameraLabel label = moment.Frames[0].Label.Camera;
         Camera camera = label.ToCamera();
@@ -60,7 +61,7 @@ public sealed class LidarAgainstPictureTests
         Rig rig = new("test", Vector3D.Zero, [RigHarvest.Camera("front", new Vector3D(0, 2, 0.4), 0, new ImageSize(64, 48))],
             [new RigLidar("top", new Pose(new Vector3D(0, 0, 1.6), Axes.Identity), beams, 8, 10, 0.5, 60)]);
 
-        LidarSweep sweep = new RigHarvest(rig, seed: 3).Frames[0].Sweeps[0];
+        LidarSweep sweep = new RigHarvest(rig, seed: 3).Frames[0].Part<SweptPoints>()!.Sweeps[0];
 
         Assert.Equal(24, sweep.RaysCast);
         foreach (LidarPoint point in sweep.Points)
@@ -87,7 +88,7 @@ public sealed class LidarAgainstPictureTests
         Rig rig = new("test", Vector3D.Zero, [RigHarvest.Camera("front", new Vector3D(0, 2, 0.4), 0, new ImageSize(64, 48))],
             [new RigLidar("top", new Pose(new Vector3D(0, 2, 0.4), Axes.Identity), [-80], 8, 10, 0.1, 60)]);
 
-        LidarSweep sweep = new RigHarvest(rig, seed: 3).Frames[0].Sweeps[0];
+        LidarSweep sweep = new RigHarvest(rig, seed: 3).Frames[0].Part<SweptPoints>()!.Sweeps[0];
 
         Assert.Equal(8, sweep.Points.Count);
         Assert.All(sweep.Points, point => Assert.InRange(point.Z, -0.8, -0.5));

@@ -1,3 +1,4 @@
+using Harvester.Capture.Labelling;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Lidar;
@@ -62,7 +63,7 @@ public sealed class SparseLidarTests(ITestOutputHelper output)
             model.RangeMetres);
         Rig rig = new("test", Vector3D.Zero, [RigHarvest.Camera("front", new Vector3D(0, 2, 0.4), 0, new ImageSize(64, 48))],
             [all, all with { Name = "tenth", RayFraction = RayFraction }]);
-        IReadOnlyList<LidarSweep> sweeps = new RigHarvest(rig, seed).Frames[0].Sweeps;
+        IReadOnlyList<LidarSweep> sweeps = new RigHarvest(rig, seed).Frames[0].Part<SweptPoints>()!.Sweeps;
         return (sweeps[0], sweeps[1]);
     }
 }

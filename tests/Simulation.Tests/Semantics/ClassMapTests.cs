@@ -1,4 +1,5 @@
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Labelling;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Semantics;
@@ -50,7 +51,7 @@ public sealed class ClassMapTests(ITestOutputHelper output)
                 InstanceMap truth = game.Ports.Surfaces!.Draw(options.Image, handle =>
                     game.Shown.Entities.FirstOrDefault(entity => entity.Handle == handle) is { } entity
                         ? SemanticClasses.Of(entity.Class) : SemanticClass.Other);
-                InstanceMap map = frame.Classes!;
+                InstanceMap map = frame.Part<ClassMapPart>()!.Map;
                 for (int i = 0; i < truth.Ids.Length; i++)
                 {
                     (ushort real, ushort seen) = (truth.Ids[i], map.Ids[i]);

@@ -1,9 +1,8 @@
 using Harvester.Geometry;
-using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 
-namespace Harvester.Sessions.Files;
+namespace Harvester.Sessions.Labels;
 
 /// <summary>Writes a scene from which labels can be recomputed; numbers read back as the same doubles. Fields: docs/relabel.md.</summary>
 internal static class SceneJson

@@ -1,0 +1,22 @@
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Sessions.Files;
+
+namespace Harvester.Sessions.Labels;
+
+/// <summary>All channels. Their order is that of their fields in a label and of their files in the manifest.</summary>
+public static class FrameChannels
+{
+    /// <summary>The channels whose fields stand before the rays.</summary>
+    internal static IReadOnlyList<FrameChannel> Maps { get; } = [new ClassMapChannel(), new DepthChannel()];
+
+    /// <summary>The channels whose fields stand after the rays.</summary>
+    internal static IReadOnlyList<FrameChannel> Others { get; } = [new SweepsChannel(), new PairsChannel()];
+
+    /// <summary>All channels.</summary>
+    public static IReadOnlyList<FrameChannel> All { get; } = [.. Maps, .. Others];
+
+    /// <summary>The folders of a session that hold files of frames.</summary>
+    public static IReadOnlyList<string> Folders { get; } =
+        [FramePaths.Frames, FramePaths.Masks, .. All.SelectMany(channel => channel.Folders), FramePaths.Scenes];
+}
