@@ -15,7 +15,7 @@ internal abstract class CaptureChannel(FrameChannel format)
     public FrameChannel Format => format;
 
     /// <summary>Whether it needs the normals of the surfaces that the rays of a frame hit.</summary>
-    public virtual bool NeedsNormals => false;
+    public virtual bool NeedsNormals(GamePorts game) => false;
 
     /// <summary>Whether a harvest has it.</summary>
     public virtual bool IsOn(HarvestOptions options) => options.Channels.Contains(format.Key);

@@ -20,7 +20,7 @@ internal sealed class CaptureFlows(
     public ICaptureFlow For(IFrameSink sink, PictureLag? lag)
     {
         var registry = new ObjectRegistry(sink.FirstObjectId);
-        FrameRays rays = CaptureChannels.Of(options).Any(channel => channel.NeedsNormals)
+        FrameRays rays = CaptureChannels.Of(options).Any(channel => channel.NeedsNormals(game))
             ? new FrameRays(game.SurfaceRays!, options.RayBudget) { Record = new RayRecord() }
             : new FrameRays(game.Rays, options.RayBudget);
         LaneLabeller? lanes = game.Roads is { } roads ? new LaneLabeller(roads, game.Paint, rays, registry) : null;

@@ -10,7 +10,7 @@ namespace Harvester.Capture.Harvesting;
 internal sealed class DepthCapture() : CaptureChannel(new DepthChannel())
 {
     /// <inheritdoc />
-    public override bool NeedsNormals => true;
+    public override bool NeedsNormals(GamePorts game) => true;
 
     /// <inheritdoc />
     public override string? ProblemFor(HarvestOptions options, GamePorts game) =>

@@ -1,11 +1,7 @@
 using System;
 using System.Collections.Generic;
-using System.Linq;
-using Harvester.Geometry;
-using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Depth;
 using Harvester.Geometry.PixelMaps;
-using Harvester.Geometry.Visibility;
 
 namespace Harvester.Capture.Labelling;
 
@@ -14,12 +10,6 @@ namespace Harvester.Capture.Labelling;
 /// </summary>
 internal sealed class DepthLabeller(FrameRays rays) : IChannelLabeller
 {
-    /// <summary>Maximum rays of a depth map, as a fraction of the pixels.</summary>
-    private const double MaxRayFraction = 0.03;
-
-    /// <summary>A ray this close to the centre of a pixel, in pixels, passes through it.</summary>
-    private const double CentreTolerance = 1e-6;
-
     /// <inheritdoc />
     public ChannelTurn Turn => ChannelTurn.Last;
 
@@ -29,91 +19,33 @@ internal sealed class DepthLabeller(FrameRays rays) : IChannelLabeller
     /// <inheritdoc />
     public IEnumerable<bool> Label(FrameDraft draft, Func<bool> mayCastRays)
     {
-        Camera camera = draft.Camera;
-        Dictionary<int, ushort> regions = RegionsOf(draft);
-        int budget = Math.Min(rays.Left, (int)(MaxRayFraction * camera.Image.PixelCount));
-        var grid = new DepthGrid(camera.Image, LinesOf(camera.Intrinsics)) { Regions = draft.Mask?.Ids };
-        var mapper = new DepthMapper(grid, SampleAt, budget);
-        var sparse = new InstanceMap(camera.Image);
-        foreach (RecordedHit hit in rays.Record!.Hits.ToArray())
+        var surfaces = new FrameSurfaces(rays, draft);
+        foreach (bool step in surfaces.Sample(mayCastRays))
         {
-            if (hit.Ray.Origin != camera.Pose.Position)
-            {
-                continue;
-            }
-
-            Vector3D place = hit.Ray.At(hit.Distance);
-            Projection seen = camera.Project(place);
-            if (seen.Outcome == ProjectionOutcome.InImage)
-            {
-                (int column, int row) = ((int)seen.U, (int)seen.V);
-                Measure(sparse, column, row, seen.Depth);
-                if (Math.Abs(seen.U - column - 0.5) < CentreTolerance && Math.Abs(seen.V - row - 0.5) < CentreTolerance)
-                {
-                    mapper.Know(column, row, SampleOf(camera.Pose.ToLocal(place), camera.Pose.Axes.ToLocal(hit.Normal), hit.Entity));
-                }
-            }
+            yield return step;
         }
 
-        while (mayCastRays() && mapper.Step())
+        var sparse = new InstanceMap(draft.Camera.Image);
+        foreach ((int column, int row, double depth) in surfaces.Hits)
         {
-            yield return true;
+            Measure(sparse, column, row, depth);
         }
 
-        foreach (KeyValuePair<int, DepthSample> sample in mapper.Samples)
+        foreach (KeyValuePair<int, DepthSample> sample in surfaces.Samples)
         {
-            Measure(sparse, sample.Key % camera.Image.Width, sample.Key / camera.Image.Width, sample.Value.Depth);
+            Measure(sparse, sample.Key % sparse.Image.Width, sample.Key / sparse.Image.Width, sample.Value.Depth);
         }
 
-        DepthMap completed = mapper.Complete();
+        DepthMap completed = surfaces.Complete();
         bool hasMask = draft.Mask is not null;
         draft.Add(new DepthMaps(
             sparse,
             hasMask ? Units(completed, completed.Metres, DepthUnits.OfDepth) : null,
             hasMask ? Units(completed, completed.ErrorMetres, DepthUnits.OfError) : null,
-            mapper.RaysCast)
+            surfaces.RaysCast)
         {
             Estimate = completed,
         });
-
-        DepthSample SampleAt(int column, int row)
-        {
-            Ray ray = camera.RayThrough(column + 0.5, row + 0.5);
-            RayHit? hit = rays.Cast(ray, ExhaustivePixelMapper.RayLength, draft.Snapshot.Ego.Handle, out Vector3D normal);
-            return hit is { } met
-                ? SampleOf(camera.Pose.ToLocal(ray.At(met.Distance)), camera.Pose.Axes.ToLocal(normal), met.Entity)
-                : new DepthSample(double.PositiveInfinity, default, RayHit.World, 0);
-        }
-
-        DepthSample SampleOf(Vector3D point, Vector3D normal, int entity) =>
-            new(point.Y, SurfacePlane.Of(point, normal), entity, regions.TryGetValue(entity, out ushort region) ? region : (ushort)0);
-    }
-
-    /// <summary>The line of sight of each pixel's centre. Without distortion, columns and rows are independent.</summary>
-    private static Func<int, int, SightLine> LinesOf(CameraIntrinsics intrinsics)
-    {
-        if (intrinsics.Lens is not { K1: 0, K2: 0 })
-        {
-            return (column, row) => Line(column, row);
-        }
-
-        double[] across = [.. Enumerable.Range(0, intrinsics.Image.Width).Select(column => Line(column, 0).Direction.X)];
-        double[] up = [.. Enumerable.Range(0, intrinsics.Image.Height).Select(row => Line(0, row).Direction.Z)];
-        return (column, row) => new SightLine(new Vector3D(across[column], 1, up[row]));
-
-        SightLine Line(int column, int row)
-        {
-            var shown = new Vector2D((column + 0.5 - intrinsics.Cx) / intrinsics.Fx, (row + 0.5 - intrinsics.Cy) / intrinsics.Fy);
-            Vector2D ideal = intrinsics.Lens.Undistort(shown);
-            return new SightLine(new Vector3D(ideal.X, 1, -ideal.Y));
-        }
-    }
-
-    /// <summary>The number in the mask of each entity that it shows.</summary>
-    private static Dictionary<int, ushort> RegionsOf(FrameDraft draft)
-    {
-        var shown = new HashSet<int>(draft.Mask is null ? [] : draft.Objects.Select(label => label.Id));
-        return draft.Ids.Where(pair => shown.Contains(pair.Value)).ToDictionary(pair => pair.Key, pair => (ushort)pair.Value);
     }
 
     /// <summary>Enters a measured depth; of several in a pixel, the nearest counts.</summary>

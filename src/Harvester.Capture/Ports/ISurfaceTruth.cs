@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Semantics;
@@ -12,4 +14,10 @@ public interface ISurfaceTruth
     /// <param name="image">The size of the picture, pixels.</param>
     /// <param name="classOf">The class of an entity by its handle.</param>
     InstanceMap Draw(ImageSize image, Func<int, SemanticClass> classOf);
+
+    /// <summary>
+    /// Unit normals of the surfaces in the current picture, world, row by row and on the camera's side; zero for the sky.
+    /// </summary>
+    /// <param name="image">The size of the picture, pixels.</param>
+    IReadOnlyList<Vector3D> Normals(ImageSize image);
 }

@@ -10,9 +10,11 @@ namespace Harvester.Cli.Arguments;
 internal sealed class ChannelOptions
 {
     private readonly List<(string Key, Option<bool> Option)> _options =
-        [.. Switched.Select(channel => (channel.Key, new Option<bool>(channel.Switch!.Option) { Description = $"Also write {channel.Switch.Output}" }))];
+        [.. Switched.Select(channel => (channel.Key, OptionOf(channel.Switch!)))];
 
     private static IEnumerable<FrameChannel> Switched => FrameChannels.All.Where(channel => channel.Switch is not null);
+
+    private static Option<bool> OptionOf(ChannelSwitch of) => new(of.Option) { Description = $"Also write {of.Output}" };
 
     /// <summary>Adds the options to a command.</summary>
     public void AddTo(Command command) => _options.ForEach(each => command.Options.Add(each.Option));

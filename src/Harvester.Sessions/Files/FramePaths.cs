@@ -71,6 +71,12 @@ public static class FramePaths
     /// <param name="view">The view of a rig; null without a rig.</param>
     public static string DepthError(int frame, string? view = null) => $"{In(DepthErrors, view)}/{Number(frame)}.png";
 
+    /// <summary>Path of a map in a folder of its own.</summary>
+    /// <param name="folder">The folder of the maps.</param>
+    /// <param name="frame">Number of the frame.</param>
+    /// <param name="view">The view of a rig; null without a rig.</param>
+    public static string Map(string folder, int frame, string? view = null) => $"{In(folder, view)}/{Number(frame)}.png";
+
     /// <summary>Path of the points of a LiDAR.</summary>
     /// <param name="frame">Number of the frame of the moment's first view.</param>
     /// <param name="sensor">Name of the LiDAR.</param>

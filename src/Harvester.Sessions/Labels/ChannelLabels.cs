@@ -21,6 +21,10 @@ public sealed class ChannelLabels
     public T? Get<T>()
         where T : class, IChannelLabel => _labels.OfType<T>().FirstOrDefault();
 
+    /// <summary>What the first channel of a type says for which a condition holds; null if there is none.</summary>
+    internal T? Get<T>(Func<T, bool> isIt)
+        where T : class, IChannelLabel => _labels.OfType<T>().FirstOrDefault(isIt);
+
     /// <summary>These with another of the same channel, or with one more.</summary>
     /// <param name="label">What the channel says; null to leave it out.</param>
     public ChannelLabels With<T>(T? label)

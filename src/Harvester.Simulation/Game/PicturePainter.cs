@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 using System.Threading.Tasks;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Imaging;
@@ -28,6 +29,13 @@ internal sealed class PicturePainter(RenderScene world, Detail detail, PictureNo
         // A failure of an earlier picture belongs to whoever grabbed that.
         Task.WaitAny(_last);
         return PaintNow(moment, moment.SceneIn(world), size);
+    }
+
+    /// <summary>Draws a moment; see <see cref="Renderer.NormalsOfLast"/>.</summary>
+    public Vector3[] Normals(Moment moment, ImageSize size)
+    {
+        Paint(moment, size);
+        return _renderer.NormalsOfLast();
     }
 
     /// <summary>Draws a moment on another thread, after the pictures that were asked for before.</summary>

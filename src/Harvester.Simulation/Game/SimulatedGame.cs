@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Diagnostics.CodeAnalysis;
 using System.Linq;
+using System.Numerics;
 using System.Threading.Tasks;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
@@ -307,6 +308,9 @@ public sealed class SimulatedGame
 
     /// <summary>Renders the current picture, with the handle and depth of each pixel; it is overwritten by the next one.</summary>
     public RenderTarget Render(ImageSize size) => _painter.Paint(MomentShown, size);
+
+    /// <summary>The normals of the current picture; see <see cref="Renderer.NormalsOfLast"/>.</summary>
+    internal Vector3[] RenderNormals(ImageSize size) => _painter.Normals(MomentShown, size);
 
     /// <summary>Renders the current state without some entities, for a comparison; nothing of the game changes.</summary>
     internal RenderTarget RenderWithout(IReadOnlyCollection<int> hidden, ImageSize size)

@@ -1,5 +1,8 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
 using Harvester.Capture.Ports;
+using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Semantics;
@@ -21,6 +24,9 @@ internal sealed class SurfacePort(SimulatedGame game) : ISurfaceTruth
 
         return map;
     }
+
+    public IReadOnlyList<Vector3D> Normals(ImageSize image) =>
+        [.. game.RenderNormals(image).Select(static normal => new Vector3D(normal.X, normal.Y, normal.Z))];
 
     private static SemanticClass ClassOf(SurfaceKind kind) => kind switch
     {

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Numerics;
 using System.Threading.Tasks;
 
 namespace Harvester.Simulation.Rendering;
@@ -117,6 +118,21 @@ public sealed class Renderer
 
         new EdgeSmoother(view, _screen, _ids, _nearness).Smooth(target, _stepped);
         Precipitation.Draw(scene.Lighting, target);
+    }
+
+    /// <summary>
+    /// Unit normals, world, of what is visible at the centres of the pixels of the last picture, row by row and on the camera's side; zero
+    /// for the sky.
+    /// </summary>
+    public Vector3[] NormalsOfLast()
+    {
+        var normals = new Vector3[_ids.Length];
+        for (int i = 0; i < normals.Length; i++)
+        {
+            normals[i] = _ids[i] == ScreenTriangles.Nothing ? Vector3.Zero : _screen[_ids[i]].Normal;
+        }
+
+        return normals;
     }
 
     private SampleGrid? GridOf(RenderCamera camera)
