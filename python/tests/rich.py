@@ -73,7 +73,7 @@ def _reads_of_a_frame(frame: gtaharvest.Frame) -> List[Tuple[str, Any]]:
         ("project", lambda: [frame.camera.project(item.box3d.corners) for item in frame.objects]),
         ("camera", lambda: frame.camera.directions([[1, 2]])),
         ("ignore regions", lambda: frame.view.ignore_regions), ("fields", lambda: {**frame.raw}),
-        ("image", frame.image), ("mask", frame.mask), ("class map", frame.class_map), ("depth", frame.depth),
+        ("image", frame.image), ("mask", frame.mask), ("class map", frame.class_map), ("depth", frame.depth), ("normals", frame.normals),
         ("drawing", lambda: (draw.annotate(frame.view), draw.annotate(frame.view, "3d")))]
 
 

@@ -56,6 +56,21 @@ def test_depth_maps_are_in_metres(handmade: HandmadeSession) -> None:
         frame.depth("all")
 
 
+def test_normals_are_unit_vectors(handmade: HandmadeSession) -> None:
+    coded = np.zeros((HEIGHT, WIDTH, 3), np.uint8)
+    coded[0, 0], coded[0, 1] = (128, 128, 1), (128, 38, 38)
+    handmade.lines[1]["normals"] = {"file": "normals/1.png", "method": "exact", "raysCast": 0}
+    folder = handmade.write()
+    (folder / "normals").mkdir()
+    (folder / "normals/1.png").write_bytes(png.encode(coded))
+    normals = open_session(folder)[1].normals()
+    assert normals.dtype == np.float32 and normals.shape == (HEIGHT, WIDTH, 3) and np.isnan(normals[1, 1]).all()
+    np.testing.assert_allclose(normals[0, 0], [0, 0, -1], atol=1e-6)
+    np.testing.assert_allclose(normals[0, 1], [0, -np.sqrt(0.5), -np.sqrt(0.5)], atol=1e-6)
+    with pytest.raises(gtaharvest.MissingPictureError, match="line 1: the frame has no map of normals"):
+        open_session(folder)[0].normals()
+
+
 def test_bmp_images(handmade: HandmadeSession) -> None:
     picture = conftest.image(0)
     handmade.lines[0]["image"] = "frames/0.bmp"

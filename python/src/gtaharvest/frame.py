@@ -6,6 +6,8 @@ import functools
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable, Dict, Mapping, Optional, Tuple
 
+import numpy as np
+
 from .arrays import ObjectArrays
 from .camera import Array, Camera
 from .checks import checked, each, integer, number, one_line, optional, text
@@ -143,6 +145,27 @@ class View:
         if path is None:
             raise MissingPictureError(f"{self._source}: the frame has no {kind} depth. Harvest with --depth and --masks.")
         return read_depth(path, self.size)
+
+    @property
+    def normals_path(self) -> Optional[Path]:
+        """The file of the map of normals; None if the frame has none."""
+        name = checked(self._source, lambda: optional(lambda part: text(part["file"]), self.raw.get("normals")))
+        return None if name is None else self.inner(name)
+
+    def normals(self) -> Depth:
+        """The normals of the surfaces as (height, width, 3), float32: unit vectors right, down and forward, or NaN where nothing is seen.
+
+        They point to the camera's side. Raises MissingPictureError if the frame has no map of normals or the file does not exist, and
+        PictureError as image does.
+        """
+        path = self.normals_path
+        if path is None:
+            raise MissingPictureError(f"{self._source}: the frame has no map of normals. Harvest with --normals.")
+        coded = read_image(path, self.size)
+        vectors: Depth = (coded.astype(np.float32) - np.float32(128)) / np.float32(127)
+        vectors /= np.linalg.norm(vectors, axis=-1, keepdims=True)
+        vectors[~coded.any(axis=-1)] = np.nan
+        return vectors
 
     def inner(self, name: str, endings: Tuple[str, ...] = PICTURE_ENDINGS) -> Path:
         """The path of a file of the session. A label of somebody else must not open files elsewhere."""
@@ -307,6 +330,10 @@ class Frame:
     def depth(self, kind: str = "sparse") -> Depth:
         """A depth map of the only view; see View.depth."""
         return self.view.depth(kind)
+
+    def normals(self) -> Depth:
+        """The map of normals of the only view; see View.normals."""
+        return self.view.normals()
 
     def to_pandas(self, selection: Optional[Selection] = None) -> pandas.DataFrame:
         """A table with one row per object; see Session.to_pandas."""

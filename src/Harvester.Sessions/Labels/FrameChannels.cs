@@ -7,8 +7,12 @@ namespace Harvester.Sessions.Labels;
 /// <summary>All channels. Their order is that of their fields in a label and of their files in the manifest.</summary>
 public static class FrameChannels
 {
+    /// <summary>The channel of maps of normals.</summary>
+    public static MapChannel Normals { get; } =
+        new("normals", "map of normals", 24, new ChannelSwitch("Normals", "the normals of the surfaces, in the camera's frame"));
+
     /// <summary>The channels whose fields stand before the rays.</summary>
-    internal static IReadOnlyList<FrameChannel> Maps { get; } = [new ClassMapChannel(), new DepthChannel()];
+    internal static IReadOnlyList<FrameChannel> Maps { get; } = [new ClassMapChannel(), new DepthChannel(), Normals];
 
     /// <summary>The channels whose fields stand after the rays.</summary>
     internal static IReadOnlyList<FrameChannel> Others { get; } = [new SweepsChannel(), new PairsChannel()];
