@@ -100,6 +100,9 @@ def check_kitti(root, session, moments):
         check_oxts(os.path.join(root, "training", "oxts", name + ".txt"), views["image_00"])
         axes, place = sensor_pose(info["rig"], info["rig"]["lidars"][0], views["image_00"]["ego"])
         world = points["position"].astype(float) @ axes.T + place
+
+        # Camera 0 is KITTI's reference: readers take the scanner's place for that in its frame.
+        assert not calibration["P0"][:, 3].any()
         reference = (homogeneous(calibration["R0_rect"]) @ homogeneous(calibration["Tr_velo_to_cam"])
                      @ np.column_stack([scan[:, :3], np.ones(len(scan))]).T)
         for slot in range(4):

@@ -77,13 +77,17 @@ internal sealed class KittiBox
     }
 
     /// <summary>The fields from alpha to rotation_y, which both label formats of KITTI have.</summary>
-    public string Fields() => string.Join(
-        ' ',
-        Numbers.Row(KittiDecimals.Angle, _upright.Alpha),
-        Sides(Box),
-        Numbers.Row(KittiDecimals.Metres, _upright.Height, _upright.Width, _upright.Length, _upright.Location.X, _upright.Location.Y,
-            _upright.Location.Z),
-        Numbers.Row(KittiDecimals.Angle, _upright.RotationY));
+    /// <param name="camera">The labelled camera in the frame of camera 0, in which the fields are given.</param>
+    public string Fields(Vector3D camera)
+    {
+        UprightBox box = _upright.InFrameOf(camera);
+        return string.Join(
+            ' ',
+            Numbers.Row(KittiDecimals.Angle, box.Alpha),
+            Sides(Box),
+            Numbers.Row(KittiDecimals.Metres, box.Height, box.Width, box.Length, box.Location.X, box.Location.Y, box.Location.Z),
+            Numbers.Row(KittiDecimals.Angle, box.RotationY));
+    }
 
     /// <summary>The four fields of a 2D box.</summary>
     public static string Sides(Box2D box) => Numbers.Row(KittiDecimals.Pixels, box.XMin, box.YMin, box.XMax, box.YMax);

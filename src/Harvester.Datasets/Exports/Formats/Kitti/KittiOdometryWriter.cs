@@ -48,7 +48,7 @@ internal sealed class KittiOdometryWriter : IDatasetWriter
         }
 
         output.Part(CalibrationPrefix + sequence, KittiCalibration.OdometryText(
-            place.Rig.Projections(frame, KittiRig.Origin), points?.ToCamera(place.Rig.MountOf(KittiRig.Origin, frame))));
+            place.Rig.Projections(frame), points?.ToCamera(place.Rig.MountOf(KittiRig.Origin, frame))));
         output.Part(TimePrefix + sequence, frame.Label.TimeSeconds.ToString("R", CultureInfo.InvariantCulture));
         output.Part(PosePrefix + sequence, string.Join(' ', PoseOf(place.Rig.PoseOf(KittiRig.Origin, frame))
             .Select(value => value.ToString("R", CultureInfo.InvariantCulture))));

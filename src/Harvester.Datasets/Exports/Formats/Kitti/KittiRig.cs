@@ -14,10 +14,10 @@ namespace Harvester.Datasets.Exports.Formats.Kitti;
 /// </summary>
 internal sealed class KittiRig
 {
-    /// <summary>The camera whose images have labels, and in whose frame those of kitti and kitti-tracking are given.</summary>
+    /// <summary>The camera whose images have labels.</summary>
     public const int Reference = 2;
 
-    /// <summary>The camera in whose frame KITTI odometry gives poses and the place of the laser scanner.</summary>
+    /// <summary>The camera in whose frame KITTI gives objects, poses and the place of the laser scanner.</summary>
     public const int Origin = 0;
 
     /// <summary>The cameras in colour follow the grey ones, of which they stand for those that a rig lacks.</summary>
@@ -56,18 +56,16 @@ internal sealed class KittiRig
     }
 
     /// <summary>
-    /// P0 to P3, row by row, from the frame of a camera to the pixels of each: K (I | -c), with the camera at c.
+    /// P0 to P3, row by row, from the frame of camera 0 to the pixels of each: K (I | -c), with the camera at c.
     /// </summary>
     /// <param name="frame">The frame of the reference camera.</param>
-    /// <param name="origin">The camera from whose frame they lead.</param>
-    public IEnumerable<double[]> Projections(ExportFrame frame, int origin)
+    public IEnumerable<double[]> Projections(ExportFrame frame)
     {
         CameraLabel camera = frame.Label.Camera;
         (double cx, double cy) = (camera.Cx + KittiBox.PixelShift, camera.Cy + KittiBox.PixelShift);
         for (int slot = 0; slot < Cameras; slot++)
         {
-            Vector3D place = IsRectified ? InAxesOf(MountOf(origin, frame), MountOf(slot, frame)) : Vector3D.Zero;
-            (double right, double down, double ahead) = (place.X, -place.Z, place.Y);
+            (double right, double down, double ahead) = PlaceOf(slot, frame);
             yield return
             [
                 camera.Fx, 0, cx, -(camera.Fx * right) - (cx * ahead),
@@ -82,6 +80,15 @@ internal sealed class KittiRig
     /// <param name="frame">The frame of the reference camera.</param>
     public Pose MountOf(int slot, ExportFrame frame) => frame.Rig!.Cameras[
         ViewOf(slot) ?? ViewOf(slot + GreyCameras) ?? (frame.Label.Frame % frame.Rig.Cameras.Count)].Mount;
+
+    /// <summary>Where a camera is in the frame of camera 0: x right, y down, z forward, metres.</summary>
+    /// <param name="slot">Number of the camera.</param>
+    /// <param name="frame">The frame of the reference camera.</param>
+    public Vector3D PlaceOf(int slot, ExportFrame frame)
+    {
+        Vector3D place = IsRectified ? InAxesOf(MountOf(Origin, frame), MountOf(slot, frame)) : Vector3D.Zero;
+        return new Vector3D(place.X, -place.Z, place.Y);
+    }
 
     /// <summary>The pose of a camera in the world.</summary>
     /// <param name="slot">Number of the camera.</param>

@@ -28,7 +28,7 @@ internal sealed class KittiTrackingWriter(ExportOptions options) : IDatasetWrite
         {
             output.Text($"training/calib/{sequence}.txt",
                 KittiCalibration.Text(
-                    KittiRig.Of(null).Projections(frame, KittiRig.Reference), null, "R_rect", "Tr_velo_cam", "Tr_imu_velo"));
+                    KittiRig.Of(null).Projections(frame), null, "R_rect", "Tr_velo_cam", "Tr_imu_velo"));
             output.Part(ListPrefix + frame.Split, sequence);
         }
 
@@ -38,7 +38,7 @@ internal sealed class KittiTrackingWriter(ExportOptions options) : IDatasetWrite
             output.Part(LabelPrefix + sequence, string.Join(
                 ' ',
                 number, Numbers.Text(box.Label.Id), box.Type, Numbers.Text(KittiClasses.LevelOf(box.Label.TruncatedFraction)),
-                Numbers.Text(KittiClasses.OcclusionOf(box.Label)), box.Fields()));
+                Numbers.Text(KittiClasses.OcclusionOf(box.Label)), box.Fields(Vector3D.Zero)));
             KittiLeaning.Add(output, $"{sequence}.txt", $"{number} {box.Label.Id}", box);
             objects++;
         }

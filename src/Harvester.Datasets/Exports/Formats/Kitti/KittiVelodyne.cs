@@ -26,10 +26,6 @@ internal sealed class KittiVelodyne
         _file = FramePaths.Sweep(first, rig.Lidars[0].Name);
     }
 
-    /// <summary>Tr_velo_to_cam, row by row: from the frame of the laser scanner to the camera of the frame.</summary>
-    public double[] ToOwnCamera =>
-        ToCamera((_rig.Cameras.FirstOrDefault(each => each.Name == _frame.Label.View) ?? _rig.Cameras[0]).Mount);
-
     /// <summary>The motion, row by row, from the frame of the laser scanner to that of a camera: x right, y down, z forward.</summary>
     /// <param name="camera">The camera's mount on the vehicle.</param>
     public double[] ToCamera(Pose camera)

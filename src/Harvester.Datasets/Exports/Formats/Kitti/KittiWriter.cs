@@ -34,7 +34,7 @@ internal sealed class KittiWriter(ExportOptions options) : IDatasetWriter
         {
             string truncated = Numbers.Row(KittiDecimals.Fraction, box.Label.TruncatedFraction);
             lines.Append(box.Type).Append(' ').Append(truncated).Append(' ').Append(KittiClasses.OcclusionOf(box.Label)).Append(' ')
-                .Append(box.Fields()).Append('\n');
+                .Append(box.Fields(place.Rig.PlaceOf(KittiRig.Reference, frame))).Append('\n');
             objects++;
             KittiLeaning.Add(output, $"{name}.txt", Numbers.Text(objects), box);
         }
@@ -55,7 +55,7 @@ internal sealed class KittiWriter(ExportOptions options) : IDatasetWriter
 
         output.Text($"training/calib/{name}.txt",
             KittiCalibration.Text(
-                place.Rig.Projections(frame, KittiRig.Reference), points?.ToOwnCamera,
+                place.Rig.Projections(frame), points?.ToCamera(place.Rig.MountOf(KittiRig.Origin, frame)),
                 "R0_rect:", "Tr_velo_to_cam:", "Tr_imu_to_velo:", points?.FromInertial));
         output.Part(ListPrefix + frame.Split, name);
         return new WrittenObjects(objects, ignored.Length);

@@ -63,6 +63,10 @@ internal sealed record UprightBox
     /// <summary>Angle between the up axes of the cuboid and of the camera, degrees.</summary>
     public double LeanDegrees { get; }
 
+    /// <summary>The same box in the frame of a camera with the same axes.</summary>
+    /// <param name="camera">This camera in the frame of the other, metres.</param>
+    public UprightBox InFrameOf(Vector3D camera) => this with { Location = Location + camera };
+
     /// <summary>The upright box of a cuboid.</summary>
     public static UprightBox Of(Cuboid cuboid, CameraLabel camera)
     {
