@@ -66,7 +66,8 @@ public sealed class SessionRepairerTests(DamagedSession session) : IClassFixture
         File.WriteAllText(session.PathOf(Manifest.FileName), new string('\n', 2 * ProblemList.MaxProblems));
 
         Assert.Equal(new SessionRepair(3, 0, false), Repair());
-        Assert.InRange(_reported.Count(line => line.StartsWith(Manifest.FileName, StringComparison.Ordinal)), 1, ProblemList.MaxProblems + 1);
+        Assert.InRange(
+            _reported.Count(line => line.StartsWith(Manifest.FileName, StringComparison.Ordinal)), 1, ProblemList.MaxProblems + 1);
     }
 
     [Fact]
