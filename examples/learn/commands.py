@@ -20,7 +20,7 @@ STOPPED = 130
 
 
 def run_all(commands: Mapping[str, List[str]], jobs: int, on_end: Callable[[str], None], seconds: float = 0) -> None:
-    """Runs commands, so many at a time, and tells the name of each that has ended. seconds: how long one may take on a slow machine.
+    """Runs several commands at a time, and prints the name of each that has ended. seconds: how long one may take on a slow machine.
 
     Raises RuntimeError if a command fails or hangs, and KeyboardInterrupt at SIGINT and SIGTERM; those that still run are ended first.
     """

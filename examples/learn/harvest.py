@@ -47,7 +47,7 @@ def main() -> int:
     parser.add_argument("sets", nargs="*", help=f"sets to harvest: {', '.join(SETS)}; all without --roads but roads")
     parser.add_argument("--roads", help="road network of the game, for the set roads")
     parser.add_argument("--sessions", type=positive, help="harvest only the first sessions of each set")
-    parser.add_argument("--frames", type=positive, help="harvest at most so many frames of each session; those with more stay as they are")
+    parser.add_argument("--frames", type=positive, help="harvest at most N frames of each session; those with more stay as they are")
     parser.add_argument("--jobs", type=positive, default=os.cpu_count() or 1, help="sessions at a time; default: one for each processor")
     parser.add_argument(
         "--harvester", default=os.environ.get("GTAHARVEST_HARVESTER", "harvester"),

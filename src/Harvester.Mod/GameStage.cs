@@ -26,7 +26,7 @@ internal sealed class GameStage(IModels models, GameRays rays) : ISurveyStage
     }
 
     /// <inheritdoc/>
-    public void Forget(string model) => models.Release(ModelHash.Of(model));
+    public void Release(string model) => models.Release(ModelHash.Of(model));
 
     /// <inheritdoc/>
     public int PutUp(string model)

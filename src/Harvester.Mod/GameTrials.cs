@@ -46,7 +46,7 @@ internal sealed class GameTrials : ITrialGame
     public void EndCutScene() => Natives.Call(Hash.STOP_CUTSCENE_IMMEDIATELY);
 
     /// <inheritdoc/>
-    public void Seat(int vehicle) => Natives.Call(Hash.SET_PED_INTO_VEHICLE, Natives.PlayerPed(), vehicle, DriversSeat);
+    public void EnterVehicle(int vehicle) => Natives.Call(Hash.SET_PED_INTO_VEHICLE, Natives.PlayerPed(), vehicle, DriversSeat);
 
     /// <inheritdoc/>
     public void Repair(int vehicle) => Natives.Call(Hash.SET_VEHICLE_FIXED, vehicle);

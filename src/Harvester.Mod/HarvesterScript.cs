@@ -238,7 +238,7 @@ public sealed class HarvesterScript : Script
     }
 
     // The loader may raise this twice, and on another thread while the script's own is stopped in the middle of a tick. So this takes no
-    // lock, which that thread might hold for ever, but sets a flag that only one caller finds unset.
+    // lock, which that thread might hold forever, but sets a flag that only one caller finds unset.
     private void OnAborted(object? sender, EventArgs e)
     {
         if (Interlocked.Exchange(ref _aborted, 1) == 0)

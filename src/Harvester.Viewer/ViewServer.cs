@@ -17,7 +17,7 @@ using Microsoft.Extensions.DependencyInjection;
 namespace Harvester.Viewer;
 
 /// <summary>
-/// Serves sessions on the loopback address to whoever knows a random token, which is part of the address. It only reads.
+/// Serves sessions on the loopback address to clients that know a random token, which is part of the address. It only reads.
 /// </summary>
 public sealed class ViewServer : IAsyncDisposable
 {

@@ -14,7 +14,7 @@ internal sealed record Pattern(Func<int, int, byte> Red, Func<int, int, byte> Gr
 
     public static Pattern Uniform(byte red, byte green, byte blue) => new((_, _) => red, (_, _) => green, (_, _) => blue);
 
-    /// <summary>Black but for one pixel that is hardly brighter: a night.</summary>
+    /// <summary>Black except for one pixel that is hardly brighter: a night.</summary>
     public static Pattern Night(int litX, int litY) =>
         new((x, y) => (byte)(x == litX && y == litY ? 1 : 0), (_, _) => 0, (_, _) => 0);
 

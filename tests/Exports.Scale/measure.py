@@ -28,7 +28,7 @@ def run(command):
 
 
 def lengthen(source, target, frames):
-    """Makes a session of so many frames of one of a few: the same labels over and over, images and masks as further names of the same files."""
+    """Makes a long session of a short one: the same labels over and over, images and masks as further names of the same files."""
     with open(os.path.join(source, "labels.jsonl"), encoding="utf-8") as file:
         labels = [json.loads(line) for line in file]
     for folder in ("frames", "masks"):
@@ -52,7 +52,7 @@ def link(source, target):
     try:
         os.link(source, target)
     except OSError:
-        # A file can only have so many names.
+        # The number of names of a file is limited.
         copy = source + ".copy"
         shutil.copyfile(source, copy)
         os.replace(copy, source)

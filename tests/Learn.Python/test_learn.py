@@ -328,7 +328,7 @@ def options_of(model: Path, **changed: Any) -> argparse.Namespace:
 
 
 def fit(options: argparse.Namespace, frames: int = 8, stop_after: int = 99) -> None:
-    """A small training with everything that is random; raises Stop when so many epochs are done."""
+    """A small training with everything that is random; raises Stop after a number of epochs."""
     torch.manual_seed(options.seed)
     network = Network(2 * INDICATORS)
     random = np.random.default_rng(1)

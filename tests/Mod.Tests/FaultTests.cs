@@ -9,7 +9,7 @@ namespace Harvester.Mod.Tests;
 /// <summary>After every fault the script works, the game runs, and the player got a message.</summary>
 public sealed class FaultTests
 {
-    /// <summary>One in so many natives fails in the quick test; the heavy one takes the others.</summary>
+    /// <summary>One in this many natives fails in the quick test; the heavy one takes the others.</summary>
     private const int QuickStep = 8;
 
     private static readonly Lazy<Hash[]> Played = new(PlayedNatives);

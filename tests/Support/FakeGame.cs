@@ -78,7 +78,7 @@ internal sealed class FakeGame : IWorld, IRayCaster, IScreen, IPause, IClock
     /// <summary>The number of the state at the game time of a label.</summary>
     public static long StateAt(double timeSeconds) => (long)Math.Round(timeSeconds * TicksPerSecond);
 
-    /// <summary>Runs a session until it is over, at most so many ticks; returns the phase after each.</summary>
+    /// <summary>Runs a session until it is over, at most a number of ticks; returns the phase after each.</summary>
     public IReadOnlyList<HarvestPhase> Run(HarvestSession session, int ticks = 10_000)
     {
         var phases = new List<HarvestPhase>();

@@ -7,7 +7,7 @@ internal static class Stopclock
 {
     private const int MinRuns = 5;
 
-    /// <summary>The runtime compiles hot code anew in the background; so long may that take on a busy machine.</summary>
+    /// <summary>The runtime compiles hot code again in the background; this is how long that may take on a busy machine.</summary>
     private static readonly TimeSpan Warming = TimeSpan.FromSeconds(0.8);
 
     private static readonly TimeSpan Measuring = TimeSpan.FromSeconds(0.7);

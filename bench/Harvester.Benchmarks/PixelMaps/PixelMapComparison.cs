@@ -15,7 +15,7 @@ internal static class PixelMapComparison
 {
     private const int Scenes = 50;
 
-    /// <summary>The least time of so many runs is that of a run that nothing else disturbed.</summary>
+    /// <summary>The least time of this many runs is that of a run that nothing else disturbed.</summary>
     private const int Runs = 5;
 
     /// <summary>What a ray through a game's scripting interface is taken to cost, milliseconds.</summary>

@@ -81,7 +81,7 @@ class DriveTruth:
 
 @dataclass(frozen=True)
 class DriveTarget:
-    """What a controller aimed at: a speed (m/s), and a line so many metres to the right of the car; None if it is not known in metres."""
+    """What a controller aimed at: a speed (m/s), and a line by its distance to the right of the car (m); None if that is unknown."""
 
     speed: float
     right_metres: Optional[float]

@@ -2,7 +2,7 @@ using GTA.Math;
 
 namespace GTA.Hosting;
 
-/// <summary>The one seam behind the stand-in: whoever plays the game implements it.</summary>
+/// <summary>The one seam behind the stand-in, implemented by a test's game.</summary>
 internal interface IGameHost
 {
     /// <summary>Full path of the script's dll.</summary>

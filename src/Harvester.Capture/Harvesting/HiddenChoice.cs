@@ -39,7 +39,7 @@ public sealed class HiddenChoice
     /// <summary>Its name, as it was given.</summary>
     public string Name { get; }
 
-    /// <summary>Reads a choice; null if the text is none.</summary>
+    /// <summary>Reads a choice; null if the text is not one.</summary>
     /// <param name="text">As <see cref="Form"/> says.</param>
     public static HiddenChoice? Parse(string text)
     {

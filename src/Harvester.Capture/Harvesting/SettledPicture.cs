@@ -12,10 +12,10 @@ namespace Harvester.Capture.Harvesting;
 /// </summary>
 internal sealed class SettledPicture
 {
-    /// <summary>Pictures are compared over so many ticks.</summary>
+    /// <summary>Pictures are compared over this many ticks.</summary>
     public const int StillTicks = 8;
 
-    /// <summary>A change that has not begun after so many ticks does not show.</summary>
+    /// <summary>A change that has not begun after this many ticks does not show.</summary>
     public const int OnsetTicks = 24;
 
     /// <summary>Within <see cref="StillTicks"/>, a still picture without noise changes by less, grey levels of 255.</summary>

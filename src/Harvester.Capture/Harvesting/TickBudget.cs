@@ -33,7 +33,7 @@ internal sealed class TickBudget(IClock clock, double milliseconds)
         BeginSteps();
     }
 
-    /// <summary>Forgets the length of earlier steps: those that follow are of another kind.</summary>
+    /// <summary>Discards the duration of earlier steps: those that follow are of another kind.</summary>
     public void BeginSteps()
     {
         _stepStart = clock.Milliseconds;

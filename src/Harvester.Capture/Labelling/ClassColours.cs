@@ -15,7 +15,7 @@ internal static class ClassColours
     /// <summary>How far an outline drawn between rays may be off, pixels.</summary>
     private const int Reach = 2;
 
-    /// <summary>The colours of both sides are taken from so many pixels around.</summary>
+    /// <summary>The colours of both sides are taken from this many pixels around.</summary>
     private const int Window = 4;
 
     /// <summary>Least squared distance between the mean colours of two distinguishable sides, square grey levels.</summary>

@@ -20,7 +20,7 @@ internal sealed class CodedMapMaker(
     private const int MaxRays = 500;
 
     /// <summary>
-    /// An object that rays meet, but that changes no photograph, is drawn from rays if they show so many pixels of it. Fewer may be a
+    /// An object that rays meet, but that changes no photograph, is drawn from rays if they show this many pixels of it. Fewer may be a
     /// corner of its collision hull.
     /// </summary>
     private const int MinPixelsFromRays = 256;

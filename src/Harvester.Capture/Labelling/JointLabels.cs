@@ -7,7 +7,7 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>Makes the labels of joints but for their visibility, which comes from rays or from an earlier label.</summary>
+/// <summary>Makes the labels of joints except their visibility, which comes from rays or from an earlier label.</summary>
 internal static class JointLabels
 {
     /// <summary>The joints of a person.</summary>

@@ -44,8 +44,8 @@ public sealed class LaneTracker(IRoads roads, Func<EntityState, int> idOf)
         return (seen, known.Source);
     }
 
-    /// <summary>Forgets the road, as when the car has been moved to another place.</summary>
-    public void Forget() => _previous = null;
+    /// <summary>Discards the road, as when the car has been moved to another place.</summary>
+    public void Reset() => _previous = null;
 
     private TrafficVehicle[] VehiclesOf(IReadOnlyList<EntityState> entities) =>
     [

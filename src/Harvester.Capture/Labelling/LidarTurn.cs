@@ -23,7 +23,7 @@ internal sealed class LidarTurn
     private const int SpareRays = 5;
 
     /// <summary>
-    /// Planes that foretell each other's hits this well need no ray between, metres. Between the hits the mean of the planes is wrong by
+    /// Planes that predict each other's hits this well need no ray between, metres. Between the hits the mean of the planes is wrong by
     /// a fraction of it.
     /// </summary>
     private const double ToleranceMetres = 0.08;

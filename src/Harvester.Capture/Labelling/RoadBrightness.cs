@@ -9,14 +9,14 @@ namespace Harvester.Capture.Labelling;
 /// <summary>How bright the road is in each part of a picture: its asphalt rather than its paint.</summary>
 internal sealed class RoadBrightness
 {
-    /// <summary>The picture has so many rows of blocks, which are square.</summary>
+    /// <summary>The picture has this many rows of blocks, which are square.</summary>
     private const int BlockRows = 12;
 
-    /// <summary>A block is compared with so many rows and columns of blocks around it.</summary>
+    /// <summary>A block is compared with this many rows and columns of blocks around it.</summary>
     private const int RowsAround = 2;
     private const int ColumnsAround = 1;
 
-    /// <summary>Every so many-th pixel of a row and of a column is looked at.</summary>
+    /// <summary>Step between the pixels of a row and of a column that are looked at.</summary>
     private const int Step = 2;
 
     /// <summary>With fewer pixels of road around it, a block has no brightness.</summary>

@@ -12,7 +12,7 @@ internal sealed class StillPictureCheck(SelfTestContext context) : SelfCheck(con
     /// <summary>Pictures that are taken, one a tick: more than half a second, in which details are loaded.</summary>
     private const int Pictures = 40;
 
-    /// <summary>Pictures are compared over so many ticks, in which a moving texture changes clearly.</summary>
+    /// <summary>Pictures are compared over this many ticks, in which a moving texture changes clearly.</summary>
     private const int ApartTicks = 4;
 
     /// <summary>A pixel has changed if it differs by more, grey levels, and by more than this multiple of the noise.</summary>

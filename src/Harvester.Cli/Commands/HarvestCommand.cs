@@ -240,7 +240,7 @@ internal sealed class HarvestCommand
         {
             terminal.WriteError(
                 $"Stopped after {outcome.Frames} of {Counted.Of(plan.Frames, "frame")}; the session is valid. To continue, give the same "
-                + "command with --resume; without it, the command starts anew.");
+                + "command with --resume; without it, the command starts over.");
         }
 
         return outcome.ExitCode;

@@ -30,7 +30,7 @@ internal sealed class ServeCommand
 {
     private const string Notes =
         "docs/bridge.md describes the protocol; examples/ has two clients in Python. The game runs in real time; a client that requests\n"
-        + "single steps gets them as fast as the machine allows. With --lockstep it stands still but for these steps, and the same seed\n"
+        + "single steps gets them as fast as the machine allows. With --lockstep it moves only by these steps, and the same seed\n"
         + "and messages give the same frames; docs/gym.md describes a Gymnasium environment over it.\n\n"
         + "Examples:\n"
         + "  harvester serve\n"

@@ -54,7 +54,7 @@ internal static class StatsCommand
         yield return Text($"{Counted.Of(statistics.Frames, "frame")}, {labels}, {statistics.LabelsPerFrame:0.0} labels per frame");
         yield return Text($"{kitti.Name}, for comparison: {kitti.TrainingImages} training and {kitti.TestImages} test images, ")
             + Text($"{kitti.Labels} labels, {kitti.LabelsPerImage:0.0} labels per image");
-        yield return Text($"without signs and traffic lights, which KITTI does not label: {labelsAsKitti}, ")
+        yield return Text($"without signs, traffic lights and riders, which KITTI does not label by themselves: {labelsAsKitti}, ")
             + Text($"{statistics.LabelsAsKittiPerFrame:0.0} labels per frame");
         foreach ((ObjectClass kind, ClassStatistics figures) in statistics.Classes)
         {

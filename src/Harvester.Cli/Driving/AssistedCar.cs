@@ -37,16 +37,16 @@ internal sealed class AssistedCar(SimulatedGame game, IRoads roads, Func<bool> i
 
     public void Reset(Vector3D position, double headingDegrees)
     {
-        Forget();
+        Reset();
         _car.Reset(position, headingDegrees);
     }
 
     public void SetEnvironment(string? weather, TimeSpan? timeOfDay) => _car.SetEnvironment(weather, timeOfDay);
 
-    /// <summary>Forgets the road and who drives, as after a teleport of the car.</summary>
-    public void Forget()
+    /// <summary>Discards the road and the current driver, as after a teleport of the car.</summary>
+    public void Reset()
     {
-        _lanes.Forget();
+        _lanes.Reset();
         _handover = new Handover();
     }
 }

@@ -55,7 +55,7 @@ internal sealed class DriveFolder
     /// <param name="fill">Writes all files of the drive into the folder that it is given.</param>
     /// <returns>Where the drive that was replaced still is, if it could not be deleted; otherwise null.</returns>
     /// <exception cref="IOException">The drive cannot be written.</exception>
-    /// <exception cref="UnauthorizedAccessException">The drive may not be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">The drive cannot be written.</exception>
     public string? Write(Action<string> fill)
     {
         if (Replaces)

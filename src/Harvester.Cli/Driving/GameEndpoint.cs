@@ -85,7 +85,7 @@ internal sealed class GameEndpoint : IDisposable
         DrivingStatus status = _session.Tick();
         if (_session.Resets != resets)
         {
-            Recording?.Forget();
+            Recording?.Reset();
         }
 
         if (_session.Answers != answers)
@@ -115,8 +115,8 @@ internal sealed class GameEndpoint : IDisposable
         double metres = (now.Pose.Position - _before.Ego.Pose.Position).Length;
         if (Relocation.Is(metres, _before.Ego.Velocity.Length, now.Velocity.Length, _game.Ports.World.TimeSeconds - _before.Seconds))
         {
-            _assisted?.Forget();
-            _session.Forget();
+            _assisted?.Reset();
+            _session.Reset();
         }
         else
         {

@@ -83,8 +83,8 @@ internal sealed class GameRecording(
     public void Answer(DrivingControls controls, IReadOnlyList<double>? indicators, DriveTarget? target, long? bridgeFrame) =>
         _recorder?.Answer(controls, indicators, target, bridgeFrame);
 
-    /// <summary>Forgets how the car moved: a client has placed it elsewhere.</summary>
-    public void Forget() => _recorder?.Forget();
+    /// <summary>Discards the motion of the car: a client has placed it elsewhere.</summary>
+    public void Reset() => _recorder?.Reset();
 
     /// <summary>Records a tick in which the world has moved.</summary>
     public void Tick(DriverKind driver, bool isDisturbed = false) => _recorder?.Tick(driver, isDisturbed);

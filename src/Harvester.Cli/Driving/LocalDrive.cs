@@ -77,7 +77,7 @@ internal sealed class LocalDrive(SimulatedGame game, IRoads roads, Func<IControl
                 if (_sampler.Samples[^1].IsTeleported)
                 {
                     // What was known of the road does not hold at the new place.
-                    _lanes.Forget();
+                    _lanes.Reset();
                     _handover = new Handover();
                     _controller = newController();
                 }

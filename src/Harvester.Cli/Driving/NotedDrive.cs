@@ -21,7 +21,7 @@ internal sealed class NotedDrive(string recording, string command, string output
 
     /// <summary>Whether the drive in the folder is the one that this command had written when it was stopped.</summary>
     /// <exception cref="IOException">A file cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">A file may not be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">A file cannot be read.</exception>
     public bool IsThere() => IsMarked && DigestThere() is { } there && UnfinishedMark.NotesIn(recording).Contains(there);
 
     /// <summary>

@@ -97,7 +97,7 @@ internal sealed class SimulatedHarvest
     }
 
     /// <summary>Harvests until the end, a fault or cancellation. The session is opened and closed in every case.</summary>
-    /// <param name="folder">Folder to write the session to; empty but for its mark and, where the plan resumes, its frames.</param>
+    /// <param name="folder">Folder to write the session to; empty except for its mark and, where the plan resumes, its frames.</param>
     /// <param name="report">Receives the number of frames after each frame.</param>
     /// <param name="cancellation">Stops between two ticks.</param>
     /// <exception cref="IOException">The folder cannot be created.</exception>

@@ -13,7 +13,7 @@ internal static class SpreadPlaces
     /// <summary>Nodes among which a few places are chosen; more would only take longer.</summary>
     private const int FewestCandidates = 4000;
 
-    /// <summary>For many places there are so many nodes for each, so that those of a large network are not used up early.</summary>
+    /// <summary>For many places there are this many nodes for each, so that those of a large network are not used up early.</summary>
     private const int CandidatesOfPlace = 20;
 
     /// <summary>Least distance between two places, metres: what one world shows of the roads.</summary>

@@ -8,7 +8,7 @@ using Harvester.Simulation.Game;
 namespace Harvester.Cli.Serving;
 
 /// <summary>
-/// Simulated games that stand still but for the steps that a client requests, one after the other: each restart builds a new one. The same
+/// Simulated games that move only by the steps that a client requests, one after the other: each restart builds a new one. The same
 /// messages lead to the same frames.
 /// </summary>
 /// <param name="bridge">The bridge to the client.</param>

@@ -45,7 +45,7 @@ internal sealed class HeartbeatJudge(SupervisorOptions options, HeartbeatReading
                 return lie;
             }
 
-            Hear(heartbeat, now);
+            Receive(heartbeat, now);
         }
 
         return Last is null ? (now > options.StartTimeout ? $"no heartbeat within {Seconds(options.StartTimeout)}{Reason()}" : null)
@@ -66,7 +66,7 @@ internal sealed class HeartbeatJudge(SupervisorOptions options, HeartbeatReading
             ? FormattableString.Invariant($"its heartbeat names process {heartbeat.Process}, which the command did not start")
         : null;
 
-    private void Hear(SeenHeartbeat heartbeat, TimeSpan now)
+    private void Receive(SeenHeartbeat heartbeat, TimeSpan now)
     {
         if (_time is null || heartbeat.Time > _time)
         {

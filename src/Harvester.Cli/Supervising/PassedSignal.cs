@@ -9,7 +9,7 @@ internal sealed class PassedSignal : IDisposable
     private readonly PosixSignalRegistration _interrupt;
     private volatile bool _isInterrupt;
 
-    /// <summary>Hears signals from now on.</summary>
+    /// <summary>Receives signals from now on.</summary>
     public PassedSignal() =>
         _interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, signal =>
         {

@@ -57,7 +57,7 @@ internal static class OutputFolder
         return null;
     }
 
-    /// <summary>The beginning of a command, for a message: the file that has it may be a stranger's.</summary>
+    /// <summary>The beginning of a command, for a message: the file that has it may be untrusted.</summary>
     public static string Shown(string command)
     {
         const int maxCharacters = 200;

@@ -38,7 +38,7 @@ internal sealed class PairsOutput : IDisposable
         }
     }
 
-    /// <summary>Makes the folder, and empties it but for its mark and what may stay.</summary>
+    /// <summary>Makes the folder, and empties it except for its mark and what may stay.</summary>
     /// <exception cref="IOException">The folder cannot be made or cleared.</exception>
     /// <exception cref="UnauthorizedAccessException">The folder may not be made or cleared.</exception>
     public void Begin()

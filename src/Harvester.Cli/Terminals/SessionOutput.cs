@@ -62,7 +62,7 @@ internal sealed class SessionOutput : IDisposable
     public bool KeepsFormer => _replaces;
 
     /// <summary>
-    /// Makes room, and returns the folder to write to, which is empty but for its mark and, where the command resumes, its own frames.
+    /// Makes room, and returns the folder to write to, which is empty except for its mark and, where the command resumes, its own frames.
     /// </summary>
     /// <exception cref="IOException">The folder cannot be made or cleared.</exception>
     /// <exception cref="UnauthorizedAccessException">The folder may not be made or cleared.</exception>

@@ -22,7 +22,7 @@ internal sealed class StopSignals : IDisposable
     private readonly PosixSignalRegistration _termination;
     private volatile bool _isTerminated;
 
-    /// <summary>Hears the signals from now on.</summary>
+    /// <summary>Receives the signals from now on.</summary>
     /// <param name="cancellation">Is cancelled by the first.</param>
     public StopSignals(CancellationTokenSource cancellation)
     {

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Formats.Kitti;
 using Harvester.Datasets.Exports.Formats.NuScenes;
 using Harvester.Sessions.Labels;
@@ -16,27 +17,34 @@ internal sealed class ClassScheme
 
     private readonly Func<ObjectLabel, string?> _classOf;
     private readonly Func<ObjectLabel, string> _levelOf;
+    private readonly bool _joinsRiders;
 
-    private ClassScheme(Func<ObjectLabel, string?> classOf, Func<ObjectLabel, string> levelOf)
+    private ClassScheme(Func<ObjectLabel, string?> classOf, Func<ObjectLabel, string> levelOf, bool joinsRiders)
     {
+        _joinsRiders = joinsRiders;
         _classOf = classOf;
         _levelOf = levelOf;
     }
 
     /// <summary>The classes of sessions, with KITTI's levels of occlusion.</summary>
     public static ClassScheme Session { get; } =
-        new(label => JsonName.Of(label.Class), label => LevelOfKitti(KittiClasses.OcclusionOf(label)));
+        new(label => JsonName.Of(label.Class), label => LevelOfKitti(KittiClasses.OcclusionOf(label)), joinsRiders: false);
 
     /// <summary>KITTI's types, as its export has them.</summary>
-    public static ClassScheme Kitti { get; } = new(TypeOf, label => LevelOfKitti(KittiClasses.OcclusionOf(label)));
+    public static ClassScheme Kitti { get; } =
+        new(TypeOf, label => LevelOfKitti(KittiClasses.OcclusionOf(label)), joinsRiders: true);
 
     /// <summary>nuScenes' categories, as its export has them, with its levels of visibility.</summary>
     public static ClassScheme NuScenes { get; } = new(NuScenesClasses.CategoryOf, label => label.OccludedFraction is { } hidden
-        ? LevelOfNuScenes(NuScenesClasses.VisibilityOf(1 - hidden)) : Undetermined);
+        ? LevelOfNuScenes(NuScenesClasses.VisibilityOf(1 - hidden)) : Undetermined, joinsRiders: true);
 
     /// <summary>KITTI's type of an object; null if it does not label it.</summary>
     public static string? TypeOf(ObjectLabel label) =>
         label.Parent is null && KittiClasses.Has(label.Class) ? KittiClasses.TypeOf(label, NoNames) : null;
+
+    /// <summary>The objects of a frame: with a two-wheeler and its rider as one where the scheme has them so.</summary>
+    public IEnumerable<ObjectLabel> ObjectsOf(FrameLabel frame) =>
+        _joinsRiders ? RiddenVehicles.WithRiders(frame.Objects, frame.Camera) : frame.Objects;
 
     /// <summary>The class of an object; null if it does not count.</summary>
     public string? ClassOf(ObjectLabel label) => _classOf(label);

@@ -50,7 +50,7 @@ public sealed class ComparedSession : IComparedDataset
         foreach ((int index, FrameLabel frame) in _session.ReadLabels().Index())
         {
             cancellation.ThrowIfCancellationRequested();
-            profile.AddFrame(frame.Objects.Count(label => Add(profile, frame.Camera, label)));
+            profile.AddFrame(_scheme.ObjectsOf(frame).Count(label => Add(profile, frame.Camera, label)));
             if (sampled.Contains(index))
             {
                 _images.Add(_session.PathOf(frame.Image));

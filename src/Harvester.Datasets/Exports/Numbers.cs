@@ -23,7 +23,7 @@ internal static class Numbers
         return string.Join(' ', texts);
     }
 
-    /// <summary>A number as whoever reads it from a file gets it.</summary>
+    /// <summary>A number as a reader of the file gets it.</summary>
     public static double Rounded(int decimals, double value) =>
         double.Parse(InvariantNumber.Format(value, decimals), CultureInfo.InvariantCulture);
 

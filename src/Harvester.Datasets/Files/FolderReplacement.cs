@@ -106,7 +106,7 @@ public sealed class FolderReplacement : IDisposable
     /// <summary>Puts back or deletes what replacements of a folder left when they were stopped. The caller holds its lock.</summary>
     /// <param name="target">The folder, with all links resolved; it need not exist.</param>
     /// <exception cref="IOException">The folder that holds it cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">The folder that holds it may not be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">The folder that holds it cannot be read.</exception>
     internal static void Recover(string target)
     {
         string parent = Path.GetDirectoryName(target) ?? target;

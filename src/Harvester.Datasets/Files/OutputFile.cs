@@ -12,7 +12,7 @@ public static class OutputFile
     /// <param name="content">Writes the content to a stream and leaves the stream open.</param>
     /// <exception cref="OccupiedFolderException">Another process is writing it.</exception>
     /// <exception cref="IOException">The file cannot be written; an older one is unchanged.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file may not be written; an older one is unchanged.</exception>
+    /// <exception cref="UnauthorizedAccessException">The file cannot be written; an older one is unchanged.</exception>
     public static void Write(string path, Action<Stream> content)
     {
         using FolderLock? held = Lock(path);

@@ -18,7 +18,7 @@ namespace Harvester.Datasets.Pairs;
 /// <param name="written">Called with the path of each archive.</param>
 internal sealed class PairArchives(string folder, Action<string> written) : IDisposable
 {
-    /// <summary>After so many bytes of content, the next sample begins another archive.</summary>
+    /// <summary>After this many bytes of content, the next sample begins another archive.</summary>
     private const long MaxBytes = 1L << 30;
 
     private static readonly Regex Name = new(@"\Apairs-[0-9]{6}\.tar\z", RegexOptions.CultureInvariant);
@@ -134,7 +134,7 @@ internal sealed class PairArchives(string folder, Action<string> written) : IDis
         _tar!.WriteEntry(EntryOf(name, content));
     }
 
-    /// <summary>Begins an archive anew in place of one that differs from what would be written, from the first difference on.</summary>
+    /// <summary>Writes an archive again in place of one that differs from what would be written, from the first difference on.</summary>
     private void Rewrite(KeptArchive kept)
     {
         _kept = null;

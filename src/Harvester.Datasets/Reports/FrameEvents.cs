@@ -9,7 +9,7 @@ namespace Harvester.Datasets.Reports;
 /// <summary>What happens between two frames and is worth a mark on a timeline.</summary>
 internal static class FrameEvents
 {
-    /// <summary>A car does not move this far between frames; it was put elsewhere, metres.</summary>
+    /// <summary>A car does not move this far between frames; it was repositioned, metres.</summary>
     private const double JumpMetres = 100;
 
     /// <summary>The events of a frame.</summary>

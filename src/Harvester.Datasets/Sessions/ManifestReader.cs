@@ -21,7 +21,7 @@ public sealed class ManifestReader : IDisposable
     private readonly IEnumerator<string> _lines;
     private readonly List<ManifestFrame> _ahead = [];
     private readonly Dictionary<string, List<FileDigest>> _files = new(StringComparer.Ordinal);
-    private readonly List<SessionProblem> _problems = [];
+    private readonly ProblemList _problems = new();
     private int _number;
     private int _count;
 
@@ -34,7 +34,7 @@ public sealed class ManifestReader : IDisposable
     /// <summary>Whether the last line has no line feed, because writing it was cut off.</summary>
     public bool IsUnfinished { get; }
 
-    /// <summary>Damaged lines among those read so far.</summary>
+    /// <summary>Damaged lines among those read so far. If the list is full, the rest of the manifest is not read.</summary>
     public IReadOnlyList<SessionProblem> Problems => _problems;
 
     /// <summary>Frames read so far that were skipped because no label line matched them.</summary>
@@ -113,7 +113,7 @@ public sealed class ManifestReader : IDisposable
 
     private ManifestFrame? At(int index)
     {
-        while (_ahead.Count <= index && _lines.MoveNext())
+        while (_ahead.Count <= index && !_problems.IsFull && _lines.MoveNext())
         {
             _number++;
             try

@@ -28,7 +28,7 @@ public static class SessionFolder
 
     /// <summary>The path within a folder of something that is no part of a session; null if there is none.</summary>
     /// <exception cref="IOException">The folder cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">The folder may not be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">The folder cannot be read.</exception>
     public static string? ForeignIn(string folder)
     {
         foreach (string entry in Directory.EnumerateFileSystemEntries(folder))

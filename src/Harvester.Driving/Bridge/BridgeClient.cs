@@ -128,11 +128,11 @@ internal sealed class BridgeClient : IDisposable
         }
         else
         {
-            Hear(ClientMessageParser.Parse(header));
+            Deliver(ClientMessageParser.Parse(header));
         }
     }
 
-    private void Hear(ClientMessage word)
+    private void Deliver(ClientMessage word)
     {
         if (word is RestartMessage && !_reception.Options.CanRestart)
         {
@@ -145,7 +145,7 @@ internal sealed class BridgeClient : IDisposable
         }
 
         // After the message: a game that sees a frame awaited finds the answer.
-        _credit.Hear(word);
+        _credit.Receive(word);
         _reception.Outbox.Wake();
     }
 

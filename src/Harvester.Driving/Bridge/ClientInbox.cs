@@ -56,7 +56,7 @@ internal sealed class ClientInbox<TClient>
     {
         lock (_gate)
         {
-            return _isClosed ? newcomer : Seat(newcomer);
+            return _isClosed ? newcomer : SetClient(newcomer);
         }
     }
 
@@ -65,8 +65,8 @@ internal sealed class ClientInbox<TClient>
     {
         lock (_gate)
         {
-            Seat(null);
-            Seat(client);
+            SetClient(null);
+            SetClient(client);
         }
     }
 
@@ -76,7 +76,7 @@ internal sealed class ClientInbox<TClient>
     {
         lock (_gate)
         {
-            return _client == client && Seat(null) is not null;
+            return _client == client && SetClient(null) is not null;
         }
     }
 
@@ -87,7 +87,7 @@ internal sealed class ClientInbox<TClient>
         lock (_gate)
         {
             _isClosed = true;
-            return Seat(null);
+            return SetClient(null);
         }
     }
 
@@ -184,7 +184,7 @@ internal sealed class ClientInbox<TClient>
 
     private bool HasMessage => _isClientGone || _commands.Count > 0 || _newest is not null;
 
-    private TClient? Seat(TClient? client)
+    private TClient? SetClient(TClient? client)
     {
         if (_client == client)
         {

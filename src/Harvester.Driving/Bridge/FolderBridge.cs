@@ -195,7 +195,7 @@ public sealed class FolderBridge : IAwaitableBridge
     private void Put(Func<ClientMessage> parse)
     {
         // A client that writes nonsense is there, too.
-        Hear();
+        MarkAlive();
         if (!_inbox.TryPut(this, parse()))
         {
             _problem = "the client sends commands faster than the game processes them; the newest are dropped.";
@@ -206,7 +206,7 @@ public sealed class FolderBridge : IAwaitableBridge
     {
         if (_alive.TrySee())
         {
-            Hear();
+            MarkAlive();
         }
         else if (_clock.Milliseconds - _heardMilliseconds > _patienceSeconds * MillisecondsPerSecond && _inbox.Leave(this))
         {
@@ -214,7 +214,7 @@ public sealed class FolderBridge : IAwaitableBridge
         }
     }
 
-    private void Hear()
+    private void MarkAlive()
     {
         _heardMilliseconds = _clock.Milliseconds;
         _inbox.Welcome(this);

@@ -51,7 +51,7 @@ internal sealed class FrameCredit
     /// request and a restart answer nothing: they lead to the frame that they ask for, and an answer would add one that the client does not
     /// wait for.
     /// </summary>
-    public void Hear(ClientMessage word)
+    public void Receive(ClientMessage word)
     {
         if (word is StepMessage or RequestFrameMessage or RestartMessage)
         {

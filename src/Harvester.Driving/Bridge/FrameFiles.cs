@@ -34,7 +34,7 @@ internal sealed class FrameFiles(string folder) : IDisposable
     /// Deletes the images and temporary files of earlier drives, recognised by their names. Files that another process holds open stay.
     /// </summary>
     /// <exception cref="IOException">The folder cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">The folder may not be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">The folder cannot be read.</exception>
     public void DeleteEarlier()
     {
         foreach (string path in Directory.GetFiles(folder, "frame_*.png"))
@@ -50,7 +50,7 @@ internal sealed class FrameFiles(string folder) : IDisposable
 
     /// <summary>Writes the game's hello, with the version of the protocol.</summary>
     /// <exception cref="IOException">It cannot be written.</exception>
-    /// <exception cref="UnauthorizedAccessException">It may not be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">It cannot be written.</exception>
     public void WriteHello() =>
         AtomicFile.Write(Path.Combine(folder, BridgeProtocol.HelloFile), BridgeProtocol.HelloOfGame + "\n", isDurable: false);
 

@@ -21,12 +21,12 @@ public sealed class SilenceWatch(IClock clock, double patienceSeconds = SilenceW
     public DrivingControls Controls => IsClientAlive ? _controls : DrivingControls.Stop;
 
     /// <summary>Sets new controls, which hold from now on.</summary>
-    public void Hear(DrivingControls controls)
+    public void Receive(DrivingControls controls)
     {
         _controls = controls;
         _heardMilliseconds = clock.Milliseconds;
     }
 
-    /// <summary>Forgets the client, as after a change of driver: the car brakes until new controls come.</summary>
-    public void Forget() => _heardMilliseconds = null;
+    /// <summary>Discards the last controls, as after a change of driver: the car brakes until new controls come.</summary>
+    public void Reset() => _heardMilliseconds = null;
 }

@@ -36,7 +36,7 @@ internal sealed class RoadAhead(double lookAheadMetres, double periodSeconds, Ca
         _headingRadians = state.HeadingRadians;
         if (Math.Abs(turned) > MaxTurn)
         {
-            _memory.Forget();
+            _memory.Clear();
         }
 
         place?.Observe(state.Indicators);
@@ -47,7 +47,7 @@ internal sealed class RoadAhead(double lookAheadMetres, double periodSeconds, Ca
         }
         else
         {
-            _memory.Forget();
+            _memory.Clear();
         }
     }
 

@@ -68,8 +68,8 @@ internal sealed class RoadMemory(double lookAheadMetres)
         }
     }
 
-    /// <summary>Forgets everything, as when the road is lost.</summary>
-    public void Forget() => _seen.Clear();
+    /// <summary>Discards everything, as when the road is lost.</summary>
+    public void Clear() => _seen.Clear();
 
     /// <summary>The road's heading at a distance ahead minus the car's, and the curvature there, 1/m.</summary>
     public (double Angle, double Curvature) At(double metresAhead)

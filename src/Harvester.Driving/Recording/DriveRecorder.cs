@@ -103,10 +103,10 @@ public sealed class DriveRecorder : IDisposable
         DrivingControls controls, IReadOnlyList<double>? indicators, DriveTarget? target = null, long? bridgeFrame = null) =>
         _action?.Answer(controls, indicators, target, bridgeFrame, _world.TimeSeconds);
 
-    /// <summary>Forgets how the car moved: it has been placed elsewhere since the last tick.</summary>
-    public void Forget()
+    /// <summary>Discards the motion of the car: it has been placed elsewhere since the last tick.</summary>
+    public void Reset()
     {
-        _inertia.Forget();
+        _inertia.Reset();
         _isDisplaced = true;
     }
 

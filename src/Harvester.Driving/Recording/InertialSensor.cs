@@ -42,8 +42,8 @@ internal sealed class InertialSensor
         _beforeSeconds = timeSeconds;
     }
 
-    /// <summary>Forgets the last state: the car has been placed elsewhere.</summary>
-    public void Forget()
+    /// <summary>Discards the last state: the car has been placed elsewhere.</summary>
+    public void Reset()
     {
         _before = null;
         Acceleration = AngularRate = null;

@@ -43,7 +43,7 @@ public sealed record DrivingOptions
     }
 
     /// <summary>
-    /// Whether the world stands still but for the steps that the client requests, from the beginning on, so that the same messages lead to
+    /// Whether the world moves only by the steps that the client requests, from the beginning on, so that the same messages lead to
     /// the same frames. The caller advances the world only while <see cref="DrivingSession.IsStepping"/> is true.
     /// </summary>
     public bool IsLockStep { get; init; }

@@ -116,10 +116,10 @@ public sealed class DrivingSession : IDisposable
     /// Discards what is known of the road, the controller's memory and the current controls. Call it when the game itself has moved the
     /// car.
     /// </summary>
-    public void Forget()
+    public void Reset()
     {
-        _watch.Forget();
-        _view.Forget();
+        _watch.Reset();
+        _view.Reset();
         _controller = _newController();
     }
 
@@ -174,33 +174,33 @@ public sealed class DrivingSession : IDisposable
 
         while (!_frames.IsStepOpen && Restart is null && _agenda.TryTakeCommand(out ClientMessage? command))
         {
-            Obey(command);
+            Apply(command);
         }
 
-        Hear(_agenda.TakeNewest());
+        TakeAnswer(_agenda.TakeNewest());
     }
 
     /// <summary>Discards everything the client requested; the car brakes and the world resumes.</summary>
     private void LoseClient()
     {
-        _frames.Forget();
+        _frames.Clear();
         _controller = _newController();
-        _watch.Forget();
+        _watch.Reset();
         _pace.GoOn();
     }
 
-    private void Hear(ClientMessage? message)
+    private void TakeAnswer(ClientMessage? message)
     {
         if (message is ControlsMessage controls)
         {
-            _watch.Hear(controls.Controls);
+            _watch.Receive(controls.Controls);
             Count(controls.Frame, null);
         }
         else if (message is IndicatorsMessage indicators)
         {
             try
             {
-                _watch.Hear(_controller.Drive(_view.StateOf(IndicatorOrder.FromValues(indicators.Values))));
+                _watch.Receive(_controller.Drive(_view.StateOf(IndicatorOrder.FromValues(indicators.Values))));
                 Count(indicators.Frame, indicators.Values);
             }
             catch (ArgumentException exception)
@@ -218,14 +218,14 @@ public sealed class DrivingSession : IDisposable
         AnsweredTarget = indicators is null ? null : (_controller as IAimingController)?.Target;
     }
 
-    private void Obey(ClientMessage command)
+    private void Apply(ClientMessage command)
     {
         switch (command)
         {
             case ResetMessage reset:
                 _car.Reset(reset.Position, reset.HeadingDegrees);
                 _pace.Unsettle();
-                Forget();
+                Reset();
                 Resets++;
                 break;
             case EnvironmentMessage environment:

@@ -96,8 +96,8 @@ internal sealed class DrivingView
         };
     }
 
-    /// <summary>Forgets the car's position.</summary>
-    public void Forget() => _lanes?.Forget();
+    /// <summary>Discards the car's position.</summary>
+    public void Reset() => _lanes?.Reset();
 
     private LanesLabel? ReadLanes(EgoState ego)
     {

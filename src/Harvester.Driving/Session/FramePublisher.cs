@@ -69,8 +69,8 @@ internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge brid
         IsStepOpen = true;
     }
 
-    /// <summary>Forgets all requests.</summary>
-    public void Forget()
+    /// <summary>Discards all requests.</summary>
+    public void Clear()
     {
         IsStepOpen = _isAskedFor = _isMissed = false;
         _hasPicture = true;

@@ -7,7 +7,7 @@ namespace Harvester.Evaluation.Scores;
 
 /// <summary>
 /// The driving score of an episode, as in CARLA's leaderboards 1.0 and 2.0: route completion times a factor for each infraction. It counts
-/// the whole drive, whoever drove.
+/// the whole drive, whatever the driver.
 /// </summary>
 public sealed record EpisodeScore
 {

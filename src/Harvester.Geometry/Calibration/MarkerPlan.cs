@@ -33,7 +33,7 @@ public sealed class MarkerPlan
     /// <param name="rows">Rows, at least 2.</param>
     /// <param name="radiusPixels">Radius of a ball in the image, pixels, greater than 0.</param>
     /// <param name="depths">Depths along the camera's axis, metres, greater than 0, used in turn; at least one.</param>
-    /// <exception cref="ArgumentException">A value is out of range, or the image is too small for so many balls.</exception>
+    /// <exception cref="ArgumentException">A value is out of range, or the image is too small for this number of balls.</exception>
     public static MarkerPlan Across(Camera camera, int columns, int rows, double radiusPixels, IReadOnlyList<double> depths)
     {
         Guard.NotNull(camera, nameof(camera));

@@ -22,7 +22,7 @@ public sealed class ClassMapper
     /// <summary>The dense rows: how far above the horizon, as fractions of the image's height.</summary>
     private static readonly double[] RowHeights = [0.005, 0.04, 0.11];
 
-    /// <summary>One pixel in so many is sampled: everywhere by the first search, in cells of several classes by the later ones.</summary>
+    /// <summary>One pixel in this many is sampled: everywhere by the first search, in cells of several classes by the later ones.</summary>
     private const int FirstSearch = 512;
     private const int LaterSearch = 160;
     private const int MaxSearches = 8;

@@ -13,7 +13,7 @@ namespace Harvester.Geometry.ClassMaps;
 /// <param name="marking">Its class of markings.</param>
 public sealed class MarkingPainter(Camera camera, InstanceMap map, ushort road, ushort marking)
 {
-    /// <summary>A pixel shows a marking if it covers at least half of it: of so many by so many places.</summary>
+    /// <summary>A pixel shows a marking if it covers at least half of it: of this many by this many places.</summary>
     private const int Places = 4;
     private const int Half = Places * Places / 2;
 

@@ -7,10 +7,10 @@ namespace Harvester.Geometry.Depth;
 /// </summary>
 internal sealed class CellSurfaces
 {
-    /// <summary>Samples whose planes foretell each other to this fraction of the depth are taken to be of one surface.</summary>
+    /// <summary>Samples whose planes predict each other to this fraction of the depth are taken to be of one surface.</summary>
     private const double SmoothResidual = 0.05;
 
-    /// <summary>Planes that meet in an edge foretell the depths of the corners to this fraction.</summary>
+    /// <summary>Planes that meet in an edge predict the depths of the corners to this fraction.</summary>
     private const double EdgeTolerance = 0.002;
 
     /// <summary>A plane that would give more than this multiple of its sample's depth, or less than its inverse, is not extended.</summary>
@@ -48,7 +48,7 @@ internal sealed class CellSurfaces
     /// <param name="number">Its place in <see cref="DepthCell.Corners"/>.</param>
     /// <param name="place">The number of its place in the grid.</param>
     /// <param name="sample">Its sample.</param>
-    /// <param name="residual">How far neighbouring planes fail to foretell it, as a fraction.</param>
+    /// <param name="residual">How far neighbouring planes fail to predict it, as a fraction.</param>
     /// <param name="line">Its line of sight.</param>
     public void Add(int number, int place, DepthSample sample, double residual, SightLine line)
     {

@@ -255,7 +255,7 @@ public sealed class AdaptivePixelMapper
         {
             int[] counts = PixelCounts(map);
             _views.ForEach(view => view.SetVisible(counts[view.Target.Number]));
-            _settled.Forget();
+            _settled.Invalidate();
             List<SubpixelPoint> places = [.. _search.Places(map)];
             _places = places.GetEnumerator();
             return true;

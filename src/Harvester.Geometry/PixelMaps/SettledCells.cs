@@ -22,7 +22,7 @@ internal sealed class SettledCells(CellExaminer examiner, ChangeStamps changes, 
     public void AddSmall(MapCell cell) => _cells.Add((cell, Never));
 
     /// <summary>What objects count has changed: all cells have to be looked at again.</summary>
-    public void Forget()
+    public void Invalidate()
     {
         for (int i = 0; i < _cells.Count; i++)
         {

@@ -159,7 +159,7 @@ public sealed class BridgeRecording
 
         if (drive.Resets != _resets)
         {
-            _recorder?.Forget();
+            _recorder?.Reset();
         }
 
         bool isForClient = drive.Status.Frames != _frames && hasClient;

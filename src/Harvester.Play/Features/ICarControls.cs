@@ -10,7 +10,7 @@ public interface ICarControls
     bool ArePlayers { get; }
 
     /// <summary>
-    /// The controls in force in this frame, whoever set them: steering -1 (left) to 1 (right), throttle, brake and handbrake 0 to 1.
+    /// The controls in force in this frame, whatever set them: steering -1 (left) to 1 (right), throttle, brake and handbrake 0 to 1.
     /// </summary>
     (double Steering, double Throttle, double Brake, double Handbrake) InForce { get; }
 

@@ -76,7 +76,7 @@ public sealed class Sight(ISightReader reader)
         return [.. _known.Values.Select(sighting => sighting.See(_tick, camera)).OfType<SeenEntity>()];
     }
 
-    /// <summary>Forgets what is no longer listed: its handle may be reused for another entity.</summary>
+    /// <summary>Removes what is no longer listed: its handle may be reused for another entity.</summary>
     private void List(Pose camera, double range) => _known = Kinds
         .SelectMany(kind => reader.Near(kind, camera.Position, range).Select(entity => (kind, entity)))
         .Distinct()

@@ -25,7 +25,7 @@ public interface ITrialGame
     void EndCutScene();
 
     /// <summary>Puts the player onto the driver's seat of a vehicle.</summary>
-    void Seat(int vehicle);
+    void EnterVehicle(int vehicle);
 
     /// <summary>Repairs a vehicle, body and engine, so that each attempt begins with a whole one.</summary>
     void Repair(int vehicle);

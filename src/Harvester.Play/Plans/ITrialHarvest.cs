@@ -24,7 +24,7 @@ public interface ITrialHarvest
     /// <param name="folder">The folder of the session.</param>
     /// <param name="options">What to harvest and how.</param>
     /// <param name="verticalFovDegrees">Vertical field of view of the camera, degrees.</param>
-    /// <returns>Whether it began; otherwise the player has been told why.</returns>
+    /// <returns>Whether it began; otherwise the player has seen the reason.</returns>
     bool Begin(string folder, HarvestOptions options, double verticalFovDegrees);
 
     /// <summary>Ends the harvest. Calling it again has no effect.</summary>

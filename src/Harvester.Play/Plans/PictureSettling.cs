@@ -6,7 +6,7 @@ namespace Harvester.Play.Plans;
 
 /// <summary>
 /// Tells when the picture has settled after a change of place, weather or hour: two comparisons in a row, half a second apart, find the
-/// same picture but for what moves in it.
+/// same picture except for what moves in it.
 /// </summary>
 /// <param name="screen">The game's picture.</param>
 /// <param name="clock">Real time.</param>
@@ -25,7 +25,7 @@ public sealed class PictureSettling(IScreen screen, IClock clock)
     private double _takenAt;
     private int _same;
 
-    /// <summary>Forgets the pictures, at the beginning of a wait.</summary>
+    /// <summary>Discards the pictures, at the beginning of a wait.</summary>
     public void Begin() => (_hasLast, _same, _takenAt) = (false, 0, double.NegativeInfinity);
 
     /// <summary>Looks at the picture, if it is time.</summary>

@@ -52,7 +52,7 @@ public sealed class PlanFolder : IDisposable
     /// <param name="root">The folder with the folders of all plans.</param>
     /// <exception cref="FormatException">The plan has a problem, or the folder has results of another plan of that name.</exception>
     /// <exception cref="IOException">A file cannot be read or written.</exception>
-    /// <exception cref="UnauthorizedAccessException">A file may not be read or written.</exception>
+    /// <exception cref="UnauthorizedAccessException">A file cannot be read or written.</exception>
     /// <exception cref="FolderLockedException">Another program runs the plan.</exception>
     public static PlanFolder Open(string file, string root)
     {
@@ -102,7 +102,7 @@ public sealed class PlanFolder : IDisposable
     /// Prepares the next attempt at a trial, and notes on the disk that it is under way. It has no effect once the folder is released.
     /// </summary>
     /// <exception cref="IOException">A folder cannot be moved, or a file not be written.</exception>
-    /// <exception cref="UnauthorizedAccessException">A file may not be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">A file cannot be written.</exception>
     public void Begin(Trial trial)
     {
         lock (_gate)
@@ -117,7 +117,7 @@ public sealed class PlanFolder : IDisposable
 
     /// <summary>Notes how the attempt that is under way has ended. What the last attempt wrote is moved away.</summary>
     /// <exception cref="IOException">A folder cannot be moved, or a file not be written.</exception>
-    /// <exception cref="UnauthorizedAccessException">A file may not be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">A file cannot be written.</exception>
     public void End(TrialResult result)
     {
         if ((result ?? throw new ArgumentNullException(nameof(result))).State == TrialState.Skipped)

@@ -35,7 +35,7 @@ public sealed class TrialCar(IVehicles vehicles, IModels models, ITrialGame game
 
         if (Vehicle != 0 && vehicles.Exists(Vehicle))
         {
-            game.Seat(Vehicle);
+            game.EnterVehicle(Vehicle);
             return false;
         }
 

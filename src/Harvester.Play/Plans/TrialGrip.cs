@@ -72,7 +72,7 @@ public sealed class TrialGrip(ITrialGame game, ICarControls controls)
         game.DriveAlongRoads(vehicle, speedMetresPerSecond);
     }
 
-    /// <summary>Gives everything back but the weather, which the next trial sets anew. Calling it again has no effect.</summary>
+    /// <summary>Gives everything back except the weather, which the next trial sets again. Calling it again has no effect.</summary>
     public void GiveBack() => Try(
         EndLoading,
         () =>

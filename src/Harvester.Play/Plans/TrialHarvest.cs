@@ -35,7 +35,7 @@ public sealed class TrialHarvest(Harvest harvest, CameraMount mount, PlayerMessa
             return false;
         }
 
-        // The camera is made anew, on the vehicle of the trial and with its field of view.
+        // The camera is made again, on the vehicle of the trial and with its field of view.
         _isBegun = true;
         mount.Stop();
         mount.VerticalFovDegrees = verticalFovDegrees;

@@ -38,7 +38,7 @@ public sealed record TrialSurroundings
     /// <summary>Real time.</summary>
     public required IClock Clock { get; init; }
 
-    /// <summary>What to harvest and how, but for what the plan says.</summary>
+    /// <summary>What to harvest and how, except for what the plan says.</summary>
     public required HarvestOptions Options { get; init; }
 
     /// <summary>Writes a line to the log.</summary>

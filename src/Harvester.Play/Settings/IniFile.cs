@@ -119,7 +119,7 @@ public sealed class IniFile
     /// <param name="section">The section.</param>
     /// <param name="name">The name.</param>
     /// <param name="expected">What the list must be.</param>
-    /// <param name="parse">Reads a value; null if the text is none.</param>
+    /// <param name="parse">Reads a value; null if the text is not one.</param>
     public IReadOnlyList<T> List<T>(string section, string name, string expected, Func<string, T?> parse)
         where T : class =>
         Parse<IReadOnlyList<T>>(section, name, [], expected, text =>

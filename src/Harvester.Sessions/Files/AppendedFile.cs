@@ -20,7 +20,7 @@ public static class AppendedFile
     /// <param name="path">The file; its folder must exist.</param>
     /// <param name="access">Writing, or reading and writing.</param>
     /// <exception cref="IOException">It is a link, a pipe, a socket or a device, or cannot be opened.</exception>
-    /// <exception cref="UnauthorizedAccessException">It may not be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">It cannot be written.</exception>
     public static FileStream Open(string path, FileAccess access = FileAccess.Write)
     {
         if (IsLink(path))

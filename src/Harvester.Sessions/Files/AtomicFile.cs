@@ -23,7 +23,7 @@ public static class AtomicFile
     /// <see cref="SyncBatch"/> brings there, and for those that are of use only to a running process.
     /// </param>
     /// <exception cref="IOException">The file cannot be written or closed; an older one is unchanged.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file may not be written; an older one is unchanged.</exception>
+    /// <exception cref="UnauthorizedAccessException">The file cannot be written; an older one is unchanged.</exception>
     public static void Write(string path, Action<Stream> content, bool isDurable = true)
     {
         Make(path, temporary => Fill(temporary, content, isDurable));
@@ -38,7 +38,7 @@ public static class AtomicFile
     /// <param name="text">The text; its line ends are kept.</param>
     /// <param name="isDurable">As for a file that is not a text.</param>
     /// <exception cref="IOException">The file cannot be written or closed; an older one is unchanged.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file may not be written; an older one is unchanged.</exception>
+    /// <exception cref="UnauthorizedAccessException">The file cannot be written; an older one is unchanged.</exception>
     public static void Write(string path, string text, bool isDurable = true) =>
         Write(path, stream => WriteText(stream, text), isDurable);
 
@@ -48,7 +48,7 @@ public static class AtomicFile
     /// <param name="isDurable">As for a file that may replace one.</param>
     /// <returns>Whether it was written. Of several that write at once, one succeeds.</returns>
     /// <exception cref="IOException">The file cannot be written or closed.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file may not be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">The file cannot be written.</exception>
     public static bool TryWriteNew(string path, string text, bool isDurable = true)
     {
         string temporary = TemporaryFor(path);
@@ -105,7 +105,7 @@ public static class AtomicFile
     /// <param name="folder">The folder; its subfolders are not searched. It need not exist.</param>
     /// <param name="isTarget">Whether a file of this name is the caller's; temporary files of other targets stay.</param>
     /// <exception cref="IOException">The folder cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">The folder may not be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">The folder cannot be read.</exception>
     public static void DeleteLeftovers(string folder, Predicate<string> isTarget)
     {
         foreach (string path in Directory.Exists(folder) ? Directory.GetFiles(folder, "*" + Suffix) : [])
@@ -122,7 +122,7 @@ public static class AtomicFile
     /// <param name="content">Writes the content to a stream and leaves the stream open.</param>
     /// <param name="isDurable">Whether the content is on the disk when this returns.</param>
     /// <exception cref="IOException">The file cannot be written or closed.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file may not be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">The file cannot be written.</exception>
     public static void Fill(string temporary, Action<Stream> content, bool isDurable)
     {
         using var stream = new FileStream(temporary, FileMode.CreateNew, FileAccess.Write, FileShare.None);

@@ -20,7 +20,7 @@ public static class ManifestTidy
     /// <param name="keepsReplaced">Whether lines of files that were replaced since stay too.</param>
     /// <param name="isDurable">Whether the manifest is on the disk when this returns.</param>
     /// <exception cref="IOException">The manifest cannot be read or written.</exception>
-    /// <exception cref="UnauthorizedAccessException">The manifest may not be read or written.</exception>
+    /// <exception cref="UnauthorizedAccessException">The manifest cannot be read or written.</exception>
     public static void Run(string folder, Predicate<int> isFrame, bool keepsReplaced, bool isDurable)
     {
         string path = Path.Combine(folder, Manifest.FileName);

@@ -4,7 +4,7 @@ using System.Runtime.InteropServices;
 
 namespace Harvester.Sessions.Files;
 
-/// <summary>Opens files for reading and rejects what is not a regular file: a pipe blocks for ever, and a device may have no end.</summary>
+/// <summary>Opens files for reading and rejects what is not a regular file: a pipe blocks forever, and a device may have no end.</summary>
 public static class RegularFile
 {
     private const int StatxLength = 256;
@@ -19,7 +19,7 @@ public static class RegularFile
     /// <param name="path">The file; links are followed.</param>
     /// <param name="share">What other processes may do with the file while it is open.</param>
     /// <exception cref="IOException">The file is a pipe, a socket or a device, has an impossible name, or cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">The path is a folder, or may not be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">The path is a folder, or cannot be read.</exception>
     public static FileStream OpenRead(string path, FileShare share = FileShare.Read)
     {
         Check(path);

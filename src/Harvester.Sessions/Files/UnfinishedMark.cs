@@ -21,12 +21,12 @@ public static class UnfinishedMark
 
     /// <summary>The command under way in a folder; null for a folder without the mark.</summary>
     /// <exception cref="IOException">The file is a link, which would show another file, or cannot be read.</exception>
-    /// <exception cref="System.UnauthorizedAccessException">The file may not be read.</exception>
+    /// <exception cref="System.UnauthorizedAccessException">The file cannot be read.</exception>
     public static string? CommandIn(string folder) => TextIn(folder)?.Split(Separator)[0];
 
     /// <summary>What the command has noted in its mark; empty for a folder without the mark.</summary>
     /// <exception cref="IOException">The file is a link, which would show another file, or cannot be read.</exception>
-    /// <exception cref="System.UnauthorizedAccessException">The file may not be read.</exception>
+    /// <exception cref="System.UnauthorizedAccessException">The file cannot be read.</exception>
     public static IReadOnlyList<string> NotesIn(string folder) => [.. (TextIn(folder) ?? "").Split(Separator).Skip(1)];
 
     /// <summary>Whether a folder has the mark.</summary>
@@ -37,7 +37,7 @@ public static class UnfinishedMark
     /// <param name="command">The command.</param>
     /// <param name="notes">What the command notes for when it is given again; without the character 0.</param>
     /// <exception cref="IOException">The file cannot be written.</exception>
-    /// <exception cref="System.UnauthorizedAccessException">The file may not be written.</exception>
+    /// <exception cref="System.UnauthorizedAccessException">The file cannot be written.</exception>
     public static void Write(string folder, string command, params string[] notes) =>
         AtomicFile.Write(PathIn(folder), string.Join(Separator.ToString(), [command, .. notes]));
 
@@ -59,7 +59,7 @@ public static class UnfinishedMark
 
     /// <summary>Whether a folder has nothing but its mark, also when writing that was stopped; true for an empty folder.</summary>
     /// <exception cref="IOException">The folder cannot be read.</exception>
-    /// <exception cref="System.UnauthorizedAccessException">The folder may not be read.</exception>
+    /// <exception cref="System.UnauthorizedAccessException">The folder cannot be read.</exception>
     public static bool IsAllOf(string folder) =>
         Directory.EnumerateFileSystemEntries(folder).All(entry => Is(Path.GetFileName(entry)));
 

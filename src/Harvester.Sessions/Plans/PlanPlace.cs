@@ -25,10 +25,10 @@ public sealed record PlanPlace(string Name)
     /// <summary>The points along which to drive, metres, world; empty to follow the road.</summary>
     public IReadOnlyList<Vector2D> Path { get; init; } = [];
 
-    /// <summary>The drive ends after so many seconds of the game's time; null without such a limit.</summary>
+    /// <summary>The drive ends after this many seconds of the game's time; null without such a limit.</summary>
     public double? Seconds { get; init; }
 
-    /// <summary>The drive ends after so many metres; null without such a limit.</summary>
+    /// <summary>The drive ends after this many metres; null without such a limit.</summary>
     public double? Metres { get; init; }
 
     /// <summary>Where the drive begins, metres, world; null for places that are yet to be chosen.</summary>

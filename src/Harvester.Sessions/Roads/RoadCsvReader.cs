@@ -58,7 +58,7 @@ public sealed class RoadCsvReader
             {
                 Require(!_ended, "nothing may follow the line that begins with end.");
                 Require(Math.Max(_nodes.Count, Math.Max(_links.Count, _edges.Count / 4)) < MaxRows,
-                    FormattableString.Invariant($"more than {MaxRows} nodes or links; no road network of the game has so many."));
+                    FormattableString.Invariant($"more than {MaxRows} nodes or links; the game's road network is smaller."));
                 ReadRow(CsvFields.Split(line) ?? throw Wrong(CsvFields.Problem));
             }
         }

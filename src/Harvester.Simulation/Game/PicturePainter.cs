@@ -26,7 +26,7 @@ internal sealed class PicturePainter(RenderScene world, Detail detail, PictureNo
     /// <summary>Draws a moment, with the handle and depth of each pixel. The result is overwritten by the next picture.</summary>
     public RenderTarget Paint(Moment moment, ImageSize size)
     {
-        // A failure of an earlier picture belongs to whoever grabbed that.
+        // A failure of an earlier picture belongs to the caller that grabbed it.
         Task.WaitAny(_last);
         return PaintNow(moment, moment.SceneIn(world), size);
     }

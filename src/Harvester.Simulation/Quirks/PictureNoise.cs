@@ -16,7 +16,7 @@ namespace Harvester.Simulation.Quirks;
 /// <param name="quirks">How much there is of it.</param>
 internal sealed class PictureNoise(int seed, GameQuirks quirks)
 {
-    /// <summary>The texture moves in columns of space so wide, metres, of which one in so many moves.</summary>
+    /// <summary>The texture moves in columns of space of this width, metres, of which one in <see cref="MovingOneIn"/> moves.</summary>
     private const double CellMetres = 3;
     private const uint MovingOneIn = 10;
 

@@ -27,7 +27,7 @@ internal sealed class SceneShadows
     /// <summary>A light weaker than this fraction of white casts no visible shadow.</summary>
     private const float MinSunlight = 0.012f;
 
-    /// <summary>Places are raised by so many texels, and more on a slope, so that a surface does not shade itself.</summary>
+    /// <summary>Places are raised by this many texels, and more on a slope, so that a surface does not shade itself.</summary>
     private const float BiasTexels = 0.8f;
     private const float MaxSlope = 5;
 

@@ -14,7 +14,7 @@ internal sealed class WetGround(View view, ScreenTriangles triangles, int[] ids,
     /// <summary>Steeper ground does not hold water: the cosine of 18 degrees.</summary>
     private const float MinLevel = 0.95f;
 
-    /// <summary>Squares of so many pixels share a reflection, and rows are searched in steps as large.</summary>
+    /// <summary>Squares of this many pixels share a reflection, and rows are searched in steps as large.</summary>
     private const int Block = 2;
     private const int SearchStep = 3;
 

@@ -23,7 +23,7 @@ public sealed record SimulationOptions
     public Vector2D? Near { get; init; }
 
     /// <summary>
-    /// Seed of a random start of the ego on the built roads, from which it can drive on for ever; null to start near <see cref="Near"/>.
+    /// Seed of a random start of the ego on the built roads, from which it can drive on forever; null to start near <see cref="Near"/>.
     /// </summary>
     public int? StartSeed { get; init; }
 

@@ -48,7 +48,7 @@ internal sealed class LanePath
     /// <summary>Other paths of the same junction that come so close that two vehicles would touch.</summary>
     public List<LanePath> Conflicts { get; } = [];
 
-    /// <summary>Whether a vehicle that follows it can drive on for ever.</summary>
+    /// <summary>Whether a vehicle that follows it can drive on forever.</summary>
     public bool GoesOn { get; set; } = true;
 
     public static LanePath OnRoad(int index, Road road, bool forward, int lane, AsphaltHeights heights)

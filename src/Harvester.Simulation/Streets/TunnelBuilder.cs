@@ -25,7 +25,7 @@ internal sealed class TunnelBuilder(RoadIndex index, Asphalt asphalt, GroundMesh
     private const double SlopeWidth = 11;
     private const double Buried = 1;
 
-    /// <summary>Every so many pieces of the road there is a pair of lamps.</summary>
+    /// <summary>Pieces of the road between two pairs of lamps.</summary>
     private const int LampEvery = 2;
 
     private static readonly Rgb Tiles = new(188, 186, 176);

@@ -55,7 +55,7 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes, EgoManoeuvres? manoeu
         _controls = null;
         Take(CarState.At(new Vector2D(position.X, position.Y), yaw, 0, _limits), position.Z, isTeleported: true);
         ego.StandingSeconds = 0;
-        manoeuvres?.Forget(0);
+        manoeuvres?.Reset(0);
     }
 
     /// <summary>Takes over the vehicle's pose.</summary>
@@ -65,7 +65,7 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes, EgoManoeuvres? manoeu
         Vector3D ground = Ground;
         Vector3D forward = ego.Pose.Axes.Forward;
         _state = CarState.At(new Vector2D(ground.X, ground.Y), Math.Atan2(forward.Y, forward.X), ego.Speed, _limits);
-        manoeuvres?.Forget(0);
+        manoeuvres?.Reset(0);
     }
 
     /// <summary>Lets its built-in driver decide what to do in this tick.</summary>
@@ -78,7 +78,7 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes, EgoManoeuvres? manoeu
         if (IsDriven)
         {
             Manoeuvre = null;
-            manoeuvres?.Forget(offset);
+            manoeuvres?.Reset(offset);
         }
         else if (manoeuvres is not null)
         {

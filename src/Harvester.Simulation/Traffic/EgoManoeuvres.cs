@@ -134,8 +134,8 @@ internal sealed class EgoManoeuvres(Vehicle ego, LaneTravel lanes, int seed, dou
         MoveOffset(seconds);
     }
 
-    /// <summary>Forgets what it was about to do, as after the car was placed elsewhere or driven by another program.</summary>
-    public void Forget(double rightOffset)
+    /// <summary>Discards the planned manoeuvre, as after the car was placed elsewhere or driven by another program.</summary>
+    public void Reset(double rightOffset)
     {
         Kind = Manoeuvre.KeepLane;
         _path = ego.Path;

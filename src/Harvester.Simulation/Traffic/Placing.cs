@@ -35,7 +35,7 @@ internal sealed class Placing
     /// <summary>Total length of the lanes on which vehicles can be placed, metres.</summary>
     public double LaneMetres => _summedLengths.Length == 0 ? 0 : _summedLengths[^1];
 
-    /// <summary>Where the ego starts: on a lane from which it can drive on for ever, as close to a point as possible.</summary>
+    /// <summary>Where the ego starts: on a lane from which it can drive on forever, as close to a point as possible.</summary>
     /// <param name="near">The point.</param>
     /// <param name="visit">
     /// Number of the visited place: the ego starts beside the point, and in turn in each lane of its direction. Null to start at the
@@ -69,7 +69,7 @@ internal sealed class Placing
         return (path, Math.Clamp(LanePlace.Of(path, near, path.Length / 2).Distance, least, path.Length - least));
     }
 
-    /// <summary>A random start of the ego on lanes from which it can drive on for ever, each metre of them equally likely.</summary>
+    /// <summary>A random start of the ego on lanes from which it can drive on forever, each metre of them equally likely.</summary>
     /// <param name="seed">Random seed.</param>
     /// <exception cref="ArgumentException">No lane is long enough.</exception>
     public (LanePath Path, double Distance) RandomStartOfEgo(int seed)
@@ -129,7 +129,7 @@ internal sealed class Placing
     }
 
     /// <summary>
-    /// Places a vehicle at a random free position; if none is found, it is not moved. The ego is placed where it can drive on for ever, or
+    /// Places a vehicle at a random free position; if none is found, it is not moved. The ego is placed where it can drive on forever, or
     /// on any road if no such place is found, as where all roads end.
     /// </summary>
     /// <returns>Whether it was moved.</returns>

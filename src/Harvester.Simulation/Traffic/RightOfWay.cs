@@ -31,7 +31,7 @@ internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccup
     private const double PatienceSeconds = 2;
 
     /// <summary>
-    /// A driver who has stood on its granted way for this long is held up: others, who wait for it, drive on as far as bodies have room.
+    /// A driver who has stood on its granted way for this long no longer has the right of way: others drive on as far as bodies have room.
     /// One of them may be what it waits for.
     /// </summary>
     private const double HeldUpSeconds = 4;

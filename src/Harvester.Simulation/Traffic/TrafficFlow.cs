@@ -58,7 +58,7 @@ internal sealed class TrafficFlow
     /// <summary>Watches how the ego drives; null for nobody.</summary>
     public EgoWatch? Watch { get; set; }
 
-    /// <summary>How often the ego was put elsewhere, at a dead end or when stuck.</summary>
+    /// <summary>How often the ego was repositioned, at a dead end or when stuck.</summary>
     public int EgoReplacements { get; private set; }
 
     private Vehicle Ego => _vehicles[0];

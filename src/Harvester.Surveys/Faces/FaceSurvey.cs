@@ -139,7 +139,7 @@ public sealed class FaceSurvey : IDisposable
         }
 
         _standing = loading == ModelLoading.Loaded ? _stage.PutUp(model.Name) : 0;
-        Forget(model.Name);
+        Release(model.Name);
         if (_standing == 0)
         {
             _folder.Finish(model.Name, loading == ModelLoading.Missing ? "missing" : "refused", []);
@@ -198,9 +198,9 @@ public sealed class FaceSurvey : IDisposable
         return _stage.Load(model);
     }
 
-    private void Forget(string model)
+    private void Release(string model)
     {
-        _stage.Forget(model);
+        _stage.Release(model);
         _asked.Remove(model);
     }
 
@@ -236,7 +236,7 @@ public sealed class FaceSurvey : IDisposable
         Try(() => _photographer?.LookAway());
         foreach (string model in _asked.ToArray())
         {
-            Try(() => Forget(model));
+            Try(() => Release(model));
         }
     }
 

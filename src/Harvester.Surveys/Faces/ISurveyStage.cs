@@ -17,7 +17,7 @@ public interface ISurveyStage
 
     /// <summary>Lets the game unload a model that was requested. Further calls do nothing.</summary>
     /// <param name="model">The name of the model in the game.</param>
-    void Forget(string model);
+    void Release(string model);
 
     /// <summary>Places a loaded model where nothing else is.</summary>
     /// <param name="model">The name of the model in the game.</param>

@@ -12,7 +12,7 @@ public sealed class HarvestFactorTests(ITestOutputHelper output)
     /// <summary>Speed above which a vehicle counts as moving, m/s.</summary>
     private const double Moving = 0.5;
 
-    /// <summary>At a factor of 2.5 or 3 there is at least so many times more; less than the factor, because roads fill up.</summary>
+    /// <summary>At a factor of 2.5 or 3 there is at least this many times more; less than the factor, because roads fill up.</summary>
     private const double Growth = 1.2;
 
     /// <summary>A car that does not wander is so near to the middle of its lane; it cuts bends by centimetres.</summary>

@@ -76,7 +76,7 @@ public sealed class KilledRecordingTests : IDisposable
     }
 
     /// <summary>
-    /// Each line has its picture and, but for the last of all, each tick up to the next. A kill may cut the line that is being written.
+    /// Each line has its picture and, except for the last of all, each tick up to the next. A kill may cut the line that is being written.
     /// </summary>
     private JsonElement[] CheckFrames(string session)
     {
@@ -93,7 +93,7 @@ public sealed class KilledRecordingTests : IDisposable
         return lines;
     }
 
-    /// <summary>Kills a command once a session has so many label lines.</summary>
+    /// <summary>Kills a command once a session has this many label lines.</summary>
     private void KillAfter(int lines, string session, string[] arguments)
     {
         var start = new ProcessStartInfo("dotnet") { RedirectStandardOutput = true, RedirectStandardError = true };

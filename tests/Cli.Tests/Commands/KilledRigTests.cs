@@ -39,7 +39,7 @@ public sealed class KilledRigTests : IDisposable
         Assert.NotEqual(0, underWay);
     }
 
-    /// <summary>Starts or resumes the harvest, and kills it once so many label lines are written.</summary>
+    /// <summary>Starts or resumes the harvest, and kills it once this many label lines are written.</summary>
     /// <returns>Whether it was under way.</returns>
     private bool KillAfter(int lines)
     {

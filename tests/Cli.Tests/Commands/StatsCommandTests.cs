@@ -17,7 +17,7 @@ public sealed class StatsCommandTests
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
         Assert.Contains(
-            "\nwithout signs and traffic lights, which KITTI does not label: 0 labels, 0.0 labels per frame\n",
+            "\nwithout signs, traffic lights and riders, which KITTI does not label by themselves: 0 labels, 0.0 labels per frame\n",
             run.Out,
             StringComparison.Ordinal);
         Assert.Contains("\ndistance, m: none\n", run.Out, StringComparison.Ordinal);

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Harvester.Cli.Tests.Hostile;
 
-/// <summary>Damages a file in the ways in which files are damaged, and in those in which strangers damage them.</summary>
+/// <summary>Damages a file in the ways in which files are damaged, and in those in which an attacker damages them.</summary>
 internal static class Mutation
 {
     private static readonly byte[][] Tokens =

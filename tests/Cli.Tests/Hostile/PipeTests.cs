@@ -3,7 +3,7 @@ using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Hostile;
 
-/// <summary>A pipe in the place of a file would block its reader for ever.</summary>
+/// <summary>A pipe in the place of a file would block its reader forever.</summary>
 public sealed class PipeTests(SmallSession session) : IClassFixture<SmallSession>, IDisposable
 {
     private readonly HostileSession _hostile = new(session);

@@ -49,7 +49,7 @@ internal static class StandIn
             "claims-other-process" => BeatFor(folder, "running", process: 1),
             "claims-future" => BeatFor(folder, "running", ahead: TimeSpan.FromHours(1)),
             "writes-rubbish" => Rubbish(folder),
-            "obeys" => Obey(folder),
+            "ends-on-signal" => EndOnSignal(folder),
             _ => throw new ArgumentException($"no behaviour '{behaviour}'"),
         };
     }
@@ -123,7 +123,7 @@ internal static class StandIn
         }
     }
 
-    private static int Obey(string folder)
+    private static int EndOnSignal(string folder)
     {
         using var stop = new ManualResetEventSlim();
         using PosixSignalRegistration terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Stop);

@@ -195,7 +195,7 @@ public sealed class SuperviseCommandTests : IDisposable
             return;
         }
 
-        using Process supervisor = StartBeside(Words("obeys"));
+        using Process supervisor = StartBeside(Words("ends-on-signal"));
         Wait(() => File.Exists(_folder.PathOf("heartbeat.json")), "the heartbeat");
         Signal(signal, supervisor.Id);
 

@@ -103,6 +103,26 @@ public sealed class ComparedDatasetTests(SimulatedSession session) : IDisposable
             DatasetComparison.Between(comparison.First.Classes, comparison.Second.Classes)!.Value.TotalVariation, 0, ClassesToNuScenes);
     }
 
+    [Theory]
+    [InlineData("kitti", "Cyclist")]
+    [InlineData("nuscenes", "vehicle.bicycle")]
+    public void Bicycle_and_rider_are_compared_as_one(string terms, string kind)
+    {
+        using var ridden = new TestSession();
+        (ridden.Car(0)["class"], ridden.Car(0)["hasRider"]) = ("bicycle", true);
+        (ridden.Pedestrian(0)["class"], ridden.Pedestrian(0)["vehicle"]) = ("rider", (int)ridden.Car(0)["id"]!);
+        ridden.Lines.RemoveRange(1, 2);
+        double[] bicycle = [.. ridden.Car(0)["box2d"]!.AsArray().Select(side => (double)side!)];
+        double[] rider = [.. ridden.Pedestrian(0)["box2d"]!.AsArray().Select(side => (double)side!)];
+
+        DatasetProfile profile = Read(
+            terms == "kitti" ? ComparedSession.InKittiTerms(ridden.Open()) : ComparedSession.InNuScenesTerms(ridden.Open()));
+
+        Assert.Equal((1, 1), (profile.Labels, profile.Classes.Of(kind)));
+        Assert.Equal(Math.Max(bicycle[2], rider[2]) - Math.Min(bicycle[0], rider[0]), Only(profile, ComparedQuantity.BoxWidth));
+        Assert.Equal(2, Read(ComparedSession.InItsTerms(ridden.Open())).Labels);
+    }
+
     [Fact]
     public void Session_compared_with_itself_has_no_distance()
     {

@@ -61,6 +61,16 @@ public sealed class SessionRepairerTests(DamagedSession session) : IClassFixture
     }
 
     [Fact]
+    public void Manifest_of_empty_lines_is_not_read_to_its_end()
+    {
+        File.WriteAllText(session.PathOf(Manifest.FileName), new string('\n', 2 * ProblemList.MaxProblems));
+
+        Assert.Equal(new SessionRepair(3, 0, false), Repair());
+        Assert.InRange(
+            _reported.Count(line => line.StartsWith(Manifest.FileName, StringComparison.Ordinal)), 1, ProblemList.MaxProblems + 1);
+    }
+
+    [Fact]
     public void Damaged_frame_number_costs_only_its_own_frame()
     {
         // {"frame":0 becomes {"frame":8: the bit of value 8 of the tenth byte.

@@ -6,7 +6,7 @@ using Harvester.TestSupport;
 
 namespace Harvester.Driving.Tests.Bridge;
 
-/// <summary>Clients of a shared folder that die, begin anew or think long. The player's time is the test's.</summary>
+/// <summary>Clients of a shared folder that die, start again or think long. The player's time is the test's.</summary>
 public sealed class FolderClientTests : IDisposable
 {
     private const double Patience = FolderBridge.DefaultPatienceSeconds * 1000;

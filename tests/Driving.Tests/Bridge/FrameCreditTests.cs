@@ -23,7 +23,7 @@ public sealed class FrameCreditTests
     public void Controls_answer_the_frame_they_name_or_all_if_they_name_none(long? named, bool isAnswered)
     {
         _credit.TrySpend(Frames.State(5));
-        _credit.Hear(new ControlsMessage(DrivingControls.Stop, named));
+        _credit.Receive(new ControlsMessage(DrivingControls.Stop, named));
 
         Assert.Equal(isAnswered, _credit.TrySpend(Frames.State(7)));
     }
@@ -35,7 +35,7 @@ public sealed class FrameCreditTests
     public void Indicators_answer_a_frame_like_controls(long? named, bool isAnswered)
     {
         _credit.TrySpend(Frames.State(5));
-        _credit.Hear(new IndicatorsMessage(new double[13], named));
+        _credit.Receive(new IndicatorsMessage(new double[13], named));
 
         Assert.Equal(isAnswered, _credit.TrySpend(Frames.State(7)));
     }
@@ -44,8 +44,8 @@ public sealed class FrameCreditTests
     public void Late_answer_to_an_earlier_frame_removes_no_credit()
     {
         _credit.TrySpend(Frames.State(5));
-        _credit.Hear(new PauseMessage(false));
-        _credit.Hear(new ControlsMessage(DrivingControls.Stop, 4));
+        _credit.Receive(new PauseMessage(false));
+        _credit.Receive(new ControlsMessage(DrivingControls.Stop, 4));
 
         Assert.True(_credit.TrySpend(Frames.State(6)));
     }
@@ -54,8 +54,8 @@ public sealed class FrameCreditTests
     public void Step_and_request_grant_no_further_frame()
     {
         _credit.TrySpend(Frames.State(5));
-        _credit.Hear(new RequestFrameMessage());
-        _credit.Hear(new StepMessage(1));
+        _credit.Receive(new RequestFrameMessage());
+        _credit.Receive(new StepMessage(1));
 
         Assert.False(_credit.TrySpend(Frames.State(6)));
     }
@@ -66,7 +66,7 @@ public sealed class FrameCreditTests
         _credit.TrySpend(Frames.State(5));
         Assert.True(_credit.TrySpend(Frames.State(6) with { IsAskedFor = true }));
         Assert.False(_credit.TrySpend(Frames.State(7)));
-        _credit.Hear(new ControlsMessage(DrivingControls.Stop, 5));
+        _credit.Receive(new ControlsMessage(DrivingControls.Stop, 5));
 
         Assert.True(_credit.TrySpend(Frames.State(7)));
     }

@@ -15,7 +15,7 @@ public sealed class SilenceWatchTests
         var watch = new SilenceWatch(clock);
 
         Assert.Equal(DrivingControls.Stop, watch.Controls);
-        watch.Hear(Left);
+        watch.Receive(Left);
         clock.Milliseconds = 500;
         Assert.Equal(Left, watch.Controls);
         clock.Milliseconds = 501;
@@ -24,15 +24,15 @@ public sealed class SilenceWatchTests
     }
 
     [Fact]
-    public void Forget_brakes_until_the_next_controls()
+    public void Reset_brakes_until_the_next_controls()
     {
         var watch = new SilenceWatch(new TestClock());
-        watch.Hear(Left);
+        watch.Receive(Left);
 
-        watch.Forget();
+        watch.Reset();
 
         Assert.Equal(DrivingControls.Stop, watch.Controls);
-        watch.Hear(Left);
+        watch.Receive(Left);
         Assert.Equal(Left, watch.Controls);
     }
 }

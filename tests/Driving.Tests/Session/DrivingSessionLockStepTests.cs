@@ -4,7 +4,7 @@ using Harvester.TestSupport;
 
 namespace Harvester.Driving.Tests.Session;
 
-/// <summary>A drive in a world that stands still but for the client's steps.</summary>
+/// <summary>A drive in a world that moves only by the client's steps.</summary>
 public sealed class DrivingSessionLockStepTests : DrivenGame
 {
     private static readonly DrivingOptions InLockStep = new() { IsLockStep = true, SettleTicks = 0 };

@@ -111,9 +111,9 @@ public sealed class ClientDriverTests
         game.Say(FakeGame.Frame(1));
         Task driving = Task.Factory.StartNew(
             () => driver.Run(null, 60, default), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
-        game.Hear();
-        game.Hear();
-        Assert.Contains("\"controls\"", game.Hear(), StringComparison.Ordinal);
+        game.Receive();
+        game.Receive();
+        Assert.Contains("\"controls\"", game.Receive(), StringComparison.Ordinal);
         game.Close();
         await driving.WaitAsync(Ample);
 
@@ -126,7 +126,7 @@ public sealed class ClientDriverTests
     {
         using FakeGame game = new();
         using SocketLink link = new("127.0.0.1", game.Port, null, Ample);
-        game.Hear();
+        game.Receive();
         game.Close();
 
         Assert.ThrowsAny<IOException>(

@@ -52,7 +52,7 @@ internal sealed class FakeGame : IDisposable
     public void Say(byte[] message) => Stream.Write(message);
 
     /// <summary>The next message of the client.</summary>
-    public string Hear()
+    public string Receive()
     {
         byte[] lengths = new byte[8];
         Stream.ReadExactly(lengths);

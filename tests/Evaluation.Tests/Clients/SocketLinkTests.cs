@@ -17,8 +17,8 @@ public sealed class SocketLinkTests
         Assert.Equal((7, 0.7, 5, 12), (frame.Frame, frame.TimeSeconds, frame.State.SpeedMetresPerSecond, frame.Position!.Value.X));
         Assert.Equal(-2.7, frame.State.Indicators.ToMarkingML.Value, 6);
         Assert.Equal((-0.05, 0), (frame.State.Indicators.Angle.Value, frame.State.TorcsEquivalent.Angle.Value));
-        Assert.Equal("""{"type":"hello","version":1,"token":"open sesame"}""", game.Hear());
-        Assert.Equal("""{"type":"requestFrame"}""", game.Hear());
+        Assert.Equal("""{"type":"hello","version":1,"token":"open sesame"}""", game.Receive());
+        Assert.Equal("""{"type":"requestFrame"}""", game.Receive());
     }
 
     [Fact]
@@ -37,8 +37,8 @@ public sealed class SocketLinkTests
     {
         using FakeGame game = new();
         using SocketLink link = new("127.0.0.1", game.Port, null, Ample);
-        game.Hear();
-        game.Hear();
+        game.Receive();
+        game.Receive();
         game.Say([.. FakeGame.Frame(1), .. FakeGame.Frame(2)]);
         game.Close();
 
@@ -88,8 +88,8 @@ public sealed class SocketLinkTests
     {
         using FakeGame game = new();
         using SocketLink link = new("127.0.0.1", game.Port, null, Ample);
-        game.Hear();
-        game.Hear();
+        game.Receive();
+        game.Receive();
         game.Say(FakeGame.Frame(1)[..20]);
         game.Close();
 
@@ -106,7 +106,7 @@ public sealed class SocketLinkTests
     {
         using FakeGame game = new() { Hello = hello };
         using SocketLink link = new("127.0.0.1", game.Port, null, Ample);
-        Assert.Equal("""{"type":"hello","version":1}""", game.Hear());
+        Assert.Equal("""{"type":"hello","version":1}""", game.Receive());
 
         Assert.Contains(words, Assert.Throws<IOException>(() => Next(link)).Message, StringComparison.Ordinal);
     }

@@ -17,7 +17,7 @@ public sealed class NoisyIndicatorsTests
         LaneIndicators truth = IndicatorCalculator.Compute(0.1, 8.1, section, [new VehicleAhead(1, 30)]);
         List<DrivingState> seen = Drive(truth, section);
 
-        // The mean of so many absolute errors has itself a deviation of about half a percent.
+        // The mean of this many absolute errors has itself a deviation of about half a percent.
         AssertErrors(seen.Select(state => state.TorcsEquivalent.Angle.Value - 0.1), 0.03);
         AssertErrors(seen.Select(state => state.TorcsEquivalent.ToMarkingML.Value + 2), 0.2);
         AssertErrors(seen.Select(state => state.Indicators.ToMarkingML.Value + 2.7), 0.2 * 1.35);

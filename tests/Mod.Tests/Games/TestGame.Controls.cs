@@ -4,7 +4,7 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Mod.Tests.Games;
 
-/// <summary>The natives about controls, and those by which a vehicle is put elsewhere and the environment set.</summary>
+/// <summary>The natives about controls, and those by which a vehicle is repositioned and the environment set.</summary>
 internal sealed partial class TestGame
 {
     private const float PressedFrom = 0.5f;

@@ -7,7 +7,7 @@ namespace Harvester.Mod.Tests.Games;
 /// <summary>A screen that shows the number of the frame, and records what else was visible when it was grabbed.</summary>
 internal sealed class TestScreen(TestGame game) : IScreen, IGameWindow
 {
-    /// <summary>The picture differs by so many levels while an entity is hidden.</summary>
+    /// <summary>The picture differs by this many levels while an entity is hidden.</summary>
     private const int HiddenLevels = 100;
 
     /// <summary>Whether the picture changes with the entities that are hidden.</summary>

@@ -32,7 +32,7 @@ internal sealed class SoakFaults
     /// <summary>Whether the script was ended in the middle of the tick that runs, or ran last.</summary>
     public bool HasAbortedTheTick { get; private set; }
 
-    public void ForgetTheTick() => HasAbortedTheTick = false;
+    public void ResetTick() => HasAbortedTheTick = false;
 
     /// <summary>Begins and ends faults.</summary>
     public void Tick()
@@ -153,7 +153,7 @@ internal sealed class SoakFaults
     }
 
     /// <summary>
-    /// After so many natives the loader finds the script hanging: it raises Aborted twice on its own thread, while the script's is in the
+    /// After some natives the loader finds the script hanging: it raises Aborted twice on its own thread, while the script's is in the
     /// middle of a native that does nothing, and then stops that thread.
     /// </summary>
     private void AbortAfter(int natives)

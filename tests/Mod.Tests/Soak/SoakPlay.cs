@@ -80,7 +80,7 @@ internal sealed class SoakPlay
         {
             _tally.Add(isAborted ? "aborted within a tick" : "aborted between ticks");
             AssertNothingIsLeft();
-            _faults.ForgetTheTick();
+            _faults.ResetTick();
             _driver.Reload();
         }
 

@@ -14,7 +14,7 @@ public abstract class DrivenPlan : IDisposable
     /// <summary>The folder of the test.</summary>
     protected string Root { get; } = Directory.CreateTempSubdirectory("plan-driving").FullName;
 
-    /// <summary>What the player was told.</summary>
+    /// <summary>The messages to the player.</summary>
     protected List<string> Told { get; } = [];
 
     protected PlayerMessages Messages { get; }

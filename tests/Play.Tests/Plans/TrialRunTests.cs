@@ -193,7 +193,7 @@ public sealed class TrialRunTests : IDisposable
     [Fact]
     public void Cut_scene_without_end_ends_the_wait()
     {
-        (_world.ObeysCorrections, _world.Situation) = (false, new GameSituation { IsInCutScene = true });
+        (_world.AcceptsCorrections, _world.Situation) = (false, new GameSituation { IsInCutScene = true });
 
         Assert.Equal("A cut scene began.", ReasonOf(Run()));
     }

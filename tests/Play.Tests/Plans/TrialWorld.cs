@@ -64,7 +64,7 @@ internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels,
     public GameSituation Situation { get; set; } = new() { IsInVehicle = true };
 
     /// <summary>Corrects the situation as the game would.</summary>
-    public bool ObeysCorrections { get; set; } = true;
+    public bool AcceptsCorrections { get; set; } = true;
 
     public int PlayersVehicle { get; set; } = Car;
 
@@ -145,16 +145,16 @@ internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels,
     public void ClearWanted()
     {
         Done.Add("clear wanted");
-        Situation = ObeysCorrections ? Situation with { WantedLevel = 0 } : Situation;
+        Situation = AcceptsCorrections ? Situation with { WantedLevel = 0 } : Situation;
     }
 
     public void EndCutScene()
     {
         Done.Add("end cut scene");
-        Situation = ObeysCorrections ? Situation with { IsInCutScene = false } : Situation;
+        Situation = AcceptsCorrections ? Situation with { IsInCutScene = false } : Situation;
     }
 
-    public void Seat(int vehicle)
+    public void EnterVehicle(int vehicle)
     {
         Done.Add($"seat in {vehicle}");
         PlayersVehicle = vehicle;

@@ -22,7 +22,7 @@ public sealed class SingleRoadTests
             game.Tick(Tick);
         }
 
-        Assert.True(game.Conduct.Repositioned > 0, "The car was not put elsewhere.");
+        Assert.True(game.Conduct.Repositioned > 0, "The car was not repositioned.");
         Assert.True(game.Conduct.Metres > (Nodes - 1) * Spacing, $"It drove {game.Conduct.Metres} m in all.");
     }
 

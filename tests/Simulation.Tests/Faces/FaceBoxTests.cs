@@ -14,7 +14,7 @@ public sealed class FaceBoxTests
     /// <summary>The required accuracy of each side of a face's box.</summary>
     private const double PixelTolerance = 1;
 
-    /// <summary>The oracle draws so many times finer, as it knows a face only by the pixels whose centres it covers.</summary>
+    /// <summary>The oracle draws this many times finer, as it knows a face only by the pixels whose centres it covers.</summary>
     private const int Finer = 4;
 
     /// <summary>The focal length of a window of 600 pixels and 50 degrees: 300 / tan 25°.</summary>

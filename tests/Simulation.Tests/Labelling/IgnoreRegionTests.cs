@@ -13,7 +13,7 @@ public sealed class IgnoreRegionTests(ITestOutputHelper output)
     private const double Range = 150;
     private const double IgnoreRange = 300;
 
-    /// <summary>An object of so many pixels is clearly visible: a car at 200 m, unhidden, has about 300 at 1920 x 1080.</summary>
+    /// <summary>An object of this many pixels is clearly visible: a car at 200 m, unhidden, has about 300 at 1920 x 1080.</summary>
     private const int ClearlyVisiblePixels = 60;
 
     /// <summary>Area of a car's box seen from behind, m². Of a larger object, more pixels must show to make it as clearly

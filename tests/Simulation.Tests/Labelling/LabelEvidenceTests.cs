@@ -17,7 +17,7 @@ public sealed class LabelEvidenceTests(ITestOutputHelper output)
     /// <summary>Rays and the renderer may differ along an outline: an object that a ray hit at its very edge may have no pixel.</summary>
     private const double MaxUnseen = 0.005;
 
-    /// <summary>An object of so many pixels is plainly there.</summary>
+    /// <summary>An object of this many pixels is plainly there.</summary>
     private const int PlainPixels = 64;
 
     [Fact]

@@ -13,7 +13,7 @@ namespace Harvester.Simulation.Tests.Labelling;
 /// <summary>The occlusion that the renderer reports, against a ray through the centre of every pixel.</summary>
 public sealed class TrueOcclusionTests(ITestOutputHelper output)
 {
-    /// <summary>Rays and z-buffer may differ at so many pixels of an object, whose centres lie on an edge to within rounding.</summary>
+    /// <summary>Rays and z-buffer may differ at this many pixels of an object, whose centres lie on an edge to within rounding.</summary>
     private const double EdgePixels = 2;
 
     /// <summary>Labels are rounded to four decimals.</summary>

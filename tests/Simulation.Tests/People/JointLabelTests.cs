@@ -41,7 +41,7 @@ public sealed class JointLabelTests(ITestOutputHelper output)
     /// <summary>Radius of a drawn marker, in pixels of the fine picture: its centroid is then known to a small part of one.</summary>
     private const double MarkerPixels = 5;
 
-    /// <summary>Of the joints of a person, one in so many gets a marker.</summary>
+    /// <summary>Of the joints of a person, one in this many gets a marker.</summary>
     private const int Every = 4;
 
     [Theory]

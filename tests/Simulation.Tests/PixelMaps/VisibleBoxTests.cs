@@ -15,7 +15,7 @@ public sealed class VisibleBoxTests(ITestOutputHelper output)
     /// <summary>Objects of fewer pixels are found, not outlined.</summary>
     private const int MinPixels = 64;
 
-    /// <summary>From so many pixels on an object is outlined exactly.</summary>
+    /// <summary>From this many pixels on an object is outlined exactly.</summary>
     private const int LargePixels = 256;
 
     private const double TolerancePixels = 2;

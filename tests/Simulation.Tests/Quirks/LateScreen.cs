@@ -4,7 +4,7 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Simulation.Tests.Quirks;
 
-/// <summary>A screen that shows the picture of so many ticks ago; before as many ticks, its first picture.</summary>
+/// <summary>A screen that shows the picture of a number of ticks ago; before as many ticks, its first picture.</summary>
 internal sealed class LateScreen(IScreen screen, ImageSize image, int ticks) : IScreen
 {
     private readonly Queue<byte[]> _pictures = [];

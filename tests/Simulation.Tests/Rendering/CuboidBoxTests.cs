@@ -12,7 +12,7 @@ public sealed class CuboidBoxTests
     private const double PixelTolerance = 1;
 
     /// <summary>
-    /// The oracle draws so many times finer: a silhouette is known by the centres of the pixels that it covers, and one that ends in
+    /// The oracle draws this many times finer: a silhouette is known by the centres of the pixels that it covers, and one that ends in
     /// a sharp corner covers none near its tip.
     /// </summary>
     private const int Finer = 4;

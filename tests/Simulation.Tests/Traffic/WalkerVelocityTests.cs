@@ -12,7 +12,7 @@ public sealed class WalkerVelocityTests(ITestOutputHelper output)
     private const double TickSeconds = 0.01;
 
     /// <summary>
-    /// The mean of the velocities before and after a tick is that of its way, but for what the acceleration changes within the tick.
+    /// The mean of the velocities before and after a tick is that of its way, except for what the acceleration changes within the tick.
     /// </summary>
     private const double Tolerance = 0.005;
 

@@ -143,7 +143,7 @@ class DrivingEnv(Env):
     def step(self, action: Any) -> StepResult:
         """Drives for a step. info has the `frame` with all that the game tells, the terms of the reward, and the reason of an end.
 
-        Raises BridgeError; the next reset starts or connects anew.
+        Raises BridgeError; the next reset starts or connects again.
         """
         self.send_step(action)
         return self.receive_step()
@@ -197,7 +197,7 @@ class DrivingEnv(Env):
         return self._picture
 
     def close(self) -> None:
-        """Disconnects, and ends the game if this environment has started it. A reset begins anew."""
+        """Disconnects, and ends the game if this environment has started it. A reset starts again."""
         self._rules = None
         self._is_awaiting = False
         if self._link is not None:

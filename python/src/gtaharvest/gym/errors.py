@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 class BridgeError(Exception):
-    """The environment cannot go on. Base of all exceptions here; a reset starts or connects a game anew."""
+    """The environment cannot go on. Base of all exceptions here; a reset starts or connects a game again."""
 
 
 class GameStartError(BridgeError):

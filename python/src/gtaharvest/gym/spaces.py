@@ -35,7 +35,7 @@ class PlainSpace:
         return self._np_random
 
     def seed(self, seed: Optional[int] = None) -> Any:
-        """Begins the sequence of samples anew."""
+        """Restarts the sequence of samples."""
         self._np_random = np.random.default_rng(seed)
         return seed
 

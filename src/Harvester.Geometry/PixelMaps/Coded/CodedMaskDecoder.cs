@@ -12,7 +12,7 @@ namespace Harvester.Geometry.PixelMaps.Coded;
 /// </summary>
 public sealed class CodedMaskDecoder : IMaskDecoder
 {
-    /// <summary>Every so many rows and columns outside all silhouettes are searched for shadows.</summary>
+    /// <summary>Step between the rows and columns outside all silhouettes that are searched for shadows.</summary>
     private const int ShadowStep = 4;
 
     /// <summary>A shadow falls within this many times the size of the box of its object, and pixels.</summary>

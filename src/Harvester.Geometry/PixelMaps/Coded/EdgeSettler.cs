@@ -12,7 +12,7 @@ internal sealed class EdgeSettler(PictureStack stack, NoiseMap noise, int imageW
 {
     private static readonly (int Across, int Down)[] Sides = [(-1, 0), (1, 0), (0, -1), (0, 1)];
 
-    /// <summary>Two colours closer than this many standard deviations of the noise cannot be told apart in a mixture.</summary>
+    /// <summary>Two colours closer than this many standard deviations of the noise cannot be distinguished in a mixture.</summary>
     private const double MinContrast = 5;
 
     /// <summary>

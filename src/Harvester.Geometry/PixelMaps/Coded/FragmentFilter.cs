@@ -7,7 +7,7 @@ namespace Harvester.Geometry.PixelMaps.Coded;
 /// <summary>Judges connected pixels together: a faint fragment is noise or a moving texture, and a small closed hole is chance.</summary>
 internal sealed class FragmentFilter(NoiseMap noise, int imageWidth)
 {
-    /// <summary>A fragment up to this size is dropped if its contrast is no more than so many standard deviations of the noise.</summary>
+    /// <summary>A fragment up to this size is dropped if its contrast is no more than this many standard deviations of the noise.</summary>
     private const int FaintPixels = 16;
     private const double FaintDeviations = 4;
 

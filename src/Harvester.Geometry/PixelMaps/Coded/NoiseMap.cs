@@ -12,7 +12,7 @@ namespace Harvester.Geometry.PixelMaps.Coded;
 /// </summary>
 internal sealed class NoiseMap
 {
-    /// <summary>Differences are pooled over so many rows and columns on each side.</summary>
+    /// <summary>Differences are pooled over this many rows and columns on each side.</summary>
     private const int Reach = 2;
 
     /// <summary>Minimum variance: that of rounding to whole grey levels, several times over.</summary>

@@ -11,7 +11,7 @@ namespace Harvester.Geometry.PixelMaps.Coded;
 /// </summary>
 internal sealed class ObjectPlane
 {
-    /// <summary>An object may reach beyond its cuboid: by so many pixels, and by this fraction of the silhouette.</summary>
+    /// <summary>An object may reach beyond its cuboid: by this many pixels, and by this fraction of the silhouette.</summary>
     private const double MarginPixels = 2;
     private const double MarginFraction = 0.02;
 

@@ -11,7 +11,7 @@ namespace Harvester.Geometry.PixelMaps.Coded;
 /// </summary>
 internal sealed class ShadowSeparator(Camera camera, NoiseMap noise, ShadowLight light)
 {
-    /// <summary>Texture is compared over so many rows and columns on each side.</summary>
+    /// <summary>Texture is compared over this many rows and columns on each side.</summary>
     private const int TextureReach = 2;
 
     /// <summary>Overlapping windows see the same texture, so each counts for part of it only.</summary>

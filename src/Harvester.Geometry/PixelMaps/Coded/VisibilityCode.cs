@@ -12,7 +12,7 @@ namespace Harvester.Geometry.PixelMaps.Coded;
 /// </summary>
 public sealed class VisibilityCode : IPicturePlan
 {
-    /// <summary>Words of so many bits separate neighbours well; they give 17 pictures.</summary>
+    /// <summary>Words of this many bits separate neighbours well; they give 17 pictures.</summary>
     private const int AmpleBits = 7;
 
     /// <summary>Bits beyond those that make the words unique, up to <see cref="AmpleBits"/>.</summary>

@@ -7,7 +7,7 @@ namespace Harvester.Geometry.PixelMaps.Screens;
 /// <summary>How dark the shadows of a frame are: outside all screens, what changes between the pictures with and without objects.</summary>
 internal static class FrameShadows
 {
-    /// <summary>Every so many rows and columns are looked at.</summary>
+    /// <summary>Step between the rows and columns that are looked at.</summary>
     private const int Step = 2;
 
     /// <summary>Pixels darker than this in all three channels together tell nothing.</summary>
@@ -16,7 +16,7 @@ internal static class FrameShadows
     /// <summary>A pixel is in a shadow if less than this fraction of the light is left.</summary>
     private const double ShadowFraction = 0.9;
 
-    /// <summary>One in so many shaded pixels is as dark as full shadows; they leave at least this part of what is left there.</summary>
+    /// <summary>One in this many shaded pixels is as dark as full shadows; they leave at least this part of what is left there.</summary>
     private const int DarkestOneIn = 10;
     private const double Slack = 0.9;
 

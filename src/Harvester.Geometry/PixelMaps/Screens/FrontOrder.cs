@@ -16,7 +16,7 @@ internal sealed class FrontOrder(
     /// <summary>A colour that differs by more than this, squared grey levels, is another: far more than noise.</summary>
     private const int ClearSquares = 100;
 
-    /// <summary>And it must differ by so many times more than the other object's, squared.</summary>
+    /// <summary>And it must differ by this many times more than the other object's, squared.</summary>
     private const int ClearRatio = 4;
 
     /// <summary>Pixels around a pixel without a clear colour that decide for it: half the side of the greatest square, pixels.</summary>

@@ -18,7 +18,7 @@ internal sealed class MatteDoubts(ScreenMatte matte, ScreenView view)
     private const double LikeLevels = 18;
     private const double LikeChange = 0.5;
 
-    /// <summary>A pixel among so many of the object looks the same if it differs from one of them by less than this, grey levels.</summary>
+    /// <summary>A pixel with this many neighbours of the object looks like it if it differs less from one of them, grey levels.</summary>
     private const int Surrounding = 5;
     private const double SurroundedLevels = 25;
 

@@ -15,7 +15,7 @@ internal sealed class MatteEdges(ScreenMatte matte, ScreenView view, ScreenColou
     /// <summary>A larger share than this is the screen's pixel; so little more than half that noise does not decide.</summary>
     private const double MostShare = 0.505;
 
-    /// <summary>The object's colour is looked for over so many rows and columns on each side.</summary>
+    /// <summary>The object's colour is looked for over this many rows and columns on each side.</summary>
     private const int Reach = 2;
 
     /// <summary>A pixel with a larger share of the screen does not tell the object's colour.</summary>

@@ -13,7 +13,7 @@ namespace Harvester.Geometry.PixelMaps.Screens;
 /// </summary>
 internal sealed class ObjectScreen
 {
-    /// <summary>The box is larger than the cuboid by this on each side, metres, and at least by so many pixels.</summary>
+    /// <summary>The box is larger than the cuboid by this on each side, metres, and at least by this many pixels.</summary>
     private const double MarginMetres = 0.05;
     private const double MarginPixels = 1.5;
 

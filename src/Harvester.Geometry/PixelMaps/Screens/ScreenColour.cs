@@ -8,13 +8,13 @@ namespace Harvester.Geometry.PixelMaps.Screens;
 /// </summary>
 internal sealed class ScreenColour
 {
-    /// <summary>The colour is the mean of at least so many pixels.</summary>
+    /// <summary>The colour is the mean of at least this many pixels.</summary>
     private const int MinPixels = 6;
 
     /// <summary>A screen whose colour is weaker is not recognised.</summary>
     private const double MinStrength = 40;
 
-    /// <summary>The strongest of so many pixels are the screen's, and those weaker by no more than this.</summary>
+    /// <summary>The strongest of this many pixels are the screen's, and those weaker by no more than this.</summary>
     private const int StrongestOf = 20;
     private const double StrengthSpread = 30;
 

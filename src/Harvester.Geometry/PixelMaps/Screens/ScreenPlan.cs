@@ -19,7 +19,7 @@ public sealed class ScreenPlan : IPicturePlan
 
     private const int FirstScreened = 2;
 
-    /// <summary>Losing a part of an object before its screen is so many times worse than losing it of the screen only.</summary>
+    /// <summary>Losing a part of an object before its screen is this many times worse than losing it of the screen only.</summary>
     private const double ShownWeight = 4;
 
     private readonly Camera _camera;

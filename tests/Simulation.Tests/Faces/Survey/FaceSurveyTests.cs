@@ -100,7 +100,7 @@ public sealed class SpaceSurveyTests : IDisposable
             [("STOP", Provenance.Measured), (back.Name, Provenance.Estimated)], faces.Select(face => (face.Name, face.Provenance)));
         Assert.Equal(back, faces[1]);
 
-        // A second survey measures the front anew and finds the back among the player's own rows.
+        // A second survey measures the front again and finds the back among the player's own rows.
         File.Delete(Path.Combine(_path, "models.txt"));
         Survey(model with { Known = [] });
         Assert.Equal(["STOP", back.Name], Reopened().Table.Of("plate").Select(face => face.Name));

@@ -41,7 +41,7 @@ internal sealed class PropStage(IReadOnlyDictionary<string, Prop> props, Pose po
         return ticks > 0 ? ModelLoading.Loading : ModelLoading.Loaded;
     }
 
-    public void Forget(string model) => _ticksToLoad.Remove(model);
+    public void Release(string model) => _ticksToLoad.Remove(model);
 
     public int PutUp(string model)
     {
