@@ -44,7 +44,7 @@ public sealed class HarvestNormalsTests : IDisposable
 
         Assert.Equal(ExitCode.BadData, validated.ExitCode);
         Assert.Contains(
-            "map of normals 'normals/00000000.png' has 16 bits per pixel instead of 24.", validated.Output, StringComparison.Ordinal);
+            "map of normals 'normals/00000000.png' has 16 bits per pixel instead of 24.", validated.Out, StringComparison.Ordinal);
     }
 
     private MapLabel? MapOf(string session) =>
