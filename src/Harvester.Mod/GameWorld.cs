@@ -20,6 +20,12 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
     /// <summary>Peds so far behind the camera are not in its image, nor any part of them.</summary>
     private const double BehindMetres = 2;
 
+    /// <summary>A ped reaches less far from its position, also with its arms stretched out, metres.</summary>
+    private const double PedReachMetres = 2;
+
+    /// <summary>Factor on the extent of the view, for lenses that show more than a pinhole camera.</summary>
+    private const double ViewMargin = 1.25;
+
     private readonly CameraMount _mount;
     private readonly GameTime _time;
     private readonly GameRays _rays;
@@ -28,7 +34,8 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
     private readonly ReadingRecord _reading;
     private readonly NearbyEntities _nearby;
     private readonly PedBones _bones = new();
-    private Pose _camera;
+    private readonly StillEntities _still = new();
+    private CameraState? _camera;
     private FaceTable _table = FaceTable.Empty;
     private KnownModels _known;
 
@@ -53,6 +60,9 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
         _known = new KnownModels(models, _table);
     }
 
+    /// <summary>Whether cameras look in other directions than the one read last, so that joints outside its view count too.</summary>
+    public Func<bool> LooksAround { get; init; } = static () => false;
+
     /// <inheritdoc/>
     public long GameFrame => Natives.Call<int>(Hash.GET_FRAME_COUNT);
 
@@ -60,12 +70,7 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
     public double TimeSeconds => _time.Seconds;
 
     /// <inheritdoc/>
-    public CameraState ReadCamera()
-    {
-        CameraState camera = RenderedCamera.Read();
-        _camera = camera.Pose;
-        return camera;
-    }
+    public CameraState ReadCamera() => _camera = RenderedCamera.Read();
 
     /// <inheritdoc/>
     public EgoState ReadEgo()
@@ -88,6 +93,7 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
     public IEnumerable<EntityState?> ReadEntitiesInSteps(Vector3D centre, double range)
     {
         // Each native is called once: on release 3.6.0 one takes about 19 microseconds, and a street has dozens of peds.
+        _still.Begin(TimeSeconds);
         int player = Natives.PlayerPed();
         var occupied = new HashSet<int>();
         foreach (int ped in Near(EntityKind.Ped, centre, range))
@@ -110,6 +116,11 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
             }
             else
             {
+                if (vehicle is not null)
+                {
+                    yield return null;
+                }
+
                 EntityState? state = ped != player && Natives.IsHuman(ped) ? Read(ped, EntityKind.Ped) : null;
                 if (state is not null && vehicle is not null)
                 {
@@ -118,15 +129,19 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
 
                 if (state is not null && IsForJoints(state, centre) && _bones.HasAll(ped))
                 {
-                    foreach (Skeleton? joints in PedBones.ReadInSteps(ped))
+                    Skeleton? skeleton = null;
+                    foreach (Skeleton? joints in PedBones.ReadInSteps(ped, _still.JointsOf(ped)))
                     {
                         if (joints is null)
                         {
                             yield return null;
                         }
 
-                        state = state with { Skeleton = joints };
+                        skeleton = joints;
                     }
+
+                    _still.Add(ped, skeleton!);
+                    state = state with { Skeleton = skeleton };
 
                     // The bones of a ped that has disappeared meanwhile are at the world's origin.
                     state = Natives.EntityExists(ped) ? state : null;
@@ -158,6 +173,7 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
     {
         const int prop = 3;
         TakeTable();
+        _still.Begin(TimeSeconds);
         return Natives.Call<int>(Hash.GET_ENTITY_TYPE, entity) == prop ? Read(entity, EntityKind.Prop) : null;
     }
 
@@ -204,7 +220,22 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
     /// <summary>Whether the joints of a ped may be in the image of the camera read last.</summary>
     private bool IsForJoints(EntityState ped, Vector3D centre) =>
         (ped.Pose.Position - centre).Length < JointRangeMetres
-        && (ped.Pose.Position - _camera.Position).Dot(_camera.Axes.Forward) > -BehindMetres;
+        && (_camera is not { } camera
+            || (LooksAround() ? camera.Pose.ToLocal(ped.Pose.Position).Y > -BehindMetres : MayBeInView(camera, ped.Pose.Position)));
+
+    /// <summary>
+    /// Whether a ped may reach into the view. At the depth y, the view extends t y to each side, t being the tangent of half its angle; a
+    /// ball of radius r around the ped reaches into it if the ped is less than r / cos = r √(1 + t²) farther away, measured sideways.
+    /// </summary>
+    private static bool MayBeInView(CameraState camera, Vector3D position)
+    {
+        Vector3D local = camera.Pose.ToLocal(position);
+        double up = ViewMargin * Math.Tan(Angles.ToRadians(camera.VerticalFovDegrees) / 2);
+        return local.Y > -PedReachMetres && IsWithin(local.Z, up) && IsWithin(local.X, up * camera.WindowAspect);
+
+        bool IsWithin(double aside, double tangent) =>
+            Math.Abs(aside) - (tangent * local.Y) < PedReachMetres * Math.Sqrt(1 + (tangent * tangent));
+    }
 
     /// <summary>Rebuilds the known models if the table in use has changed.</summary>
     private void TakeTable()
@@ -214,6 +245,7 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
         {
             _table = table;
             _known = new KnownModels(_models, table);
+            _still.Clear();
             _nearby.PropModels = [.. table.Faces.Select(face => face.Hash).Distinct()];
         }
     }
@@ -221,14 +253,8 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
     /// <summary>The current state of an entity; null if it no longer exists, even if it disappears while it is read.</summary>
     private EntityState? Read(int handle, EntityKind kind)
     {
-        if (!Natives.EntityExists(handle))
-        {
-            return null;
-        }
-
         try
         {
-            ModelFacts model = FactsOf(kind, handle);
             if (Natives.EntityMatrix(handle) is not { } matrix)
             {
                 if (Natives.EntityExists(handle))
@@ -239,9 +265,21 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
                 return null;
             }
 
+            if (_still.Of(handle, matrix) is { } known)
+            {
+                return known;
+            }
+
+            if (!Natives.EntityExists(handle))
+            {
+                return null;
+            }
+
+            ModelFacts model = FactsOf(kind, handle);
             var state = new EntityState(
                 handle, model.Class, model.Name, matrix.Pose, matrix.Stretch(model.Min), matrix.Stretch(model.Max),
                     Natives.EntityVelocity(handle));
+            _still.Add(matrix, state);
             _rays.Know(handle);
             return state;
         }

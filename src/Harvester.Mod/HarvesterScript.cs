@@ -86,8 +86,6 @@ public sealed class HarvesterScript : Script
         var sheets = new DrawnSheets(display);
         var hud = new HiddenHud(new GameHud(), display, TakesPictures);
         var card = new DrawnCard(display);
-        var hidden = new HiddenEntities(
-            new GameShownEntities(), _folder.HiddenPath, _messages, () => _harvest!.IsOn || _selfTest!.IsOn);
         var roads = new GrowingRoads(player.LaneWidthMetres, player.NarrowLaneWidthMetres);
         var vehicles = new GameVehicles();
         var models = new GameModels();
@@ -95,7 +93,12 @@ public sealed class HarvesterScript : Script
         var car = new TestCar(player, _messages, models, vehicles, clock);
         var mount = new CameraMount(player, _messages, cameras, vehicles);
         var nearby = new NearbyEntities(build, new NativeLists(time, rays), reading, _messages);
-        var world = new GameWorld(mount, time, rays, models, () => _harvest!.Faces, nearby, reading);
+        var hidden = new HiddenEntities(
+            new GameShownEntities(nearby), _folder.HiddenPath, _messages, () => _harvest!.IsOn || _selfTest!.IsOn);
+        var world = new GameWorld(mount, time, rays, models, () => _harvest!.Faces, nearby, reading)
+        {
+            LooksAround = () => _harvest!.HasRig,
+        };
         var lights = new LightDriving(
             world, new GameTrafficLights(), player.LightOrder, player.Options.RangeMetres, player.Options.MaxPictureLagTicks + 2)
         {

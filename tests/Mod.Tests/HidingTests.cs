@@ -1,4 +1,5 @@
 using System.Windows.Forms;
+using GTA.Hosting;
 using GTA.Native;
 using Harvester.Mod.Tests.Games;
 
@@ -138,6 +139,53 @@ public sealed class HidingTests
         Assert.Contains(driver.Game.Texts, text =>
             text.StartsWith("REC  ", StringComparison.Ordinal) && text.Contains("  MASKS FROM RAYS", StringComparison.Ordinal));
         Assert.Contains("Masks come from rays: ", driver.Log(), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Occupants_are_hidden_and_shown_with_their_vehicle()
+    {
+        using var driver = new ScriptDriver(Ini);
+        HarvestTests.Street(driver.Game);
+        int vehicle = driver.Game.HandleOf(driver.Game.Vehicles.First(each => driver.Game.HandleOf(each) != driver.Game.PlayersVehicle));
+        GameEntity[] occupants = [.. Enumerable.Range(0, 2).Select(_ => new GameEntity
+        {
+            Pool = PoolKind.Peds,
+            Name = "a_m_y_hipster_01",
+            Pose = driver.Game.Entities[vehicle].Pose,
+            Vehicle = vehicle,
+        })];
+        Array.ForEach(occupants, occupant => driver.Game.Add(occupant));
+        driver.Press(Keys.J);
+        int hidden = 0;
+        driver.Until(() =>
+        {
+            bool isHidden = driver.Game.Entities[vehicle].IsHidden;
+            hidden += isHidden ? 1 : 0;
+            Assert.All(occupants, occupant => Assert.Equal(isHidden, occupant.IsHidden));
+            return hidden > 0 && !isHidden;
+        });
+    }
+
+    [Fact]
+    public void Occupant_hidden_by_another_mod_stays_hidden()
+    {
+        using var driver = new ScriptDriver(Ini);
+        HarvestTests.Street(driver.Game);
+        int vehicle = driver.Game.HandleOf(driver.Game.Vehicles.First(each => driver.Game.HandleOf(each) != driver.Game.PlayersVehicle));
+        var occupant = new GameEntity
+        {
+            Pool = PoolKind.Peds,
+            Name = "a_m_y_hipster_01",
+            Pose = driver.Game.Entities[vehicle].Pose,
+            Vehicle = vehicle,
+            IsHidden = true,
+        };
+        driver.Game.Add(occupant);
+        driver.Press(Keys.J);
+        driver.Until(() => driver.Game.Entities[vehicle].IsHidden);
+        driver.Until(() => !driver.Game.Entities[vehicle].IsHidden);
+
+        Assert.True(occupant.IsHidden);
     }
 
     [Theory]

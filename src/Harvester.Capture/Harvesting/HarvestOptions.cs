@@ -64,6 +64,11 @@ public sealed record HarvestOptions : LabellingOptions
     /// </summary>
     public FreezeReport? KnownFreezing { get; init; }
 
+    /// <summary>
+    /// Whether a harvest of a game that can hide its own display compares frozen pictures with and without it before the first frame.
+    /// </summary>
+    public bool ChecksDisplay { get; init; }
+
     /// <summary>Whether scenes are recorded, so that labels can be recomputed without the game.</summary>
     public bool Scenes { get; init; } = true;
 

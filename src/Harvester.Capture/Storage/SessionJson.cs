@@ -34,6 +34,14 @@ internal static class SessionJson
             Append(json.Key("freezing"), freezing);
         }
 
+        if (record.Start.Display is { } display)
+        {
+            json.Key("display").BeginObject()
+                .Key("state").String(JsonName.Of(display.State))
+                .Key("region").String(display.Region)
+                .EndObject();
+        }
+
         json.EndObject();
         JsonLabelWriter.Append(json.Key("camera"), CameraLabel.Of(options.CameraOf(record.Start.Camera)));
         AppendEnd(json, record);

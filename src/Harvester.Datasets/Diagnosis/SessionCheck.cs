@@ -40,6 +40,14 @@ internal static class SessionCheck
                 Evidence(warning));
         }
 
+        if (session.DoesDisplayStay)
+        {
+            yield return new Finding(
+                "The game's radar and HUD may be in the pictures: hiding them changed nothing while the game was frozen.",
+                "Switch both off in the game's settings, and harvest again.",
+                Evidence("start.display.state is stays"));
+        }
+
         string counts = $"{captured} captured, discarded: "
             + $"{string.Join(", ", session.Discards.Select(discard => $"{discard.Value} {discard.Key}"))}";
         foreach (Finding finding in DiscardCheck.Of(captured, session.Discards, session.IsFreezeGiven, Evidence(counts)))

@@ -8,8 +8,9 @@ namespace Harvester.Geometry.Visibility;
 /// <summary>
 /// Estimates visibility by rays through pixels spread evenly over the cuboid's silhouette in the image. A sample counts if its ray hits the
 /// object itself; it is hidden if something lies in front of the cuboid. Whether a hidden sample would have hit the object is decided by a
-/// second ray that starts at the cuboid, so that the gaps between a cuboid and the object in it do not count. If no sample is on the
-/// object, more rays are cast: it may be thin, outside the image, or not hit by rays.
+/// second ray that starts at the cuboid, so that the gaps between a cuboid and the object in it do not count. If no sample sees the
+/// object, second rays are cast only until one hits it: it is then hidden completely. If no sample is on the object, more rays are cast: it
+/// may be thin, outside the image, or not hit by rays.
 /// </summary>
 public sealed class OcclusionEstimator
 {
@@ -85,6 +86,7 @@ public sealed class OcclusionEstimator
         }
 
         var probe = new CuboidProbe(camera.Pose.Position, cuboid, entity, ignoredEntity, rays);
+        var unexamined = new Queue<Ray>();
         int cast = 0;
         int visible = 0;
         int hidden = 0;
@@ -92,6 +94,15 @@ public sealed class OcclusionEstimator
         int stopped = 0;
         foreach (Vector2D pixel in SilhouetteSamples.Of(projection, box, MoreSamples * _samples))
         {
+            // Without a sample that sees the object, the fraction is 1 as soon as one hidden sample is on it.
+            while (onCuboid >= _samples && visible + hidden == 0 && stopped < onCuboid && unexamined.Count > 0)
+            {
+                if (Examine())
+                {
+                    yield return null;
+                }
+            }
+
             if (onCuboid >= _samples && (visible + hidden > 0 || stopped == onCuboid))
             {
                 break;
@@ -118,8 +129,16 @@ public sealed class OcclusionEstimator
             else if (first is { } blocker && blocker.Distance < span.Entry)
             {
                 stopped++;
-                cast++;
-                hidden += probe.Meets(ray) ? 1 : 0;
+                unexamined.Enqueue(ray);
+            }
+        }
+
+        // How many hidden samples are on the object counts only beside samples that see it.
+        while (unexamined.Count > 0 && (visible > 0 || hidden == 0))
+        {
+            if (Examine())
+            {
+                yield return null;
             }
         }
 
@@ -144,6 +163,14 @@ public sealed class OcclusionEstimator
             yield return null;
             Sight sight = SightFinder.FindUnhit(probe, out int probes);
             yield return new OcclusionEstimate(0, 0, cast + probes, OcclusionMethod.None) { Sight = sight };
+        }
+
+        // Returns whether a step is over.
+        bool Examine()
+        {
+            cast++;
+            hidden += probe.Meets(unexamined.Dequeue()) ? 1 : 0;
+            return unexamined.Count % SamplesOfAStep == 0;
         }
     }
 }

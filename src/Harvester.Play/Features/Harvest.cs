@@ -82,6 +82,15 @@ public sealed class Harvest : ILastingFeature, IDisposable
     /// <summary>Whether the running harvest was to photograph its masks and makes them from rays instead.</summary>
     public bool AreMasksReplaced => _session?.Warnings.Any(warning => warning.Code == FaultCode.NothingHidden) ?? false;
 
+    /// <summary>
+    /// Real time that the game takes for a second of its own time while frames are harvested, in the running harvest or in the last one
+    /// that measured it; null before.
+    /// </summary>
+    public double? RealSecondsPerGameSecond { get; private set; }
+
+    /// <summary>Whether the running harvest has a rig, whose cameras look in several directions.</summary>
+    public bool HasRig => IsOn && _startedWith?.Rig is not null;
+
     /// <summary>Number of frames waiting to be written.</summary>
     public int Queued => _writer.Opened?.Queued ?? 0;
 
@@ -155,6 +164,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         {
             MaxFrames = Options.ViewsPerMoment,
             ProbeLag = false,
+            ChecksDisplay = false,
             Faces = FacesInUse(),
             KnownFreezing = _freezing is { IsConclusive: true } ? _freezing : null
         };
@@ -183,7 +193,11 @@ public sealed class Harvest : ILastingFeature, IDisposable
             return;
         }
 
-        _display.HideGames();
+        if (Status is not { Phase: HarvestPhase.CheckingDisplay })
+        {
+            _display.HideGames();
+        }
+
         if (!_mount.IsMounted)
         {
             Stop();
@@ -192,6 +206,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         {
             HarvestStatus status = session.Step();
             KeepFreezing(session);
+            RealSecondsPerGameSecond = session.RealSecondsPerGameSecond ?? RealSecondsPerGameSecond;
             LogWarnings(session);
             if (status.IsOver)
             {
@@ -350,10 +365,10 @@ public sealed class Harvest : ILastingFeature, IDisposable
             _singles = new SingleFrames(writer.Folder, _startedWith!.Lens, _startedWith.Faces!, session.CalibrationErrorPixels);
         }
 
-        Tell(session);
+        Tell(session, writer.FramesWritten == 0 && writer.RemovesFailedStart);
     }
 
-    private void Tell(HarvestSession session)
+    private void Tell(HarvestSession session, bool isNew)
     {
         HarvestStatus status = session.Status;
         string discards = string.Join(", ",
@@ -370,7 +385,9 @@ public sealed class Harvest : ILastingFeature, IDisposable
             _messages.Tell(HarvestAdvice.TextOf(warning));
         }
 
-        _messages.Tell(session.Failure is { } fault ? $"{HarvestAdvice.TextOf(fault)} ({counts})"
+        string kept = status is { Captured: 0, Discarded: 0 } && isNew ? $"{counts}; its empty folder is removed" : counts;
+        _messages.Tell(session.Failure is { } fault
+            ? $"{HarvestAdvice.TextOf(fault)} ({kept})"
             : $"The harvest ended: {counts}, in {_folder}.");
     }
 

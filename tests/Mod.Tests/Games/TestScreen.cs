@@ -1,4 +1,5 @@
 using Harvester.Capture.Ports;
+using Harvester.Geometry.Cameras;
 using Harvester.Play.Screen;
 using Harvester.Sessions.Imaging;
 
@@ -15,6 +16,9 @@ internal sealed class TestScreen(TestGame game) : IScreen, IGameWindow
 
     /// <summary>Whether the picture shows weather and time of day instead of the number of the frame.</summary>
     public bool ShowsSky { get; set; }
+
+    /// <summary>Whether the picture shows the radar, as far as the game does.</summary>
+    public bool ShowsRadar { get; set; }
 
     public string? Refusal { get; set; }
 
@@ -34,6 +38,25 @@ internal sealed class TestScreen(TestGame game) : IScreen, IGameWindow
         int hidden = ShowsHiding && game.Entities.Values.Any(entity => entity.IsHidden) ? HiddenLevels : 0;
         long shown = ShowsSky ? (game.Environment.Weather.Length * 10) + game.Environment.TimeOfDay.Hours : game.Frame % 255;
         Array.Fill(target.Bytes, (byte)((1 + shown + hidden) % 256));
+        if (ShowsRadar && game.ShowedRadar)
+        {
+            DrawRadar(target);
+        }
+
         return Refusal is null ? GrabResult.Good : GrabResult.Refused(Refusal);
+    }
+
+    /// <summary>A green rectangle at the lower left.</summary>
+    private static void DrawRadar(PixelBuffer target)
+    {
+        ImageSize size = target.Size;
+        for (int row = size.Height * 3 / 4; row < size.Height; row++)
+        {
+            for (int column = 0; column < size.Width / 4; column++)
+            {
+                int pixel = PixelBuffer.BytesPerPixel * ((row * size.Width) + column);
+                (target.Bytes[pixel], target.Bytes[pixel + 1], target.Bytes[pixel + 2]) = (0, 200, 0);
+            }
+        }
     }
 }
