@@ -98,62 +98,55 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
         var occupied = new HashSet<int>();
         foreach (int ped in Near(EntityKind.Ped, centre, range))
         {
-            if (!Natives.EntityExists(ped))
+            ScaledPose? place = Natives.EntityMatrix(ped);
+            PedRole? known = place is { } still ? _still.RoleOf(ped, still) : null;
+            PedRole role = known ?? RoleOf(ped, player);
+            if (known is null)
             {
-                continue;
-            }
-
-            int? vehicle = Natives.IsInVehicle(ped) ? Natives.VehicleSeating(ped) : null;
-            if (vehicle is { } seat)
-            {
-                occupied.Add(seat);
-            }
-
-            if (vehicle is { } boarded && !IsRidden(boarded))
-            {
-                // Who is seen through the windows belongs to the vehicle.
                 yield return null;
+                if (place is { } at)
+                {
+                    _still.Add(ped, at, role);
+                }
             }
-            else
+
+            if (role.Vehicle is { } boarded)
             {
-                if (vehicle is not null)
-                {
-                    yield return null;
-                }
+                occupied.Add(boarded);
+            }
 
-                EntityState? state = ped != player && Natives.IsHuman(ped) ? Read(ped, EntityKind.Ped) : null;
-                if (state is not null && vehicle is not null)
-                {
-                    state = state with { Class = ObjectClass.Rider, VehicleHandle = vehicle };
-                }
+            EntityState? state = role.IsLabelled ? Read(ped, EntityKind.Ped, place) : null;
+            if (state is not null && role.Vehicle is { } ridden)
+            {
+                state = state with { Class = ObjectClass.Rider, VehicleHandle = ridden };
+            }
 
-                if (state is not null && IsForJoints(state, centre) && _bones.HasAll(ped))
+            if (state is not null && IsForJoints(state, centre) && _bones.HasAll(ped))
+            {
+                Skeleton? skeleton = null;
+                foreach (Skeleton? joints in PedBones.ReadInSteps(ped, _still.JointsOf(ped)))
                 {
-                    Skeleton? skeleton = null;
-                    foreach (Skeleton? joints in PedBones.ReadInSteps(ped, _still.JointsOf(ped)))
+                    if (joints is null)
                     {
-                        if (joints is null)
-                        {
-                            yield return null;
-                        }
-
-                        skeleton = joints;
+                        yield return null;
                     }
 
-                    _still.Add(ped, skeleton!);
-                    state = state with { Skeleton = skeleton };
-
-                    // The bones of a ped that has disappeared meanwhile are at the world's origin.
-                    state = Natives.EntityExists(ped) ? state : null;
+                    skeleton = joints;
                 }
 
-                yield return state;
+                _still.Add(ped, skeleton!);
+                state = state with { Skeleton = skeleton };
+
+                // The bones of a ped that has disappeared meanwhile are at the world's origin.
+                state = Natives.EntityExists(ped) ? state : null;
             }
+
+            yield return state;
         }
 
         foreach (int machine in Near(EntityKind.Vehicle, centre, range))
         {
-            EntityState? state = Read(machine, EntityKind.Vehicle);
+            EntityState? state = Read(machine, EntityKind.Vehicle, Natives.EntityMatrix(machine));
             yield return state is not null && VehicleClasses.HaveRiders(state.Class)
                 ? state with { HasRider = occupied.Contains(machine) }
                 : state;
@@ -161,7 +154,7 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
 
         foreach (int prop in Near(EntityKind.Prop, centre, range))
         {
-            yield return Read(prop, EntityKind.Prop);
+            yield return Read(prop, EntityKind.Prop, Natives.EntityMatrix(prop));
         }
     }
 
@@ -174,7 +167,7 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
         const int prop = 3;
         TakeTable();
         _still.Begin(TimeSeconds);
-        return Natives.Call<int>(Hash.GET_ENTITY_TYPE, entity) == prop ? Read(entity, EntityKind.Prop) : null;
+        return Natives.Call<int>(Hash.GET_ENTITY_TYPE, entity) == prop ? Read(entity, EntityKind.Prop, Natives.EntityMatrix(entity)) : null;
     }
 
     /// <inheritdoc/>
@@ -211,6 +204,19 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
             EntityKind.Ped => _known.OfPed(hash),
             _ => _known.OfProp(hash),
         };
+    }
+
+    /// <summary>What a ped is to the labels. Who is seen through the windows of a vehicle belongs to it.</summary>
+    private PedRole RoleOf(int ped, int player)
+    {
+        if (!Natives.EntityExists(ped))
+        {
+            return default;
+        }
+
+        int? vehicle = Natives.IsInVehicle(ped) ? Natives.VehicleSeating(ped) : null;
+        bool isSeen = vehicle is not { } boarded || IsRidden(boarded);
+        return new PedRole(vehicle, isSeen && ped != player && Natives.IsHuman(ped));
     }
 
     /// <summary>Whether those on a vehicle sit on it and are seen: on a two-wheeler other than the one that carries the camera.</summary>
@@ -251,11 +257,14 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
     }
 
     /// <summary>The current state of an entity; null if it no longer exists, even if it disappears while it is read.</summary>
-    private EntityState? Read(int handle, EntityKind kind)
+    /// <param name="handle">The entity.</param>
+    /// <param name="kind">Its kind.</param>
+    /// <param name="place">Its matrix; null if no rotation and scale give it.</param>
+    private EntityState? Read(int handle, EntityKind kind, ScaledPose? place)
     {
         try
         {
-            if (Natives.EntityMatrix(handle) is not { } matrix)
+            if (place is not { } matrix)
             {
                 if (Natives.EntityExists(handle))
                 {

@@ -131,10 +131,9 @@ public sealed class HarvesterScript : Script
                 { FacesInUse = () => measured.InUse }
                 : null,
         };
-        _harvest = new Harvest(player.Options, player.Folder, _messages, mount, game, display, () =>
-            Origin(player))
+        _harvest = new Harvest(player.Options, player.Folder, _messages, mount, game, () => Origin(player))
         { Problem = HarvestProblem, FacesInUse = () => measured.InUse };
-        _calibration = new LensCalibration(_harvest, game, mount, display, _messages, _folder.SettingsPath);
+        _calibration = new LensCalibration(_harvest, game, mount, _messages, _folder.SettingsPath);
         _selfTest = new SelfTesting(
             _harvest, game, mount, _messages, player.Folder, _folder.SettingsPath, () => Origin(player))
         { Obstacle = DriveObstacle };
@@ -151,7 +150,7 @@ public sealed class HarvesterScript : Script
             new GameStage(models, rays),
             player.TakesPhotographs ? new SurveyCamera(cameras, screen, () => world.ReadCamera().WindowAspect) : null,
             SignModels.ToMeasure(_folder.ShippedFaces, player.FurtherModels),
-            measured, _harvest, mount, display, _messages, clock, player.SurveyBudgetMilliseconds);
+            measured, _harvest, mount, _messages, clock, player.SurveyBudgetMilliseconds);
         var marking = new FaceMarking(game, world, SignName.Choices(player.SignNames, _folder.ShippedFaces), _folder.ShippedFaces,
             measured, display, _messages)
         { IsPictureNear = IsPictureNear, IsHarvesting = () => _harvest.IsOn };

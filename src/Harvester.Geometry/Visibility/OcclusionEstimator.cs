@@ -20,8 +20,8 @@ public sealed class OcclusionEstimator
     /// </summary>
     private const int MoreSamples = 4;
 
-    /// <summary>Number of samples after which an estimate pauses: half a millisecond to a millisecond where rays are slowest.</summary>
-    private const int SamplesOfAStep = 8;
+    /// <summary>Number of rays after which an estimate pauses: about a quarter of a millisecond where rays are slowest.</summary>
+    public const int RaysOfAStep = 4;
 
     private readonly int _samples;
 
@@ -65,7 +65,7 @@ public sealed class OcclusionEstimator
     /// <param name="entity">The entity's handle.</param>
     /// <param name="ignoredEntity">Handle of an entity that hides nothing; <see cref="RayHit.World"/> if there is none.</param>
     /// <param name="rays">The ray caster.</param>
-    /// <returns>Null after each step; the estimate at the end.</returns>
+    /// <returns>Null after each <see cref="RaysOfAStep"/> rays; the estimate at the end.</returns>
     public IEnumerable<OcclusionEstimate?> EstimateInSteps(
         Camera camera, Cuboid cuboid, CuboidProjection projection, int entity, int ignoredEntity, IRayCaster rays)
     {
@@ -97,7 +97,8 @@ public sealed class OcclusionEstimator
             // Without a sample that sees the object, the fraction is 1 as soon as one hidden sample is on it.
             while (onCuboid >= _samples && visible + hidden == 0 && stopped < onCuboid && unexamined.Count > 0)
             {
-                if (Examine())
+                Examine();
+                if (IsStepOver())
                 {
                     yield return null;
                 }
@@ -114,11 +115,6 @@ public sealed class OcclusionEstimator
                 continue;
             }
 
-            if (onCuboid > 0 && onCuboid % SamplesOfAStep == 0)
-            {
-                yield return null;
-            }
-
             onCuboid++;
             cast++;
             RayHit? first = rays.Cast(ray, span.Exit + CuboidProbe.Margin, ignoredEntity);
@@ -131,12 +127,18 @@ public sealed class OcclusionEstimator
                 stopped++;
                 unexamined.Enqueue(ray);
             }
+
+            if (IsStepOver())
+            {
+                yield return null;
+            }
         }
 
         // How many hidden samples are on the object counts only beside samples that see it.
         while (unexamined.Count > 0 && (visible > 0 || hidden == 0))
         {
-            if (Examine())
+            Examine();
+            if (IsStepOver())
             {
                 yield return null;
             }
@@ -160,17 +162,26 @@ public sealed class OcclusionEstimator
         }
         else
         {
-            yield return null;
-            Sight sight = SightFinder.FindUnhit(probe, out int probes);
-            yield return new OcclusionEstimate(0, 0, cast + probes, OcclusionMethod.None) { Sight = sight };
+            Sight? sight = null;
+            foreach (Sight? found in SightFinder.FindUnhit(probe))
+            {
+                cast++;
+                sight = found;
+                if (sight is null && IsStepOver())
+                {
+                    yield return null;
+                }
+            }
+
+            yield return new OcclusionEstimate(0, 0, cast, OcclusionMethod.None) { Sight = sight!.Value };
         }
 
-        // Returns whether a step is over.
-        bool Examine()
+        void Examine()
         {
             cast++;
             hidden += probe.Meets(unexamined.Dequeue()) ? 1 : 0;
-            return unexamined.Count % SamplesOfAStep == 0;
         }
+
+        bool IsStepOver() => cast % RaysOfAStep == 0;
     }
 }

@@ -18,7 +18,6 @@ public sealed class Harvest : ILastingFeature, IDisposable
     private readonly PlayerMessages _messages;
     private readonly IMount _mount;
     private readonly GamePorts _game;
-    private readonly IDisplay _display;
     private readonly Func<SessionOrigin> _origin;
     private readonly SlowResource<SessionWriter> _writer = new();
     private HarvestOptions? _startedWith;
@@ -39,18 +38,15 @@ public sealed class Harvest : ILastingFeature, IDisposable
     /// <param name="messages">Reports how harvests ended.</param>
     /// <param name="mount">The camera of the harvest.</param>
     /// <param name="game">The game.</param>
-    /// <param name="display">Hides the game's own display while a harvest is running.</param>
     /// <param name="origin">Returns the origin of a session at the start of a harvest.</param>
     public Harvest(
-        HarvestOptions options, string folder, PlayerMessages messages, IMount mount, GamePorts game, IDisplay display,
-            Func<SessionOrigin> origin)
+        HarvestOptions options, string folder, PlayerMessages messages, IMount mount, GamePorts game, Func<SessionOrigin> origin)
     {
         Options = options;
         _folder = folder;
         _messages = messages;
         _mount = mount;
         _game = game;
-        _display = display;
         _origin = origin;
     }
 
@@ -191,11 +187,6 @@ public sealed class Harvest : ILastingFeature, IDisposable
         {
             TakeWaiting();
             return;
-        }
-
-        if (Status is not { Phase: HarvestPhase.CheckingDisplay })
-        {
-            _display.HideGames();
         }
 
         if (!_mount.IsMounted)

@@ -137,6 +137,29 @@ public sealed class OcclusionEstimatorTests
     }
 
     [Fact]
+    public void No_step_casts_more_rays_than_it_may()
+    {
+        int most = 0;
+        var camera = new Camera(new Pose(new(0, -20, 0), Axes.Identity), Camera.Intrinsics);
+        RandomCases.Check(100, RandomCases.ArrayOf(Draws.Cuboids(Draws.Vectors(8)), 4), drawn =>
+        {
+            // The object is a part of its cuboid or, in every other case, not hit by rays at all.
+            Cuboid part = new(drawn[0].Centre, drawn[0].HalfExtents * 0.6, drawn[0].Axes);
+            int hit = drawn[0].Centre.X > 0 ? Car : RayHit.World;
+            var world = new CuboidWorld([(hit, part), .. drawn.Skip(1).Select(solid => (RayHit.World, solid))]);
+            CuboidProjection projection = CuboidProjector.Project(camera, drawn[0]);
+            int before = 0;
+            foreach (OcclusionEstimate? _ in new OcclusionEstimator(32).EstimateInSteps(camera, drawn[0], projection, Car, Ego, world))
+            {
+                most = Math.Max(most, world.RaysCast - before);
+                before = world.RaysCast;
+            }
+        });
+
+        Assert.Equal(OcclusionEstimator.RaysOfAStep, most);
+    }
+
+    [Fact]
     public void Estimate_respects_its_ray_limit()
     {
         var estimator = new OcclusionEstimator(16);
