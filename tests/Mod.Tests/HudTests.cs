@@ -95,6 +95,34 @@ public sealed class HudTests
                 message => message.Contains("Switch them off in the game's settings", StringComparison.Ordinal)));
     }
 
+    [Theory]
+    [InlineData(1, "kept", null)]
+    [InlineData(1.6, "clipped", "a grey of 192 comes back as 255")]
+    public void Overexposed_pictures_are_found_before_the_first_frame(double gain, string state, string? warning)
+    {
+        using var driver = new ScriptDriver("[Harvest]\nCheckDisplay = On\n");
+        driver.Screen.Gain = gain;
+        HarvestTests.Street(driver.Game);
+        driver.Press(Keys.J);
+        driver.Tick(80);
+        bool isSaidAtOnce = driver.Game.Texts.Any(text => text.Contains("are clipped", StringComparison.Ordinal));
+        driver.Press(Keys.J);
+        driver.WaitForDisk();
+        driver.Tick(2);
+
+        string session = Path.Combine(Assert.Single(Directory.GetDirectories(driver.Output)), "session.json");
+        JsonElement colours = JsonDocument.Parse(File.ReadAllText(session)).RootElement.GetProperty("start").GetProperty("colours");
+        Assert.Equal(state, colours.GetProperty("state").GetString());
+        Assert.Equal(warning is not null, isSaidAtOnce);
+        Assert.Equal(
+            warning is not null,
+            driver.Game.Notifications.Any(message => message.Contains(warning ?? "are clipped", StringComparison.Ordinal)));
+        Assert.Equal(
+            warning is not null,
+            Doctor.Examine(Path.GetDirectoryName(session)!, false).Findings
+                .Any(finding => finding.Cause.Contains("Auto HDR", StringComparison.Ordinal)));
+    }
+
     private static void AssertDisplay(Action<TestGame> prepare, string state, string? region, Action<ScriptDriver>? further = null)
     {
         using var driver = new ScriptDriver("[Harvest]\nCheckDisplay = On\n", prepare);

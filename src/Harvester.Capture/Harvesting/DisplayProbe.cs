@@ -12,7 +12,7 @@ namespace Harvester.Capture.Harvesting;
 internal sealed class DisplayProbe(HarvestOptions options, GamePorts game, PixelBufferPool pool)
 {
     /// <summary>Ticks beyond the picture lag until the display has changed.</summary>
-    private const int ChangeTicks = 2;
+    internal const int ChangeTicks = 2;
 
     /// <summary>The finding; null if the game has no display that can be hidden, or it was not checked.</summary>
     public DisplayFinding? Finding { get; private set; }

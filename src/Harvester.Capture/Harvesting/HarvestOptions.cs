@@ -65,7 +65,8 @@ public sealed record HarvestOptions : LabellingOptions
     public FreezeReport? KnownFreezing { get; init; }
 
     /// <summary>
-    /// Whether a harvest of a game that can hide its own display compares frozen pictures with and without it before the first frame.
+    /// Whether a harvest, before its first frame, compares frozen pictures with and without the game's own display, and looks for colours
+    /// that it draws; as far as the game can hide the one and draw the other.
     /// </summary>
     public bool ChecksDisplay { get; init; }
 

@@ -107,6 +107,9 @@ public sealed class HarvestSession : IDisposable
     /// <summary>Whether the game's display can be hidden while it is frozen; null if it was not checked, or not yet.</summary>
     public DisplayFinding? Display { get; private set; }
 
+    /// <summary>How pictures show known colours; null if that was not checked, or not yet.</summary>
+    public ColourFinding? Colours { get; private set; }
+
     /// <summary>The picture lag; null if it was not measured.</summary>
     public PictureLag? Lag { get; private set; }
 
@@ -214,6 +217,13 @@ public sealed class HarvestSession : IDisposable
         }
 
         Display = display.Finding;
+        var colours = new ColourProbe(_options, _game, pool);
+        foreach (HarvestPhase phase in colours.Run())
+        {
+            yield return phase;
+        }
+
+        Colours = colours.Finding;
         var check = new CalibrationCheck(_options, _game);
         foreach (HarvestPhase phase in check.Run())
         {
@@ -228,7 +238,7 @@ public sealed class HarvestSession : IDisposable
         }
 
         bool isLagOpen = Lag is null && check.ErrorPixels is null && (_options.ProbeLag || check.Warning is not null);
-        _unchecked = [.. new[] { freeze.Warning, display.Warning, check.Warning, isLagOpen ? LagUnchecked : null }.OfType<CaptureFault>()];
+        _unchecked = [.. new[] { freeze.Warning, display.Warning, colours.Warning, check.Warning, isLagOpen ? LagUnchecked : null }.OfType<CaptureFault>()];
         CaptureFlows flows = _flows = new CaptureFlows(_options, _game, reader, pool, _budget, Counters, Calls) { NextLag = NextLag };
         ICaptureFlow flow = flows.For(_sink, Lag);
         using var frames = new FrameHarvester(_options, _sink, flow, Counters, _motion) { Watch = _watch };
@@ -266,7 +276,7 @@ public sealed class HarvestSession : IDisposable
         _startMilliseconds = _game.Clock.Milliseconds;
         _sink.Open(new SessionStart(_options, _gameFrame, _timeSeconds,
             _game.World.ReadCamera())
-        { CameraErrorPixels = CalibrationErrorPixels, Freezing = Freezing, Display = Display });
+        { CameraErrorPixels = CalibrationErrorPixels, Freezing = Freezing, Display = Display, Colours = Colours });
         _game.Reading?.Begin();
         _opened = true;
     }

@@ -17,4 +17,7 @@ public sealed record SessionStart(HarvestOptions Options, long GameFrame, double
 
     /// <summary>Whether the game's display can be hidden while it is frozen; null if it was not checked.</summary>
     public DisplayFinding? Display { get; init; }
+
+    /// <summary>How pictures show known colours; null if that was not checked.</summary>
+    public ColourFinding? Colours { get; init; }
 }

@@ -48,6 +48,9 @@ internal sealed partial class TestGame
     /// <summary>Whether the picture of the frame before shows the radar.</summary>
     public bool ShowedRadar { get; private set; }
 
+    /// <summary>What the picture of the frame before shows over the game.</summary>
+    public IReadOnlyList<DrawnRectangle> ShownRectangles { get; private set; } = [];
+
     /// <summary>The roads; null if there are none.</summary>
     public IRoadSource? Roads { get; set; }
 
@@ -68,6 +71,7 @@ internal sealed partial class TestGame
         bool isSwitchedOff = !IsRadarOn && (SwitchesHudWhilePaused || !IsFrozen);
         ShowedRadar = !isHiddenForFrame && !isSwitchedOff;
         ShowedDisplay = !IsHudHidden || !IsFeedHidden || Drawn.Count > 0 || Lines.Count > 0;
+        ShownRectangles = [.. Drawn];
         BallsDrawn([.. Balls]);
         Balls.Clear();
         Drawn.Clear();
