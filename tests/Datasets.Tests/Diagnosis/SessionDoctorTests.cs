@@ -45,7 +45,7 @@ public sealed class SessionDoctorTests : IDisposable
     [InlineData("changed", 1)]
     public void Session_with_other_colours_than_the_game_is_explained(string state, int findings)
     {
-        _session.Info["start"]!["colours"] = new JsonObject { ["state"] = state, ["grey192"] = 255, ["grey128"] = 205 };
+        _session.Info["start"] = JsonNode.Parse($$"""{ "colours": { "state": "{{state}}", "grey192": 255, "grey128": 205 } }""");
 
         IReadOnlyList<Finding> found = Examine();
         Assert.Equal(findings, found.Count);

@@ -61,7 +61,7 @@ internal sealed class TestScreen(TestGame game) : IScreen, IGameWindow
     private void Fill(PixelBuffer target, DrawnRectangle drawn) =>
         Fill(target, drawn.Place, Bright(drawn.Colour.Red), Bright(drawn.Colour.Green), Bright(drawn.Colour.Blue));
 
-    private byte Bright(byte level) => (byte)Math.Min(byte.MaxValue, Gain!.Value * level);
+    private byte Bright(int level) => (byte)Math.Min(byte.MaxValue, Gain!.Value * level);
 
     private static void Fill(PixelBuffer target, Box2D place, byte red, byte green, byte blue)
     {
