@@ -20,6 +20,12 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
     /// <summary>Peds so far behind the camera are not in its image, nor any part of them.</summary>
     private const double BehindMetres = 2;
 
+    /// <summary>A ped reaches less far from its position, also with its arms stretched out, metres.</summary>
+    private const double PedReachMetres = 2;
+
+    /// <summary>Factor on the extent of the view, for lenses that show more than a pinhole camera.</summary>
+    private const double ViewMargin = 1.25;
+
     private readonly CameraMount _mount;
     private readonly GameTime _time;
     private readonly GameRays _rays;
@@ -28,7 +34,8 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
     private readonly ReadingRecord _reading;
     private readonly NearbyEntities _nearby;
     private readonly PedBones _bones = new();
-    private Pose _camera;
+    private readonly StillEntities _still = new();
+    private CameraState? _camera;
     private FaceTable _table = FaceTable.Empty;
     private KnownModels _known;
 
@@ -53,6 +60,9 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
         _known = new KnownModels(models, _table);
     }
 
+    /// <summary>Whether cameras look in other directions than the one read last, so that joints outside its view count too.</summary>
+    public Func<bool> LooksAround { get; init; } = static () => false;
+
     /// <inheritdoc/>
     public long GameFrame => Natives.Call<int>(Hash.GET_FRAME_COUNT);
 
@@ -60,12 +70,7 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
     public double TimeSeconds => _time.Seconds;
 
     /// <inheritdoc/>
-    public CameraState ReadCamera()
-    {
-        CameraState camera = RenderedCamera.Read();
-        _camera = camera.Pose;
-        return camera;
-    }
+    public CameraState ReadCamera() => _camera = RenderedCamera.Read();
 
     /// <inheritdoc/>
     public EgoState ReadEgo()
@@ -88,57 +93,60 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
     public IEnumerable<EntityState?> ReadEntitiesInSteps(Vector3D centre, double range)
     {
         // Each native is called once: on release 3.6.0 one takes about 19 microseconds, and a street has dozens of peds.
+        _still.Begin(TimeSeconds);
         int player = Natives.PlayerPed();
         var occupied = new HashSet<int>();
         foreach (int ped in Near(EntityKind.Ped, centre, range))
         {
-            if (!Natives.EntityExists(ped))
+            ScaledPose? place = Natives.EntityMatrix(ped);
+            PedRole? known = place is { } still ? _still.RoleOf(ped, still) : null;
+            PedRole role = known ?? RoleOf(ped, player);
+            if (known is null)
             {
-                continue;
-            }
-
-            int? vehicle = Natives.IsInVehicle(ped) ? Natives.VehicleSeating(ped) : null;
-            if (vehicle is { } seat)
-            {
-                occupied.Add(seat);
-            }
-
-            if (vehicle is { } boarded && !IsRidden(boarded))
-            {
-                // Who is seen through the windows belongs to the vehicle.
                 yield return null;
-            }
-            else
-            {
-                EntityState? state = ped != player && Natives.IsHuman(ped) ? Read(ped, EntityKind.Ped) : null;
-                if (state is not null && vehicle is not null)
+                if (place is { } at)
                 {
-                    state = state with { Class = ObjectClass.Rider, VehicleHandle = vehicle };
+                    _still.Add(ped, at, role);
                 }
+            }
 
-                if (state is not null && IsForJoints(state, centre) && _bones.HasAll(ped))
+            if (role.Vehicle is { } boarded)
+            {
+                occupied.Add(boarded);
+            }
+
+            EntityState? state = role.IsLabelled ? Read(ped, EntityKind.Ped, place) : null;
+            if (state is not null && role.Vehicle is { } ridden)
+            {
+                state = state with { Class = ObjectClass.Rider, VehicleHandle = ridden };
+            }
+
+            if (state is not null && IsForJoints(state, centre) && _bones.HasAll(ped))
+            {
+                Skeleton? skeleton = null;
+                foreach (Skeleton? joints in PedBones.ReadInSteps(ped, _still.JointsOf(ped)))
                 {
-                    foreach (Skeleton? joints in PedBones.ReadInSteps(ped))
+                    if (joints is null)
                     {
-                        if (joints is null)
-                        {
-                            yield return null;
-                        }
-
-                        state = state with { Skeleton = joints };
+                        yield return null;
                     }
 
-                    // The bones of a ped that has disappeared meanwhile are at the world's origin.
-                    state = Natives.EntityExists(ped) ? state : null;
+                    skeleton = joints;
                 }
 
-                yield return state;
+                _still.Add(ped, skeleton!);
+                state = state with { Skeleton = skeleton };
+
+                // The bones of a ped that has disappeared meanwhile are at the world's origin.
+                state = Natives.EntityExists(ped) ? state : null;
             }
+
+            yield return state;
         }
 
         foreach (int machine in Near(EntityKind.Vehicle, centre, range))
         {
-            EntityState? state = Read(machine, EntityKind.Vehicle);
+            EntityState? state = Read(machine, EntityKind.Vehicle, Natives.EntityMatrix(machine));
             yield return state is not null && VehicleClasses.HaveRiders(state.Class)
                 ? state with { HasRider = occupied.Contains(machine) }
                 : state;
@@ -146,7 +154,7 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
 
         foreach (int prop in Near(EntityKind.Prop, centre, range))
         {
-            yield return Read(prop, EntityKind.Prop);
+            yield return Read(prop, EntityKind.Prop, Natives.EntityMatrix(prop));
         }
     }
 
@@ -158,7 +166,8 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
     {
         const int prop = 3;
         TakeTable();
-        return Natives.Call<int>(Hash.GET_ENTITY_TYPE, entity) == prop ? Read(entity, EntityKind.Prop) : null;
+        _still.Begin(TimeSeconds);
+        return Natives.Call<int>(Hash.GET_ENTITY_TYPE, entity) == prop ? Read(entity, EntityKind.Prop, Natives.EntityMatrix(entity)) : null;
     }
 
     /// <inheritdoc/>
@@ -197,6 +206,19 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
         };
     }
 
+    /// <summary>What a ped is to the labels. Who is seen through the windows of a vehicle belongs to it.</summary>
+    private PedRole RoleOf(int ped, int player)
+    {
+        if (!Natives.EntityExists(ped))
+        {
+            return default;
+        }
+
+        int? vehicle = Natives.IsInVehicle(ped) ? Natives.VehicleSeating(ped) : null;
+        bool isSeen = vehicle is not { } boarded || IsRidden(boarded);
+        return new PedRole(vehicle, isSeen && ped != player && Natives.IsHuman(ped));
+    }
+
     /// <summary>Whether those on a vehicle sit on it and are seen: on a two-wheeler other than the one that carries the camera.</summary>
     private bool IsRidden(int vehicle) => vehicle != _mount.Vehicle && Natives.EntityExists(vehicle)
         && VehicleClasses.HaveRiders(FactsOf(EntityKind.Vehicle, vehicle).Class);
@@ -204,7 +226,22 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
     /// <summary>Whether the joints of a ped may be in the image of the camera read last.</summary>
     private bool IsForJoints(EntityState ped, Vector3D centre) =>
         (ped.Pose.Position - centre).Length < JointRangeMetres
-        && (ped.Pose.Position - _camera.Position).Dot(_camera.Axes.Forward) > -BehindMetres;
+        && (_camera is not { } camera
+            || (LooksAround() ? camera.Pose.ToLocal(ped.Pose.Position).Y > -BehindMetres : MayBeInView(camera, ped.Pose.Position)));
+
+    /// <summary>
+    /// Whether a ped may reach into the view. At the depth y, the view extends t y to each side, t being the tangent of half its angle; a
+    /// ball of radius r around the ped reaches into it if the ped is less than r / cos = r √(1 + t²) farther away, measured sideways.
+    /// </summary>
+    private static bool MayBeInView(CameraState camera, Vector3D position)
+    {
+        Vector3D local = camera.Pose.ToLocal(position);
+        double up = ViewMargin * Math.Tan(Angles.ToRadians(camera.VerticalFovDegrees) / 2);
+        return local.Y > -PedReachMetres && IsWithin(local.Z, up) && IsWithin(local.X, up * camera.WindowAspect);
+
+        bool IsWithin(double aside, double tangent) =>
+            Math.Abs(aside) - (tangent * local.Y) < PedReachMetres * Math.Sqrt(1 + (tangent * tangent));
+    }
 
     /// <summary>Rebuilds the known models if the table in use has changed.</summary>
     private void TakeTable()
@@ -214,22 +251,20 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
         {
             _table = table;
             _known = new KnownModels(_models, table);
+            _still.Clear();
             _nearby.PropModels = [.. table.Faces.Select(face => face.Hash).Distinct()];
         }
     }
 
     /// <summary>The current state of an entity; null if it no longer exists, even if it disappears while it is read.</summary>
-    private EntityState? Read(int handle, EntityKind kind)
+    /// <param name="handle">The entity.</param>
+    /// <param name="kind">Its kind.</param>
+    /// <param name="place">Its matrix; null if no rotation and scale give it.</param>
+    private EntityState? Read(int handle, EntityKind kind, ScaledPose? place)
     {
-        if (!Natives.EntityExists(handle))
-        {
-            return null;
-        }
-
         try
         {
-            ModelFacts model = FactsOf(kind, handle);
-            if (Natives.EntityMatrix(handle) is not { } matrix)
+            if (place is not { } matrix)
             {
                 if (Natives.EntityExists(handle))
                 {
@@ -239,9 +274,21 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
                 return null;
             }
 
+            if (_still.Of(handle, matrix) is { } known)
+            {
+                return known;
+            }
+
+            if (!Natives.EntityExists(handle))
+            {
+                return null;
+            }
+
+            ModelFacts model = FactsOf(kind, handle);
             var state = new EntityState(
                 handle, model.Class, model.Name, matrix.Pose, matrix.Stretch(model.Min), matrix.Stretch(model.Max),
                     Natives.EntityVelocity(handle));
+            _still.Add(matrix, state);
             _rays.Know(handle);
             return state;
         }

@@ -86,8 +86,6 @@ public sealed class HarvesterScript : Script
         var sheets = new DrawnSheets(display);
         var hud = new HiddenHud(new GameHud(), display, TakesPictures);
         var card = new DrawnCard(display);
-        var hidden = new HiddenEntities(
-            new GameShownEntities(), _folder.HiddenPath, _messages, () => _harvest!.IsOn || _selfTest!.IsOn);
         var roads = new GrowingRoads(player.LaneWidthMetres, player.NarrowLaneWidthMetres);
         var vehicles = new GameVehicles();
         var models = new GameModels();
@@ -95,7 +93,12 @@ public sealed class HarvesterScript : Script
         var car = new TestCar(player, _messages, models, vehicles, clock);
         var mount = new CameraMount(player, _messages, cameras, vehicles);
         var nearby = new NearbyEntities(build, new NativeLists(time, rays), reading, _messages);
-        var world = new GameWorld(mount, time, rays, models, () => _harvest!.Faces, nearby, reading);
+        var hidden = new HiddenEntities(
+            new GameShownEntities(nearby), _folder.HiddenPath, _messages, () => _harvest!.IsOn || _selfTest!.IsOn);
+        var world = new GameWorld(mount, time, rays, models, () => _harvest!.Faces, nearby, reading)
+        {
+            LooksAround = () => _harvest!.HasRig,
+        };
         var lights = new LightDriving(
             world, new GameTrafficLights(), player.LightOrder, player.Options.RangeMetres, player.Options.MaxPictureLagTicks + 2)
         {
@@ -128,10 +131,9 @@ public sealed class HarvesterScript : Script
                 { FacesInUse = () => measured.InUse }
                 : null,
         };
-        _harvest = new Harvest(player.Options, player.Folder, _messages, mount, game, display, () =>
-            Origin(player))
+        _harvest = new Harvest(player.Options, player.Folder, _messages, mount, game, () => Origin(player))
         { Problem = HarvestProblem, FacesInUse = () => measured.InUse };
-        _calibration = new LensCalibration(_harvest, game, mount, display, _messages, _folder.SettingsPath);
+        _calibration = new LensCalibration(_harvest, game, mount, _messages, _folder.SettingsPath);
         _selfTest = new SelfTesting(
             _harvest, game, mount, _messages, player.Folder, _folder.SettingsPath, () => Origin(player))
         { Obstacle = DriveObstacle };
@@ -148,7 +150,7 @@ public sealed class HarvesterScript : Script
             new GameStage(models, rays),
             player.TakesPhotographs ? new SurveyCamera(cameras, screen, () => world.ReadCamera().WindowAspect) : null,
             SignModels.ToMeasure(_folder.ShippedFaces, player.FurtherModels),
-            measured, _harvest, mount, display, _messages, clock, player.SurveyBudgetMilliseconds);
+            measured, _harvest, mount, _messages, clock, player.SurveyBudgetMilliseconds);
         var marking = new FaceMarking(game, world, SignName.Choices(player.SignNames, _folder.ShippedFaces), _folder.ShippedFaces,
             measured, display, _messages)
         { IsPictureNear = IsPictureNear, IsHarvesting = () => _harvest.IsOn };

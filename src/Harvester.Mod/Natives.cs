@@ -62,6 +62,16 @@ internal static class Natives
     /// <summary>The vehicle of a ped that sits in one.</summary>
     public static int VehicleSeating(int ped) => Call<int>(Hash.GET_VEHICLE_PED_IS_IN, ped, false);
 
+    /// <summary>The trailer that a vehicle pulls, or 0.</summary>
+    public static int TrailerOf(int vehicle)
+    {
+        using var trailer = new NativeOutput();
+        return Call<bool>(Hash.GET_VEHICLE_TRAILER_VEHICLE, vehicle, trailer) ? trailer.Integer : 0;
+    }
+
+    /// <summary>The entity to which another one is attached, or 0.</summary>
+    public static int CarrierOf(int entity) => Call<int>(Hash.GET_ENTITY_ATTACHED_TO, entity);
+
     /// <summary>Places a vehicle on all its wheels.</summary>
     public static void PlaceOnGround(int vehicle)
     {

@@ -25,6 +25,9 @@ internal sealed class NearbyEntities(GameBuild build, NativeLists natives, Readi
     /// <summary>The models of props to list, by hash.</summary>
     public IReadOnlyList<int> PropModels { get; set; } = [];
 
+    /// <summary>Whether the API, and not natives, lists the entities of a kind.</summary>
+    public bool IsListedByApi(EntityKind kind) => build.ListProblem is null && reading.SourceOf(kind) == ListSource.Api;
+
     /// <summary>The vehicles within a radius of a point.</summary>
     public IReadOnlyList<int> Vehicles(Vector3D centre, double radius) =>
         List(EntityKind.Vehicle, centre, radius, static (place, within) => World.GetNearbyVehicles(place, within));

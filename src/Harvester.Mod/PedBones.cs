@@ -28,6 +28,10 @@ internal sealed class PedBones
         0xE39F, 0xF9BB, 0x3779,
     ];
 
+    /// <summary>The ends of the body, which an animation that goes on moves first.</summary>
+    private static readonly Joint[] Ends =
+        [Joint.HeadCenter, Joint.RightWrist, Joint.LeftWrist, Joint.RightAnkle, Joint.LeftAnkle];
+
     private readonly Dictionary<int, bool> _hasAll = [];
 
     /// <summary>
@@ -47,13 +51,20 @@ internal sealed class PedBones
 
     /// <summary>Reads the joints in steps.</summary>
     /// <param name="ped">A ped whose model has all bones.</param>
+    /// <param name="known">Its joints as they were, which are returned if head, hands and feet have not moved; null to read all.</param>
     /// <returns>Null after each step; the joints at the end.</returns>
-    public static IEnumerable<Skeleton?> ReadInSteps(int ped)
+    public static IEnumerable<Skeleton?> ReadInSteps(int ped, Skeleton? known)
     {
+        if (known is not null && Array.TrueForAll(Ends, joint => Read(ped, (int)joint) == known.Joints[(int)joint]))
+        {
+            yield return known;
+            yield break;
+        }
+
         var joints = new Vector3D[Skeleton.Count];
         for (int joint = 1; joint < joints.Length; joint++)
         {
-            joints[joint] = Natives.ToWorld(Natives.Call<Vector3>(Hash.GET_PED_BONE_COORDS, ped, Ids[joint], 0f, 0f, 0f));
+            joints[joint] = Read(ped, joint);
             if (joint % BonesOfAStep == 0)
             {
                 yield return null;
@@ -63,4 +74,7 @@ internal sealed class PedBones
         joints[(int)Joint.HeadTop] = Skeleton.CrownOf(joints[(int)Joint.Neck], joints[(int)Joint.HeadCenter]);
         yield return new Skeleton(joints);
     }
+
+    private static Vector3D Read(int ped, int joint) =>
+        Natives.ToWorld(Natives.Call<Vector3>(Hash.GET_PED_BONE_COORDS, ped, Ids[joint], 0f, 0f, 0f));
 }

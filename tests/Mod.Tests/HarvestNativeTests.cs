@@ -63,9 +63,8 @@ public sealed class HarvestNativeTests
         }
 
         // A harvest that takes frames spends most of the budget in some tick.
-        spent.Sort();
-        Assert.InRange(spent[^1], 0.5 * new HarvestOptions().TickBudgetMilliseconds, double.MaxValue);
-        Assert.InRange(spent[(int)(0.99 * Ticks)], 0, new HarvestOptions().TickBudgetMilliseconds);
+        double budget = new HarvestOptions().TickBudgetMilliseconds;
+        Assert.InRange(spent.Max(), 0.5 * budget, budget);
     }
 
     [Fact]

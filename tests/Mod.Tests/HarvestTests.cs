@@ -1,4 +1,6 @@
+using System.Globalization;
 using System.Text.Json;
+using System.Text.RegularExpressions;
 using System.Windows.Forms;
 using GTA.Hosting;
 using GTA.Native;
@@ -121,9 +123,56 @@ public sealed class HarvestTests
         }
 
         // The free space is read on another thread.
-        driver.Until(() => driver.Game.Texts.Any(text => text.EndsWith("free", StringComparison.Ordinal)));
-        Assert.Matches(@"^REC  \d+ frames  \d+\.\d/s  0 discarded  queue \d+  \d+\.\d GB free$", driver.Game.Texts[^1]);
+        driver.Until(() => driver.Game.Texts.Any(text => text.Contains("free", StringComparison.Ordinal)));
+        Assert.Matches(
+            @"^REC  \d+ frames  \d+\.\d/s  0 discarded  queue \d+  \d+\.\d GB free(  1 minute of driving takes \d+(\.\d)?)?$",
+            driver.Game.Texts[^1]);
         Assert.All(lines, line => Assert.InRange(line.Length, 1, 99));
+    }
+
+    [Fact]
+    public void Display_states_how_long_a_minute_of_driving_takes()
+    {
+        // A frame is taken after each second tick of the running game, and needs some ticks of the frozen one.
+        const double millisecondsOfATick = 20;
+        const int ticks = 400;
+        const double toleranceOfFirstFrame = 0.05;
+        using var driver = new ScriptDriver("[Harvest]\nQueue = 1000\n");
+        Street(driver.Game);
+        driver.Press(Keys.J);
+        int before = driver.Game.TimerMilliseconds;
+        string line = string.Empty;
+        for (int tick = 0; tick < ticks; tick++)
+        {
+            driver.Clock.Milliseconds += millisecondsOfATick;
+            driver.Tick();
+            driver.WaitForDisk();
+            line = driver.Game.Texts.Count > 0 ? driver.Game.Texts[^1] : line;
+        }
+
+        double ratio = ticks * millisecondsOfATick / (driver.Game.TimerMilliseconds - before);
+        string shown = Regex.Match(line, @"1 minute of driving takes (\d+(\.\d)?)").Groups[1].Value;
+        Assert.InRange(double.Parse(shown, CultureInfo.InvariantCulture), ratio - 0.05 - (toleranceOfFirstFrame * ratio),
+            ratio + 0.05 + (toleranceOfFirstFrame * ratio));
+    }
+
+    [Fact]
+    public void Failure_before_the_first_frame_leaves_no_folder()
+    {
+        using var driver = new ScriptDriver();
+        Street(driver.Game);
+        driver.Press(Keys.J);
+
+        // The session is open, and its first frame is being read.
+        driver.Game.Fault = native => native == Hash.GET_ENTITY_MATRIX ? new InvalidOperationException("The native is broken.") : null;
+        driver.UntilMessage("The native is broken.");
+        driver.Game.Fault = _ => null;
+        driver.WaitForDisk();
+
+        // The folder of the sessions was made for this one.
+        Assert.False(Directory.Exists(driver.Output));
+        Assert.Contains(
+            driver.Game.Notifications, message => message.Contains("(0 frames; its empty folder is removed)", StringComparison.Ordinal));
     }
 
     [Fact]

@@ -1,5 +1,7 @@
 using System.Windows.Forms;
+using GTA.Hosting;
 using GTA.Native;
+using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
 
 namespace Harvester.Mod.Tests;
@@ -15,7 +17,10 @@ public sealed class HidingTests
     public static TheoryData<Hash> Natives => [.. OwnNatives];
 
     /// <summary>The natives that only a harvest with coded masks calls.</summary>
-    internal static IReadOnlyList<Hash> OwnNatives { get; } = [Hash.IS_ENTITY_VISIBLE, Hash.SET_ENTITY_VISIBLE, Hash.DRAW_POLY];
+    internal static IReadOnlyList<Hash> OwnNatives { get; } = 
+    [
+        Hash.IS_ENTITY_VISIBLE, Hash.SET_ENTITY_VISIBLE, Hash.GET_VEHICLE_TRAILER_VEHICLE, Hash.GET_ENTITY_ATTACHED_TO, Hash.DRAW_POLY,
+    ];
 
     [Fact]
     [Trait("Category", "Heavy")]
@@ -140,6 +145,108 @@ public sealed class HidingTests
         Assert.Contains("Masks come from rays: ", driver.Log(), StringComparison.Ordinal);
     }
 
+    [Fact]
+    public void Occupants_are_hidden_and_shown_with_their_vehicle()
+    {
+        using var driver = new ScriptDriver(Ini);
+        HarvestTests.Street(driver.Game);
+        int vehicle = driver.Game.HandleOf(driver.Game.Vehicles.First(each => driver.Game.HandleOf(each) != driver.Game.PlayersVehicle));
+        GameEntity[] occupants = [.. Enumerable.Range(0, 2).Select(_ => new GameEntity
+        {
+            Pool = PoolKind.Peds,
+            Name = "a_m_y_hipster_01",
+            Pose = driver.Game.Entities[vehicle].Pose,
+            Vehicle = vehicle,
+        })];
+        Array.ForEach(occupants, occupant => driver.Game.Add(occupant));
+        driver.Press(Keys.J);
+        int hidden = 0;
+        driver.Until(() =>
+        {
+            bool isHidden = driver.Game.Entities[vehicle].IsHidden;
+            hidden += isHidden ? 1 : 0;
+            Assert.All(occupants, occupant => Assert.Equal(isHidden, occupant.IsHidden));
+            return hidden > 0 && !isHidden;
+        });
+    }
+
+    [Fact]
+    public void Occupant_hidden_by_another_mod_stays_hidden()
+    {
+        using var driver = new ScriptDriver(Ini);
+        HarvestTests.Street(driver.Game);
+        int vehicle = driver.Game.HandleOf(driver.Game.Vehicles.First(each => driver.Game.HandleOf(each) != driver.Game.PlayersVehicle));
+        var occupant = new GameEntity
+        {
+            Pool = PoolKind.Peds,
+            Name = "a_m_y_hipster_01",
+            Pose = driver.Game.Entities[vehicle].Pose,
+            Vehicle = vehicle,
+            IsHidden = true,
+        };
+        driver.Game.Add(occupant);
+        driver.Press(Keys.J);
+        driver.Until(() => driver.Game.Entities[vehicle].IsHidden);
+        driver.Until(() => !driver.Game.Entities[vehicle].IsHidden);
+
+        Assert.True(occupant.IsHidden);
+    }
+
+    [Fact]
+    public void Trailer_and_attached_objects_are_hidden_with_their_vehicle()
+    {
+        // Only cars are labelled, so the trailer is no object of its own.
+        using var driver = new ScriptDriver(Ini + "Classes = car\n");
+        (GameEntity vehicle, GameEntity trailer) = WithTrailer(driver.Game);
+        GameEntity[] carried =
+        [
+            Prop(driver.Game, trailer, isAttached: true),
+            Prop(driver.Game, vehicle, isAttached: true),
+            new() { Pool = PoolKind.Peds, Name = "a_m_y_hipster_01", Pose = vehicle.Pose, Vehicle = driver.Game.HandleOf(vehicle) },
+        ];
+        driver.Game.Add(carried[2]);
+        GameEntity phone = Prop(driver.Game, carried[2], isAttached: true);
+        GameEntity beside = Prop(driver.Game, vehicle, isAttached: false);
+        GameEntity passer = driver.Game.Entities.Values.First(each => each.Name == "a_m_y_hipster_01" && each.Vehicle == 0);
+        HarvestTests.SunkenCar(driver.Game);
+        driver.Press(Keys.J);
+        int hidden = 0;
+        driver.Until(() =>
+        {
+            hidden += vehicle.IsHidden ? 1 : 0;
+            Assert.All([trailer, phone, .. carried], part => Assert.Equal(vehicle.IsHidden, part.IsHidden));
+            Assert.False(beside.IsHidden || passer.IsHidden);
+            return hidden > 0 && !vehicle.IsHidden;
+        });
+    }
+
+    [Fact]
+    public void Labelled_trailer_is_hidden_on_its_own()
+    {
+        using var driver = new ScriptDriver(Ini);
+        (GameEntity vehicle, GameEntity trailer) = WithTrailer(driver.Game);
+        driver.Press(Keys.J);
+        driver.Until(() => trailer.IsHidden && !vehicle.IsHidden);
+        driver.Until(() => vehicle.IsHidden && !trailer.IsHidden);
+    }
+
+    [Fact]
+    public void Object_in_the_hand_of_a_person_is_hidden_with_the_person()
+    {
+        using var driver = new ScriptDriver(Ini);
+        HarvestTests.Street(driver.Game);
+        GameEntity person = driver.Game.Entities.Values.First(each => each.Pool == PoolKind.Peds && each.Name == "a_m_y_hipster_01");
+        GameEntity umbrella = Prop(driver.Game, person, isAttached: true);
+        driver.Press(Keys.J);
+        int hidden = 0;
+        driver.Until(() =>
+        {
+            hidden += person.IsHidden ? 1 : 0;
+            Assert.Equal(person.IsHidden, umbrella.IsHidden);
+            return hidden > 0 && !person.IsHidden;
+        });
+    }
+
     [Theory]
     [MemberData(nameof(Natives))]
     public void Everything_is_shown_after_a_fault(Hash broken)
@@ -155,13 +262,43 @@ public sealed class HidingTests
         Assert.False(IsAnyHidden(driver));
     }
 
-    /// <summary>A script that harvests a street with masks from photographs.</summary>
+    /// <summary>A script that harvests a street with masks from photographs. A prop stands beside one of the vehicles.</summary>
     internal static ScriptDriver Harvesting()
     {
         var driver = new ScriptDriver(Ini);
         HarvestTests.Street(driver.Game);
+        Prop(driver.Game, driver.Game.Vehicles.First(each => driver.Game.HandleOf(each) != driver.Game.PlayersVehicle), isAttached: false);
         driver.Press(Keys.J);
         return driver;
+    }
+
+    /// <summary>A vehicle of the street with a trailer 6 m behind it.</summary>
+    private static (GameEntity Vehicle, GameEntity Trailer) WithTrailer(TestGame game)
+    {
+        HarvestTests.Street(game);
+        GameEntity vehicle = game.Vehicles.First(each => game.HandleOf(each) != game.PlayersVehicle);
+        var trailer = new GameEntity
+        {
+            Pool = PoolKind.Vehicles,
+            Name = "trailersmall",
+            Pose = vehicle.Pose with { Position = vehicle.Pose.Position + new Vector3D(3, 6, 0) },
+        };
+        vehicle.Trailer = game.Add(trailer);
+        return (vehicle, trailer);
+    }
+
+    /// <summary>A prop 0.5 m above an entity.</summary>
+    private static GameEntity Prop(TestGame game, GameEntity carrier, bool isAttached)
+    {
+        var prop = new GameEntity
+        {
+            Pool = PoolKind.Props,
+            Name = "prop_box_wood01a",
+            Pose = carrier.Pose with { Position = carrier.Pose.Position + new Vector3D(0, 0, 0.5) },
+            AttachedTo = isAttached ? game.HandleOf(carrier) : 0,
+        };
+        game.Add(prop);
+        return prop;
     }
 
     private static bool IsAnyHidden(ScriptDriver driver) => driver.Game.Entities.Values.Any(entity => entity.IsHidden);

@@ -1,4 +1,6 @@
+using System.Globalization;
 using System.Text.Json;
+using System.Text.RegularExpressions;
 using System.Windows.Forms;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
@@ -50,6 +52,43 @@ public sealed class PlanTests
         Assert.Equal(70, labels[1].GetProperty("camera").GetProperty("verticalFovDegrees").GetDouble(), 3);
         Assert.Single(labels[0].GetProperty("lidar").EnumerateArray());
         AssertGivenBack(driver.Game);
+    }
+
+    [Fact]
+    public void Start_of_a_plan_states_how_much_driving_is_left()
+    {
+        using var driver = new ScriptDriver(Ini);
+        HarvestTests.Street(driver.Game);
+        Run(driver);
+
+        // Two frames at the plan's 10 a second.
+        Assert.Contains(driver.Game.Notifications, message => message.Contains(
+            "The plan has 1 trial left, 0 minutes of driving. How long a minute of driving takes is shown once it is measured.",
+            StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void Start_of_a_plan_states_how_long_it_takes_once_measured()
+    {
+        using var driver = new ScriptDriver(Ini);
+        HarvestTests.Street(driver.Game);
+        driver.Press(Keys.J);
+        driver.Until(() =>
+        {
+            driver.Clock.Milliseconds += MillisecondsOfATick;
+            return driver.Game.Texts.Any(text => text.Contains("minute of driving", StringComparison.Ordinal));
+        });
+        driver.Press(Keys.J);
+        Run(driver, Text.Replace("\"frames\":2", "\"frames\":2,\"hz\":0.02", StringComparison.Ordinal));
+
+        string message = Assert.Single(driver.Game.Notifications, shown => shown.Contains("The plan has", StringComparison.Ordinal));
+        Match figures = Regex.Match(
+            message,
+            "left, 1.7 minutes of driving. 1 minute of driving takes ([0-9.]+), so that they take about ([0-9.]+) minutes");
+        Assert.True(figures.Success, message);
+        Assert.Equal(100.0 / 60 * Number(1), Number(2), 0.2);
+
+        double Number(int group) => double.Parse(figures.Groups[group].Value, CultureInfo.InvariantCulture);
     }
 
     [Fact]

@@ -23,10 +23,13 @@ internal sealed class ScriptDriver : IDisposable
     public ScriptDriver(
         string ini = "", Action<TestGame>? prepare = null, IScreen? screen = null, IClock? clock = null, string? faces = "# none\n")
     {
+        // What a harvest does before its first frame, and how often it takes one, is left out where a test does not ask for it.
+        string display = ini.Contains("CheckDisplay =", StringComparison.Ordinal) ? string.Empty : "CheckDisplay = Off\n";
+        string rate = ini.Contains("Rate =", StringComparison.Ordinal) ? string.Empty : "Rate = 10\n";
         string freeze = ini.Contains("Freeze =", StringComparison.Ordinal) ? string.Empty : "Freeze = Paused\n";
         File.WriteAllText(
             Path.Combine(_folder.Path, "GtaDataHarvester.ini"),
-            $"{ini}\n[Harvest]\nFolder = out\nProbeLag = Off\n{freeze}[Lens]\nMaxError = 0\n");
+            $"{ini}\n[Harvest]\nFolder = out\nProbeLag = Off\n{rate}{display}{freeze}[Lens]\nMaxError = 0\n");
         if (faces is not null)
         {
             File.WriteAllText(Path.Combine(_folder.Path, "spaces_of_interest.csv"), faces);

@@ -47,7 +47,7 @@ public sealed class SettingsTests
             + @"\S+ \S+ System: \S.*, runtime \d.*\.\s+"
             + @"\S+ \S+ Window: 1920 x 1080, borderless, 96 dpi\.\s+"
             + @"\S+ \S+ Changed settings: \[Camera\] VerticalFov = 60; \[Keys\] Harvest = F4; \[Harvest\] Folder = out; \[Harvest\] "
-            + @"ProbeLag = Off; "
+            + @"ProbeLag = Off; \[Harvest\] Rate = 10; \[Harvest\] CheckDisplay = Off; "
             + @"\[Harvest\] Freeze = Paused; \[Lens\] MaxError = 0\.\s*$",
             driver.Log());
     }

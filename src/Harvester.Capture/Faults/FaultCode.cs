@@ -36,6 +36,12 @@ public enum FaultCode
     /// <summary>Something is drawn over the pictures; the harvest goes on.</summary>
     PicturesSpoiled,
 
+    /// <summary>The game's display cannot be hidden while it is frozen; the harvest goes on.</summary>
+    DisplayStays,
+
+    /// <summary>Known colours come back from pictures as others; the harvest goes on.</summary>
+    ColoursChanged,
+
     /// <summary>Further pictures of moments are missing, because they did not settle or could not be taken; the harvest goes on.</summary>
     PairsMissing,
 

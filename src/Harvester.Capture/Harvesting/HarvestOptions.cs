@@ -64,6 +64,12 @@ public sealed record HarvestOptions : LabellingOptions
     /// </summary>
     public FreezeReport? KnownFreezing { get; init; }
 
+    /// <summary>
+    /// Whether a harvest, before its first frame, compares frozen pictures with and without the game's own display, and looks for colours
+    /// that it draws; as far as the game can hide the one and draw the other.
+    /// </summary>
+    public bool ChecksDisplay { get; init; }
+
     /// <summary>Whether scenes are recorded, so that labels can be recomputed without the game.</summary>
     public bool Scenes { get; init; } = true;
 

@@ -9,6 +9,9 @@ public enum HarvestPhase
     /// <summary>Checks the camera model by markers, once at the start.</summary>
     CheckingCalibration,
 
+    /// <summary>Compares pictures of the frozen game with and without its display, once at the start.</summary>
+    CheckingDisplay,
+
     /// <summary>No frame is due yet; the game runs.</summary>
     Waiting,
 

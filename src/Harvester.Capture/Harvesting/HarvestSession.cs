@@ -27,6 +27,7 @@ public sealed class HarvestSession : IDisposable
     private readonly PictureWatch? _watch;
     private readonly TickBudget _budget;
     private readonly MotionRecorder? _motion;
+    private readonly DrivingPace _pace = new();
     private double _startMilliseconds;
     private double _endMilliseconds;
     private long _gameFrame;
@@ -103,6 +104,12 @@ public sealed class HarvestSession : IDisposable
     /// <summary>The freeze methods that were tried, here or earlier in the same session; null if none was, or not yet.</summary>
     public FreezeReport? Freezing { get; private set; }
 
+    /// <summary>Whether the game's display can be hidden while it is frozen; null if it was not checked, or not yet.</summary>
+    public DisplayFinding? Display { get; private set; }
+
+    /// <summary>How pictures show known colours; null if that was not checked, or not yet.</summary>
+    public ColourFinding? Colours { get; private set; }
+
     /// <summary>The picture lag; null if it was not measured.</summary>
     public PictureLag? Lag { get; private set; }
 
@@ -111,6 +118,9 @@ public sealed class HarvestSession : IDisposable
     /// null (default) if it is always <see cref="Lag"/>.
     /// </summary>
     public Func<PictureLag>? NextLag { get; init; }
+
+    /// <summary>Real time that the game takes for a second of its own time; null in the first second of game time.</summary>
+    public double? RealSecondsPerGameSecond => _pace.RealSecondsPerGameSecond;
 
     /// <summary>The current state of the harvest.</summary>
     public HarvestStatus Status => new(_phase, Counters.Captured, Counters.Discarded, FramesPerSecond, Fault);
@@ -200,6 +210,20 @@ public sealed class HarvestSession : IDisposable
         }
 
         Freezing = freeze.Report;
+        var display = new DisplayProbe(_options, _game, pool);
+        foreach (HarvestPhase phase in display.Run())
+        {
+            yield return phase;
+        }
+
+        Display = display.Finding;
+        var colours = new ColourProbe(_options, _game, pool);
+        foreach (HarvestPhase phase in colours.Run())
+        {
+            yield return phase;
+        }
+
+        Colours = colours.Finding;
         var check = new CalibrationCheck(_options, _game);
         foreach (HarvestPhase phase in check.Run())
         {
@@ -214,7 +238,7 @@ public sealed class HarvestSession : IDisposable
         }
 
         bool isLagOpen = Lag is null && check.ErrorPixels is null && (_options.ProbeLag || check.Warning is not null);
-        _unchecked = [.. new[] { freeze.Warning, check.Warning, isLagOpen ? LagUnchecked : null }.OfType<CaptureFault>()];
+        _unchecked = [.. new[] { freeze.Warning, display.Warning, colours.Warning, check.Warning, isLagOpen ? LagUnchecked : null }.OfType<CaptureFault>()];
         CaptureFlows flows = _flows = new CaptureFlows(_options, _game, reader, pool, _budget, Counters, Calls) { NextLag = NextLag };
         ICaptureFlow flow = flows.For(_sink, Lag);
         using var frames = new FrameHarvester(_options, _sink, flow, Counters, _motion) { Watch = _watch };
@@ -222,6 +246,7 @@ public sealed class HarvestSession : IDisposable
         while (true)
         {
             ReadTime();
+            _pace.Observe(_game.Clock.Milliseconds, _timeSeconds);
             Calls.Charge(HarvestPhase.Waiting);
             if (schedule.TakeIfDue(_timeSeconds))
             {
@@ -251,7 +276,7 @@ public sealed class HarvestSession : IDisposable
         _startMilliseconds = _game.Clock.Milliseconds;
         _sink.Open(new SessionStart(_options, _gameFrame, _timeSeconds,
             _game.World.ReadCamera())
-        { CameraErrorPixels = CalibrationErrorPixels, Freezing = Freezing });
+        { CameraErrorPixels = CalibrationErrorPixels, Freezing = Freezing, Display = Display, Colours = Colours });
         _game.Reading?.Begin();
         _opened = true;
     }
@@ -317,6 +342,10 @@ public sealed class HarvestSession : IDisposable
                 _flows?.Photographer?.Release();
                 _flows?.Pairs?.Release();
                 _game.Pause.Unfreeze();
+                if (_options.ChecksDisplay)
+                {
+                    _game.Hud?.Restore();
+                }
             }
             finally
             {

@@ -14,4 +14,10 @@ public sealed record SessionStart(HarvestOptions Options, long GameFrame, double
 
     /// <summary>The freeze methods that were tried; null if none was.</summary>
     public FreezeReport? Freezing { get; init; }
+
+    /// <summary>Whether the game's display can be hidden while it is frozen; null if it was not checked.</summary>
+    public DisplayFinding? Display { get; init; }
+
+    /// <summary>How pictures show known colours; null if that was not checked.</summary>
+    public ColourFinding? Colours { get; init; }
 }

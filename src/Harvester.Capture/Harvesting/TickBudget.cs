@@ -8,9 +8,13 @@ namespace Harvester.Capture.Harvesting;
 /// </summary>
 internal sealed class TickBudget(IClock clock, double milliseconds)
 {
-    /// <summary>Left for the mod's other work in a tick: a dozen natives where they are slowest.</summary>
-    private const double ReserveMilliseconds = 0.25;
+    /// <summary>
+    /// Left for the mod's other work in a tick: two dozen natives where they are slowest, among them those of two lines of text.
+    /// Of a small budget, at most half is left.
+    /// </summary>
+    private const double ReserveMilliseconds = 0.5;
 
+    private readonly double _milliseconds = milliseconds - Math.Min(ReserveMilliseconds, milliseconds / 2);
     private double _tickStart;
     private double _stepStart;
     private double _longestStep;
@@ -23,7 +27,7 @@ internal sealed class TickBudget(IClock clock, double milliseconds)
             double now = clock.Milliseconds;
             _longestStep = Math.Max(_longestStep, now - _stepStart);
             _stepStart = now;
-            return now - _tickStart + _longestStep > milliseconds - ReserveMilliseconds;
+            return now - _tickStart + _longestStep > _milliseconds;
         }
     }
 

@@ -19,11 +19,11 @@ internal sealed class DistantLabeller(LabellingOptions options)
         where candidate is not null
         select candidate;
 
-    /// <summary>Whether a candidate is visible, found with few rays.</summary>
-    public Sight Look(Camera camera, DistantCandidate candidate, int egoHandle, IRayCaster rays) =>
+    /// <summary>Whether a candidate is visible, found with few rays: null after each step, the finding at the end.</summary>
+    public IEnumerable<Sight?> LookInSteps(Camera camera, DistantCandidate candidate, int egoHandle, IRayCaster rays) =>
         options.IsWithinReach(camera, candidate.Cuboid)
-            ? SightFinder.Find(camera, candidate.Cuboid, candidate.Projection, candidate.Entity.Handle, egoHandle, rays)
-            : Sight.Undetermined;
+            ? SightFinder.FindInSteps(camera, candidate.Cuboid, candidate.Projection, candidate.Entity.Handle, egoHandle, rays)
+            : [Sight.Undetermined];
 
     /// <summary>The ignore region of a candidate; null if it is not visible.</summary>
     public static IgnoreRegion? RegionOf(Camera camera, DistantCandidate candidate, Sight sight) => sight == Sight.Unseen

@@ -76,9 +76,20 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
         rays.Begin(RayPhase.IgnoreRegions);
         foreach (DistantCandidate candidate in _distant.CandidatesOf(camera, snapshot.Distant))
         {
-            Sight sight = mayCastRays() && rays.Left >= SightFinder.MaxRays
-                ? _distant.Look(camera, candidate, snapshot.Ego.Handle, rays)
-                : Sight.NotAsked;
+            Sight sight = Sight.NotAsked;
+            if (mayCastRays() && rays.Left >= SightFinder.MaxRays)
+            {
+                foreach (Sight? step in _distant.LookInSteps(camera, candidate, snapshot.Ego.Handle, rays))
+                {
+                    if (step is null)
+                    {
+                        yield return null;
+                    }
+
+                    sight = step ?? sight;
+                }
+            }
+
             draft.Add(new DistantEntity(candidate.Entity, sight), DistantLabeller.RegionOf(camera, candidate, sight));
             yield return null;
         }

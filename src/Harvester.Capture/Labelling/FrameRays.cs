@@ -8,12 +8,14 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Capture.Labelling;
 
 /// <summary>
-/// The rays of one frame, counted by their purpose and limited by a budget. Callers check the budget before they cast.
+/// The rays of one frame, counted by their purpose and limited by a budget. Callers check the budget before they cast. Samples of objects
+/// are centres of pixels, so that rays for objects that overlap in the image coincide: each is cast once.
 /// </summary>
 /// <param name="rays">The ray caster.</param>
 /// <param name="budget">Maximum number of rays per frame.</param>
 internal sealed class FrameRays(IRayCaster rays, int budget) : IRayCaster
 {
+    private readonly SeenRays _seen = new();
     private readonly int[] _counts = new int[1 + (int)RayPhase.Joints];
     private readonly Dictionary<string, int> _channels = [];
     private RayPhase _phase;
@@ -44,6 +46,7 @@ internal sealed class FrameRays(IRayCaster rays, int budget) : IRayCaster
         Array.Clear(_counts, 0, _counts.Length);
         _channels.Clear();
         _cast = 0;
+        _seen.Clear();
         Record?.Clear();
     }
 
@@ -58,6 +61,25 @@ internal sealed class FrameRays(IRayCaster rays, int budget) : IRayCaster
 
     /// <summary>Casts a ray that also reports the normal of the surface; zero if the game does not, or nothing is recorded.</summary>
     public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity, out Vector3D normal)
+    {
+        bool isSample = Record is null && _channel is null
+            && _phase is (RayPhase.Occlusion or RayPhase.Faces or RayPhase.IgnoreRegions);
+        if (isSample && _seen.TryAnswer(ray, maxDistance, ignoredEntity, out RayHit? known))
+        {
+            normal = Vector3D.Zero;
+            return known;
+        }
+
+        RayHit? hit = CastInGame(ray, maxDistance, ignoredEntity, out normal);
+        if (isSample)
+        {
+            _seen.Add(ray, maxDistance, ignoredEntity, hit);
+        }
+
+        return hit;
+    }
+
+    private RayHit? CastInGame(Ray ray, double maxDistance, int ignoredEntity, out Vector3D normal)
     {
         Count();
         _cast++;

@@ -12,7 +12,7 @@ namespace Harvester.Capture.Labelling;
 /// <summary>Labels the joints of the listed people, with one ray per joint in the image.</summary>
 internal sealed class JointLabeller(LabellingOptions options, FrameRays rays)
 {
-    /// <summary>Labels the people of a frame in steps, one person each.</summary>
+    /// <summary>Labels the people of a frame in steps of a few rays.</summary>
     /// <param name="draft">The frame with its objects, which receive their joints, and their ids.</param>
     /// <param name="mayCastRays">Called before each person; if it returns false, visibility is unknown.</param>
     public IEnumerable<bool> Label(FrameDraft draft, Func<bool> mayCastRays)
@@ -23,9 +23,18 @@ internal sealed class JointLabeller(LabellingOptions options, FrameRays rays)
         {
             if (entity.Skeleton is { } skeleton && draft.Ids.TryGetValue(entity.Handle, out int id) && listed.Contains(id))
             {
-                found[id] = mayCastRays() && rays.Left >= Skeleton.Count
-                    ? LabelOf(draft, entity)
-                    : JointLabels.Of(draft.Camera, skeleton, static _ => JointVisibility.Unknown);
+                var seen = new JointVisibility[Skeleton.Count];
+                Joint[] asked = mayCastRays() && rays.Left >= Skeleton.Count ? [.. InImage(draft.Camera, skeleton)] : [];
+                for (int i = 0; i < asked.Length; i++)
+                {
+                    seen[(int)asked[i]] = VisibilityOf(draft.Camera, entity, asked[i], draft.Snapshot.Ego.Handle);
+                    if ((i + 1) % OcclusionEstimator.RaysOfAStep == 0)
+                    {
+                        yield return true;
+                    }
+                }
+
+                found[id] = JointLabels.Of(draft.Camera, skeleton, joint => seen[(int)joint]);
                 yield return true;
             }
         }
@@ -33,8 +42,9 @@ internal sealed class JointLabeller(LabellingOptions options, FrameRays rays)
         draft.Update(label => found.TryGetValue(label.Id, out JointsLabel? joints) ? label with { Joints = joints } : label);
     }
 
-    private JointsLabel LabelOf(FrameDraft draft, EntityState entity) =>
-        JointLabels.Of(draft.Camera, entity.Skeleton!, joint => VisibilityOf(draft.Camera, entity, joint, draft.Snapshot.Ego.Handle));
+    private static IEnumerable<Joint> InImage(Camera camera, Skeleton skeleton) => Enumerable.Range(0, Skeleton.Count)
+        .Select(number => (Joint)number)
+        .Where(joint => camera.Project(skeleton[joint]).Outcome == ProjectionOutcome.InImage);
 
     /// <summary>
     /// Whether a joint is visible. Joints lie inside the body: a ray that meets the person within the depth of the joint below its own

@@ -11,6 +11,11 @@ public interface IHud
     /// <summary>Hides the display in every picture from the next tick on. Calling it again has no effect.</summary>
     void Hide();
 
+    /// <summary>
+    /// Shows the display in every picture from the next tick on, even while pictures are taken, until it is hidden or given back.
+    /// </summary>
+    void Show();
+
     /// <summary>Gives the display back as it was before it was hidden. Calling it again has no effect.</summary>
     void Restore();
 }

@@ -41,12 +41,6 @@ internal sealed class ColourCheck(SelfTestContext context) : SelfCheck(context)
     /// <summary>The patches of a card cover 14 % of the window; of an enlarged one, at least this fraction of the picture.</summary>
     private const double MinCardFraction = 0.02;
 
-    /// <summary>A patch's mean may differ from its colour by scaling, compression and dithering, grey levels.</summary>
-    private const double ToleranceLevels = 6;
-
-    /// <summary>The grey of 192 is clipped if it comes back as at least this.</summary>
-    private const double ClippedLevel = 246;
-
     private const int LightGrey = 3;
     private const int MiddleGrey = 2;
 
@@ -149,7 +143,7 @@ internal sealed class ColourCheck(SelfTestContext context) : SelfCheck(context)
         Vector3D[] seen = [.. Enumerable.Range(0, Colours.Length)
             .Select(number => PicturePixels.MeanOf(picture, Within(number, MeasuredFraction)))];
         double error = seen.Zip(Colours, (mean, sent) => Greatest(mean - new Vector3D(sent.Red, sent.Green, sent.Blue))).Max();
-        if (seen[LightGrey].X >= ClippedLevel)
+        if (seen[LightGrey].X >= ColourFinding.ClippedLevel)
         {
             Context.Add(
                 SelfTestChecks.Exposure, SelfTestVerdict.Problem,
@@ -159,7 +153,7 @@ internal sealed class ColourCheck(SelfTestContext context) : SelfCheck(context)
         }
 
         Context.Add(SelfTestChecks.Exposure, SelfTestVerdict.Good, $"The grey of 192 comes back as {seen[LightGrey].X:0}.");
-        if (error > ToleranceLevels)
+        if (error > ColourFinding.ToleranceLevels)
         {
             Context.Add(
                 SelfTestChecks.Tones, SelfTestVerdict.Problem,

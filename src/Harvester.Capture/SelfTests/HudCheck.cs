@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Sessions.Imaging;
 
@@ -9,12 +8,6 @@ namespace Harvester.Capture.SelfTests;
 /// <summary>Shows and hides the game's own display in the frozen world, and compares the pictures.</summary>
 internal sealed class HudCheck(SelfTestContext context) : SelfCheck(context)
 {
-    /// <summary>A pixel of the display differs by more from the game behind it, grey levels.</summary>
-    private const int ChangedLevels = 30;
-
-    /// <summary>Fewer pixels are noise.</summary>
-    private const int MinPixels = 24;
-
     public override string Title => "hiding the game's display";
 
     public override IReadOnlyList<string> Checks => [SelfTestChecks.Hud];
@@ -45,14 +38,10 @@ internal sealed class HudCheck(SelfTestContext context) : SelfCheck(context)
         }
 
         Context.Keep("hud-hidden", pictures[2]);
-        int[] display = [.. PicturePixels.Changed(pictures[0], pictures[1], ChangedLevels)
-            .Where(pixel => PicturePixels.Difference(pictures[1], pictures[2], pixel) > ChangedLevels
-                && PicturePixels.Difference(pictures[0], pictures[2], pixel) <= ChangedLevels)];
-        if (display.Length >= MinPixels)
+        if (DisplayPixels.Region(pictures[0], pictures[1], pictures[2]) is { } region)
         {
             Context.Add(
-                SelfTestChecks.Hud, SelfTestVerdict.Good,
-                $"The game's display is hidden while the world is frozen ({PictureRegion.Of(display, pictures[0].Size)}).");
+                SelfTestChecks.Hud, SelfTestVerdict.Good, $"The game's display is hidden while the world is frozen ({region}).");
         }
         else if (hud.IsWanted == true)
         {

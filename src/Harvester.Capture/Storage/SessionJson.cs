@@ -34,6 +34,23 @@ internal static class SessionJson
             Append(json.Key("freezing"), freezing);
         }
 
+        if (record.Start.Display is { } display)
+        {
+            json.Key("display").BeginObject()
+                .Key("state").String(JsonName.Of(display.State))
+                .Key("region").String(display.Region)
+                .EndObject();
+        }
+
+        if (record.Start.Colours is { } colours)
+        {
+            json.Key("colours").BeginObject()
+                .Key("state").String(JsonName.Of(colours.State))
+                .Key("grey192").Number(colours.Light, 1)
+                .Key("grey128").Number(colours.Middle, 1)
+                .EndObject();
+        }
+
         json.EndObject();
         JsonLabelWriter.Append(json.Key("camera"), CameraLabel.Of(options.CameraOf(record.Start.Camera)));
         AppendEnd(json, record);

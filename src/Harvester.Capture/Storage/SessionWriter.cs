@@ -94,10 +94,10 @@ public sealed class SessionWriter : IFrameSink
     public WriterLock? Lock { get; init; }
 
     /// <summary>
-    /// Whether the directory is removed when the writer is disposed before <see cref="Open"/>, so that a harvest that failed to start
-    /// leaves none. A directory with anything in it stays.
+    /// Whether the directory, which must be new, is removed when the writer is disposed before <see cref="Open"/>, or after a fault without
+    /// any frame taken or discarded, so that a harvest that failed to start leaves none. A directory with anything else in it stays.
     /// </summary>
-    public bool RemovesUnopened { get; init; }
+    public bool RemovesFailedStart { get; init; }
 
     /// <inheritdoc />
     public string? Fault => _fault;
@@ -182,25 +182,16 @@ public sealed class SessionWriter : IFrameSink
         _queue?.Dispose();
         _queue = null;
         _files.Dispose();
-        if (RemovesUnopened && _start is null)
+        if (RemovesFailedStart && (_start is null || HasFailedAtStart))
         {
-            RemoveIfEmpty(Folder);
+            EmptySession.Remove(Folder, _kept.Select(text => text.Key));
         }
 
         Lock?.Dispose();
     }
 
-    private static void RemoveIfEmpty(string directory)
-    {
-        try
-        {
-            Directory.Delete(directory, recursive: false);
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            // Something is in it, or another program holds it: it stays.
-        }
-    }
+    /// <summary>Whether the session ended with a fault before its first frame; counted discards are worth keeping.</summary>
+    private bool HasFailedAtStart => (_fault ?? _end?.Fault) is not null && FramesWritten == 0 && (_end?.Discards.Count ?? 0) == 0;
 
     /// <summary>The folders of frames that are there, each before the folders of views in it.</summary>
     private IEnumerable<string> InnerFolders()

@@ -40,6 +40,22 @@ internal static class SessionCheck
                 Evidence(warning));
         }
 
+        if (session.DoesDisplayStay)
+        {
+            yield return new Finding(
+                "The game's radar and HUD may be in the pictures: hiding them changed nothing while the game was frozen.",
+                "Switch both off in the game's settings, and harvest again.",
+                Evidence("start.display.state is stays"));
+        }
+
+        if (session.ColourState is "clipped" or "changed")
+        {
+            yield return new Finding(
+                "The colours of the pictures are not those of the game: HDR, Auto HDR, a filter or a colour profile changes them.",
+                "Switch these off in Windows and in the game, and harvest again.",
+                Evidence($"start.colours.state is {session.ColourState}"));
+        }
+
         string counts = $"{captured} captured, discarded: "
             + $"{string.Join(", ", session.Discards.Select(discard => $"{discard.Value} {discard.Key}"))}";
         foreach (Finding finding in DiscardCheck.Of(captured, session.Discards, session.IsFreezeGiven, Evidence(counts)))

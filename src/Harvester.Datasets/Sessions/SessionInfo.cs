@@ -43,6 +43,12 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
     /// <summary>What spoils the pictures, one sentence; null if nothing was found.</summary>
     public string? PictureWarning { get; init; }
 
+    /// <summary>Whether the game's display may be in the pictures, because hiding it changed nothing.</summary>
+    public bool DoesDisplayStay { get; init; }
+
+    /// <summary>What became of known colours in the pictures: kept, clipped or changed; null if it was not checked.</summary>
+    public string? ColourState { get; init; }
+
     /// <summary>The supported version of the format.</summary>
     private const int KnownFormatVersion = 1;
 
@@ -144,6 +150,10 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
             Discards = session.Has("counters") && session.Fields("counters").Has("discards")
                 ? DiscardsOf(session.Fields("counters").Fields("discards")) : [],
             PictureWarning = session.Has("pictures") ? session.Fields("pictures").OptionalText("warning") : null,
+            DoesDisplayStay = session.Has("start") && session.Fields("start") is var start && start.Has("display")
+                && start.Fields("display").OptionalText("state") == "stays",
+            ColourState = session.Has("start") && session.Fields("start") is var first && first.Has("colours")
+                ? first.Fields("colours").OptionalText("state") : null,
             IsFreezeGiven = session.Has("options") && session.Fields("options").OptionalText("freezeBy") is not (null or "auto"),
             Unchecked = session.Has("counters") && session.Has("start") ? [.. UncheckedOf(session)] : [],
         };

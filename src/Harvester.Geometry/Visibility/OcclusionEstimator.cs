@@ -8,8 +8,9 @@ namespace Harvester.Geometry.Visibility;
 /// <summary>
 /// Estimates visibility by rays through pixels spread evenly over the cuboid's silhouette in the image. A sample counts if its ray hits the
 /// object itself; it is hidden if something lies in front of the cuboid. Whether a hidden sample would have hit the object is decided by a
-/// second ray that starts at the cuboid, so that the gaps between a cuboid and the object in it do not count. If no sample is on the
-/// object, more rays are cast: it may be thin, outside the image, or not hit by rays.
+/// second ray that starts at the cuboid, so that the gaps between a cuboid and the object in it do not count. If no sample sees the
+/// object, second rays are cast only until one hits it: it is then hidden completely. If no sample is on the object, more rays are cast: it
+/// may be thin, outside the image, or not hit by rays.
 /// </summary>
 public sealed class OcclusionEstimator
 {
@@ -19,8 +20,8 @@ public sealed class OcclusionEstimator
     /// </summary>
     private const int MoreSamples = 4;
 
-    /// <summary>Number of samples after which an estimate pauses: half a millisecond to a millisecond where rays are slowest.</summary>
-    private const int SamplesOfAStep = 8;
+    /// <summary>Number of rays after which an estimate pauses: about a quarter of a millisecond where rays are slowest.</summary>
+    public const int RaysOfAStep = 4;
 
     private readonly int _samples;
 
@@ -64,7 +65,7 @@ public sealed class OcclusionEstimator
     /// <param name="entity">The entity's handle.</param>
     /// <param name="ignoredEntity">Handle of an entity that hides nothing; <see cref="RayHit.World"/> if there is none.</param>
     /// <param name="rays">The ray caster.</param>
-    /// <returns>Null after each step; the estimate at the end.</returns>
+    /// <returns>Null after each <see cref="RaysOfAStep"/> rays; the estimate at the end.</returns>
     public IEnumerable<OcclusionEstimate?> EstimateInSteps(
         Camera camera, Cuboid cuboid, CuboidProjection projection, int entity, int ignoredEntity, IRayCaster rays)
     {
@@ -85,6 +86,7 @@ public sealed class OcclusionEstimator
         }
 
         var probe = new CuboidProbe(camera.Pose.Position, cuboid, entity, ignoredEntity, rays);
+        var unexamined = new Queue<Ray>();
         int cast = 0;
         int visible = 0;
         int hidden = 0;
@@ -92,6 +94,16 @@ public sealed class OcclusionEstimator
         int stopped = 0;
         foreach (Vector2D pixel in SilhouetteSamples.Of(projection, box, MoreSamples * _samples))
         {
+            // Without a sample that sees the object, the fraction is 1 as soon as one hidden sample is on it.
+            while (onCuboid >= _samples && visible + hidden == 0 && stopped < onCuboid && unexamined.Count > 0)
+            {
+                Examine();
+                if (IsStepOver())
+                {
+                    yield return null;
+                }
+            }
+
             if (onCuboid >= _samples && (visible + hidden > 0 || stopped == onCuboid))
             {
                 break;
@@ -101,11 +113,6 @@ public sealed class OcclusionEstimator
             if (cuboid.Intersect(ray) is not { } span)
             {
                 continue;
-            }
-
-            if (onCuboid > 0 && onCuboid % SamplesOfAStep == 0)
-            {
-                yield return null;
             }
 
             onCuboid++;
@@ -118,8 +125,22 @@ public sealed class OcclusionEstimator
             else if (first is { } blocker && blocker.Distance < span.Entry)
             {
                 stopped++;
-                cast++;
-                hidden += probe.Meets(ray) ? 1 : 0;
+                unexamined.Enqueue(ray);
+            }
+
+            if (IsStepOver())
+            {
+                yield return null;
+            }
+        }
+
+        // How many hidden samples are on the object counts only beside samples that see it.
+        while (unexamined.Count > 0 && (visible > 0 || hidden == 0))
+        {
+            Examine();
+            if (IsStepOver())
+            {
+                yield return null;
             }
         }
 
@@ -141,9 +162,26 @@ public sealed class OcclusionEstimator
         }
         else
         {
-            yield return null;
-            Sight sight = SightFinder.FindUnhit(probe, out int probes);
-            yield return new OcclusionEstimate(0, 0, cast + probes, OcclusionMethod.None) { Sight = sight };
+            Sight? sight = null;
+            foreach (Sight? found in SightFinder.FindUnhit(probe))
+            {
+                cast++;
+                sight = found;
+                if (sight is null && IsStepOver())
+                {
+                    yield return null;
+                }
+            }
+
+            yield return new OcclusionEstimate(0, 0, cast, OcclusionMethod.None) { Sight = sight!.Value };
         }
+
+        void Examine()
+        {
+            cast++;
+            hidden += probe.Meets(unexamined.Dequeue()) ? 1 : 0;
+        }
+
+        bool IsStepOver() => cast % RaysOfAStep == 0;
     }
 }

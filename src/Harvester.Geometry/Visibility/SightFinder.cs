@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 
@@ -35,13 +36,40 @@ public static class SightFinder
     /// <returns>The finding; unseen also if nothing of the cuboid is in the image.</returns>
     public static Sight Find(Camera camera, Cuboid cuboid, CuboidProjection projection, int entity, int ignoredEntity, IRayCaster rays)
     {
+        Sight found = Sight.Unseen;
+        foreach (Sight? step in FindInSteps(camera, cuboid, projection, entity, ignoredEntity, rays))
+        {
+            found = step ?? found;
+        }
+
+        return found;
+    }
+
+    /// <summary>Examines an entity as <see cref="Find"/> does, a few rays at a time.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <param name="cuboid">The entity's cuboid.</param>
+    /// <param name="projection">The cuboid's projection by the same camera.</param>
+    /// <param name="entity">The entity's handle.</param>
+    /// <param name="ignoredEntity">Handle of an entity that hides nothing; <see cref="RayHit.World"/> if there is none.</param>
+    /// <param name="rays">The ray caster.</param>
+    /// <returns>Null after each <see cref="OcclusionEstimator.RaysOfAStep"/> rays; the finding at the end.</returns>
+    public static IEnumerable<Sight?> FindInSteps(
+        Camera camera, Cuboid cuboid, CuboidProjection projection, int entity, int ignoredEntity, IRayCaster rays)
+    {
         Guard.NotNull(camera, nameof(camera));
         Guard.NotNull(cuboid, nameof(cuboid));
         Guard.NotNull(projection, nameof(projection));
         Guard.NotNull(rays, nameof(rays));
+        return Steps(camera, cuboid, projection, entity, ignoredEntity, rays);
+    }
+
+    private static IEnumerable<Sight?> Steps(
+        Camera camera, Cuboid cuboid, CuboidProjection projection, int entity, int ignoredEntity, IRayCaster rays)
+    {
         if (projection.Box is not { } box)
         {
-            return Sight.Unseen;
+            yield return Sight.Unseen;
+            yield break;
         }
 
         int asked = 0;
@@ -57,7 +85,8 @@ public static class SightFinder
             RayHit? first = rays.Cast(ray, span.Exit + CuboidProbe.Margin, ignoredEntity);
             if (first is { } hit && hit.Entity == entity)
             {
-                return Sight.Seen;
+                yield return Sight.Seen;
+                yield break;
             }
 
             asked++;
@@ -66,29 +95,47 @@ public static class SightFinder
             {
                 break;
             }
+
+            if (asked % OcclusionEstimator.RaysOfAStep == 0)
+            {
+                yield return null;
+            }
         }
 
-        return allStopped ? Sight.Unseen : FindUnhit(new CuboidProbe(camera.Pose.Position, cuboid, entity, ignoredEntity, rays), out _);
+        if (allStopped)
+        {
+            yield return Sight.Unseen;
+            yield break;
+        }
+
+        foreach (Sight? found in FindUnhit(new CuboidProbe(camera.Pose.Position, cuboid, entity, ignoredEntity, rays)))
+        {
+            asked++;
+            if (found is not null || asked % OcclusionEstimator.RaysOfAStep == 0)
+            {
+                yield return found;
+            }
+        }
     }
 
     /// <summary>
     /// Distinguishes an unseen object from one that rays do not hit, by rays all over its cuboid, inside and outside the image.
     /// </summary>
     /// <param name="probe">The object's probe.</param>
-    /// <param name="cast">The number of rays cast.</param>
-    /// <returns>Unseen or undetermined.</returns>
-    internal static Sight FindUnhit(CuboidProbe probe, out int cast)
+    /// <returns>Null after each ray except the last; unseen or undetermined after that.</returns>
+    internal static IEnumerable<Sight?> FindUnhit(CuboidProbe probe)
     {
-        cast = 0;
+        int left = Probes;
         foreach (Ray ray in probe.Through(Probes))
         {
-            cast++;
+            left--;
             if (probe.Meets(ray))
             {
-                return Sight.Unseen;
+                yield return Sight.Unseen;
+                yield break;
             }
-        }
 
-        return Sight.Undetermined;
+            yield return left > 0 ? null : Sight.Undetermined;
+        }
     }
 }

@@ -33,7 +33,7 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
     /// <param name="game">The game; its car is driven.</param>
     /// <param name="car">The car to drive.</param>
     /// <param name="mount">The camera of the client's images.</param>
-    /// <param name="display">Hides the game's own display, and shows a line.</param>
+    /// <param name="display">Shows a line.</param>
     /// <param name="messages">Reports the start and end of drives.</param>
     public BridgeDriving(BridgeSettings settings, GamePorts game, PlayerCar car, IMount mount, IDisplay display, PlayerMessages messages)
     {
@@ -111,8 +111,7 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
             return;
         }
 
-        // Before the first image, the display must have disappeared from it.
-        _display.HideGames();
+        // Before the first image, the game's display must have disappeared from it.
         _hiddenTicks++;
         if (_bridge.TakeFailure() is { } failure)
         {

@@ -16,7 +16,6 @@ public sealed class FaceSurveying : ILastingFeature
     private readonly MeasuredFaces _measured;
     private readonly Harvest _harvest;
     private readonly IMount _mount;
-    private readonly IDisplay _display;
     private readonly PlayerMessages _messages;
     private readonly IClock _clock;
     private readonly double _budgetMilliseconds;
@@ -31,7 +30,6 @@ public sealed class FaceSurveying : ILastingFeature
     /// <param name="measured">Receives the rows.</param>
     /// <param name="harvest">While it runs, no survey starts.</param>
     /// <param name="mount">Restores the view before a survey, which needs it for photographs.</param>
-    /// <param name="display">Hides the game's own display while a photograph is taken.</param>
     /// <param name="messages">Reports the results.</param>
     /// <param name="clock">Real time.</param>
     /// <param name="budgetMilliseconds">Maximum time of rays per tick, milliseconds.</param>
@@ -42,7 +40,6 @@ public sealed class FaceSurveying : ILastingFeature
         MeasuredFaces measured,
         Harvest harvest,
         IMount mount,
-        IDisplay display,
         PlayerMessages messages,
         IClock clock,
         double budgetMilliseconds)
@@ -53,7 +50,6 @@ public sealed class FaceSurveying : ILastingFeature
         _measured = measured;
         _harvest = harvest;
         _mount = mount;
-        _display = display;
         _messages = messages;
         _clock = clock;
         _budgetMilliseconds = budgetMilliseconds;
@@ -120,11 +116,6 @@ public sealed class FaceSurveying : ILastingFeature
         }
 
         _survey ??= new FaceSurvey(_stage, _models, _measured.Open()!, _clock, _budgetMilliseconds, _camera);
-        if (IsPictureNear)
-        {
-            _display.HideGames();
-        }
-
         _survey.Step();
         if (_survey.IsOver)
         {

@@ -18,7 +18,6 @@ public sealed class Harvest : ILastingFeature, IDisposable
     private readonly PlayerMessages _messages;
     private readonly IMount _mount;
     private readonly GamePorts _game;
-    private readonly IDisplay _display;
     private readonly Func<SessionOrigin> _origin;
     private readonly SlowResource<SessionWriter> _writer = new();
     private HarvestOptions? _startedWith;
@@ -39,18 +38,15 @@ public sealed class Harvest : ILastingFeature, IDisposable
     /// <param name="messages">Reports how harvests ended.</param>
     /// <param name="mount">The camera of the harvest.</param>
     /// <param name="game">The game.</param>
-    /// <param name="display">Hides the game's own display while a harvest is running.</param>
     /// <param name="origin">Returns the origin of a session at the start of a harvest.</param>
     public Harvest(
-        HarvestOptions options, string folder, PlayerMessages messages, IMount mount, GamePorts game, IDisplay display,
-            Func<SessionOrigin> origin)
+        HarvestOptions options, string folder, PlayerMessages messages, IMount mount, GamePorts game, Func<SessionOrigin> origin)
     {
         Options = options;
         _folder = folder;
         _messages = messages;
         _mount = mount;
         _game = game;
-        _display = display;
         _origin = origin;
     }
 
@@ -81,6 +77,15 @@ public sealed class Harvest : ILastingFeature, IDisposable
 
     /// <summary>Whether the running harvest was to photograph its masks and makes them from rays instead.</summary>
     public bool AreMasksReplaced => _session?.Warnings.Any(warning => warning.Code == FaultCode.NothingHidden) ?? false;
+
+    /// <summary>
+    /// Real time that the game takes for a second of its own time while frames are harvested, in the running harvest or in the last one
+    /// that measured it; null before.
+    /// </summary>
+    public double? RealSecondsPerGameSecond { get; private set; }
+
+    /// <summary>Whether the running harvest has a rig, whose cameras look in several directions.</summary>
+    public bool HasRig => IsOn && _startedWith?.Rig is not null;
 
     /// <summary>Number of frames waiting to be written.</summary>
     public int Queued => _writer.Opened?.Queued ?? 0;
@@ -155,6 +160,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         {
             MaxFrames = Options.ViewsPerMoment,
             ProbeLag = false,
+            ChecksDisplay = false,
             Faces = FacesInUse(),
             KnownFreezing = _freezing is { IsConclusive: true } ? _freezing : null
         };
@@ -183,7 +189,6 @@ public sealed class Harvest : ILastingFeature, IDisposable
             return;
         }
 
-        _display.HideGames();
         if (!_mount.IsMounted)
         {
             Stop();
@@ -192,6 +197,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         {
             HarvestStatus status = session.Step();
             KeepFreezing(session);
+            RealSecondsPerGameSecond = session.RealSecondsPerGameSecond ?? RealSecondsPerGameSecond;
             LogWarnings(session);
             if (status.IsOver)
             {
@@ -350,10 +356,10 @@ public sealed class Harvest : ILastingFeature, IDisposable
             _singles = new SingleFrames(writer.Folder, _startedWith!.Lens, _startedWith.Faces!, session.CalibrationErrorPixels);
         }
 
-        Tell(session);
+        Tell(session, writer.FramesWritten == 0 && writer.RemovesFailedStart);
     }
 
-    private void Tell(HarvestSession session)
+    private void Tell(HarvestSession session, bool isNew)
     {
         HarvestStatus status = session.Status;
         string discards = string.Join(", ",
@@ -370,7 +376,9 @@ public sealed class Harvest : ILastingFeature, IDisposable
             _messages.Tell(HarvestAdvice.TextOf(warning));
         }
 
-        _messages.Tell(session.Failure is { } fault ? $"{HarvestAdvice.TextOf(fault)} ({counts})"
+        string kept = status is { Captured: 0, Discarded: 0 } && isNew ? $"{counts}; its empty folder is removed" : counts;
+        _messages.Tell(session.Failure is { } fault
+            ? $"{HarvestAdvice.TextOf(fault)} ({kept})"
             : $"The harvest ended: {counts}, in {_folder}.");
     }
 

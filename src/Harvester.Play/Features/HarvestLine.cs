@@ -90,6 +90,7 @@ public sealed class HarvestLine : IFeature
         string frames = Counted.Of(status.Captured, "frame") + (_harvest.AreMasksReplaced ? "  MASKS FROM RAYS" : string.Empty);
         string line = FormattableString.Invariant(
             $"{state}  {frames}  {status.FramesPerSecond:0.0}/s  {status.Discarded} discarded  queue {_harvest.Queued}  {_disk}");
+        line = string.Join("  ", new[] { line, PaceText.Of(_harvest.RealSecondsPerGameSecond) }.Where(part => part.Length > 0));
         _display.Text(line, 0.02, 0.02);
     }
 

@@ -10,7 +10,8 @@ using Harvester.Sessions.Files;
 namespace Harvester.Play.Features;
 
 /// <summary>
-/// Hides entities for coded masks, and shows them again whatever happens. Before anything is hidden, the list of what may be hidden is on
+/// Hides entities for coded masks, and shows them again whatever happens. What moves with an entity, such as the occupants of a vehicle, is
+/// hidden and shown with it, unless it is announced itself, as a rider is. Before anything is hidden, the list of what may be hidden is on
 /// disk, and it stays there until everything is shown. If the script ends in between, its next start shows what is on the list. Entities
 /// that were hidden by someone else are left as they are.
 /// </summary>
@@ -23,6 +24,7 @@ public sealed class HiddenEntities(IShownEntities visibility, string path, Playe
 {
     private static readonly TimeSpan MaxWaitForDisk = TimeSpan.FromSeconds(2);
     private readonly HashSet<int> _hidden = [];
+    private readonly Dictionary<int, int[]> _groups = [];
     private IReadOnlyCollection<int>? _announced;
     private Task _writing = Task.CompletedTask;
     private Task<string[]>? _reading;
@@ -47,8 +49,9 @@ public sealed class HiddenEntities(IShownEntities visibility, string path, Playe
 
         if (_announced is null)
         {
-            _announced = [.. entities.Where(entity => visibility.Exists(entity) && visibility.IsShown(entity))];
-            string text = string.Join("\n", new[] { visibility.Process }.Concat(_announced.Select(Text))) + "\n";
+            _announced = [.. entities.Where(CanBeHidden)];
+            FindGroups(_announced, [.. entities]);
+            string text = string.Join("\n", new[] { visibility.Process }.Concat(_groups.Values.SelectMany(all => all).Select(Text))) + "\n";
             _writing = Task.Run(() => AtomicFile.Write(path, text));
             return null;
         }
@@ -72,8 +75,8 @@ public sealed class HiddenEntities(IShownEntities visibility, string path, Playe
             throw new InvalidOperationException("Entities are announced before they are hidden.");
         }
 
-        var wanted = new HashSet<int>(entities.Where(announced.Contains));
-        foreach (int entity in announced)
+        var wanted = new HashSet<int>(entities.Where(announced.Contains).SelectMany(entity => _groups[entity]));
+        foreach (int entity in _groups.Values.SelectMany(group => group))
         {
             if (wanted.Contains(entity) != _hidden.Contains(entity) && visibility.Exists(entity))
             {
@@ -167,6 +170,18 @@ public sealed class HiddenEntities(IShownEntities visibility, string path, Playe
     {
         ShowAll();
         _writing.ContinueWith(static _ => { }, TaskScheduler.Default).Wait(MaxWaitForDisk);
+    }
+
+    private bool CanBeHidden(int entity) => visibility.Exists(entity) && visibility.IsShown(entity);
+
+    private void FindGroups(IReadOnlyCollection<int> announced, HashSet<int> alone)
+    {
+        _groups.Clear();
+        ILookup<int, int> members = visibility.GroupsOf(announced);
+        foreach (int entity in announced)
+        {
+            _groups[entity] = [entity, .. members[entity].Where(member => !alone.Contains(member) && CanBeHidden(member))];
+        }
     }
 
     private static string Text(int entity) => entity.ToString(CultureInfo.InvariantCulture);

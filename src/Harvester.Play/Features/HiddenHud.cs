@@ -14,6 +14,7 @@ namespace Harvester.Play.Features;
 public sealed class HiddenHud(IHudSwitch hud, IDisplay display, Func<bool> isNeeded) : IHud, IFeature
 {
     private bool _isAsked;
+    private bool _isShown;
     private bool _isSwitchedOff;
 
     /// <inheritdoc/>
@@ -26,15 +27,18 @@ public sealed class HiddenHud(IHudSwitch hud, IDisplay display, Func<bool> isNee
     public bool? IsWanted => hud.IsWanted;
 
     /// <inheritdoc/>
-    public void Hide() => _isAsked = true;
+    public void Hide() => (_isAsked, _isShown) = (true, false);
 
     /// <inheritdoc/>
-    public void Restore() => _isAsked = false;
+    public void Show() => _isShown = true;
+
+    /// <inheritdoc/>
+    public void Restore() => (_isAsked, _isShown) = (false, false);
 
     /// <inheritdoc/>
     public void Tick()
     {
-        bool isHidden = _isAsked || isNeeded();
+        bool isHidden = !_isShown && (_isAsked || isNeeded());
         if (isHidden && !IsOn && hud.IsWanted && hud.IsShown)
         {
             // Noted first: a fault in the call leaves a display that is switched on once too often, not one that stays off.
@@ -56,7 +60,7 @@ public sealed class HiddenHud(IHudSwitch hud, IDisplay display, Func<bool> isNee
     /// <inheritdoc/>
     public void Stop()
     {
-        _isAsked = false;
+        Restore();
         IsOn = false;
         SwitchOn();
     }

@@ -1,3 +1,6 @@
+using System.Collections.Generic;
+using System.Linq;
+
 namespace Harvester.Play.Features;
 
 /// <summary>Whether the game draws its entities.</summary>
@@ -12,6 +15,12 @@ public interface IShownEntities
     /// <summary>Whether the game may draw an entity.</summary>
     bool IsShown(int entity);
 
-    /// <summary>Shows or hides an entity.</summary>
+    /// <summary>
+    /// What moves with entities and stays in the picture when only they are hidden, such as the occupants of a vehicle, by the entity.
+    /// </summary>
+    /// <param name="entities">Entities that exist.</param>
+    ILookup<int, int> GroupsOf(IReadOnlyCollection<int> entities);
+
+    /// <summary>Shows or hides an entity alone.</summary>
     void Show(int entity, bool isShown);
 }

@@ -16,7 +16,6 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
     private readonly Harvest _harvest;
     private readonly GamePorts _game;
     private readonly IMount _mount;
-    private readonly IDisplay _display;
     private readonly PlayerMessages _messages;
     private readonly string _iniPath;
     private readonly DiskQueue _disk = new();
@@ -26,16 +25,13 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
     /// <param name="harvest">Its options receive the lens.</param>
     /// <param name="game">The game, with markers.</param>
     /// <param name="mount">The camera to calibrate.</param>
-    /// <param name="display">Hides the game's own display meanwhile.</param>
     /// <param name="messages">Reports the result.</param>
     /// <param name="iniPath">The settings file.</param>
-    public LensCalibration(
-        Harvest harvest, GamePorts game, IMount mount, IDisplay display, PlayerMessages messages, string iniPath)
+    public LensCalibration(Harvest harvest, GamePorts game, IMount mount, PlayerMessages messages, string iniPath)
     {
         _harvest = harvest;
         _game = game;
         _mount = mount;
-        _display = display;
         _messages = messages;
         _iniPath = iniPath;
     }
@@ -89,7 +85,6 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
             return;
         }
 
-        _display.HideGames();
         if (!_mount.IsMounted)
         {
             Stop();

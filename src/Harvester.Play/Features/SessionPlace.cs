@@ -31,7 +31,7 @@ internal static class SessionPlace
         WriterLock held = WriterLock.Take(folder);
         try
         {
-            return new SessionWriter(folder, origin, resume, viewsPerMoment) { Lock = held, RemovesUnopened = isNew };
+            return new SessionWriter(folder, origin, resume, viewsPerMoment) { Lock = held, RemovesFailedStart = isNew };
         }
         catch
         {

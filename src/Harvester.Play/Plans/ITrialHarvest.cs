@@ -20,6 +20,9 @@ public interface ITrialHarvest
     /// <summary>Whether <see cref="Fault"/> is that the disk has too little space, which is no fault of a trial.</summary>
     bool IsSpaceLow { get; }
 
+    /// <summary>Real time for a second of game time in the running harvest, or in the last one that measured it; null before.</summary>
+    double? RealSecondsPerGameSecond { get; }
+
     /// <summary>Mounts the camera and begins a harvest in a new folder.</summary>
     /// <param name="folder">The folder of the session.</param>
     /// <param name="options">What to harvest and how.</param>

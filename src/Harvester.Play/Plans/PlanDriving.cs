@@ -64,7 +64,7 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
     /// <summary>A line about the trial under way; null without one.</summary>
     public string? Line => _run is { } run && _folder.Opened is { } folder
         ? FormattableString.Invariant($"PLAN  {folder.Status.Last.Values.Count(result => result.IsLast)} of {folder.Trials.Count} done  ")
-            + $"{JsonName.Of(run.Phase)}  {_trial!.Id}"
+            + $"{JsonName.Of(run.Phase)}  {_trial!.Id}  {PaceText.Of(_world.Harvest.RealSecondsPerGameSecond)}".TrimEnd()
         : null;
 
     /// <summary>Starts or continues the plan, or stops it.</summary>
@@ -136,6 +136,7 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
             }
 
             _heartbeat = new HeartbeatFile(folder.Folder, folder.Plan.Name, Shard.Whole);
+            _messages.Tell(PlanDuration.Of(folder, _world.Harvest.RealSecondsPerGameSecond));
             if (folder.Ended is { } ended)
             {
                 TellFailure(ended);

@@ -27,6 +27,9 @@ public sealed class TrialHarvest(Harvest harvest, CameraMount mount, PlayerMessa
     public bool IsSpaceLow => harvest.IsSpaceLow;
 
     /// <inheritdoc/>
+    public double? RealSecondsPerGameSecond => harvest.RealSecondsPerGameSecond;
+
+    /// <inheritdoc/>
     public bool Begin(string folder, HarvestOptions options, double verticalFovDegrees)
     {
         if (harvest.IsOn || harvest.IsBusy)

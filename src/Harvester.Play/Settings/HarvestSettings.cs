@@ -30,6 +30,12 @@ public static class HarvestSettings
     /// <summary>Name of the section with the lens.</summary>
     public const string LensSection = "Lens";
 
+    /// <summary>
+    /// Frames per second of game time while the player drives. The game stops for each frame, so that a minute at 10 frames a second takes
+    /// many minutes. Plans and the bridge have rates of their own.
+    /// </summary>
+    private const double RateByHandHz = 2;
+
     /// <summary>The options of a file; missing and invalid values have their defaults.</summary>
     /// <exception cref="ArgumentNullException"><paramref name="ini"/> is null.</exception>
     public static HarvestOptions Read(IniFile ini)
@@ -39,7 +45,7 @@ public static class HarvestSettings
             throw new ArgumentNullException(nameof(ini));
         }
 
-        var fallback = new HarvestOptions();
+        var fallback = new HarvestOptions { RateHz = RateByHandHz };
         IReadOnlyList<ObjectClass> classes = ini.Choices<ObjectClass>(
             Harvest, "Classes", [], "a list of " + string.Join(", ", typeof(ObjectClass).GetEnumNames()));
         MaskChoice masks = ini.Choice(Harvest, "Masks", MaskChoice.Off, "Off, Rays, Coded or Both");
@@ -72,6 +78,7 @@ public static class HarvestSettings
             RayReachMetres = ini.Number(Harvest, "RayReach", fallback.RayReachMetres, 1, 100_000),
             OcclusionSamples = ini.Whole(Harvest, "OcclusionRays", fallback.OcclusionSamples, 1, 10_000),
             ProbeLag = ini.Choice(Harvest, "ProbeLag", Switch.On, "On or Off") == Switch.On,
+            ChecksDisplay = ini.Choice(Harvest, "CheckDisplay", Switch.On, "On or Off") == Switch.On,
             MaxPictureLagTicks = ini.Whole(Harvest, "MaxPictureLagTicks", fallback.MaxPictureLagTicks, 1, 60),
             TickBudgetMilliseconds = ini.Number(Harvest, "TickBudget", fallback.TickBudgetMilliseconds, 0.1, 1000),
             Sync = ini.Choice(Harvest, "Sync", fallback.Sync, "Batch, Always or Never"),

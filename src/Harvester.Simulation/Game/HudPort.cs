@@ -9,5 +9,7 @@ internal sealed class HudPort(SimulatedGame game) : IHud
 
     public void Hide() => game.Layers.IsHudHidden = true;
 
+    public void Show() => game.Layers.IsHudHidden = false;
+
     public void Restore() => game.Layers.IsHudHidden = false;
 }

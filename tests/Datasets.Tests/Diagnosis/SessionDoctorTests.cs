@@ -39,6 +39,19 @@ public sealed class SessionDoctorTests : IDisposable
         Assert.Contains(cause, Assert.Single(Examine()).Cause, StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData("kept", 0)]
+    [InlineData("clipped", 1)]
+    [InlineData("changed", 1)]
+    public void Session_with_other_colours_than_the_game_is_explained(string state, int findings)
+    {
+        _session.Info["start"] = JsonNode.Parse($$"""{ "colours": { "state": "{{state}}", "grey192": 255, "grey128": 205 } }""");
+
+        IReadOnlyList<Finding> found = Examine();
+        Assert.Equal(findings, found.Count);
+        Assert.All(found, finding => Assert.Contains("Auto HDR", finding.Cause, StringComparison.Ordinal));
+    }
+
     [Fact]
     public void Interrupted_session_is_named()
     {

@@ -1,7 +1,9 @@
+using FsCheck;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Tests.Scenes;
 using Harvester.Geometry.Visibility;
+using Harvester.TestSupport;
 
 namespace Harvester.Geometry.Tests.Visibility;
 
@@ -104,6 +106,57 @@ public sealed class OcclusionEstimatorTests
             Camera, wide, CuboidProjector.Project(Camera, wide), Car, Ego, new CuboidWorld([(Car, rightEnd)]));
 
         Assert.Equal((OcclusionMethod.None, Sight.Unseen), (estimate.Method, estimate.Sight));
+    }
+
+    [Fact]
+    public void Estimate_equals_that_of_every_second_ray()
+    {
+        int all = 0;
+        int cast = 0;
+        var camera = new Camera(new Pose(new(0, -20, 0), Axes.Identity), Camera.Intrinsics);
+        Arbitrary<Cuboid> solids = Draws.Cuboids(Draws.Vectors(8));
+        RandomCases.Check(300, RandomCases.ArrayOf(solids, 4), drawn =>
+        {
+            // The object is a part of its cuboid, so that there are gaps; the others stand where they may hide it.
+            Cuboid cuboid = drawn[0];
+            Cuboid part = new(cuboid.Centre + (cuboid.Axes.Right * (0.4 * cuboid.HalfExtents.X)), cuboid.HalfExtents * 0.6, cuboid.Axes);
+            var world = new CuboidWorld([(Car, part), .. drawn.Skip(1).Select(solid => (RayHit.World, solid))]);
+            CuboidProjection projection = CuboidProjector.Project(camera, cuboid);
+            OcclusionEstimate estimate = new OcclusionEstimator(32).Estimate(camera, cuboid, projection, Car, Ego, world);
+            cast += world.RaysCast;
+            var plain = new EveryRayOcclusion(world);
+            OcclusionEstimate expected = plain.Estimate(camera, cuboid, projection, Car, Ego, 32);
+            all += plain.RaysCast;
+
+            Assert.Equal(
+                (expected.OccludedFraction, expected.Method, expected.Sight), (estimate.OccludedFraction, estimate.Method, estimate.Sight));
+        });
+
+        // Hidden objects are among the cases; without them the estimator would save nothing.
+        Assert.InRange(cast, 1, all - 1);
+    }
+
+    [Fact]
+    public void No_step_casts_more_rays_than_it_may()
+    {
+        int most = 0;
+        var camera = new Camera(new Pose(new(0, -20, 0), Axes.Identity), Camera.Intrinsics);
+        RandomCases.Check(100, RandomCases.ArrayOf(Draws.Cuboids(Draws.Vectors(8)), 4), drawn =>
+        {
+            // The object is a part of its cuboid or, in every other case, not hit by rays at all.
+            Cuboid part = new(drawn[0].Centre, drawn[0].HalfExtents * 0.6, drawn[0].Axes);
+            int hit = drawn[0].Centre.X > 0 ? Car : RayHit.World;
+            var world = new CuboidWorld([(hit, part), .. drawn.Skip(1).Select(solid => (RayHit.World, solid))]);
+            CuboidProjection projection = CuboidProjector.Project(camera, drawn[0]);
+            int before = 0;
+            foreach (OcclusionEstimate? _ in new OcclusionEstimator(32).EstimateInSteps(camera, drawn[0], projection, Car, Ego, world))
+            {
+                most = Math.Max(most, world.RaysCast - before);
+                before = world.RaysCast;
+            }
+        });
+
+        Assert.Equal(OcclusionEstimator.RaysOfAStep, most);
     }
 
     [Fact]

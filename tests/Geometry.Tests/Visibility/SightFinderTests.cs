@@ -60,6 +60,23 @@ public sealed class SightFinderTests
     }
 
     [Fact]
+    public void No_step_casts_more_rays_than_it_may()
+    {
+        var world = new CuboidWorld([]);
+        CuboidProjection projection = CuboidProjector.Project(Camera, Target);
+        int most = 0;
+        int before = 0;
+        foreach (Sight? _ in SightFinder.FindInSteps(Camera, Target, projection, Car, Ego, world))
+        {
+            most = Math.Max(most, world.RaysCast - before);
+            before = world.RaysCast;
+        }
+
+        Assert.Equal(OcclusionEstimator.RaysOfAStep, most);
+        Assert.Equal(SightFinder.MaxRays, before);
+    }
+
+    [Fact]
     public void Object_behind_the_camera_is_unseen() =>
         Assert.Equal(Sight.Unseen, Find(new(new(0, -20, 0), new(2, 2, 2), Axes.Identity), new CuboidWorld([])));
 

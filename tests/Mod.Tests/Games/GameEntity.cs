@@ -59,6 +59,12 @@ internal sealed class GameEntity
     /// <summary>Handle of the vehicle in which a person sits; 0 if there is none.</summary>
     public int Vehicle { get; init; }
 
+    /// <summary>Handle of the trailer that a vehicle pulls; 0 if there is none.</summary>
+    public int Trailer { get; set; }
+
+    /// <summary>Handle of the entity to which it is attached; 0 if there is none.</summary>
+    public int AttachedTo { get; init; }
+
     /// <summary>Whether a script has hidden it.</summary>
     public bool IsHidden { get; set; }
 

@@ -22,6 +22,7 @@ internal sealed partial class TestGame
                 entity.IsHidden = !(bool)a[1];
             }
         });
+        _natives[Hash.GET_ENTITY_ATTACHED_TO] = a => Entities[(int)a[0]].AttachedTo;
         _natives[Hash.GET_ENTITY_TYPE] = a => Entities.TryGetValue((int)a[0], out GameEntity? entity)
             ? entity.Pool switch { PoolKind.Peds => 1, PoolKind.Vehicles => 2, _ => 3 }
             : 0;

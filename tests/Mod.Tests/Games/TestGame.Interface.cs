@@ -39,6 +39,18 @@ internal sealed partial class TestGame
 
     public bool IsHudOn { get; set; } = true;
 
+    /// <summary>Whether HIDE_HUD_AND_RADAR_THIS_FRAME has an effect while the game is paused.</summary>
+    public bool HidesHudWhilePaused { get; set; } = true;
+
+    /// <summary>Whether DISPLAY_RADAR and DISPLAY_HUD have an effect while the game is paused.</summary>
+    public bool SwitchesHudWhilePaused { get; set; } = true;
+
+    /// <summary>Whether the picture of the frame before shows the radar.</summary>
+    public bool ShowedRadar { get; private set; }
+
+    /// <summary>What the picture of the frame before shows over the game.</summary>
+    public IReadOnlyList<DrawnRectangle> ShownRectangles { get; private set; } = [];
+
     /// <summary>The roads; null if there are none.</summary>
     public IRoadSource? Roads { get; set; }
 
@@ -55,7 +67,11 @@ internal sealed partial class TestGame
 
     private void ClearDrawings()
     {
+        bool isHiddenForFrame = IsHudHidden && (HidesHudWhilePaused || !IsFrozen);
+        bool isSwitchedOff = !IsRadarOn && (SwitchesHudWhilePaused || !IsFrozen);
+        ShowedRadar = !isHiddenForFrame && !isSwitchedOff;
         ShowedDisplay = !IsHudHidden || !IsFeedHidden || Drawn.Count > 0 || Lines.Count > 0;
+        ShownRectangles = [.. Drawn];
         BallsDrawn([.. Balls]);
         Balls.Clear();
         Drawn.Clear();

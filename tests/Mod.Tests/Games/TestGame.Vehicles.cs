@@ -22,6 +22,16 @@ internal sealed partial class TestGame
     {
         _natives[Hash.IS_PED_IN_ANY_VEHICLE] = a => VehicleOf((int)a[0]) != 0;
         _natives[Hash.GET_VEHICLE_PED_IS_IN] = a => VehicleOf((int)a[0]);
+        _natives[Hash.GET_VEHICLE_TRAILER_VEHICLE] = a =>
+        {
+            int trailer = Vehicles.Single(vehicle => HandleOf(vehicle) == (int)a[0]).Trailer;
+            if (trailer != 0)
+            {
+                Write(a[1], trailer);
+            }
+
+            return trailer != 0;
+        };
         _natives[Hash.GET_VEHICLE_CLASS] = a => Entities[(int)a[0]].VehicleClass;
         _natives[Hash.GET_DISPLAY_NAME_FROM_VEHICLE_MODEL] = a =>
             Vehicles.FirstOrDefault(vehicle => vehicle.Model == (int)a[0])?.Name.ToUpperInvariant() ?? "CARNOTFOUND";

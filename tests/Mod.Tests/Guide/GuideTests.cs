@@ -39,7 +39,7 @@ public sealed class GuideTests
             TimeOfDay = TimeSpan.FromHours(10),
         };
         var scene = new SimulatedScene(options, FaceTable.Empty);
-        using var driver = new ScriptDriver(string.Empty, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock);
+        using var driver = new ScriptDriver("[Harvest]\nRate = 2\n", scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock);
         driver.Game.Roads = new FakeRoadSource(scene.Roads);
 
         driver.Press(Keys.NumPad0);

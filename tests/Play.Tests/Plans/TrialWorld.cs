@@ -45,6 +45,9 @@ internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels,
 
     private TrialSurroundings? _surroundings;
 
+    /// <summary>The measured pace of harvests.</summary>
+    public double? RealSecondsPerGameSecond { get; set; }
+
     /// <summary>The rig of the settings.</summary>
     public Rig? Rig { get; set; }
 

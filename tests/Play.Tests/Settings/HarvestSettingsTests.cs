@@ -39,6 +39,7 @@ public sealed class HarvestSettingsTests
             RayReach = 120.5
             OcclusionRays = 9
             ProbeLag = Off
+            CheckDisplay = Off
             MaxPictureLagTicks = 7
             TickBudget = 1.5
             Queue = 3
@@ -74,6 +75,7 @@ public sealed class HarvestSettingsTests
             RayReachMetres = 120.5,
             OcclusionSamples = 9,
             ProbeLag = false,
+            ChecksDisplay = false,
             MaxPictureLagTicks = 7,
             TickBudgetMilliseconds = 1.5,
             Sync = SyncMode.Always,
@@ -136,9 +138,10 @@ public sealed class HarvestSettingsTests
     }
 
     /// <summary>
-    /// A player's game is frozen in the way that a trial finds better; for a program, the way is paused unless it says otherwise.
+    /// A player's game is frozen in the way that a trial finds better, slowly enough to drive by hand, and the display is checked; a
+    /// program says itself what it wants.
     /// </summary>
-    private static HarvestOptions Defaults => new() { FreezeBy = null };
+    private static HarvestOptions Defaults => new() { FreezeBy = null, RateHz = 2, ChecksDisplay = true };
 
     private static IniFile Read(string text) => IniFile.Read(new StringReader(text));
 }

@@ -8,7 +8,7 @@ using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.Tests.Quirks;
 
-/// <summary>What is drawn over the pictures of a harvest, and what HDR does to them, is found while it drives.</summary>
+/// <summary>What is drawn over the pictures of a harvest is found while it drives.</summary>
 public sealed class PictureWatchTests
 {
     private const double TicksPerSecond = 10;
