@@ -12,7 +12,8 @@ namespace Harvester.Mod;
 /// </summary>
 /// <param name="program">File name of the game's program.</param>
 /// <param name="fileVersion">File version of the program; null if it cannot be read.</param>
-internal sealed class GameBuild(string program, Version? fileVersion)
+/// <param name="api">Version of the scripting API; null for the installed one.</param>
+internal sealed class GameBuild(string program, Version? fileVersion, Version? api = null)
 {
     private const string EnhancedProgram = "GTA5_Enhanced.exe";
 
@@ -26,7 +27,13 @@ internal sealed class GameBuild(string program, Version? fileVersion)
     private static readonly Version FirstApiForNewerBuilds = new(3, 6, 0, 89);
 
     /// <summary>The assembly version of the installed API, not of the one the mod was compiled against.</summary>
-    public static Version Api => typeof(Script).Assembly.GetName().Version!;
+    public Version Api { get; } = api ?? typeof(Script).Assembly.GetName().Version!;
+
+    /// <summary>File name of the game's program.</summary>
+    public string Program => program;
+
+    /// <summary>File version of the game's program; null if it cannot be read.</summary>
+    public Version? FileVersion => fileVersion;
 
     /// <summary>Legacy or Enhanced.</summary>
     public string Edition => IsEnhanced ? "Enhanced" : "Legacy";

@@ -15,6 +15,7 @@ using Harvester.Play.Screen;
 using Harvester.Play.Screen.Windows;
 using Harvester.Play.SelfTests;
 using Harvester.Play.Settings;
+using Harvester.Play.Tapes;
 using Harvester.Sessions.Scenes;
 using Harvester.Surveys.Faces;
 using Harvester.Surveys.Roads;
@@ -42,6 +43,8 @@ public sealed class HarvesterScript : Script
     private readonly FeatureSet _features;
     private readonly KeyBindings<Keys> _keys;
     private readonly TickGaps _gaps;
+    private readonly TapeRecorder? _tape;
+    private readonly IBackgroundWatch? _work;
     private bool _greeted;
     private int _aborted;
 
@@ -56,8 +59,12 @@ public sealed class HarvesterScript : Script
     /// <param name="clock">Real time.</param>
     /// <param name="build">The game.</param>
     /// <param name="graphicsFile">The game's settings.xml; null for the player's.</param>
-    internal HarvesterScript(IScreen screen, IClock clock, GameBuild build, string? graphicsFile)
+    /// <param name="api">Answers the calls to the game; null for the game itself.</param>
+    /// <param name="work">Answers for the work on other threads; null for that work itself.</param>
+    internal HarvesterScript(
+        IScreen screen, IClock clock, GameBuild build, string? graphicsFile, IGameApi? api = null, IBackgroundWatch? work = null)
     {
+        IClock realTime = clock;
         _build = build;
         _window = screen as IGameWindow;
         _folder = new ModFolder(BaseDirectory);
@@ -67,6 +74,14 @@ public sealed class HarvesterScript : Script
         {
             Options = GameRig.AppliedTo(player.Options with { Materials = _folder.Materials }, _folder.Rig),
         };
+        _tape = api is null ? ScriptTape.Start(_folder, player, BaseDirectory, build, clock, _messages) : null;
+        Natives.Game = api ?? (_tape is null ? new ScriptApi() : new TapedApi(new ScriptApi(), _tape));
+        _work = work ?? (_tape is null ? null : new TapedBackground(_tape));
+        if (_tape is not null)
+        {
+            (screen, clock) = (new TapedScreen(screen, _tape), new TapedClock(clock, _tape));
+        }
+
         if (_folder.Rig is { } rig)
         {
             foreach (string warning in GameRig.LensWarnings(rig))
@@ -167,8 +182,8 @@ public sealed class HarvesterScript : Script
         var frozen = new FrozenWorld(time, () => _harvest.IsOn || _calibration.IsOn || _drive.IsOn || _selfTest.IsOn);
         string graphics = graphicsFile ?? GraphicsSettingsFile.PathOf(build.IsEnhanced);
         var advice = new GraphicsAdvice(() => GraphicsSettingsFile.Read(graphics), _messages);
-        _features = new FeatureSet(_messages, calls, clock, advice, frozen, hidden, hud, sheets, card, car, _plan, mount, _harvest, lights,
-            _calibration, _selfTest, markers, survey, _signs, marking, unknown, _drive, line, overlay);
+        _features = new FeatureSet(_messages, calls, realTime, advice, frozen, hidden, hud, sheets, card, car, _plan, mount, _harvest,
+            lights, _calibration, _selfTest, markers, survey, _signs, marking, unknown, _drive, line, overlay);
         if (player.RoadFile is { } file)
         {
             roads.Prepare(() => RoadSurveyFile.Load(file) ?? throw new FileNotFoundException($"There is no {file}."), "roadFile");
@@ -184,7 +199,7 @@ public sealed class HarvesterScript : Script
     }
 
     /// <summary>Whether work continues on another thread.</summary>
-    internal bool IsBusy => _features.IsBusy;
+    internal bool IsBusy => _features.IsBusy || _tape is { IsBusy: true };
 
     private void BindKeys(
         TestCar car, CameraMount mount, Overlay overlay, RoadSurveying survey, FaceMarking marking, UnknownModelsList unknown)
@@ -210,32 +225,50 @@ public sealed class HarvesterScript : Script
 
     private void OnTick(object? sender, EventArgs e)
     {
-        if (_aborted != 0)
+        Handle(null, () =>
         {
-            return;
-        }
-
-        Greet();
-        _gaps.Begin();
-        _features.Tick();
-        _gaps.End();
+            Greet();
+            _gaps.Begin();
+            _features.Tick();
+            _gaps.End();
+        });
     }
 
     // Key up instead of key down: Windows repeats the latter as long as a key is held.
     private void OnKeyUp(object? sender, KeyEventArgs e)
     {
-        if (_aborted == 0)
+        if (_keys.HasPress(e.KeyCode))
         {
-            _keys.Press(e.KeyCode);
+            Handle(new TapeKey((int)e.KeyCode, false), () => _keys.Press(e.KeyCode));
         }
     }
 
     // The player's input must be noticed whatever the game does with its controls.
     private void OnKeyDown(object? sender, KeyEventArgs e)
     {
-        if (_aborted == 0)
+        if (_keys.HasGoingDown(e.KeyCode))
         {
-            _keys.GoDown(e.KeyCode);
+            Handle(new TapeKey((int)e.KeyCode, true), () => _keys.GoDown(e.KeyCode));
+        }
+    }
+
+    private void Handle(TapeKey? key, Action handle)
+    {
+        if (_aborted != 0)
+        {
+            return;
+        }
+
+        Background.Watch = _work;
+        _tape?.BeginEvent(key);
+        try
+        {
+            handle();
+        }
+        finally
+        {
+            _tape?.EndEvent();
+            Background.Watch = null;
         }
     }
 
@@ -245,7 +278,9 @@ public sealed class HarvesterScript : Script
     {
         if (Interlocked.Exchange(ref _aborted, 1) == 0)
         {
+            _tape?.Finish();
             _features.Finish();
+            _tape?.Dispose();
         }
     }
 
@@ -262,11 +297,16 @@ public sealed class HarvesterScript : Script
         {
             _messages.Tell(complaint);
         }
+
+        if (_tape is { IsOn: true })
+        {
+            _messages.Tell(_tape.Greeting);
+        }
     }
 
     private void LogHeaderLines()
     {
-        string versions = $"GtaDataHarvester {typeof(HarvesterScript).Assembly.GetName().Version}, API {GameBuild.Api}, {_build.Name}";
+        string versions = $"GtaDataHarvester {typeof(HarvesterScript).Assembly.GetName().Version}, API {_build.Api}, {_build.Name}";
         foreach (string line in LogHeader.Lines(versions, _window, _folder.Settings.Changes))
         {
             _messages.Log(line);

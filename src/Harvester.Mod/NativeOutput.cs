@@ -1,6 +1,6 @@
 using System;
+using System.Collections.Generic;
 using System.Runtime.InteropServices;
-using GTA.Native;
 using Harvester.Geometry;
 
 namespace Harvester.Mod;
@@ -15,12 +15,14 @@ internal sealed class NativeOutput : IDisposable
     private const int SlotBytes = 8;
 
     private const int SlotsOfAVector = 3;
+    private readonly int _slots;
     private IntPtr _memory;
 
     /// <summary>Allocates zeroed memory.</summary>
     /// <param name="slots">Its size, in slots of eight bytes; by default that of a vector.</param>
     public NativeOutput(int slots = SlotsOfAVector)
     {
+        _slots = slots;
         _memory = Marshal.AllocHGlobal(slots * SlotBytes);
         for (int slot = 0; slot < slots; slot++)
         {
@@ -40,9 +42,29 @@ internal sealed class NativeOutput : IDisposable
     /// <summary>The vector written.</summary>
     public Vector3D Vector => new(SingleAt(0), SingleAt(1), SingleAt(2));
 
-    private IntPtr Memory => _memory != IntPtr.Zero ? _memory : throw new ObjectDisposedException(nameof(NativeOutput));
+    /// <summary>The address of the memory.</summary>
+    public IntPtr Address => _memory != IntPtr.Zero ? _memory : throw new ObjectDisposedException(nameof(NativeOutput));
 
-    public static implicit operator InputArgument(NativeOutput output) => output.Memory;
+    /// <summary>The ints in all slots up to the last that is not 0.</summary>
+    public int[] Slots
+    {
+        get
+        {
+            int count = _slots;
+            while (count > 0 && IntegerAt(count - 1) == 0)
+            {
+                count--;
+            }
+
+            int[] integers = new int[count];
+            for (int slot = 0; slot < count; slot++)
+            {
+                integers[slot] = IntegerAt(slot);
+            }
+
+            return integers;
+        }
+    }
 
     /// <summary>Memory with an int or a handle that the native reads first.</summary>
     public static NativeOutput Holding(int value, int slots = SlotsOfAVector)
@@ -53,7 +75,16 @@ internal sealed class NativeOutput : IDisposable
     }
 
     /// <summary>The int or handle in a slot.</summary>
-    public int IntegerAt(int slot) => Marshal.ReadInt32(Memory, slot * SlotBytes);
+    public int IntegerAt(int slot) => Marshal.ReadInt32(Address, slot * SlotBytes);
+
+    /// <summary>Writes ints into the slots from the first on; those that do not fit are left out.</summary>
+    public void Fill(IReadOnlyList<int> integers)
+    {
+        for (int slot = 0; slot < _slots; slot++)
+        {
+            Marshal.WriteInt64(Address, slot * SlotBytes, slot < integers.Count ? integers[slot] : 0);
+        }
+    }
 
     public void Dispose()
     {
@@ -64,7 +95,7 @@ internal sealed class NativeOutput : IDisposable
     private float SingleAt(int slot)
     {
         float[] value = new float[1];
-        Marshal.Copy(Memory + (slot * SlotBytes), value, 0, 1);
+        Marshal.Copy(Address + (slot * SlotBytes), value, 0, 1);
         return value[0];
     }
 }

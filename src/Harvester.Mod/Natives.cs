@@ -14,6 +14,9 @@ internal static class Natives
     /// <summary>The game's order of rotations: roll, then pitch, then yaw.</summary>
     public const int RotationOrder = 2;
 
+    /// <summary>Where calls go: the game, or what records or plays a tape.</summary>
+    public static IGameApi Game { get; set; } = new ScriptApi();
+
     /// <summary>Number of calls so far, over the life of the script's domain.</summary>
     public static long Calls { get; private set; }
 
@@ -89,16 +92,16 @@ internal static class Natives
     }
 
     // An array on purpose: the API's overloads by number of arguments differ between versions.
-    public static T Call<T>(Hash native, params InputArgument[] arguments)
+    public static T Call<T>(Hash native, params NativeArgument[] arguments)
     {
         Calls++;
-        return Function.Call<T>(native, arguments);
+        return Game.Call<T>(native, arguments);
     }
 
-    public static void Call(Hash native, params InputArgument[] arguments)
+    public static void Call(Hash native, params NativeArgument[] arguments)
     {
         Calls++;
-        Function.Call(native, arguments);
+        Game.Call(native, arguments);
     }
 
     public static Vector3D ToWorld(Vector3 vector) => new(vector.X, vector.Y, vector.Z);

@@ -1,9 +1,6 @@
 using System;
 using System.Collections.Generic;
-using System.Linq;
 using System.Threading;
-using GTA;
-using GTA.Math;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Play.Features;
@@ -30,26 +27,21 @@ internal sealed class NearbyEntities(GameBuild build, NativeLists natives, Readi
 
     /// <summary>The vehicles within a radius of a point.</summary>
     public IReadOnlyList<int> Vehicles(Vector3D centre, double radius) =>
-        List(EntityKind.Vehicle, centre, radius, static (place, within) => World.GetNearbyVehicles(place, within));
+        List(EntityKind.Vehicle, centre, radius, []);
 
     /// <summary>The people and animals within a radius of a point, including the player.</summary>
     public IReadOnlyList<int> Peds(Vector3D centre, double radius) =>
-        List(EntityKind.Ped, centre, radius, static (place, within) => World.GetNearbyPeds(place, within));
+        List(EntityKind.Ped, centre, radius, []);
 
     /// <summary>The props within a radius of a point that have one of <see cref="PropModels"/>.</summary>
-    public IReadOnlyList<int> Props(Vector3D centre, double radius)
-    {
-        Model[] models = [.. PropModels.Select(hash => new Model(hash))];
-        return models.Length == 0
-            ? []
-            : List(EntityKind.Prop, centre, radius, (place, within) => World.GetNearbyProps(place, within, models));
-    }
+    public IReadOnlyList<int> Props(Vector3D centre, double radius) =>
+        PropModels.Count == 0 ? [] : List(EntityKind.Prop, centre, radius, PropModels);
 
     /// <summary>The props of any model within a radius of a point. Natives find only those that rays hit.</summary>
     public IReadOnlyList<int> AllProps(Vector3D centre, double radius) =>
-        List(EntityKind.Prop, centre, radius, static (place, within) => World.GetNearbyProps(place, within));
+        List(EntityKind.Prop, centre, radius, []);
 
-    private IReadOnlyList<int> List(EntityKind kind, Vector3D centre, double radius, Func<Vector3, float, IEnumerable<Entity>> byApi)
+    private IReadOnlyList<int> List(EntityKind kind, Vector3D centre, double radius, IReadOnlyList<int> models)
     {
         if (build.ListProblem is { } problem && reading.SourceOf(kind) == ListSource.Api)
         {
@@ -61,8 +53,7 @@ internal sealed class NearbyEntities(GameBuild build, NativeLists natives, Readi
             string failure = $"ScriptHookVDotNet lists no {kind}s although there are some.";
             try
             {
-                int[] listed = [.. byApi(new Vector3((float)centre.X, (float)centre.Y, (float)centre.Z), (float)radius)
-                    .Select(entity => entity.Handle)];
+                int[] listed = Natives.Game.Nearby(kind, centre, radius, models);
                 if (listed.Length > 0 || !NativeLists.HasAny(kind, centre, radius, NextModel()))
                 {
                     return listed;

@@ -16,7 +16,7 @@ public sealed class NativeOutputTests
         {
             LeaveGarbage();
             using var output = new NativeOutput(Slots);
-            InputArgument place = output;
+            InputArgument place = NativeArgument.ForApi([output])[0];
 
             Assert.Equal([0, 0, 0], Enumerable.Range(0, Slots).Select(slot => Marshal.ReadInt64((nint)place.Data, slot * SlotBytes)));
         }
@@ -32,7 +32,7 @@ public sealed class NativeOutputTests
         {
             LeaveGarbage();
             using var output = new NativeOutput();
-            InputArgument place = output;
+            InputArgument place = NativeArgument.ForApi([output])[0];
             for (int i = 0; i < written; i++)
             {
                 Marshal.WriteByte((nint)place.Data, i, i == 0 ? value : (byte)0);
@@ -57,7 +57,7 @@ public sealed class NativeOutputTests
         var output = new NativeOutput();
         output.Dispose();
 
-        Assert.Throws<ObjectDisposedException>(() => { InputArgument place = output; });
+        Assert.Throws<ObjectDisposedException>(() => { InputArgument place = NativeArgument.ForApi([output])[0]; });
         Assert.Throws<ObjectDisposedException>(() => output.Integer);
     }
 

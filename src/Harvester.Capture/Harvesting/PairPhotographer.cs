@@ -252,7 +252,7 @@ internal sealed class PairPhotographer
     /// <summary>Adds the settled picture, or why there is none, to those of the moment.</summary>
     private IEnumerable<HarvestPhase> Record(SkyCondition condition, HiddenVariant? without)
     {
-        while (_drop is null && _encoder.IsFull)
+        while (_drop is null && !Background.IsDone(nameof(BackgroundEncoder), () => !_encoder.IsFull))
         {
             if (_options.TakesAllTicks)
             {

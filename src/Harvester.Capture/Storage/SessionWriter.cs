@@ -5,6 +5,7 @@ using System.IO;
 using System.Linq;
 using System.Threading;
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Ports;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
@@ -153,7 +154,7 @@ public sealed class SessionWriter : IFrameSink
     /// <inheritdoc />
     public bool TryEnqueue(CapturedFrame frame) =>
         _queue is { } queue
-            ? _fault is null && queue.TryAdd(frame)
+            ? _fault is null && Background.IsDone(nameof(TryEnqueue), () => queue.TryAdd(frame))
             : throw new InvalidOperationException("The session is not open.");
 
     /// <summary>

@@ -9,7 +9,9 @@ namespace Harvester.Cli.Arguments;
 internal static class QuietOption
 {
     private static readonly string[] PrintingCommands =
-        ["validate", "doctor", "view", "calibrate", "stats", "project", "boxes", "lanes", "info", "compare", "check", "list", "show"];
+    [
+        "validate", "doctor", "view", "calibrate", "stats", "project", "boxes", "lanes", "info", "compare", "check", "list", "show", "play",
+    ];
 
     public static Option<bool> Create() => new("--quiet", "-q")
     {

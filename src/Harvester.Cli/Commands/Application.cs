@@ -12,6 +12,7 @@ using Harvester.Cli.Commands.Faces;
 using Harvester.Cli.Commands.Masks;
 using Harvester.Cli.Commands.Plans;
 using Harvester.Cli.Commands.Roads;
+using Harvester.Cli.Commands.Tapes;
 using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
@@ -72,6 +73,7 @@ internal static class Application
         ("roads", RoadsCommand.Create),
         ("lanes", LanesCommand.Create),
         ("spaces", SpacesCommand.Create),
+        ("tape", TapeCommand.Create),
     ];
 
     /// <summary>Runs one command line.</summary>

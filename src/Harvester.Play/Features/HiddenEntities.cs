@@ -39,10 +39,12 @@ public sealed class HiddenEntities(IShownEntities visibility, string path, Playe
     /// <inheritdoc/>
     public bool IsBusy => !_writing.IsCompleted || _reading is { IsCompleted: false };
 
+    private bool IsWritten => Background.IsDone(nameof(_writing), () => _writing.IsCompleted);
+
     /// <inheritdoc/>
     public IReadOnlyCollection<int>? Announce(IReadOnlyCollection<int> entities)
     {
-        if (!_isRestored || !_writing.IsCompleted)
+        if (!_isRestored || !IsWritten)
         {
             return null;
         }
@@ -70,7 +72,7 @@ public sealed class HiddenEntities(IShownEntities visibility, string path, Playe
     /// <inheritdoc/>
     public void HideOnly(IReadOnlyCollection<int> entities)
     {
-        if (_announced is not { } announced || !_writing.IsCompleted)
+        if (_announced is not { } announced || !IsWritten)
         {
             throw new InvalidOperationException("Entities are announced before they are hidden.");
         }
@@ -129,7 +131,7 @@ public sealed class HiddenEntities(IShownEntities visibility, string path, Playe
         }
 
         _reading ??= Task.Run(() => File.Exists(path) ? File.ReadAllLines(path) : []);
-        if (!_reading.IsCompleted)
+        if (!Background.IsDone(nameof(_reading), () => _reading.IsCompleted))
         {
             return;
         }

@@ -38,6 +38,12 @@ public sealed class KeyBindings<TKey>(ModFolder folder, FeatureSet features)
         }
     }
 
+    /// <summary>Whether a key has an action that runs on release.</summary>
+    public bool HasPress(TKey key) => _uses.ContainsKey(key);
+
+    /// <summary>Whether a key has an action that runs when it goes down.</summary>
+    public bool HasGoingDown(TKey key) => _usesGoingDown.ContainsKey(key);
+
     /// <summary>Runs the action of a released key, if it has one.</summary>
     public void Press(TKey key) => Do(_uses, key);
 

@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Threading.Tasks;
+using Harvester.Capture.Ports;
 using Harvester.Sessions.Faces;
 using Harvester.Surveys.Faces;
 
@@ -27,7 +28,7 @@ public sealed class MeasuredFaces(string path, FaceTable shipped, FaceTable inUs
     {
         get
         {
-            if (_opening is { Status: TaskStatus.RanToCompletion } opening && opening.Result.Table != _taken)
+            if (_opening is { } opening && IsOpened(opening) && opening.Result.Table != _taken)
             {
                 _taken = opening.Result.Table;
                 inUse = shipped.OverriddenBy(_taken);
@@ -52,8 +53,11 @@ public sealed class MeasuredFaces(string path, FaceTable shipped, FaceTable inUs
             throw new IOException(failure.Message, failure);
         }
 
-        return _opening.IsCompleted ? _opening.Result : null;
+        return IsOpened(_opening) ? _opening.Result : null;
     }
+
+    private static bool IsOpened(Task<SurveyFolder> opening) =>
+        Background.IsDone(nameof(SurveyFolder), () => opening.Status == TaskStatus.RanToCompletion);
 
     /// <summary>Waits until everything is written, or for as long as a script may take to end.</summary>
     /// <exception cref="IOException">Something could not be written.</exception>

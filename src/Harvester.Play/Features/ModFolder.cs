@@ -16,8 +16,10 @@ namespace Harvester.Play.Features;
 /// </summary>
 public sealed class ModFolder
 {
+    /// <summary>Name of the table of faces that the mod comes with.</summary>
+    public const string FacesFile = "spaces_of_interest.csv";
+
     private const string SettingsFile = "GtaDataHarvester.ini";
-    private const string FacesFile = "spaces_of_interest.csv";
     private const int MaxRigBytes = 1024 * 1024;
     private readonly string _folder;
     private readonly List<string> _complaints = [];

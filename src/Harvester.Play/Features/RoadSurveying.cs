@@ -114,7 +114,7 @@ public sealed class RoadSurveying : ILastingFeature
         }
 
         _wereLanesWanted = isWanted;
-        if (!IsOn || _loading is not { IsCompleted: true } loading)
+        if (!IsOn || _loading is not { } loading || !Background.IsDone(nameof(RoadSurvey), () => loading.IsCompleted))
         {
             return;
         }

@@ -1,5 +1,6 @@
 using System;
 using System.Threading.Tasks;
+using Harvester.Capture.Ports;
 
 namespace Harvester.Play.Features;
 
@@ -11,6 +12,7 @@ namespace Harvester.Play.Features;
 internal sealed class SlowResource<T>
     where T : class, IDisposable
 {
+    private readonly string _name = typeof(T).Name;
     private Task<T>? _opening;
     private Task _closing = Task.CompletedTask;
 
@@ -18,10 +20,11 @@ internal sealed class SlowResource<T>
     public bool IsHeld => _opening is not null;
 
     /// <summary>Whether it is being opened or closed.</summary>
-    public bool IsBusy => _opening is { IsCompleted: false } || !_closing.IsCompleted;
+    public bool IsBusy => !Background.IsDone(_name, () => _opening is not { IsCompleted: false } && _closing.IsCompleted);
 
     /// <summary>The open resource; null if it is not open, or not yet.</summary>
-    public T? Opened => _opening is { Status: TaskStatus.RanToCompletion } opening ? opening.Result : null;
+    public T? Opened =>
+        _opening is { } opening && Background.IsDone(_name, () => opening.Status == TaskStatus.RanToCompletion) ? opening.Result : null;
 
     /// <summary>Opens it, after the one before has been closed.</summary>
     public void Open(Func<T> open) => _opening = _closing.ContinueWith(_ => open(), TaskScheduler.Default);

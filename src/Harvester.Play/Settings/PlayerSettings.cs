@@ -6,6 +6,7 @@ using Harvester.Capture.Harvesting;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
+using Harvester.Play.Tapes;
 
 namespace Harvester.Play.Settings;
 
@@ -82,6 +83,9 @@ public sealed record PlayerSettings
     /// <summary>The meaning of the game's numbers for the states of lights.</summary>
     public required LightOrder LightOrder { get; init; }
 
+    /// <summary>What is recorded on a tape.</summary>
+    public required TapeOptions Tape { get; init; }
+
     /// <summary>Maximum time of the survey of signs per tick, milliseconds.</summary>
     public required double SurveyBudgetMilliseconds { get; init; }
 
@@ -122,6 +126,7 @@ public sealed record PlayerSettings
             SignNames = ini.Text("Signs", "Names", string.Empty),
             DrivesLights = ini.Choice("Harvest", "DriveLights", Switch.Off, "On or Off") == Switch.On,
             LightOrder = ini.Choice("Harvest", "LightOrder", LightOrder.GreenRedAmber, "GreenRedAmber or RedAmberGreen"),
+            Tape = TapeOf(ini, folder),
             SurveyBudgetMilliseconds = ini.Number("Signs", "TickBudget", 8, 0.1, 1000),
         };
 
@@ -129,4 +134,8 @@ public sealed record PlayerSettings
 
         double Offset(string name, double fallback) => ini.Number("Camera", name, fallback, -MaxOffsetMetres, MaxOffsetMetres);
     }
+
+    private static TapeOptions TapeOf(IniFile ini, string folder) => new(
+        ini.Choice("Tape", "Record", TapeChoice.Off, "Off, Natives or NativesAndPictures"),
+        ini.Number("Tape", "Minutes", 2, 0.1, 10), folder);
 }

@@ -75,9 +75,11 @@ internal sealed class HeadFinder(StageProbe probe, StagedModel model)
     private double BackOf(double left, double front, double z)
     {
         const double before = 0.02;
+        const int steps = (int)(MaxHousingDepth / Step);
         double back = front;
-        for (double y = front + (Step / 2); y < front + MaxHousingDepth; y += Step)
+        for (int step = 0; step < steps; step++)
         {
+            double y = front + ((step + 0.5) * Step);
             if (probe.ToRight(new Vector3D(left - before, y, z)) is not { } distance || distance > before + Step)
             {
                 break;

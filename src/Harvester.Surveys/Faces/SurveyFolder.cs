@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text;
+using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Files;
@@ -59,7 +60,7 @@ public sealed class SurveyFolder
     public FaceTable Table { get; private set; } = FaceTable.Empty;
 
     /// <summary>Whether something is still being written.</summary>
-    public bool IsWriting => _disk.IsBusy;
+    public bool IsWriting => !Background.IsDone(nameof(IsWriting), () => !_disk.IsBusy);
 
     /// <summary>Whether a model is done, with or without a face found.</summary>
     public bool IsDone(string model) => _done.Any(line => ModelOf(line) == model);

@@ -18,12 +18,13 @@ public sealed class GrowingRoads(double laneWidth = RoadGeometry.LaneWidth, doub
     private KnownRoads? _known;
 
     /// <summary>Whether roads are being prepared; until then others are not accepted.</summary>
-    public bool IsPreparing => _preparing is { IsCompleted: false };
+    public bool IsPreparing => _preparing is { } preparing && !Background.IsDone(nameof(GrowingRoads), () => preparing.IsCompleted);
 
     /// <inheritdoc/>
     public KnownRoads? Near(Vector3D position)
     {
-        if (_preparing is { Status: TaskStatus.RanToCompletion } prepared)
+        if (_preparing is { } prepared
+            && Background.IsDone(nameof(Near), () => prepared.Status == TaskStatus.RanToCompletion))
         {
             _preparing = null;
             _known = prepared.Result ?? _known;

@@ -199,6 +199,21 @@ public sealed class DamagedInputTests(SmallSession session) : IClassFixture<Smal
         AssertRefused(name, "validate", _hostile.PathOf("csv"));
     }
 
+    /// <summary>An unknown entry, a key out of range, a call with more arguments than bytes, readings of the clock before 0.</summary>
+    [Theory]
+    [InlineData(new byte[] { 10 }, "an unknown entry")]
+    [InlineData(new byte[] { 4, 255, 255, 255, 255, 255, 1 }, "a number out of range")]
+    [InlineData(new byte[] { 5, 0, 1, 2, 3, 4, 5, 6, 7, 8, 255, 255, 3 }, "cut off")]
+    [InlineData(new byte[] { 6, 0x81, 0xC4, 0x13 }, "the clock")]
+    [InlineData(new byte[] { 6, 255, 255, 255, 255, 255, 255, 255, 255, 255, 1 }, "the clock")]
+    public void Damaged_tape_is_refused(byte[] entry, string message)
+    {
+        string tape = _hostile.PathOf("damaged.tape");
+        File.WriteAllBytes(tape, TapeBytes.Of(TapeBytes.Idle.SkipLast(1), entry));
+
+        AssertRefused(message, "tape", "play", tape);
+    }
+
     private void ExportCsv() =>
         Assert.Equal(ExitCode.Done, CliRun.Of("export", _hostile.Folder, "--format", "csv", "--out", _hostile.PathOf("csv")).ExitCode);
 

@@ -1,5 +1,6 @@
 using Harvester.Cli.Boxes;
 using Harvester.Cli.Commands;
+using Harvester.Cli.Commands.Tapes;
 using Harvester.Cli.Faces;
 using Harvester.Cli.Plans;
 using Harvester.Cli.Relabelling;
@@ -137,6 +138,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         new("log", "GtaDataHarvester.log", folder => Doctor.Examine(In(folder, "GtaDataHarvester.log")),
             "doctor {0}/GtaDataHarvester.log"),
         new("self-test", "selftest.json", folder => Doctor.Examine(In(folder, "selftest.json")), "doctor {0}/selftest.json"),
+        new("tape", "a.tape", folder => TapePlayCommand.Play(In(folder, "a.tape"), CancellationToken.None), "tape play {0}/a.tape"),
         new("photos", "survey/photos.csv", folder =>
             new FaceGallery(ReadFaces(In(folder, "survey/spaces.csv")), In(folder, "survey")).Write(Stream.Null),
             "spaces gallery {0}/survey --out {0}/out.html")

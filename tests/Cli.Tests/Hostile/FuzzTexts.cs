@@ -112,5 +112,7 @@ internal static class FuzzTexts
         {
             File.WriteAllText(Path.Combine(folder, name), content);
         }
+
+        File.WriteAllBytes(Path.Combine(folder, "a.tape"), TapeBytes.Of(TapeBytes.Every));
     }
 }

@@ -1,5 +1,6 @@
 using System.IO.Compression;
 using Harvester.Cli.Terminals;
+using Harvester.Play.Tapes;
 using Xunit.Abstractions;
 
 namespace Harvester.Cli.Tests.Hostile;
@@ -57,6 +58,57 @@ public sealed class MemoryTests(ITestOutputHelper output) : IDisposable
         ManyFilesZip.Write(zip, files: 200_000, "harvester roads,1\n");
 
         AssertRefused("roads", "info", zip);
+    }
+
+    [Fact]
+    public void Tape_that_unpacks_to_more_than_4_GiB_is_refused()
+    {
+        string tape = _bombs.PathOf("bomb.tape");
+        byte[] facts = TapeBytes.Facts(TapeFormat.MaxChunkBytes);
+        byte[] one = TapeBytes.Of([], facts);
+        byte[] chunk = one[TapeBytes.HeadBytes..];
+        using (FileStream file = File.Create(tape))
+        {
+            file.Write(one);
+            for (long unpacked = facts.Length; unpacked <= TapeFormat.MaxUnpackedBytes; unpacked += facts.Length)
+            {
+                file.Write(chunk);
+            }
+        }
+
+        Assert.Contains("unpacked-size limit of 4 GiB", AssertBounded("tape", "play", tape).Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Tape_with_many_long_facts_is_refused()
+    {
+        const int bytes = 30_000_000;
+        string tape = _bombs.PathOf("facts.tape");
+        File.WriteAllBytes(tape, TapeBytes.Of(
+            [], [.. Enumerable.Range(0, 40).Select(i => TapeBytes.Encoded(new TapeFact($"fact {i}", new string('a', bytes))))]));
+
+        AssertRefused("tape", "play", tape);
+    }
+
+    [Fact]
+    public void Tape_with_a_call_of_millions_of_arguments_is_refused()
+    {
+        string tape = _bombs.PathOf("call.tape");
+        File.WriteAllBytes(tape, TapeBytes.Of([], TapeBytes.Encoded(new TapeCall(1, new TapeValue[30_000_000], default, []))));
+
+        AssertRefused("tape", "play", tape);
+    }
+
+    [Fact]
+    public void Tape_of_millions_of_ticks_is_refused()
+    {
+        const byte tick = 2;
+        string tape = _bombs.PathOf("ticks.tape");
+        byte[] ticks = new byte[TapeFormat.MaxChunkBytes];
+        Array.Fill(ticks, tick);
+        File.WriteAllBytes(tape, TapeBytes.Of([], ticks));
+
+        AssertRefused("tape", "play", tape);
     }
 
     [Fact]

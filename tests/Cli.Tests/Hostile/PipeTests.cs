@@ -45,6 +45,7 @@ public sealed class PipeTests(SmallSession session) : IClassFixture<SmallSession
     [InlineData("contact-sheet", "--roads", "ROADS", "--list", "PIPE", "--out", "OUT.png")]
     [InlineData("contact-sheet", "--roads", "ROADS", "--props", "PIPE", "--out", "OUT.png")]
     [InlineData("doctor", "PIPE")]
+    [InlineData("tape", "play", "PIPE")]
     [InlineData("lanes", "--roads", "ROADS", "--position", "0,0,0", "--heading", "0", "--vehicles", "PIPE")]
     [InlineData("project", "--position", "0,0,0", "--rotation", "0,0,0", "--fov", "50", "--size", "80x60", "--points", "PIPE")]
     [InlineData("project", "--position", "0,0,0", "--rotation", "0,0,0", "--fov", "50", "--size", "80x60", "--calibration", "PIPE")]

@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using System.Globalization;
 using Harvester.Cli.Terminals;
+using Harvester.Play.Tapes;
 using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Hostile;
@@ -79,6 +80,26 @@ public sealed class SignalTests(HugeSession session) : IClassFixture<HugeSession
         AssertEnds(process, signal);
     }
 
+    /// <summary>Its own temporary folder shows what a playback leaves.</summary>
+    [PosixTheory]
+    [InlineData("TERM")]
+    [InlineData("INT")]
+    public void Signal_ends_a_playback_that_leaves_nothing(string signal)
+    {
+        const int ticks = 999_000;
+        string temporary = Directory.CreateDirectory(_folder.PathOf("temporary")).FullName;
+        string tape = _folder.PathOf("long.tape");
+        File.WriteAllBytes(tape, TapeBytes.Of([.. TapeBytes.Idle.SkipLast(1), .. Enumerable.Repeat(new TapeTick(), ticks)]));
+        using Process process = Start($"tape play '{tape}'", "", temporary);
+        Await(() => process.HasExited || Playing().Length > 0, "the playback");
+
+        AssertEnds(process, signal);
+
+        Assert.Empty(Playing());
+
+        string[] Playing() => Directory.GetDirectories(temporary, "harvester-tape-*");
+    }
+
     private static void AssertEnds(Process process, string signal)
     {
         // What ends before the signal comes proves nothing.
@@ -120,7 +141,7 @@ public sealed class SignalTests(HugeSession session) : IClassFixture<HugeSession
         }
     }
 
-    private Process Start(string command, string source)
+    private Process Start(string command, string source, string? temporary = null)
     {
         string words = command.Replace("SESSION", session.Session, StringComparison.Ordinal)
             .Replace("ROADS", session.Roads, StringComparison.Ordinal).Replace("OUT", _folder.PathOf("out"), StringComparison.Ordinal);
@@ -130,6 +151,11 @@ public sealed class SignalTests(HugeSession session) : IClassFixture<HugeSession
             RedirectStandardOutput = true,
             RedirectStandardError = true,
         };
+        if (temporary is not null)
+        {
+            start.Environment["TMPDIR"] = temporary;
+        }
+
         string run = $"$heeding dotnet '{Program}' {words}";
         string stream = _folder.PathOf("stream");
         string script = source.Length == 0 ? $"exec {run}" : $"mkfifo '{stream}'; {source} cat >'{stream}' & exec {run} <'{stream}'";
