@@ -22,7 +22,7 @@ internal sealed class GameShownEntities(NearbyEntities nearby) : IShownEntities
     /// <summary>The same for a person.</summary>
     private const double PersonReachMetres = 2;
 
-    /// <summary>A chain of attachments is followed no farther: an object in the hand of a driver, or on a trailer, is two steps long.</summary>
+    /// <summary>A chain of attachments is followed no farther: an object in a driver's hand, or on a trailer, is two steps long.</summary>
     private const int MaxSteps = 4;
 
     private const int None = 0;

@@ -17,7 +17,7 @@ public sealed class HidingTests
     public static TheoryData<Hash> Natives => [.. OwnNatives];
 
     /// <summary>The natives that only a harvest with coded masks calls.</summary>
-    internal static IReadOnlyList<Hash> OwnNatives { get; } = 
+    internal static IReadOnlyList<Hash> OwnNatives { get; } =
     [
         Hash.IS_ENTITY_VISIBLE, Hash.SET_ENTITY_VISIBLE, Hash.GET_VEHICLE_TRAILER_VEHICLE, Hash.GET_ENTITY_ATTACHED_TO, Hash.DRAW_POLY,
     ];

@@ -238,7 +238,8 @@ public sealed class HarvestSession : IDisposable
         }
 
         bool isLagOpen = Lag is null && check.ErrorPixels is null && (_options.ProbeLag || check.Warning is not null);
-        _unchecked = [.. new[] { freeze.Warning, display.Warning, colours.Warning, check.Warning, isLagOpen ? LagUnchecked : null }.OfType<CaptureFault>()];
+        CaptureFault?[] warnings = [freeze.Warning, display.Warning, colours.Warning, check.Warning, isLagOpen ? LagUnchecked : null];
+        _unchecked = [.. warnings.OfType<CaptureFault>()];
         CaptureFlows flows = _flows = new CaptureFlows(_options, _game, reader, pool, _budget, Counters, Calls) { NextLag = NextLag };
         ICaptureFlow flow = flows.For(_sink, Lag);
         using var frames = new FrameHarvester(_options, _sink, flow, Counters, _motion) { Watch = _watch };

@@ -57,7 +57,7 @@ public sealed class SessionStatistics
     /// <summary>Labels per frame; 0 without frames.</summary>
     public double LabelsPerFrame => Frames == 0 ? 0 : (double)Labels / Frames;
 
-    /// <summary>Number of labels of kinds that KITTI labels too: all but signs, traffic lights and riders, who belong to two-wheelers.</summary>
+    /// <summary>Number of labels of kinds that KITTI labels too: all but signs, traffic lights and riders of two-wheelers.</summary>
     public int LabelsAsKitti => _classes.Where(kind => KittiClasses.Has(kind.Key)).Sum(kind => kind.Value.Labels);
 
     /// <summary>These labels per frame; 0 without frames.</summary>

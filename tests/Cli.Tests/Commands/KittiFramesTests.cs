@@ -26,6 +26,8 @@ public sealed class KittiFramesTests : IDisposable
     private const string FourCameras = """{"name":"0","position":[0.0,0.6,1.65],A},{"name":"1","position":[0.5,0.6,1.65],A},"""
         + """{"name":"2","position":[-0.6,0.6,1.65],A},{"name":"3","position":[0.4,0.6,1.65],A}""";
 
+    private static readonly string[] Calibrations = ["out/sequences/00/calib.txt", "out/training/calib/000002.txt"];
+
     private readonly TemporaryFolder _folder = new();
 
     public void Dispose() => _folder.Dispose();
@@ -119,8 +121,7 @@ public sealed class KittiFramesTests : IDisposable
     private double[] Matrix(params string[] names) => Numbers(File.ReadLines(Calibration).Select(line => line.Split(": "))
         .Single(parts => names.Contains(parts[0]))[1]);
 
-    private string Calibration => new[] { "out/sequences/00/calib.txt", "out/training/calib/000002.txt" }.Select(_folder.PathOf)
-        .Single(File.Exists);
+    private string Calibration => Calibrations.Select(_folder.PathOf).Single(File.Exists);
 
     /// <summary>KITTI's T_cam0_velo is Tr; that of another camera i adds P_i(0, 3) / P_i(0, 0) to its x.</summary>
     private double[] ScannerIn(int camera)

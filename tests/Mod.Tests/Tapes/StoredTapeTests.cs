@@ -14,10 +14,11 @@ public sealed class StoredTapeTests
     private const string TapeVariable = "GTADATAHARVESTER_TAPE";
 
     /// <summary>The tape that plays to its end.</summary>
-    private const string Newest = "harvest-riders.tape";
+    private const string Newest = "harvest-rays.tape";
 
     [Theory]
-    [InlineData("harvest-1.0.tape", 1, 45, "DOES_ENTITY_EXIST(16777864)", "DOES_ENTITY_EXIST(638)")]
+    [InlineData("harvest-1.0.tape", 1, 19, "HIDE_HUD_AND_RADAR_THIS_FRAME()", "GET_GAME_TIMER()")]
+    [InlineData("harvest-riders.tape", 1, 19, "HIDE_HUD_AND_RADAR_THIS_FRAME()", "GET_GAME_TIMER()")]
     public void Older_tape_plays_up_to_the_first_new_question(string name, int ticks, long calls, string expected, string got)
     {
         TapeResult result = Play(name);
