@@ -71,10 +71,14 @@ def test_wrong_labels_are_refused(handmade: HandmadeSession, change: Any, place:
 
 Field = Tuple[str, ...]
 
-# What the simulated game and these sessions do not have: GTA V reads lists, knows its edition and build, and can draw over the pictures;
-# only it and a real network have props of a file. A resumed session can report faults.
+# What the simulated game and these sessions do not have: GTA V reads lists, knows its edition and build, can draw over the pictures and has
+# a display; its maps of normals are from rays. Only it and a real network have props of a file. A resumed session can report faults.
 ONLY_ELSEWHERE = {
     ("session", "reading"), ("session", "pictures"), ("session", "pictures", "warning"),
+    *(("session", "start", *names) for names in (
+        ("display",), ("display", "state"), ("display", "region"),
+        ("colours",), ("colours", "state"), ("colours", "grey192"), ("colours", "grey128"))),
+    ("label", "$defs", "rays", "normals"),
     *(("session", "settings", name) for name in ("gameEdition", "gameBuild", "scriptApi", "props")),
 }
 
