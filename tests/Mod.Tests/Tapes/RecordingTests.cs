@@ -60,9 +60,6 @@ public sealed class RecordingTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Ten_seconds_take_a_sixth_of_the_bound_of_a_minute() => AssertSmall(600);
-
-    [Fact]
     [Trait("Category", "Heavy")]
     public void Minute_without_pictures_takes_less_than_20_MB() => AssertSmall(TicksOfAMinute);
 

@@ -132,6 +132,7 @@ public sealed class TapeTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Tape_of_every_feature_plays_up_to_what_it_lacks()
     {
         using var driver = new ScriptDriver(RecordedGame.Ini + Playthrough.Ini, faces: LightTests.TableOfOne);
@@ -210,6 +211,7 @@ public sealed class TapeTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Floats_of_another_machine_are_no_difference()
     {
         EditedTape tape = new(RecordedGame.Plain);

@@ -1,3 +1,5 @@
+using System.Text.RegularExpressions;
+
 namespace Harvester.Datasets.Tests.Exports.NuScenes;
 
 public sealed class NuScenesCheckTests(SimulatedSession simulated) : CheckTests(simulated, "nuscenes")
@@ -52,6 +54,17 @@ public sealed class NuScenesCheckTests(SimulatedSession simulated) : CheckTests(
         Export();
         Damage(Tables + "ego_pose.json", "\"translation\":\\[", "\"translation\":[-");
         Assert.Contains(Problems(), problem => problem.EndsWith("it lies outside its map.", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void Boxes_that_all_lie_on_their_sides_are_found()
+    {
+        Export();
+        string table = Folder.PathOf($"out/{Tables}sample_annotation.json");
+        File.WriteAllText(table, Regex.Replace(
+            File.ReadAllText(table), "\"rotation\":\\[[^\\]]*", "\"rotation\":[0.707106781,0.707106781,0,0"));
+        Assert.Contains(Problems(), problem => problem.EndsWith(
+            "boxes lean by more than 60 degrees: rotation is w, x, y, z.", StringComparison.Ordinal));
     }
 
     [Fact]

@@ -28,6 +28,9 @@ internal sealed class NuScenesBox
     /// <summary>Its x axis, along its length.</summary>
     public Vector3D Forward => _motion.Forward;
 
+    /// <summary>Its z axis, along its height.</summary>
+    public Vector3D Up => _motion.Up;
+
     /// <summary>Its corners, metres.</summary>
     public IEnumerable<Vector3D> Corners =>
         from x in (double[])[-1, 1]

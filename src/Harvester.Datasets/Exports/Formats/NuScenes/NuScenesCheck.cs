@@ -219,6 +219,11 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
     private IEnumerable<SessionProblem> GeometryProblems()
     {
         var check = new NuScenesGeometryCheck(dataset, _tables);
+        if (Checked(check.LeaningProblem) is { } leaning)
+        {
+            return [new SessionProblem(FileOf("sample_annotation"), null, leaning)];
+        }
+
         ILookup<string, JsonFields> data = _tables["sample_data"].Values.Where(record => record.Boolean("is_key_frame"))
             .ToLookup(record => record.Text("sample_token"));
         foreach (string sample in _tables["sample"].Keys)

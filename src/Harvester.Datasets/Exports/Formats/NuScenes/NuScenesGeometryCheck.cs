@@ -32,6 +32,12 @@ internal sealed class NuScenesGeometryCheck(
     /// <summary>Traffic does not reverse as fast, m/s.</summary>
     private const double MaxReverse = 8;
 
+    /// <summary>Boxes that lean by more than 60 degrees have an up axis with a vertical part below its cosine.</summary>
+    private const double LeaningCosine = 0.5;
+
+    /// <summary>A vehicle may lie on its side; where more than this fraction of the boxes does, their rotations are wrong.</summary>
+    private const double MaxLeaningFraction = 1 / 3.0;
+
     private const double Microseconds = 1e6;
 
     private readonly ILookup<string, JsonFields> _annotations =
@@ -43,6 +49,15 @@ internal sealed class NuScenesGeometryCheck(
         _ = record.Numbers("translation", 3);
         return Math.Abs(record.Numbers("rotation", 4).Sum(part => part * part) - 1) > RoundingUnit
             ? "its rotation is no unit quaternion." : null;
+    }
+
+    /// <summary>The problem of the rotations of all boxes: with the scalar last, most of them lie on their sides or heads.</summary>
+    public string? LeaningProblem()
+    {
+        int boxes = tables["sample_annotation"].Count;
+        int leaning = tables["sample_annotation"].Values.Count(record => new NuScenesBox(record).Up.Z < LeaningCosine);
+        return leaning > MaxLeaningFraction * boxes
+            ? FormattableString.Invariant($"{leaning} of {boxes} boxes lean by more than 60 degrees: rotation is w, x, y, z.") : null;
     }
 
     /// <summary>The problem of the boxes of a sample; each is the first of its kind.</summary>

@@ -30,6 +30,9 @@ internal sealed class NuScenesMotion
     /// <summary>The x axis of the frame.</summary>
     public Vector3D Forward => _x;
 
+    /// <summary>The z axis of the frame.</summary>
+    public Vector3D Up => _z;
+
     /// <summary>The origin of the frame.</summary>
     public Vector3D Origin => _translation;
 
