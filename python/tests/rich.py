@@ -42,12 +42,14 @@ def write(folder: Path) -> Path:
     person["joints"] = [{"joint": "neck", "position": [1, 21, 0], "pixel": [3, 4], "visibility": "visible"}]
     line.update(
         moment=0, view="front", classMap={"file": "classes/1.png"}, depth={"sparse": "depth/1.png", "completed": None, "error": None},
+        normals={"file": "normals/1.png"},
         lidar=[{"sensor": "top", "file": "lidar/1.bin"}], motion=[[float(i) for i in range(13)]], drive=copy.deepcopy(ACTION),
         pairs=[{"file": "pairs/1.png", "weather": "rain", "timeOfDay": "06:00:00", "without": [7]}], lanes=copy.deepcopy(_LANES))
     session.write()
     grey = np.ones((HEIGHT, WIDTH), np.uint8)
+    colours = np.stack([grey] * 3, axis=-1)
     for name, picture in (
-            ("classes/1.png", grey), ("depth/1.png", grey.astype(np.uint16)), ("pairs/1.png", np.stack([grey] * 3, axis=-1))):
+            ("classes/1.png", grey), ("depth/1.png", grey.astype(np.uint16)), ("normals/1.png", colours), ("pairs/1.png", colours)):
         (folder / name).parent.mkdir(exist_ok=True)
         (folder / name).write_bytes(png.encode(picture))
     (folder / "lidar").mkdir(exist_ok=True)
