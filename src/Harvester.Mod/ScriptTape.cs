@@ -56,7 +56,7 @@ internal static class ScriptTape
         return tape;
     }
 
-    /// <summary>The text of a file; empty if there is none, or none that the mod could use.</summary>
+    /// <summary>The text of a file; empty if it does not exist or the mod cannot use it.</summary>
     private static string TextOf(string path)
     {
         try

@@ -5,7 +5,7 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>Class maps, from rays or as the simulation drew them.</summary>
-internal sealed class ClassMapCapture() : CaptureChannel(new ClassMapChannel())
+internal sealed class ClassMapCapture() : CaptureChannel(FrameChannels.ClassMaps)
 {
     /// <inheritdoc />
     public override bool IsOn(HarvestOptions options) => options.Semantics is not null;

@@ -7,7 +7,7 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>Depth maps, from rays; completed ones need masks.</summary>
-internal sealed class DepthCapture() : CaptureChannel(new DepthChannel())
+internal sealed class DepthCapture() : CaptureChannel(FrameChannels.Depth)
 {
     /// <inheritdoc />
     public override bool NeedsNormals(GamePorts game) => true;

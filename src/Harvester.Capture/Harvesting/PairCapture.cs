@@ -6,7 +6,7 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>Further pictures of moments, which <see cref="PairPhotographer"/> takes.</summary>
-internal sealed class PairCapture() : CaptureChannel(new PairsChannel())
+internal sealed class PairCapture() : CaptureChannel(FrameChannels.Pairs)
 {
     /// <inheritdoc />
     public override bool IsOn(HarvestOptions options) => options.Pairs.IsAny;

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Harvester.Geometry.Depth;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Capture.Labelling;
 
@@ -14,7 +15,7 @@ internal sealed class DepthLabeller(FrameRays rays) : IChannelLabeller
     public ChannelTurn Turn => ChannelTurn.Last;
 
     /// <inheritdoc />
-    public string RaysKey => "depth";
+    public string RaysKey => FrameChannels.Depth.RaysKey;
 
     /// <inheritdoc />
     public IEnumerable<bool> Label(FrameDraft draft, Func<bool> mayCastRays)

@@ -19,8 +19,6 @@ public record LabellingOptions
     /// <summary>Maximum <see cref="RayBudget"/>: more than one ray per pixel of a large image.</summary>
     public const int MaxRays = 10_000_000;
 
-    private static readonly string DepthKey = new DepthChannel().Key;
-
     /// <summary>Size of the saved images, pixels; 800 x 600 as in the thesis.</summary>
     public ImageSize Image { get; init; } = new(800, 600);
 
@@ -51,8 +49,8 @@ public record LabellingOptions
     /// <summary>Whether depth maps are made, of a game whose rays report normals.</summary>
     public bool Depth
     {
-        get => Channels.Contains(DepthKey);
-        init => Channels = Channels.With(DepthKey, value);
+        get => Channels.Contains(FrameChannels.Depth.Key);
+        init => Channels = Channels.With(FrameChannels.Depth.Key, value);
     }
 
     /// <summary>The channels that are switched on by their key alone: <see cref="FrameChannel.Switch"/>.</summary>

@@ -7,6 +7,7 @@ using Harvester.Geometry.Cameras;
 using Harvester.Geometry.ClassMaps;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Semantics;
 
@@ -32,7 +33,7 @@ internal sealed class SemanticLabeller(LabellingOptions options, FrameRays rays,
     public ChannelTurn Turn => ChannelTurn.AfterObjects;
 
     /// <inheritdoc />
-    public string RaysKey => "classes";
+    public string RaysKey => FrameChannels.ClassMaps.RaysKey;
 
     /// <inheritdoc />
     public IEnumerable<bool> Label(FrameDraft draft, Func<bool> mayCastRays)

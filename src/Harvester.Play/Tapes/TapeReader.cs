@@ -21,7 +21,7 @@ public sealed class TapeReader(Stream file)
     public bool IsInterrupted { get; private set; }
 
     /// <summary>The entries; can be read once.</summary>
-    /// <exception cref="InvalidDataException">The file is no tape, has another version, or is damaged; the message begins with "it".
+    /// <exception cref="InvalidDataException">The file is not a tape, has another version, or is damaged; the message begins with "it".
     /// </exception>
     public IEnumerable<TapeEntry> Entries()
     {

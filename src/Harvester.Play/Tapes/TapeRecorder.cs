@@ -151,7 +151,7 @@ public sealed class TapeRecorder : IDisposable
         }
     }
 
-    /// <summary>What the player is told when the recording begins.</summary>
+    /// <summary>The message for the player when the recording begins.</summary>
     public string Greeting => FormattableString.Invariant(
         $"A tape is being recorded for {_options.Minutes} minutes, in the sessions folder. The setting Record under [Tape] ends that.");
 

@@ -7,15 +7,27 @@ namespace Harvester.Sessions.Labels;
 /// <summary>All channels. Their order is that of their fields in a label and of their files in the manifest.</summary>
 public static class FrameChannels
 {
+    /// <summary>The channel of class maps.</summary>
+    public static ClassMapChannel ClassMaps { get; } = new();
+
+    /// <summary>The channel of depth maps.</summary>
+    public static DepthChannel Depth { get; } = new();
+
+    /// <summary>The channel of the points of LiDARs.</summary>
+    public static SweepsChannel Sweeps { get; } = new();
+
+    /// <summary>The channel of further pictures.</summary>
+    public static PairsChannel Pairs { get; } = new();
+
     /// <summary>The channel of maps of normals.</summary>
     public static MapChannel Normals { get; } =
         new("normals", "map of normals", 24, new ChannelSwitch("Normals", "the normals of the surfaces, in the camera's frame"));
 
     /// <summary>The channels whose fields stand before the rays.</summary>
-    internal static IReadOnlyList<FrameChannel> Maps { get; } = [new ClassMapChannel(), new DepthChannel(), Normals];
+    internal static IReadOnlyList<FrameChannel> Maps { get; } = [ClassMaps, Depth, Normals];
 
     /// <summary>The channels whose fields stand after the rays.</summary>
-    internal static IReadOnlyList<FrameChannel> Others { get; } = [new SweepsChannel(), new PairsChannel()];
+    internal static IReadOnlyList<FrameChannel> Others { get; } = [Sweeps, Pairs];
 
     /// <summary>All channels.</summary>
     public static IReadOnlyList<FrameChannel> All { get; } = [.. Maps, .. Others];

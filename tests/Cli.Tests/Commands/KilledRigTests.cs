@@ -61,7 +61,7 @@ public sealed class KilledRigTests : IDisposable
     private string[] Arguments(string name) =>
     [
         "harvest", "--out", _folder.PathOf(name), "--rig", _rig, "--frames", $"{Moments}", "--hz", "2", "--seed", "3", "--places", "1",
-        "--masks", "--depth", "--no-report", "--resume", "--sync", "always",
+        "--masks", "--depth", "--normals", "--no-report", "--resume", "--sync", "always",
     ];
 
     private int Lines()

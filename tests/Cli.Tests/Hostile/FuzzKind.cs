@@ -81,6 +81,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Picture("png", "session", "png", "export {0}/session --format csv --image-format bmp --out {0}/out", Export("deepdriving")),
         new("mask", "session/masks/00000000.png", ValidatePictures, "validate {0}/session", Export("coco"), Export("cityscapes"), Relabel),
         new("class-map", "session/classes/00000000.png", ValidatePictures, "validate {0}/session", Export("semantic")),
+        new("normals", "session/normals/00000000.png", ValidatePictures, "validate {0}/session", Relabel),
         new("map", "maps/0.png", folder => PngDecoder.ReadInstanceMap(In(folder, "maps/0.png")), "masks import {0}/session {0}/maps",
             "masks import {0}/session {0}/maps --match"),
         Picture("jpg", "jpg", "jpg"),

@@ -1,9 +1,5 @@
 using Harvester.Capture.Faults;
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Tests.Doubles;
-using Harvester.Geometry.Cameras;
-using Harvester.Simulation.Game;
-using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.Tests.Quirks;
@@ -11,8 +7,6 @@ namespace Harvester.Simulation.Tests.Quirks;
 /// <summary>A harvest finds out before its first frame whether pictures show the colours of the game.</summary>
 public sealed class ColourProbeTests
 {
-    private const double TicksPerSecond = 10;
-
     [Fact]
     public void Kept_colours_cause_no_warning() => Assert.Null(WarningOf(new GameQuirks(), ColourState.Kept));
 
@@ -37,33 +31,10 @@ public sealed class ColourProbeTests
 
     private static string? WarningOf(GameQuirks quirks, ColourState? expected)
     {
-        var game = new SimulatedGame(new SimulationOptions
-        {
-            Seed = 61,
-            WindowAspect = 4.0 / 3,
-            IsWarm = true,
-            Detail = Detail.Plain,
-            TimeOfDay = TimeSpan.FromHours(12),
-            Quirks = quirks,
-        });
-        var sink = new MemorySink { KeepsFrames = false };
-        var options = new HarvestOptions
-        {
-            Image = new ImageSize(320, 240),
-            MaxFrames = 2,
-            ProbeLag = false,
-            MaxCalibrationErrorPixels = null,
-            ChecksDisplay = true,
-        };
-        using var session = new HarvestSession(options, game.Ports, sink);
-        while (!session.Step().IsOver)
-        {
-            game.Tick(1 / TicksPerSecond);
-        }
+        using var harvest = new QuirkHarvest(quirks, new HarvestOptions { MaxFrames = 2, ChecksDisplay = true });
 
-        Assert.Null(session.Fault);
-        Assert.Equal(expected, sink.Start!.Colours?.State);
-        Assert.Empty(game.Layers.Card);
-        return session.Warnings.SingleOrDefault(warning => warning.Code == FaultCode.ColoursChanged)?.Message;
+        Assert.Equal(expected, harvest.Sink.Start!.Colours?.State);
+        Assert.Empty(harvest.Game.Layers.Card);
+        return harvest.Session.Warnings.SingleOrDefault(warning => warning.Code == FaultCode.ColoursChanged)?.Message;
     }
 }

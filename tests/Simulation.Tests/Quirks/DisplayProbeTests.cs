@@ -1,9 +1,5 @@
 using Harvester.Capture.Faults;
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Tests.Doubles;
-using Harvester.Geometry.Cameras;
-using Harvester.Simulation.Game;
-using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.Tests.Quirks;
@@ -11,8 +7,6 @@ namespace Harvester.Simulation.Tests.Quirks;
 /// <summary>A harvest finds out before its first frame whether the game's display can be hidden while it is frozen.</summary>
 public sealed class DisplayProbeTests
 {
-    private const double TicksPerSecond = 10;
-
     [Fact]
     public void Game_without_a_display_shows_no_difference() => AssertFinding(new GameQuirks(), DisplayState.NotSeen, null);
 
@@ -30,33 +24,11 @@ public sealed class DisplayProbeTests
 
     private static void AssertFinding(GameQuirks quirks, DisplayState state, string? region)
     {
-        var game = new SimulatedGame(new SimulationOptions
-        {
-            Seed = 61,
-            WindowAspect = 4.0 / 3,
-            IsWarm = true,
-            Detail = Detail.Plain,
-            TimeOfDay = TimeSpan.FromHours(12),
-            Quirks = quirks,
-        });
-        var sink = new MemorySink { KeepsFrames = false };
-        var options = new HarvestOptions
-        {
-            Image = new ImageSize(320, 240),
-            MaxFrames = 2,
-            ProbeLag = false,
-            MaxCalibrationErrorPixels = null,
-            ChecksDisplay = true,
-        };
-        using var session = new HarvestSession(options, game.Ports, sink);
-        while (!session.Step().IsOver)
-        {
-            game.Tick(1 / TicksPerSecond);
-        }
+        using var harvest = new QuirkHarvest(quirks, new HarvestOptions { MaxFrames = 2, ChecksDisplay = true });
+        DisplayFinding found = harvest.Sink.Start!.Display!;
 
-        Assert.Null(session.Fault);
-        Assert.Equal(new DisplayFinding(state, null), sink.Start!.Display! with { Region = null });
-        Assert.Equal(region, sink.Start.Display.Region?.Split(',')[0]);
-        Assert.Equal(state == DisplayState.Stays, session.Warnings.Any(warning => warning.Code == FaultCode.DisplayStays));
+        Assert.Equal(new DisplayFinding(state, null), found with { Region = null });
+        Assert.Equal(region, found.Region?.Split(',')[0]);
+        Assert.Equal(state == DisplayState.Stays, harvest.Session.Warnings.Any(warning => warning.Code == FaultCode.DisplayStays));
     }
 }

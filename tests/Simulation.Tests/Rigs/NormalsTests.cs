@@ -19,6 +19,23 @@ public sealed class NormalsTests(ITestOutputHelper output)
     /// <summary>Angles of a map of 8 bits: half a step of 1/127 in each of three components.</summary>
     private const double RoundingDegrees = 0.4;
 
+    /// <summary>
+    /// Inverse depth is linear along a row or column of a plane; single precision, 1e-7, is far below this part of it, and edges above.
+    /// </summary>
+    private const double MaxBend = 1e-4;
+
+    /// <summary>A normal from the depths of neighbouring pixels is less exact far away and where a plane is seen from its edge.</summary>
+    private const double DifferenceDegrees = 2;
+
+    /// <summary>Cosine by which a surface seen from its edge may seem to turn away: rounding, and the width of a pixel.</summary>
+    private const double EdgeCosine = 0.02;
+
+    /// <summary>Normals this close are those of the same face.</summary>
+    private const double SameFaceDegrees = 5;
+
+    /// <summary>The part of the pixels that must have the normal of their face; others lie near edges and on round bodies.</summary>
+    private const double MinSameFace = 0.9;
+
     /// <summary>Surfaces beyond it are smaller than the grid of rays, metres.</summary>
     private const double MaxMetres = 100;
 
@@ -28,7 +45,6 @@ public sealed class NormalsTests(ITestOutputHelper output)
     [Fact]
     public void Exact_normals_are_those_of_the_depth()
     {
-        const double flat = 1e-4;
         List<double> angles = [];
         Harvest(51, isExact: true, (map, camera, picture) =>
         {
@@ -39,8 +55,8 @@ public sealed class NormalsTests(ITestOutputHelper output)
                     int at = (row * Image.Width) + column;
                     float left = picture.Depth[at - 1], right = picture.Depth[at + 1];
                     float above = picture.Depth[at - Image.Width], below = picture.Depth[at + Image.Width], here = picture.Depth[at];
-                    if (!float.IsFinite(left + right + above + below) || Math.Abs((2 / here) - (1 / left) - (1 / right)) * here > flat
-                        || Math.Abs((2 / here) - (1 / above) - (1 / below)) * here > flat)
+                    if (!float.IsFinite(left + right + above + below) || Math.Abs((2 / here) - (1 / left) - (1 / right)) * here > MaxBend
+                        || Math.Abs((2 / here) - (1 / above) - (1 / below)) * here > MaxBend)
                     {
                         continue;
                     }
@@ -56,7 +72,7 @@ public sealed class NormalsTests(ITestOutputHelper output)
         Assert.True(angles.Count > 5_000, $"Only {angles.Count} pixels were compared.");
         double[] ordered = [.. angles.Order()];
         Assert.InRange(ordered[ordered.Length / 2], 0, RoundingDegrees);
-        Assert.InRange(ordered[ordered.Length * 9 / 10], 0, 2);
+        Assert.InRange(ordered[ordered.Length * 9 / 10], 0, DifferenceDegrees);
     }
 
     [Fact]
@@ -69,7 +85,7 @@ public sealed class NormalsTests(ITestOutputHelper output)
                 bool isSky = float.IsPositiveInfinity(picture.Depth[at]);
                 Assert.Equal(isSky, map.Bytes.AsSpan(at * 3, 3).IndexOfAnyExcept((byte)0) < 0);
                 Vector3D seen = Point(camera, at % Image.Width, at / Image.Width, 1);
-                Assert.True(isSky || Vector(map, at).Dot(seen.Normalized()) < 0.02, $"Pixel {at} shows the back of a surface.");
+                Assert.True(isSky || Vector(map, at).Dot(seen.Normalized()) < EdgeCosine, $"Pixel {at} shows the back of a surface.");
             }
         });
     }
@@ -88,12 +104,12 @@ public sealed class NormalsTests(ITestOutputHelper output)
             int[] compared = [.. Enumerable.Range(0, Image.PixelCount).Where(at => picture.Depth[at] < MaxMetres)];
             double[] angles = [.. compared.Where(at => map.Bytes.AsSpan(at * 3, 3).IndexOfAnyExcept((byte)0) >= 0)
                 .Select(at => AngleDegrees(Vector(map, at), Vector(exact!, at))).Order()];
-            double within = angles.Count(angle => angle < 5) / (double)compared.Length;
+            double within = angles.Count(angle => angle < SameFaceDegrees) / (double)compared.Length;
             output.WriteLine(FormattableString.Invariant(
                 $"{seed}: median {angles[angles.Length / 2]:0.00} degrees, within 5 degrees {within:0.0000}, of {compared.Length} pixels"));
 
             Assert.InRange(angles[angles.Length / 2], 0, 2 * RoundingDegrees);
-            Assert.InRange(within, 0.9, 1);
+            Assert.InRange(within, MinSameFace, 1);
         });
     }
 
