@@ -1,10 +1,6 @@
 #:property PublishAot=false
-using System;
-using System.Collections.Generic;
 using System.Formats.Tar;
-using System.IO;
 using System.IO.Compression;
-using System.Linq;
 
 // Packs a folder, or packs a zip again, so that the same files give the same bytes: all files have one time and one of two modes; those of a
 // folder are in the order of their names, those of a zip keep theirs.
@@ -34,10 +30,12 @@ File.Move(temporary, target, overwrite: true);
 Console.WriteLine(target);
 return 0;
 
-static IEnumerable<Item> FilesOf(string folder) => Directory.EnumerateFiles(folder, "*", SearchOption.AllDirectories)
-    .Select(file => (Path: file, Name: Path.GetRelativePath(folder, file).Replace('\\', '/')))
-    .OrderBy(file => file.Name, StringComparer.Ordinal)
-    .Select(file => new Item(file.Name, ModeOf(file.Path), File.ReadAllBytes(file.Path)));
+static IEnumerable<Item> FilesOf(string folder) =>
+    Directory
+        .EnumerateFiles(folder, "*", SearchOption.AllDirectories)
+        .Select(file => (Path: file, Name: Path.GetRelativePath(folder, file).Replace('\\', '/')))
+        .OrderBy(file => file.Name, StringComparer.Ordinal)
+        .Select(file => new Item(file.Name, ModeOf(file.Path), File.ReadAllBytes(file.Path)));
 
 static UnixFileMode ModeOf(string file) =>
     !OperatingSystem.IsWindows() && (File.GetUnixFileMode(file) & UnixFileMode.UserExecute) != 0 ? Readable | Executable : Readable;
@@ -77,12 +75,14 @@ void WriteTar(IEnumerable<Item> files)
     using TarWriter tar = new(zipped, TarEntryFormat.Ustar);
     foreach (Item file in files)
     {
-        tar.WriteEntry(new UstarTarEntry(TarEntryType.RegularFile, file.Name)
-        {
-            Mode = file.Mode,
-            ModificationTime = time,
-            DataStream = new MemoryStream(file.Content),
-        });
+        tar.WriteEntry(
+            new UstarTarEntry(TarEntryType.RegularFile, file.Name)
+            {
+                Mode = file.Mode,
+                ModificationTime = time,
+                DataStream = new MemoryStream(file.Content),
+            }
+        );
     }
 }
 

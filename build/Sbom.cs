@@ -1,8 +1,4 @@
 #:property PublishAot=false
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text;
 using System.Text.Json.Nodes;
 using System.Xml.Linq;
@@ -85,11 +81,9 @@ void Add(string type, string component, string componentVersion, string? sha512,
     };
     if (sha512 is not null)
     {
-        added["hashes"] = new JsonArray(new JsonObject
-        {
-            ["alg"] = "SHA-512",
-            ["content"] = Convert.ToHexStringLower(Convert.FromBase64String(sha512)),
-        });
+        added["hashes"] = new JsonArray(
+            new JsonObject { ["alg"] = "SHA-512", ["content"] = Convert.ToHexStringLower(Convert.FromBase64String(sha512)) }
+        );
     }
 
     added["licenses"] = new JsonArray(new JsonObject { ["expression"] = licence });
@@ -99,20 +93,29 @@ void Add(string type, string component, string componentVersion, string? sha512,
 }
 
 // The version is a range of one, such as [10.0.1, 10.0.1].
-static string VersionOfDownload(JsonNode assets, string package) => assets["project"]!["frameworks"]!.AsObject()
-    .SelectMany(framework => framework.Value!["downloadDependencies"]!.AsArray())
-    .Where(download => (string)download!["name"]! == package)
-    .Select(download => ((string)download!["version"]!).Trim('[', ']').Split(',')[0])
-    .First();
+static string VersionOfDownload(JsonNode assets, string package) =>
+    assets["project"]!["frameworks"]!
+        .AsObject()
+        .SelectMany(framework => framework.Value!["downloadDependencies"]!.AsArray())
+        .Where(download => (string)download!["name"]! == package)
+        .Select(download => ((string)download!["version"]!).Trim('[', ']').Split(',')[0])
+        .First();
 
 // Reference assemblies have no file for the runtime.
 static IEnumerable<KeyValuePair<string, JsonNode?>> PackagesThatShip(JsonNode assets)
 {
-    HashSet<string> shipped = [.. assets["targets"]!.AsObject()
-        .SelectMany(target => target.Value!.AsObject())
-        .Where(library => (string)library.Value!["type"]! == "package" && library.Value!["runtime"] is JsonObject)
-        .Select(library => library.Key)];
-    return assets["libraries"]!.AsObject().Where(library => shipped.Contains(library.Key)).OrderBy(library => library.Key, StringComparer.Ordinal);
+    HashSet<string> shipped =
+    [
+        .. assets["targets"]!
+            .AsObject()
+            .SelectMany(target => target.Value!.AsObject())
+            .Where(library => (string)library.Value!["type"]! == "package" && library.Value!["runtime"] is JsonObject)
+            .Select(library => library.Key),
+    ];
+    return assets["libraries"]!
+        .AsObject()
+        .Where(library => shipped.Contains(library.Key))
+        .OrderBy(library => library.Key, StringComparer.Ordinal);
 }
 
 string FolderOf(string packagePath) => packageFolders.Select(parent => Path.Combine(parent, packagePath)).First(Directory.Exists);

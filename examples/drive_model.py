@@ -29,17 +29,19 @@ def decode(png):
     """Decodes a PNG as the bridge sends it: 8-bit RGB, not interlaced, each line filtered with Sub or Up."""
     at, compressed = 8, b""
     while at < len(png):
-        length, kind = struct.unpack(">I4s", png[at:at + 8])
-        chunk = png[at + 8:at + 8 + length]
+        length, kind = struct.unpack(">I4s", png[at : at + 8])
+        chunk = png[at + 8 : at + 8 + length]
         if kind == b"IHDR":
             width, height = struct.unpack(">II", chunk[:8])
         elif kind == b"IDAT":
             compressed += chunk
         at += length + 12
     data, stride = zlib.decompress(compressed), width * 3
-    lines = [data[row * (stride + 1):(row + 1) * (stride + 1)] for row in range(height)]
+    lines = [data[row * (stride + 1) : (row + 1) * (stride + 1)] for row in range(height)]
     if any(line[0] not in (SUB, UP) for line in lines):
-        raise ValueError("the image has a line that is filtered with neither Sub nor Up; images of the bridge have none")
+        raise ValueError(
+            "the image has a line that is filtered with neither Sub nor Up; images of the bridge have none"
+        )
     try:
         import numpy
     except ImportError:

@@ -40,10 +40,13 @@ internal sealed class BridgeLatency : IDrivenCar, IScreen
         var measured = new BridgeLatency();
         measured.Drive(frames);
         double[] sorted = [.. measured._latencies.Order()];
-        Console.WriteLine(string.Create(
-            CultureInfo.InvariantCulture,
-            $"{sorted.Length} of {frames} frames answered; ms from frame to applied control: median {At(0.5):0.0}, 99th hundredth "
-                + $"{At(0.99):0.0}, most {sorted[^1]:0.0}"));
+        Console.WriteLine(
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"{sorted.Length} of {frames} frames answered; ms from frame to applied control: median {At(0.5):0.0}, 99th hundredth "
+                    + $"{At(0.99):0.0}, most {sorted[^1]:0.0}"
+            )
+        );
         Environment.ExitCode = sorted.Length == 0 || At(0.99) >= MillisecondsPerFrame ? 1 : 0;
 
         double At(double share) => sorted[(int)Math.Ceiling(share * sorted.Length) - 1];
@@ -64,13 +67,9 @@ internal sealed class BridgeLatency : IDrivenCar, IScreen
         return GrabResult.Good;
     }
 
-    public void Reset(Vector3D position, double headingDegrees)
-    {
-    }
+    public void Reset(Vector3D position, double headingDegrees) { }
 
-    public void SetEnvironment(string? weather, TimeSpan? timeOfDay)
-    {
-    }
+    public void SetEnvironment(string? weather, TimeSpan? timeOfDay) { }
 
     private static void Answer(IPEndPoint place)
     {
@@ -93,8 +92,9 @@ internal sealed class BridgeLatency : IDrivenCar, IScreen
             }
 
             double steering = frame.GetInt64() % Frames / (double)Frames;
-            Send(string.Create(
-                CultureInfo.InvariantCulture, $"{{\"type\":\"controls\",\"steering\":{steering},\"throttle\":0,\"brake\":0}}"));
+            Send(
+                string.Create(CultureInfo.InvariantCulture, $"{{\"type\":\"controls\",\"steering\":{steering},\"throttle\":0,\"brake\":0}}")
+            );
         }
 
         void Send(string json)
@@ -116,9 +116,15 @@ internal sealed class BridgeLatency : IDrivenCar, IScreen
         using var bridge = new SocketBridge(SocketBridgeOptions.Loopback with { Port = 0 }, options.Picture);
         using var session = new DrivingSession(
             options,
-            game.Ports with { Car = this, Screen = this, Roads = new FixedRoads(game.Roads, "simulation") },
+            game.Ports with
+            {
+                Car = this,
+                Screen = this,
+                Roads = new FixedRoads(game.Roads, "simulation"),
+            },
             bridge,
-            static () => new DeepDrivingController());
+            static () => new DeepDrivingController()
+        );
         var client = new Thread(() => Answer(bridge.EndPoint)) { IsBackground = true };
         client.Start();
         for (long tick = 0; session.Status.Frames < frames; tick++)

@@ -15,10 +15,12 @@ public class RoadBenchmarks
     private RoadMatcher _matcher = null!;
     private RoadNetwork _network = null!;
 
-    private static string File => Path.Combine(
-        Environment.GetEnvironmentVariable("GTADATAHARVESTER_REALWORLD")
-            ?? throw new InvalidOperationException("Set GTADATAHARVESTER_REALWORLD to the folder with nodes.zip."),
-        "nodes.zip");
+    private static string File =>
+        Path.Combine(
+            Environment.GetEnvironmentVariable("GTADATAHARVESTER_REALWORLD")
+                ?? throw new InvalidOperationException("Set GTADATAHARVESTER_REALWORLD to the folder with nodes.zip."),
+            "nodes.zip"
+        );
 
     [GlobalSetup]
     public void Setup()

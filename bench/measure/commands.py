@@ -28,8 +28,24 @@ def build():
 def publish(folder):
     """Publishes the tool for this system, compiled ahead of time, and returns its path."""
     machine = {"x86_64": "x64", "aarch64": "arm64"}[platform.machine()]
-    subprocess.run(["dotnet", "publish", "-c", "Release", "-r", f"linux-{machine}", "--no-self-contained", "-v", "q", "-clp:ErrorsOnly",
-                    "-o", folder, ROOT / "src/Harvester.Cli"], check=True)
+    subprocess.run(
+        [
+            "dotnet",
+            "publish",
+            "-c",
+            "Release",
+            "-r",
+            f"linux-{machine}",
+            "--no-self-contained",
+            "-v",
+            "q",
+            "-clp:ErrorsOnly",
+            "-o",
+            folder,
+            ROOT / "src/Harvester.Cli",
+        ],
+        check=True,
+    )
     return os.path.join(folder, TOOL.name)
 
 
@@ -43,9 +59,24 @@ def cost_of(*arguments, tool=TOOL):
 
 
 def harvest(folder, frames, *options, tool=TOOL):
-    return cost_of("harvest", "--out", folder, "--overwrite", "--no-report", "-q", "--seed", 3, "--frames", frames, *options, tool=tool)
+    return cost_of(
+        "harvest",
+        "--out",
+        folder,
+        "--overwrite",
+        "--no-report",
+        "-q",
+        "--seed",
+        3,
+        "--frames",
+        frames,
+        *options,
+        tool=tool,
+    )
 
 
 def own_figures(folder):
-    text = subprocess.run(["dotnet", BENCHMARKS, "figures", folder], check=True, stdout=subprocess.PIPE, text=True).stdout
+    text = subprocess.run(
+        ["dotnet", BENCHMARKS, "figures", folder], check=True, stdout=subprocess.PIPE, text=True
+    ).stdout
     return {name: float(value) for name, value in (line.split() for line in text.splitlines())}

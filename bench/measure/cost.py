@@ -16,9 +16,13 @@ start = time.perf_counter()
 code = subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL, check=False).returncode
 seconds = time.perf_counter() - start
 usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-print(json.dumps({
-    "code": code,
-    "seconds": seconds,
-    "processor_seconds": usage.ru_utime + usage.ru_stime,
-    "megabytes": usage.ru_maxrss * BYTES_PER_KILOBYTE / 1e6,
-}))
+print(
+    json.dumps(
+        {
+            "code": code,
+            "seconds": seconds,
+            "processor_seconds": usage.ru_utime + usage.ru_stime,
+            "megabytes": usage.ru_maxrss * BYTES_PER_KILOBYTE / 1e6,
+        }
+    )
+)

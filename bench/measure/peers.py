@@ -42,11 +42,14 @@ def figures(folder):
     level1 = [cv2.IMWRITE_PNG_COMPRESSION, 1]
     quality = [cv2.IMWRITE_JPEG_QUALITY, 95]
     found = {
-        "opencv.points": POINTS / best_seconds(lambda: cv2.projectPoints(points, numpy.zeros(3), numpy.zeros(3), matrix, None)),
+        "opencv.points": POINTS
+        / best_seconds(lambda: cv2.projectPoints(points, numpy.zeros(3), numpy.zeros(3), matrix, None)),
         "numpy.points": POINTS / best_seconds(by_numpy),
     }
     for name, picture, extension, options in [
-        ("png", frame, ".png", level1), ("mask", mask, ".png", level1), ("jpeg", frame, ".jpg", quality),
+        ("png", frame, ".png", level1),
+        ("mask", mask, ".png", level1),
+        ("jpeg", frame, ".jpg", quality),
     ]:
         found[f"opencv.{name}"] = 1000 * best_seconds(lambda: cv2.imencode(extension, picture, options))
         found[f"opencv.{name}.bytes"] = len(cv2.imencode(extension, picture, options)[1])

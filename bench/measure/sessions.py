@@ -19,14 +19,21 @@ def repeat(source, target, frames):
     span = 2 * labels[-1]["gameFrame"] - labels[-2]["gameFrame"] - labels[0]["gameFrame"]
     seconds = 2 * labels[-1]["timeSeconds"] - labels[-2]["timeSeconds"] - labels[0]["timeSeconds"]
     texts = [template(label) for label in labels]
-    files = [FilesOfFrame(source, place, os.path.splitext(label["image"])[1], folders) for place, label in enumerate(labels)]
+    files = [
+        FilesOfFrame(source, place, os.path.splitext(label["image"])[1], folders) for place, label in enumerate(labels)
+    ]
     manifest = open(os.path.join(target, "manifest.jsonl"), "w", encoding="utf-8")
     with manifest, open(os.path.join(target, "labels.jsonl"), "w", encoding="utf-8") as file:
         for frame in range(frames):
             turn, place = divmod(frame, len(labels))
             label = labels[place]
             line = texts[place] % (
-                frame, label["gameFrame"] + turn * span, round(label["timeSeconds"] + turn * seconds, 6), frame, frame)
+                frame,
+                label["gameFrame"] + turn * span,
+                round(label["timeSeconds"] + turn * seconds, 6),
+                frame,
+                frame,
+            )
             file.write(line + "\n")
             entry = {"frame": frame, "label": digest(line.encode()), "files": files[place].link(target, frame)}
             manifest.write(checked(entry))
@@ -87,7 +94,11 @@ def template(label):
     changed = dict(label, frame=-1, gameFrame=-2, timeSeconds=-3, image="IMAGE")
     changed["mask"] = "MASK" if label["mask"] else None
     text = json.dumps(changed, separators=(",", ":")).replace("%", "%%")
-    for mark, place in [('"frame":-1,', '"frame":%d,'), ('"gameFrame":-2,', '"gameFrame":%d,'), ('"timeSeconds":-3,', '"timeSeconds":%s,')]:
+    for mark, place in [
+        ('"frame":-1,', '"frame":%d,'),
+        ('"gameFrame":-2,', '"gameFrame":%d,'),
+        ('"timeSeconds":-3,', '"timeSeconds":%s,'),
+    ]:
         text = text.replace(mark, place, 1)
     text = text.replace('"IMAGE"', f'"frames/%08d{extension}"', 1)
-    return (text.replace('"MASK"', '"masks/%08d.png"', 1) if label["mask"] else text + "%.0s")
+    return text.replace('"MASK"', '"masks/%08d.png"', 1) if label["mask"] else text + "%.0s"

@@ -39,14 +39,20 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--observation", default="state", choices=("both", "image", "state"))
     parser.add_argument("--steps", type=int, default=2000)
-    parser.add_argument("--repeat", type=int, default=2, help="times that the same episodes are driven, each in the same game")
+    parser.add_argument(
+        "--repeat", type=int, default=2, help="times that the same episodes are driven, each in the same game"
+    )
     parser.add_argument("--traffic", type=float, default=1.0)
     parser.add_argument("--traffic-radius", type=float, default=200.0)
     parser.add_argument("--seed", type=int, default=5)
     arguments = parser.parse_args()
     with gym.DrivingEnv(
-            observation=arguments.observation, action="indicators", assisted=True, traffic=arguments.traffic,
-            traffic_radius=arguments.traffic_radius or None) as env:
+        observation=arguments.observation,
+        action="indicators",
+        assisted=True,
+        traffic=arguments.traffic,
+        traffic_radius=arguments.traffic_radius or None,
+    ) as env:
         drive(env, 1, min(arguments.steps, 500))
         hashes = []
         for _ in range(arguments.repeat):
@@ -55,7 +61,9 @@ def main() -> None:
             wall, own, game = time.perf_counter() - wall, time.process_time() - own, game_seconds(env) - game
             print(
                 f"{arguments.steps / wall:.0f} steps/s; processor time per step: {1e6 * game / arguments.steps:.0f} us of the game, "
-                f"{1e6 * own / arguments.steps:.0f} us of this process; {hashes[-1][:16]}", flush=True)
+                f"{1e6 * own / arguments.steps:.0f} us of this process; {hashes[-1][:16]}",
+                flush=True,
+            )
     if len(set(hashes)) != 1:
         raise SystemExit("The same seed and actions gave other frames.")
 

@@ -33,7 +33,9 @@ def rate(session, name, read):
 def measure(session):
     rate(session, "labels as records", lambda frame: frame.objects)
     rate(session, "labels and images", lambda frame: (frame.objects, frame.image()))
-    rate(session, "labels as arrays, images and masks", lambda frame: (frame.view.arrays(), frame.image(), frame.mask()))
+    rate(
+        session, "labels as arrays, images and masks", lambda frame: (frame.view.arrays(), frame.image(), frame.mask())
+    )
     rate(session, "the same and lanes", lambda frame: (frame.view.arrays(), frame.image(), frame.mask(), frame.lanes))
 
 

@@ -26,7 +26,12 @@ internal static class LoadCheck
             }
             catch (ReflectionTypeLoadException exception)
             {
-                Console.WriteLine("{0}: {1} types cannot be loaded, such as: {2}", Path.GetFileName(dll), exception.LoaderExceptions.Length, exception.LoaderExceptions[0].Message);
+                Console.WriteLine(
+                    "{0}: {1} types cannot be loaded, such as: {2}",
+                    Path.GetFileName(dll),
+                    exception.LoaderExceptions.Length,
+                    exception.LoaderExceptions[0].Message
+                );
                 return 1;
             }
         }

@@ -48,5 +48,7 @@ def output_file(text: str) -> Path:
     """A file to write, in a folder that exists."""
     file = Path(text)
     if not file.parent.is_dir() or file.is_dir():
-        raise argparse.ArgumentTypeError(f"'{text}' is no file that can be written, because its folder does not exist or it is a folder")
+        raise argparse.ArgumentTypeError(
+            f"'{text}' is no file that can be written, because its folder does not exist or it is a folder"
+        )
     return file

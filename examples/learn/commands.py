@@ -41,7 +41,9 @@ def run_all(commands: Mapping[str, List[str]], jobs: int, on_end: Callable[[str]
             for name in running:
                 if time.monotonic() - begun[name] > seconds + LIMIT_SECONDS:
                     minutes = (seconds + LIMIT_SECONDS) / 60
-                    raise RuntimeError(f"{name}: the command has not ended within {minutes:.0f} minutes, and was stopped.")
+                    raise RuntimeError(
+                        f"{name}: the command has not ended within {minutes:.0f} minutes, and was stopped."
+                    )
             time.sleep(POLL_SECONDS)
     finally:
         for process, _ in running.values():

@@ -43,14 +43,21 @@ def drive(
     while not ended and judge.driver_metres < metres and info["frame"]["timeSeconds"] - begun < seconds:
         answer = driver.answer(observation, info["frame"])
         if picture is None and judge.driver_metres > SHOWN_METRES and not info["frame"]["builtInDriver"]:
-            picture = filmstrip.picture_of(observation, info["frame"], answer if driver.action == "indicators" else None)
+            picture = filmstrip.picture_of(
+                observation, info["frame"], answer if driver.action == "indicators" else None
+            )
         observation, _, terminated, truncated, info = env.step(answer)
         judge.take(info["frame"])
         ended = terminated or truncated
         reason = str(info["ending"]) if ended else reason
-    figures = {"town": town, "weather": weather, "time": time_of_day,
-               "ending": reason if ended or judge.driver_metres >= metres else "seconds",
-               "seconds": round(info["frame"]["timeSeconds"] - begun, 1), **judge.figures()}
+    figures = {
+        "town": town,
+        "weather": weather,
+        "time": time_of_day,
+        "ending": reason if ended or judge.driver_metres >= metres else "seconds",
+        "seconds": round(info["frame"]["timeSeconds"] - begun, 1),
+        **judge.figures(),
+    }
     return figures, picture
 
 
@@ -63,11 +70,16 @@ def total_of(episodes: List[Dict[str, Any]]) -> Dict[str, Any]:
     collisions = {kind: sum(episode["collisions"][kind] for episode in episodes) for kind in episodes[0]["collisions"]}
     in_lane = sum(episode["inLaneMetres"] for episode in episodes)
     squares = sum(episode["rmsOffsetMetres"] ** 2 * episode["inLaneMetres"] for episode in episodes)
-    return {"driverMetres": round(metres, 1), "departures": departures,
-            "departuresPerKilometre": round(departures / metres * 1000, 3) if metres > 0 else None,
-            "interval": [round(bound / metres * 1000, 3) for bound in poisson_interval(departures)] if metres > 0 else None,
-            "score": round(sum(episode["score"] for episode in episodes) / len(episodes), 1), "collisions": collisions,
-            "inLaneMetres": round(in_lane, 1), "rmsOffsetMetres": round((squares / in_lane) ** 0.5, 3) if in_lane > 0 else None}
+    return {
+        "driverMetres": round(metres, 1),
+        "departures": departures,
+        "departuresPerKilometre": round(departures / metres * 1000, 3) if metres > 0 else None,
+        "interval": [round(bound / metres * 1000, 3) for bound in poisson_interval(departures)] if metres > 0 else None,
+        "score": round(sum(episode["score"] for episode in episodes) / len(episodes), 1),
+        "collisions": collisions,
+        "inLaneMetres": round(in_lane, 1),
+        "rmsOffsetMetres": round((squares / in_lane) ** 0.5, 3) if in_lane > 0 else None,
+    }
 
 
 def main() -> int:
@@ -76,18 +88,32 @@ def main() -> int:
         description="Lets a network drive in towns that it has not seen, and judges the drive.",
         epilog="The file of the figures with the suffix .progress has the towns that are done. The same command, run again, drives only "
         "in the others, in none if the drive is complete, and writes figures and film strip. Another drive needs another --out. Delete the "
-        "file to start over.")
+        "file to start over.",
+    )
     parser.add_argument("model", type=model_file, help="file of train.py or imitate.py")
-    parser.add_argument("--kilometres", type=positive_real, default=5, help="distance outside junctions, over all towns; default: 5")
+    parser.add_argument(
+        "--kilometres", type=positive_real, default=5, help="distance outside junctions, over all towns; default: 5"
+    )
     parser.add_argument("--towns", type=positive, default=10, help="number of towns; default: 10")
     parser.add_argument("--first-town", type=int, default=FIRST_TOWN, help=f"seed of the first; default: {FIRST_TOWN}")
-    parser.add_argument("--weathers", nargs="+", default=list(TRAINING_WEATHERS), help="weathers, in turn; default: those of the training")
+    parser.add_argument(
+        "--weathers",
+        nargs="+",
+        default=list(TRAINING_WEATHERS),
+        help="weathers, in turn; default: those of the training",
+    )
     parser.add_argument("--traffic", type=float, default=0.5, help="factor on the number of vehicles; default: 0.5")
-    parser.add_argument("--seconds", type=positive_real, default=600, help="time limit for each town, seconds of the game; default: 600")
+    parser.add_argument(
+        "--seconds", type=positive_real, default=600, help="time limit for each town, seconds of the game; default: 600"
+    )
     parser.add_argument("--roads", help="road network of the game in place of towns, with --near")
     parser.add_argument("--near", help="start on the road network, as X,Y")
-    parser.add_argument("--out", type=output_file, help="file for the figures; default: the model's name with .drive.json")
-    parser.add_argument("--strip", type=output_image, help="image to write a film strip to, .png or .jpg, with an image of each town")
+    parser.add_argument(
+        "--out", type=output_file, help="file for the figures; default: the model's name with .drive.json"
+    )
+    parser.add_argument(
+        "--strip", type=output_image, help="image to write a film strip to, .png or .jpg, with an image of each town"
+    )
     parser.add_argument("--harvester", help="command that runs harvester; default: GTAHARVEST_HARVESTER, or harvester")
     options = parser.parse_args()
     torch.set_num_threads(1)
@@ -96,20 +122,34 @@ def main() -> int:
     out = options.out or options.model.with_suffix(".drive.json")
     try:
         driver = load_driver(options.model)
-        set_by = {key: value for key, value in vars(options).items() if key not in ("model", "out", "strip", "harvester")}
+        set_by = {
+            key: value for key, value in vars(options).items() if key not in ("model", "out", "strip", "harvester")
+        }
         roads_file = Path(options.roads) if options.roads else None
         progress = Progress(out.with_suffix(".progress"), options.model, set_by, roads_file)
         if progress.done:
             print(f"{len(progress.done)} of {options.towns} towns are done.", flush=True)
         ending = Ending(collision=False, outside_seconds=None, seconds=None, standing_seconds=STANDING_SECONDS)
         with DrivingEnv(
-                "image", driver.action, ending=ending, traffic=options.traffic, assisted=True, harvester=options.harvester,
-                serve_options=["--controller", "stanley", *roads, *near]) as env:
+            "image",
+            driver.action,
+            ending=ending,
+            traffic=options.traffic,
+            assisted=True,
+            harvester=options.harvester,
+            serve_options=["--controller", "stanley", *roads, *near],
+        ) as env:
             for number in range(len(progress.done), options.towns):
                 weather = options.weathers[number % len(options.weathers)]
                 figures, picture = drive(
-                    driver, env, options.first_town + number, weather, f"{(8 + 5 * number) % 24:02}:30",
-                    options.kilometres * 1000 / options.towns, options.seconds)
+                    driver,
+                    env,
+                    options.first_town + number,
+                    weather,
+                    f"{(8 + 5 * number) % 24:02}:30",
+                    options.kilometres * 1000 / options.towns,
+                    options.seconds,
+                )
                 progress.add(figures, picture)
                 print(json.dumps({**figures, "departures": len(figures["departures"])}), flush=True)
     except (BridgeError, NetworkError, OSError, ProgressError) as problem:

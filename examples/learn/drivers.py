@@ -48,7 +48,9 @@ class PolicyDriver:
         """Steering, throttle and brake."""
         extras = torch.from_numpy(extras_of(frame["speedMetresPerSecond"], frame["route"])[None])
         steering, pedal = self._network(as_input(shrink(image)[None]), extras).numpy()[0]
-        return np.array([np.clip(steering * STEERING_SCALE, -1, 1), np.clip(pedal, 0, 1), np.clip(-pedal, 0, 1)], np.float32)
+        return np.array(
+            [np.clip(steering * STEERING_SCALE, -1, 1), np.clip(pedal, 0, 1), np.clip(-pedal, 0, 1)], np.float32
+        )
 
 
 def load_driver(file: Path) -> Driver:

@@ -50,8 +50,12 @@ def indicator_table(networks: Mapping[Path, Network], data: Path, sets: List[str
     """The errors of networks for indicators, by their files, and of the constant guess on each set; the first row has the headings."""
     train = load(data, "train")
     guess = np.array(
-        [np.median(train.values[is_active, i]) if is_active.any() else INACTIVE[i] for i, is_active in enumerate(train.active.T)],
-        np.float32)
+        [
+            np.median(train.values[is_active, i]) if is_active.any() else INACTIVE[i]
+            for i, is_active in enumerate(train.active.T)
+        ],
+        np.float32,
+    )
     table = [["set", "network", *GROUPS, "wrong"]]
     for name in sets:
         packed = load(data, name)
@@ -70,8 +74,10 @@ def policy_table(policies: Mapping[Path, Network], data: Path) -> List[List[str]
     unseen = imitate.controlled(load(data, "unseen"))
     errors = [(file.stem, imitate.errors_on(policy, unseen)) for file, policy in policies.items()]
     errors.append(("constant guess", imitate.errors_of(guess, unseen)))
-    return [["set", "network", "steering", "pedal"], *(
-        ["unseen", name, f"{each['steering']:.4f}", f"{each['pedal']:.3f}"] for name, each in errors)]
+    return [
+        ["set", "network", "steering", "pedal"],
+        *(["unseen", name, f"{each['steering']:.4f}", f"{each['pedal']:.3f}"] for name, each in errors),
+    ]
 
 
 def markdown(table: List[List[str]]) -> str:
@@ -82,15 +88,22 @@ def markdown(table: List[List[str]]) -> str:
 
 def main() -> int:
     """Runs the command line."""
-    parser = argparse.ArgumentParser(description="Evaluates networks on sets that they have not seen; prints tables in Markdown.")
+    parser = argparse.ArgumentParser(
+        description="Evaluates networks on sets that they have not seen; prints tables in Markdown."
+    )
     parser.add_argument("data", type=Path, help="folder with the packed sets")
     parser.add_argument("models", nargs="+", type=Path, help="files of train.py and imitate.py")
     parser.add_argument(
-        "--sets", nargs="+", default=["towns", "weathers", "roads"],
-        help="sets for networks of train.py; default: towns, weathers, roads. Policies are evaluated on the set unseen")
+        "--sets",
+        nargs="+",
+        default=["towns", "weathers", "roads"],
+        help="sets for networks of train.py; default: towns, weathers, roads. Policies are evaluated on the set unseen",
+    )
     parser.add_argument(
-        "--all", action="store_true",
-        help="count active indicators also where the network takes them for inactive, as the constant guess always does")
+        "--all",
+        action="store_true",
+        help="count active indicators also where the network takes them for inactive, as the constant guess always does",
+    )
     options = parser.parse_args()
     torch.set_num_threads(1)
     try:

@@ -35,7 +35,7 @@ def write(file: Path, pictures: List[np.ndarray]) -> None:
         return
     blanks = [np.zeros_like(pictures[0])] * (-len(pictures) % COLUMNS)
     shown = [*pictures, *blanks]
-    rows = [np.hstack(shown[at:at + COLUMNS]) for at in range(0, len(shown), COLUMNS)]
+    rows = [np.hstack(shown[at : at + COLUMNS]) for at in range(0, len(shown), COLUMNS)]
     if not cv2.imwrite(str(file), cv2.cvtColor(np.vstack(rows), cv2.COLOR_RGB2BGR)):
         raise OSError(f"{file} cannot be written.")
 

@@ -37,7 +37,14 @@ def command_of(harvester: List[str], folder: Path, plan: SessionPlan, roads: str
     unfinished, begins = folder / UNFINISHED, " ".join(["harvester harvest", *plan.options(None)])
     is_begun = unfinished.exists() and unfinished.read_text(encoding="utf-8").startswith(begins)
     return [
-        *harvester, "harvest", "--out", str(folder), "--resume" if is_begun else "--overwrite", "--quiet", *plan.options(roads)]
+        *harvester,
+        "harvest",
+        "--out",
+        str(folder),
+        "--resume" if is_begun else "--overwrite",
+        "--quiet",
+        *plan.options(roads),
+    ]
 
 
 def main() -> int:
@@ -47,11 +54,17 @@ def main() -> int:
     parser.add_argument("sets", nargs="*", help=f"sets to harvest: {', '.join(SETS)}; all without --roads but roads")
     parser.add_argument("--roads", help="road network of the game, for the set roads")
     parser.add_argument("--sessions", type=positive, help="harvest only the first sessions of each set")
-    parser.add_argument("--frames", type=positive, help="harvest at most N frames of each session; those with more stay as they are")
-    parser.add_argument("--jobs", type=positive, default=os.cpu_count() or 1, help="sessions at a time; default: one for each processor")
     parser.add_argument(
-        "--harvester", default=os.environ.get("GTAHARVEST_HARVESTER", "harvester"),
-        help="command that runs harvester; default: the environment variable GTAHARVEST_HARVESTER, or harvester")
+        "--frames", type=positive, help="harvest at most N frames of each session; those with more stay as they are"
+    )
+    parser.add_argument(
+        "--jobs", type=positive, default=os.cpu_count() or 1, help="sessions at a time; default: one for each processor"
+    )
+    parser.add_argument(
+        "--harvester",
+        default=os.environ.get("GTAHARVEST_HARVESTER", "harvester"),
+        help="command that runs harvester; default: the environment variable GTAHARVEST_HARVESTER, or harvester",
+    )
     options = parser.parse_args()
     unknown = set(options.sets) - set(SETS)
     if unknown:
@@ -60,7 +73,10 @@ def main() -> int:
         parser.error("the set roads needs --roads")
     names = options.sets or [name for name in SETS if name != "roads" or options.roads]
     plans = [
-        replace(plan, frames=min(plan.frames, options.frames or plan.frames)) for name in names for plan in SETS[name][:options.sessions]]
+        replace(plan, frames=min(plan.frames, options.frames or plan.frames))
+        for name in names
+        for plan in SETS[name][: options.sessions]
+    ]
     left = {plan.name: plan for plan in plans if not is_done(options.data / plan.name, plan)}
     total, done = sum(plan.frames for plan in left.values()), 0
     print(f"{len(plans)} sessions, of which {len(plans) - len(left)} are done; {total} frames to harvest", flush=True)
@@ -76,8 +92,11 @@ def main() -> int:
         for name in names:
             (options.data / name).mkdir(parents=True, exist_ok=True)
         run_all(
-            {name: command_of(harvester, options.data / name, plan, options.roads) for name, plan in left.items()}, options.jobs, tell,
-            SECONDS_PER_FRAME * options.jobs * max((plan.frames for plan in left.values()), default=0))
+            {name: command_of(harvester, options.data / name, plan, options.roads) for name, plan in left.items()},
+            options.jobs,
+            tell,
+            SECONDS_PER_FRAME * options.jobs * max((plan.frames for plan in left.values()), default=0),
+        )
     except (OSError, RuntimeError) as problem:
         print(f"harvest.py: {problem}", file=sys.stderr)
         return 1

@@ -30,8 +30,12 @@ def controlled(recorded: Packed) -> Packed:
 
 def inputs_of(packed: Packed) -> np.ndarray:
     """The further inputs of the frames."""
-    return np.stack([
-        extras_of(speed, None if np.isnan(route) else ROUTES[int(route)]) for speed, route in zip(packed.speed, packed.route)])
+    return np.stack(
+        [
+            extras_of(speed, None if np.isnan(route) else ROUTES[int(route)])
+            for speed, route in zip(packed.speed, packed.route)
+        ]
+    )
 
 
 def targets_of(packed: Packed) -> np.ndarray:
@@ -60,7 +64,8 @@ def train(options: argparse.Namespace) -> None:
     if len(packed) == 0 or len(validation) == 0:
         raise PackedError(
             f"The set drives has {int(recorded.frames[:, 0].max()) + 1} drives, too few to hold out {options.validation} and to learn from "
-            "others; record more, or give another --validation.")
+            "others; record more, or give another --validation."
+        )
     extras, targets = torch.from_numpy(inputs_of(packed)), torch.from_numpy(targets_of(packed))
     torch.manual_seed(options.seed)
     network = Network(POLICY_OUTPUTS, EXTRAS)
@@ -68,18 +73,25 @@ def train(options: argparse.Namespace) -> None:
     def loss_of(batch: torch.Tensor, random: torch.Generator) -> torch.Tensor:
         further = extras[batch]
         further[:, 0] *= 1 + SPEED_NOISE * torch.randn(len(batch), generator=random)
-        return nn.functional.l1_loss(network(varied(as_input(packed.images[batch.numpy()]), random), further), targets[batch])
+        return nn.functional.l1_loss(
+            network(varied(as_input(packed.images[batch.numpy()]), random), further), targets[batch]
+        )
 
     fit(network, packed, validation, loss_of, errors_on, options)
 
 
 def main() -> int:
     """Runs the command line."""
-    parser = argparse.ArgumentParser(description="Trains a policy on recorded actions. Run again, it continues after the last epoch.")
+    parser = argparse.ArgumentParser(
+        description="Trains a policy on recorded actions. Run again, it continues after the last epoch."
+    )
     add_options(parser, epochs=12)
     parser.add_argument(
-        "--validation", type=positive, default=2,
-        help="number of recorded drives to hold out for the curves, the last ones; default: 2, so that it learns from 18 of 20")
+        "--validation",
+        type=positive,
+        default=2,
+        help="number of recorded drives to hold out for the curves, the last ones; default: 2, so that it learns from 18 of 20",
+    )
     options = parser.parse_args()
     torch.set_num_threads(options.threads)
     try:

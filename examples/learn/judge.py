@@ -42,8 +42,14 @@ class Judge:
         completion = min(1.0, self.driver_metres / self._wanted_metres)
         departures = [
             {"seconds": frame["timeSeconds"], "position": frame["position"], "offsetMetres": frame["laneOffsetMetres"]}
-            for frame in self._keeping.departures]
+            for frame in self._keeping.departures
+        ]
         return {
-            "metres": round(episode.driven_metres, 1), "score": round(100 * completion * episode.penalty, 1),
-            "driverMetres": round(self.driver_metres, 1), "departures": departures,
-            "collisions": self._collisions, "inLaneMetres": round(self._in_lane_metres, 1), "rmsOffsetMetres": round((self._squares / max(1, self._in_lane_metres)) ** 0.5, 3)}
+            "metres": round(episode.driven_metres, 1),
+            "score": round(100 * completion * episode.penalty, 1),
+            "driverMetres": round(self.driver_metres, 1),
+            "departures": departures,
+            "collisions": self._collisions,
+            "inLaneMetres": round(self._in_lane_metres, 1),
+            "rmsOffsetMetres": round((self._squares / max(1, self._in_lane_metres)) ** 0.5, 3),
+        }

@@ -38,10 +38,20 @@ class Network(nn.Module):
         super().__init__()
 
         def block(before: int, after: int, size: int, stride: int) -> Tuple[nn.Module, ...]:
-            return (nn.Conv2d(before, after, size, stride, size // 2, bias=False), nn.BatchNorm2d(after), nn.ReLU(inplace=True))
+            return (
+                nn.Conv2d(before, after, size, stride, size // 2, bias=False),
+                nn.BatchNorm2d(after),
+                nn.ReLU(inplace=True),
+            )
 
         self.seen = nn.Sequential(
-            *block(3, 24, 5, 2), *block(24, 32, 3, 2), *block(32, 48, 3, 2), *block(48, 64, 3, 1), *block(64, 64, 3, 2), nn.Flatten())
+            *block(3, 24, 5, 2),
+            *block(24, 32, 3, 2),
+            *block(32, 48, 3, 2),
+            *block(48, 64, 3, 1),
+            *block(64, 64, 3, 2),
+            nn.Flatten(),
+        )
         self.hidden = nn.Sequential(nn.Linear(64 * 5 * 8 + extras, 256), nn.ReLU(inplace=True), nn.Dropout(0.3))
         self.out = nn.Linear(256, outputs)
         self.extras = extras
@@ -67,7 +77,7 @@ def load_network(file: Path) -> Network:
 def as_input(images: np.ndarray, turns: np.ndarray | None = None) -> torch.Tensor:
     """Images (n, 70, 140, 3), uint8, as input of the network: their middle, or what the camera sees turned to the right by pixels (n,)."""
     begins = np.full(len(images), MOST_TURN) if turns is None else MOST_TURN + turns
-    seen = np.stack([image[:, begin:begin + WIDTH] for image, begin in zip(images, begins)])
+    seen = np.stack([image[:, begin : begin + WIDTH] for image, begin in zip(images, begins)])
     return torch.from_numpy(seen).permute(0, 3, 1, 2).float().div_(255)
 
 
@@ -82,5 +92,9 @@ def predict(network: Network, images: np.ndarray, extras: np.ndarray | None = No
     """The outputs for images (n, 70, 140, 3) and further inputs (n, extras)."""
     network.eval()
     parts = [slice(at, at + 256) for at in range(0, len(images), 256)]
-    return np.concatenate([
-        network(as_input(images[part]), None if extras is None else torch.from_numpy(extras[part])).numpy() for part in parts])
+    return np.concatenate(
+        [
+            network(as_input(images[part]), None if extras is None else torch.from_numpy(extras[part])).numpy()
+            for part in parts
+        ]
+    )

@@ -59,7 +59,10 @@ def pack(data: Path, name: str) -> Path:
         raise SessionError(f"{data / name} has no session; run {maker} first.")
     planned = len((DRIVES if name in DRIVES else SETS)[name])
     if len(folders) < planned:
-        print(f"pack.py: {data / name} has {len(folders)} of {planned} sessions; {maker} makes the others.", file=sys.stderr)
+        print(
+            f"pack.py: {data / name} has {len(folders)} of {planned} sessions; {maker} makes the others.",
+            file=sys.stderr,
+        )
     target = data / "packed" / f"{name}.npz"
     # A folder's own time tells of sessions that were deleted.
     changed = max(path.stat().st_mtime_ns for path in (data / name, *(folder / "session.json" for folder in folders)))
@@ -96,7 +99,9 @@ def main() -> int:
         print(f"pack.py: {problem}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
-        print("pack.py: stopped; run the same command again to continue with the set that was cut off.", file=sys.stderr)
+        print(
+            "pack.py: stopped; run the same command again to continue with the set that was cut off.", file=sys.stderr
+        )
         return STOPPED
     return 0
 

@@ -56,4 +56,6 @@ def load(data: Path, name: str) -> Packed:
         with np.load(file) as arrays:
             return Packed(*(arrays[field.name] for field in fields(Packed)))
     except (BadZipFile, EOFError, KeyError, ValueError) as problem:
-        raise PackedError(f"{file} is damaged, or of another version; delete it, and run pack.py {data} {name}.") from problem
+        raise PackedError(
+            f"{file} is damaged, or of another version; delete it, and run pack.py {data} {name}."
+        ) from problem

@@ -25,7 +25,11 @@ class Progress:
         Raises ProgressError if the file is of another drive, or damaged.
         """
         self._file = file
-        self.drive = {"sha256": _digest(model), "options": options, "roadsSha256": None if roads is None else _digest(roads)}
+        self.drive = {
+            "sha256": _digest(model),
+            "options": options,
+            "roadsSha256": None if roads is None else _digest(roads),
+        }
         self.done: List[Tuple[Dict[str, Any], Optional[np.ndarray]]] = []
         if not file.exists():
             return
@@ -33,8 +37,14 @@ class Progress:
         try:
             former, *towns = [json.loads(line) for line in file.read_text(encoding="utf-8").split("\n")[:-1]]
             done = [self._parse(line) for line in towns]
-            differing = [name for key, name in (("sha256", "model"), ("roadsSha256", "road network")) if former[key] != self.drive[key]]
-            differing += [f"--{name.replace('_', '-')}" for name in options if former["options"].get(name) != options[name]]
+            differing = [
+                name
+                for key, name in (("sha256", "model"), ("roadsSha256", "road network"))
+                if former[key] != self.drive[key]
+            ]
+            differing += [
+                f"--{name.replace('_', '-')}" for name in options if former["options"].get(name) != options[name]
+            ]
         except (ValueError, KeyError, TypeError, AttributeError, cv2.error) as problem:
             raise ProgressError(f"{file} is damaged, or of another version. {remedy}") from problem
         if differing:
@@ -56,7 +66,9 @@ class Progress:
     @staticmethod
     def _parse(line: Dict[str, Any]) -> Tuple[Dict[str, Any], Optional[np.ndarray]]:
         text = line["image"]
-        image = None if text is None else cv2.imdecode(np.frombuffer(base64.b64decode(text), np.uint8), cv2.IMREAD_COLOR)
+        image = (
+            None if text is None else cv2.imdecode(np.frombuffer(base64.b64decode(text), np.uint8), cv2.IMREAD_COLOR)
+        )
         return line["figures"], image
 
 

@@ -38,7 +38,16 @@ def driven(data: Path, plan: DrivePlan) -> Path:
 def command_of(harvester: List[str], data: Path, plan: DrivePlan) -> List[str]:
     """The command that records a drive, in place of what there is of it."""
     return [
-        *harvester, "drive", "--out", str(driven(data, plan)), "--overwrite", "--record", str(data / plan.name), "--quiet", *plan.options()]
+        *harvester,
+        "drive",
+        "--out",
+        str(driven(data, plan)),
+        "--overwrite",
+        "--record",
+        str(data / plan.name),
+        "--quiet",
+        *plan.options(),
+    ]
 
 
 def main() -> int:
@@ -47,18 +56,29 @@ def main() -> int:
     parser.add_argument("data", type=Path, help="folder for the sessions")
     parser.add_argument("sets", nargs="*", help=f"sets to record: {', '.join(DRIVES)}; default: all")
     parser.add_argument("--drives", type=positive, help="record only the first drives of each set")
-    parser.add_argument("--metres", type=positive, default=1500, help="distance of each drive; longer ones stay as they are; default: 1500")
-    parser.add_argument("--jobs", type=positive, default=os.cpu_count() or 1, help="drives at a time; default: one for each processor")
     parser.add_argument(
-        "--harvester", default=os.environ.get("GTAHARVEST_HARVESTER", "harvester"),
-        help="command that runs harvester; default: the environment variable GTAHARVEST_HARVESTER, or harvester")
+        "--metres",
+        type=positive,
+        default=1500,
+        help="distance of each drive; longer ones stay as they are; default: 1500",
+    )
+    parser.add_argument(
+        "--jobs", type=positive, default=os.cpu_count() or 1, help="drives at a time; default: one for each processor"
+    )
+    parser.add_argument(
+        "--harvester",
+        default=os.environ.get("GTAHARVEST_HARVESTER", "harvester"),
+        help="command that runs harvester; default: the environment variable GTAHARVEST_HARVESTER, or harvester",
+    )
     options = parser.parse_args()
     unknown = set(options.sets) - set(DRIVES)
     if unknown:
         parser.error(f"unknown set '{min(unknown)}'; sets are {', '.join(DRIVES)}")
     names = options.sets or list(DRIVES)
-    plans = [replace(plan, metres=options.metres) for name in names for plan in DRIVES[name][:options.drives]]
-    left = [plan for plan in plans if not (is_done(options.data / plan.name, plan) and is_whole(driven(options.data, plan)))]
+    plans = [replace(plan, metres=options.metres) for name in names for plan in DRIVES[name][: options.drives]]
+    left = [
+        plan for plan in plans if not (is_done(options.data / plan.name, plan) and is_whole(driven(options.data, plan)))
+    ]
     done = len(plans) - len(left)
     print(f"{len(plans)} drives, of which {done} are done", flush=True)
 
@@ -70,8 +90,12 @@ def main() -> int:
     try:
         for name in names:
             (options.data / name).mkdir(parents=True, exist_ok=True)
-        run_all({plan.name: command_of(shlex.split(options.harvester), options.data, plan) for plan in left}, options.jobs, tell,
-            SECONDS_PER_METRE * options.jobs * options.metres)
+        run_all(
+            {plan.name: command_of(shlex.split(options.harvester), options.data, plan) for plan in left},
+            options.jobs,
+            tell,
+            SECONDS_PER_METRE * options.jobs * options.metres,
+        )
     except (OSError, RuntimeError) as problem:
         print(f"record.py: {problem}", file=sys.stderr)
         return 1

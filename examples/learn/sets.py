@@ -4,7 +4,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Dict, List, Mapping, Optional, Protocol, Tuple
 
-TRAINING_WEATHERS = ("clear", "rain", "clouds", "extrasunny", "foggy", "neutral", "snow", "overcast", "clearing", "xmas")
+TRAINING_WEATHERS = (
+    "clear",
+    "rain",
+    "clouds",
+    "extrasunny",
+    "foggy",
+    "neutral",
+    "snow",
+    "overcast",
+    "clearing",
+    "xmas",
+)
 OTHER_WEATHERS = ("smog", "thunder", "snowlight", "blizzard", "halloween")
 
 SIZE = "280x210"
@@ -35,10 +46,35 @@ class SessionPlan:
     def options(self, roads: Optional[str]) -> List[str]:
         """The options of harvester harvest, without its folder."""
         chosen = [
-            "--frames", str(self.frames), "--seed", str(self.seed), "--size", SIZE, "--hz", str(HZ),
-            "--weather", self.weather, "--time", self.time, "--traffic", str(TRAFFIC), "--wander", f"{self.wander:g}",
-            "--lane-changes", f"{self.lane_changes:g}", "--places", str(max(1, self.frames // 20)),
-            "--rays", "2000", "--ignore-range", "0", "--no-scenes", "--no-report", "--sync", "never"]
+            "--frames",
+            str(self.frames),
+            "--seed",
+            str(self.seed),
+            "--size",
+            SIZE,
+            "--hz",
+            str(HZ),
+            "--weather",
+            self.weather,
+            "--time",
+            self.time,
+            "--traffic",
+            str(TRAFFIC),
+            "--wander",
+            f"{self.wander:g}",
+            "--lane-changes",
+            f"{self.lane_changes:g}",
+            "--places",
+            str(max(1, self.frames // 20)),
+            "--rays",
+            "2000",
+            "--ignore-range",
+            "0",
+            "--no-scenes",
+            "--no-report",
+            "--sync",
+            "never",
+        ]
         return [*chosen, "--roads", roads] if self.on_roads and roads else chosen
 
     def is_of(self, session: Mapping[str, Any]) -> bool:
@@ -54,7 +90,8 @@ def _hour(number: int) -> str:
 def _towns(set_name: str, seeds: range, frames: int, weathers: Tuple[str, ...], **further: float) -> List[SessionPlan]:
     return [
         SessionPlan(f"{set_name}/{seed}", frames, seed, weathers[at % len(weathers)], _hour(at), **further)
-        for at, seed in enumerate(seeds)]
+        for at, seed in enumerate(seeds)
+    ]
 
 
 SETS: Dict[str, List[SessionPlan]] = {
@@ -64,7 +101,8 @@ SETS: Dict[str, List[SessionPlan]] = {
     "weathers": _towns("weathers", range(221, 231), 200, OTHER_WEATHERS),
     "roads": [
         SessionPlan(f"roads/{seed}", 400, seed, weather, _hour(seed), on_roads=True)
-        for seed, weather in zip(range(241, 246), TRAINING_WEATHERS)],
+        for seed, weather in zip(range(241, 246), TRAINING_WEATHERS)
+    ],
     "straight": _towns("straight", range(101, 113), 500, TRAINING_WEATHERS, wander=0, lane_changes=0),
 }
 """train to learn from, validation for the curves; towns, weathers and roads are seen only by the evaluation. straight has the first towns
@@ -84,8 +122,24 @@ class DrivePlan:
     def options(self) -> List[str]:
         """The options of harvester drive, without its folders."""
         return [
-            "--seed", str(self.seed), "--weather", self.weather, "--time", self.time, "--controller", "stanley", "--perturb",
-            "--traffic", "0.5", "--distance", str(self.metres), "--duration", "240", "--size", SIZE]
+            "--seed",
+            str(self.seed),
+            "--weather",
+            self.weather,
+            "--time",
+            self.time,
+            "--controller",
+            "stanley",
+            "--perturb",
+            "--traffic",
+            "0.5",
+            "--distance",
+            str(self.metres),
+            "--duration",
+            "240",
+            "--size",
+            SIZE,
+        ]
 
     def is_of(self, session: Mapping[str, Any]) -> bool:
         """Whether what session.json describes is of this plan, or goes farther."""
@@ -94,8 +148,13 @@ class DrivePlan:
 
 def _drives(set_name: str, seeds: range) -> List[DrivePlan]:
     return [
-        DrivePlan(f"{set_name}/{seed}", seed, TRAINING_WEATHERS[at % len(TRAINING_WEATHERS)], _hour(at)) for at, seed in enumerate(seeds)]
+        DrivePlan(f"{set_name}/{seed}", seed, TRAINING_WEATHERS[at % len(TRAINING_WEATHERS)], _hour(at))
+        for at, seed in enumerate(seeds)
+    ]
 
 
-DRIVES: Dict[str, List[DrivePlan]] = {"drives": _drives("drives", range(101, 121)), "unseen": _drives("unseen", range(261, 271))}
+DRIVES: Dict[str, List[DrivePlan]] = {
+    "drives": _drives("drives", range(101, 121)),
+    "unseen": _drives("unseen", range(261, 271)),
+}
 """drives to imitate, in towns of the set train; unseen, in towns that no other set has, only for the evaluation."""

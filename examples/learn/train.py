@@ -68,7 +68,8 @@ def errors_on(network: Network, packed: Packed) -> Dict[str, float]:
     return {
         "angle": float(wrong[:, 0][packed.active[:, 0] & active[:, 0]].mean()),
         "lane": float(lane[packed.active[:, 7:9] & active[:, 7:9]].mean()),
-        "activity": float((active != packed.active).mean())}
+        "activity": float((active != packed.active).mean()),
+    }
 
 
 def train(options: argparse.Namespace) -> None:
@@ -93,11 +94,15 @@ def train(options: argparse.Namespace) -> None:
 
 def main() -> int:
     """Runs the command line."""
-    parser = argparse.ArgumentParser(description="Trains a network for the indicators. Run again, it continues after the last epoch.")
+    parser = argparse.ArgumentParser(
+        description="Trains a network for the indicators. Run again, it continues after the last epoch."
+    )
     add_options(parser, epochs=32)
     parser.add_argument("--set", default="train", help="set to learn from; default: train")
     parser.add_argument("--sessions", type=positive, help="use only the first sessions of the set")
-    parser.add_argument("--labels", choices=("true", "shifted", "mirrored"), default="true", help="labels to learn; default: true")
+    parser.add_argument(
+        "--labels", choices=("true", "shifted", "mirrored"), default="true", help="labels to learn; default: true"
+    )
     options = parser.parse_args()
     torch.set_num_threads(options.threads)
     try:

@@ -30,9 +30,11 @@ def add_options(parser: argparse.ArgumentParser, epochs: int) -> None:
     """Adds the options of a training."""
     parser.add_argument("data", type=Path, help="folder with the packed sets")
     parser.add_argument(
-        "model", type=model_file,
+        "model",
+        type=model_file,
         help="file to write, such as full.pt; the lines of its epochs go to full.jsonl, and what continuing needs to full.state, which "
-        "another training with this name refuses")
+        "another training with this name refuses",
+    )
     parser.add_argument("--epochs", type=positive, default=epochs, help=f"epochs; default: {epochs}")
     parser.add_argument("--seed", type=int, default=1, help="seed of weights, order and variations; default: 1")
     parser.add_argument("--threads", type=positive, default=os.cpu_count() or 1, help="processors to use; default: all")
@@ -70,7 +72,8 @@ def fit(
     state_file, log_file = options.model.with_suffix(".state"), options.model.with_suffix(".jsonl")
     training = {
         **{name: value for name, value in vars(options).items() if name not in CHANGES_NOTHING},
-        "data": [packed.digest(), validation.digest()]}
+        "data": [packed.digest(), validation.digest()],
+    }
     lines = _restored(state_file, training, parts) if state_file.exists() else []
     for epoch in range(len(lines), options.epochs):
         watch, total = time.monotonic(), 0.0
@@ -78,23 +81,43 @@ def fit(
         order = torch.randperm(count, generator=random)
         network.train()
         for at in range(0, count, BATCH):
-            batch = order[at:at + BATCH]
+            batch = order[at : at + BATCH]
             loss = loss_of(batch, random)
             optimiser.zero_grad()
             loss.backward()
             optimiser.step()
             schedule.step()
             total += float(loss) * len(batch)
-        lines.append(json.dumps(
-            {"epoch": epoch + 1, "seconds": round(time.monotonic() - watch, 1), "loss": total / count,
-             **errors_on(network, validation)}))
+        lines.append(
+            json.dumps(
+                {
+                    "epoch": epoch + 1,
+                    "seconds": round(time.monotonic() - watch, 1),
+                    "loss": total / count,
+                    **errors_on(network, validation),
+                }
+            )
+        )
         print(lines[-1], flush=True)
         replace(log_file, lambda file: file.write_text("\n".join(lines) + "\n", encoding="utf-8"))
-        replace(state_file, lambda file: torch.save({
-            "training": training, "lines": lines, "random": torch.get_rng_state(),
-            **{name: part.state_dict() for name, part in parts.items()}}, file))
-    replace(options.model, lambda file: torch.save(
-        {"network": network.state_dict(), "outputs": network.out.out_features, "extras": network.extras}, file))
+        replace(
+            state_file,
+            lambda file: torch.save(
+                {
+                    "training": training,
+                    "lines": lines,
+                    "random": torch.get_rng_state(),
+                    **{name: part.state_dict() for name, part in parts.items()},
+                },
+                file,
+            ),
+        )
+    replace(
+        options.model,
+        lambda file: torch.save(
+            {"network": network.state_dict(), "outputs": network.out.out_features, "extras": network.extras}, file
+        ),
+    )
 
 
 def _restored(file: Path, training: Dict[str, Any], parts: Dict[str, Any]) -> List[str]:
@@ -116,7 +139,9 @@ def _restored(file: Path, training: Dict[str, Any], parts: Dict[str, Any]) -> Li
     except Exception as problem:  # Unpickling a damaged file may raise anything.
         raise TrainingError(f"{file} is damaged, or of another version. {remedy}") from problem
     differing = [name for name in {**former, **training} if former.get(name) != training.get(name)]
-    raise TrainingError(f"{file} belongs to a training run with {', '.join(_shown(name, former.get(name)) for name in differing)}. {remedy}")
+    raise TrainingError(
+        f"{file} belongs to a training run with {', '.join(_shown(name, former.get(name)) for name in differing)}. {remedy}"
+    )
 
 
 def _shown(name: str, value: Any) -> str:

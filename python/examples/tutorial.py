@@ -23,8 +23,25 @@ STRIDE = 8
 def harvest(folder, command, frames):
     """1. Harvest. The simulated game needs no GTA V; the same seed gives the same session."""
     subprocess.run(
-        [*shlex.split(command), "harvest", "--out", str(folder), "--frames", str(frames), "--seed", "11", "--size", "280x210",
-         "--traffic", "2", "--no-scenes", "--no-report", "--quiet"], check=True)
+        [
+            *shlex.split(command),
+            "harvest",
+            "--out",
+            str(folder),
+            "--frames",
+            str(frames),
+            "--seed",
+            "11",
+            "--size",
+            "280x210",
+            "--traffic",
+            "2",
+            "--no-scenes",
+            "--no-report",
+            "--quiet",
+        ],
+        check=True,
+    )
 
 
 def mirror_half(image, target):
@@ -65,7 +82,7 @@ def loss_of(scores, sizes, targets):
     for number, target in enumerate(targets):
         # A region that may show an unlabelled object is neither object nor background.
         for x_min, y_min, x_max, y_max in (target["ignore"] / STRIDE).tolist():
-            weight[number, int(y_min):int(y_max) + 1, int(x_min):int(x_max) + 1] = 0
+            weight[number, int(y_min) : int(y_max) + 1, int(x_min) : int(x_max) + 1] = 0
         boxes = target["boxes"]
         centres = ((boxes[:, :2] + boxes[:, 2:]) / 2 / STRIDE).long()
         column, row = centres[:, 0].clamp(0, columns - 1), centres[:, 1].clamp(0, rows - 1)
@@ -81,7 +98,9 @@ def loss_of(scores, sizes, targets):
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("session", type=Path)
-    arguments.add_argument("--harvester", default="harvester", metavar="COMMAND", help="how to start harvester (default: harvester)")
+    arguments.add_argument(
+        "--harvester", default="harvester", metavar="COMMAND", help="how to start harvester (default: harvester)"
+    )
     arguments.add_argument("--frames", type=int, default=240)
     arguments.add_argument("--epochs", type=int, default=8)
     arguments.add_argument("--workers", type=int, default=2)

@@ -31,9 +31,21 @@ def harvests(request: pytest.FixtureRequest) -> Path:
 def camera() -> Dict[str, Any]:
     """At the origin, looking north. With a vertical field of view of 90 degrees, fx = fy = 30: a metre at 10 m is 3 pixels."""
     return {
-        "position": [0, 0, 0], "right": [1, 0, 0], "forward": [0, 1, 0], "up": [0, 0, 1], "verticalFovDegrees": 90, "width": WIDTH,
-        "height": HEIGHT, "windowAspect": WIDTH / HEIGHT, "nearClip": 0.15, "fx": 30, "fy": 30, "cx": 40, "cy": 30,
-        "distortion": {"focalScale": 1, "k1": 0, "k2": 0}}
+        "position": [0, 0, 0],
+        "right": [1, 0, 0],
+        "forward": [0, 1, 0],
+        "up": [0, 0, 1],
+        "verticalFovDegrees": 90,
+        "width": WIDTH,
+        "height": HEIGHT,
+        "windowAspect": WIDTH / HEIGHT,
+        "nearClip": 0.15,
+        "fx": 30,
+        "fy": 30,
+        "cx": 40,
+        "cy": 30,
+        "distortion": {"focalScale": 1, "k1": 0, "k2": 0},
+    }
 
 
 def car(id: int, x: float, y: float) -> Dict[str, Any]:
@@ -42,25 +54,69 @@ def car(id: int, x: float, y: float) -> Dict[str, Any]:
     half = 30 / (y - 1)
     box = [left, 30 - half, right, 30 + half]
     return {
-        "id": id, "class": "car", "model": "blista", "name": None, "parent": None, "knownParts": None, "hasRider": None, "box2d": box,
-        "box2dAmodal": box, "box2dVisible": None, "boxes": ["cuboid", "amodal"], "truncatedFraction": 0, "occludedFraction": 0.25,
-        "occlusionMethod": "rays", "visibleFraction": 0.75,
-        "box3d": {"centre": [x, y, 0], "halfExtents": [1, 1, 1], "right": [1, 0, 0], "forward": [0, 1, 0], "up": [0, 0, 1]},
-        "distanceMetres": float(np.hypot(x, y)), "velocity": [0, 5, 0], "space": None}
+        "id": id,
+        "class": "car",
+        "model": "blista",
+        "name": None,
+        "parent": None,
+        "knownParts": None,
+        "hasRider": None,
+        "box2d": box,
+        "box2dAmodal": box,
+        "box2dVisible": None,
+        "boxes": ["cuboid", "amodal"],
+        "truncatedFraction": 0,
+        "occludedFraction": 0.25,
+        "occlusionMethod": "rays",
+        "visibleFraction": 0.75,
+        "box3d": {
+            "centre": [x, y, 0],
+            "halfExtents": [1, 1, 1],
+            "right": [1, 0, 0],
+            "forward": [0, 1, 0],
+            "up": [0, 0, 1],
+        },
+        "distanceMetres": float(np.hypot(x, y)),
+        "velocity": [0, 5, 0],
+        "space": None,
+    }
 
 
 def label(number: int) -> Dict[str, Any]:
     """A car that drives away, and from frame 1 on a pedestrian whose visibility is unknown."""
     objects = [car(7, 0, 11 + number)]
     if number > 0:
-        objects.append({
-            **car(9, 3, 21), "class": "pedestrian", "occludedFraction": None, "occlusionMethod": "none", "visibleFraction": None})
+        objects.append(
+            {
+                **car(9, 3, 21),
+                "class": "pedestrian",
+                "occludedFraction": None,
+                "occlusionMethod": "none",
+                "visibleFraction": None,
+            }
+        )
     return {
-        "frame": number, "gameFrame": 100 + number, "timeSeconds": 0.1 * number, "lagFrames": 0, "lagSeconds": 0,
-        "image": f"frames/{number:08d}.png", "mask": f"masks/{number:08d}.png", "pixelMap": None, "rays": None, "camera": camera(),
-        "ego": {"position": [0, -1, -1], "headingDegrees": 0, "heightAboveGroundMetres": None, "velocity": [0, 5, 0], "model": "asea"},
-        "environment": {"weather": "clear", "timeOfDay": "12:00:00"}, "objects": objects,
-        "ignoreRegions": [{"reason": "beyondRange", "class": "car", "box2d": [1, 2, 3, 5], "distanceMetres": 120}]}
+        "frame": number,
+        "gameFrame": 100 + number,
+        "timeSeconds": 0.1 * number,
+        "lagFrames": 0,
+        "lagSeconds": 0,
+        "image": f"frames/{number:08d}.png",
+        "mask": f"masks/{number:08d}.png",
+        "pixelMap": None,
+        "rays": None,
+        "camera": camera(),
+        "ego": {
+            "position": [0, -1, -1],
+            "headingDegrees": 0,
+            "heightAboveGroundMetres": None,
+            "velocity": [0, 5, 0],
+            "model": "asea",
+        },
+        "environment": {"weather": "clear", "timeOfDay": "12:00:00"},
+        "objects": objects,
+        "ignoreRegions": [{"reason": "beyondRange", "class": "car", "box2d": [1, 2, 3, 5], "distanceMetres": 120}],
+    }
 
 
 class HandmadeSession:
@@ -69,9 +125,16 @@ class HandmadeSession:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.info: Dict[str, Any] = {
-            "formatVersion": 1, "game": "simulation", "seed": 1, "settings": {},
+            "formatVersion": 1,
+            "game": "simulation",
+            "seed": 1,
+            "settings": {},
             "image": {"width": WIDTH, "height": HEIGHT, "format": "png", "quality": None},
-            "classes": ["car", "pedestrian"], "camera": camera(), "state": "complete", "fault": None}
+            "classes": ["car", "pedestrian"],
+            "camera": camera(),
+            "state": "complete",
+            "fault": None,
+        }
         self.lines: List[Dict[str, Any]] = [copy.deepcopy(label(number)) for number in range(3)]
 
     def write(self) -> Path:

@@ -17,11 +17,36 @@ HELLO: Message = {"type": "hello", "version": 1}
 def frame(number: int, **fields: Any) -> Message:
     """A frame 0.1 s after the one before, of a car at 10 m/s in the middle of its lane."""
     return {
-        "type": "frame", "frame": number, "timeSeconds": 0.1 * number, "speedMetresPerSecond": 10, "position": [0, number, 0],
-        "headingDegrees": 0, "fast": True, "lanesKnown": True, "indicators": [0] * 13, "torcsEquivalent": [0] * 13,
-        "drivenMetres": 1.0 * number, "collision": None, "collisions": [0, 0, 0], "outsideLanes": False, "road": 4, "lane": 0,
-        "acrossMarking": False, "laneOffsetMetres": 0.0, "laneAngleRadians": 0.0, "redLightsRun": 0, "stopSignsRun": 0, "repositioned": 0,
-        "route": None, "routeMetres": None, "light": None, "stopSign": False, "appliedControls": [0, 0, 0], "builtInDriver": False, **fields}
+        "type": "frame",
+        "frame": number,
+        "timeSeconds": 0.1 * number,
+        "speedMetresPerSecond": 10,
+        "position": [0, number, 0],
+        "headingDegrees": 0,
+        "fast": True,
+        "lanesKnown": True,
+        "indicators": [0] * 13,
+        "torcsEquivalent": [0] * 13,
+        "drivenMetres": 1.0 * number,
+        "collision": None,
+        "collisions": [0, 0, 0],
+        "outsideLanes": False,
+        "road": 4,
+        "lane": 0,
+        "acrossMarking": False,
+        "laneOffsetMetres": 0.0,
+        "laneAngleRadians": 0.0,
+        "redLightsRun": 0,
+        "stopSignsRun": 0,
+        "repositioned": 0,
+        "route": None,
+        "routeMetres": None,
+        "light": None,
+        "stopSign": False,
+        "appliedControls": [0, 0, 0],
+        "builtInDriver": False,
+        **fields,
+    }
 
 
 class FakeGame:

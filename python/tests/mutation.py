@@ -10,13 +10,66 @@ from pathlib import Path
 from typing import Any, Callable, List, Tuple
 
 _VALUES: Tuple[Any, ...] = (
-    None, True, False, 0, -1, 1, 2**31, 2**63, 10**30, -10**400, 0.5, 1e300, -1e-300, float("nan"), float("inf"), "", "x", "../x.png", "\0",
-    "a\nb.png", "/etc/passwd", "/dev/zero", "x" * 5000 + ".png", "😀\ud800.png", [], {}, [[]], [None], ["x"] * 3, [1, 2],
-    [1, 2, 3], [1, 2, 3, 4],
-    [float("nan")] * 4, [10**30] * 3, {"x": 1}, "frames", "labels.jsonl", ".", "frames/../labels.jsonl")
+    None,
+    True,
+    False,
+    0,
+    -1,
+    1,
+    2**31,
+    2**63,
+    10**30,
+    -(10**400),
+    0.5,
+    1e300,
+    -1e-300,
+    float("nan"),
+    float("inf"),
+    "",
+    "x",
+    "../x.png",
+    "\0",
+    "a\nb.png",
+    "/etc/passwd",
+    "/dev/zero",
+    "x" * 5000 + ".png",
+    "😀\ud800.png",
+    [],
+    {},
+    [[]],
+    [None],
+    ["x"] * 3,
+    [1, 2],
+    [1, 2, 3],
+    [1, 2, 3, 4],
+    [float("nan")] * 4,
+    [10**30] * 3,
+    {"x": 1},
+    "frames",
+    "labels.jsonl",
+    ".",
+    "frames/../labels.jsonl",
+)
 _TEXTS = (
-    "NaN", "1e999", "-Infinity", "9" * 5000, "[" * 3000, "[" * 930 + "]" * 930, "[" * 970 + "]" * 970,
-    '{"a":' * 3000, '"\\ud800"', "\x00", "{}", "[]", "null", "1", '"x"', "", "\n", "{")
+    "NaN",
+    "1e999",
+    "-Infinity",
+    "9" * 5000,
+    "[" * 3000,
+    "[" * 930 + "]" * 930,
+    "[" * 970 + "]" * 970,
+    '{"a":' * 3000,
+    '"\\ud800"',
+    "\x00",
+    "{}",
+    "[]",
+    "null",
+    "1",
+    '"x"',
+    "",
+    "\n",
+    "{",
+)
 
 
 def of_json(value: Any, chance: random.Random) -> Any:
@@ -62,9 +115,16 @@ def of_bytes(data: bytes, chance: random.Random) -> bytes:
         start = chance.randrange(len(changed) + 1)
         end = min(len(changed), start + chance.choice((1, 2, 4, 8, 100, 10_000)))
         part = bytes(changed[start:end])
-        changed[start:end] = chance.choice((
-            lambda: b"", lambda: part * 2, lambda: bytes(byte ^ (1 << chance.randrange(8)) for byte in part),
-            lambda: b"\xff" * len(part), lambda: b"\x00" * len(part), lambda: chance.choice(_TEXTS).encode("utf-8", "surrogatepass")))()
+        changed[start:end] = chance.choice(
+            (
+                lambda: b"",
+                lambda: part * 2,
+                lambda: bytes(byte ^ (1 << chance.randrange(8)) for byte in part),
+                lambda: b"\xff" * len(part),
+                lambda: b"\x00" * len(part),
+                lambda: chance.choice(_TEXTS).encode("utf-8", "surrogatepass"),
+            )
+        )()
     return bytes(changed)
 
 
@@ -87,6 +147,15 @@ def _socket(path: Path) -> None:
 
 
 _REPLACEMENTS: Tuple[Callable[[Path], Any], ...] = (
-    lambda path: None, os.mkfifo, Path.mkdir, _socket, lambda path: path.symlink_to("/dev/zero"), lambda path: path.symlink_to(path.name),
-    lambda path: path.symlink_to("/etc/hostname"), lambda path: path.symlink_to("nowhere"), lambda path: path.write_bytes(b""),
-    lambda path: path.symlink_to(path.parent.parent.parent / "outside.png"), lambda path: path.symlink_to("."))
+    lambda path: None,
+    os.mkfifo,
+    Path.mkdir,
+    _socket,
+    lambda path: path.symlink_to("/dev/zero"),
+    lambda path: path.symlink_to(path.name),
+    lambda path: path.symlink_to("/etc/hostname"),
+    lambda path: path.symlink_to("nowhere"),
+    lambda path: path.write_bytes(b""),
+    lambda path: path.symlink_to(path.parent.parent.parent / "outside.png"),
+    lambda path: path.symlink_to("."),
+)

@@ -17,14 +17,38 @@ from gtaharvest import Selection, draw, png
 _NUMBERS = {name: float(i) for i, name in enumerate(gtaharvest.INDICATOR_NAMES)}
 _FLAGS = {name: i % 2 == 0 for i, name in enumerate(gtaharvest.INDICATOR_NAMES)}
 _LINE = {
-    "index": 0, "side": "left", "points": [[0, 1, 2]], "inCamera": [[3, 4, 5]], "pixels": [[6, 7]], "hidden": [None], "style": "solid",
-    "colour": "white", "widthMetres": 0.15, "painted": [True]}
+    "index": 0,
+    "side": "left",
+    "points": [[0, 1, 2]],
+    "inCamera": [[3, 4, 5]],
+    "pixels": [[6, 7]],
+    "hidden": [None],
+    "style": "solid",
+    "colour": "white",
+    "widthMetres": 0.15,
+    "painted": [True],
+}
 _LANES: Dict[str, Any] = {
-    "status": "known", "source": "simulation", "confidence": 1, "inJunction": False, "laneCount": 2, "lane": 0, "laneWidthMetres": 4,
-    "laneWidthSource": "constant", "offsetFromLaneCentreMetres": 0.5, "lookAheadMetres": 10, "curvaturePerMetre": 0, "fast": False,
-    "indicators": _NUMBERS, "valid": _FLAGS, "torcsEquivalent": _NUMBERS, "atCar": {"indicators": _NUMBERS, "valid": _FLAGS},
+    "status": "known",
+    "source": "simulation",
+    "confidence": 1,
+    "inJunction": False,
+    "laneCount": 2,
+    "lane": 0,
+    "laneWidthMetres": 4,
+    "laneWidthSource": "constant",
+    "offsetFromLaneCentreMetres": 0.5,
+    "lookAheadMetres": 10,
+    "curvaturePerMetre": 0,
+    "fast": False,
+    "indicators": _NUMBERS,
+    "valid": _FLAGS,
+    "torcsEquivalent": _NUMBERS,
+    "atCar": {"indicators": _NUMBERS, "valid": _FLAGS},
     "vehicles": [{"id": 7, "lane": 1, "oncoming": False, "distanceMetres": 9, "bumperDistanceMetres": 5}],
-    "boundaries": [_LINE], "markings": [_LINE]}
+    "boundaries": [_LINE],
+    "markings": [_LINE],
+}
 
 
 def write(folder: Path) -> Path:
@@ -38,18 +62,35 @@ def write(folder: Path) -> Path:
     car["lights"] = {"brake": True, "left": False, "right": False, "head": True}
     car.update(box2dVisible=[1, 2, 3, 4], box2dWhole=[1, 2, 3, 4], trueOccludedFraction=0.1)
     person["space"] = {
-        "face": 0, "mutcd": "R1-1", "facesCamera": True, "facingAngleDegrees": 3, "provenance": "measured", "light": light}
+        "face": 0,
+        "mutcd": "R1-1",
+        "facesCamera": True,
+        "facingAngleDegrees": 3,
+        "provenance": "measured",
+        "light": light,
+    }
     person["joints"] = [{"joint": "neck", "position": [1, 21, 0], "pixel": [3, 4], "visibility": "visible"}]
     line.update(
-        moment=0, view="front", classMap={"file": "classes/1.png"}, depth={"sparse": "depth/1.png", "completed": None, "error": None},
+        moment=0,
+        view="front",
+        classMap={"file": "classes/1.png"},
+        depth={"sparse": "depth/1.png", "completed": None, "error": None},
         normals={"file": "normals/1.png"},
-        lidar=[{"sensor": "top", "file": "lidar/1.bin"}], motion=[[float(i) for i in range(13)]], drive=copy.deepcopy(ACTION),
-        pairs=[{"file": "pairs/1.png", "weather": "rain", "timeOfDay": "06:00:00", "without": [7]}], lanes=copy.deepcopy(_LANES))
+        lidar=[{"sensor": "top", "file": "lidar/1.bin"}],
+        motion=[[float(i) for i in range(13)]],
+        drive=copy.deepcopy(ACTION),
+        pairs=[{"file": "pairs/1.png", "weather": "rain", "timeOfDay": "06:00:00", "without": [7]}],
+        lanes=copy.deepcopy(_LANES),
+    )
     session.write()
     grey = np.ones((HEIGHT, WIDTH), np.uint8)
     colours = np.stack([grey] * 3, axis=-1)
     for name, picture in (
-            ("classes/1.png", grey), ("depth/1.png", grey.astype(np.uint16)), ("normals/1.png", colours), ("pairs/1.png", colours)):
+        ("classes/1.png", grey),
+        ("depth/1.png", grey.astype(np.uint16)),
+        ("normals/1.png", colours),
+        ("pairs/1.png", colours),
+    ):
         (folder / name).parent.mkdir(exist_ok=True)
         (folder / name).write_bytes(png.encode(picture))
     (folder / "lidar").mkdir(exist_ok=True)
@@ -60,23 +101,41 @@ def write(folder: Path) -> Path:
 def _reads_of_a_session(session: gtaharvest.Session) -> List[Tuple[str, Any]]:
     return [
         ("info", lambda: (repr(session), session.classes, session.state, session.view_names, session.camera)),
-        ("moments", lambda: list(session.moments())), ("tracks", session.tracks), ("track", lambda: session.track(7)),
-        ("frame", lambda: session.frame(1))]
+        ("moments", lambda: list(session.moments())),
+        ("tracks", session.tracks),
+        ("track", lambda: session.track(7)),
+        ("frame", lambda: session.frame(1)),
+    ]
 
 
 def _reads_of_a_frame(frame: gtaharvest.Frame) -> List[Tuple[str, Any]]:
     return [
         ("repr", lambda: (repr(frame), repr(frame.view))),
-        ("scalars", lambda: (frame.number, frame.time_seconds, frame.weather, frame.time_of_day, frame.moment, frame.view_name)),
-        ("ego", lambda: frame.ego), ("lanes", lambda: repr(frame.lanes)), ("motion", lambda: frame.motion), ("drive", lambda: frame.drive),
+        (
+            "scalars",
+            lambda: (frame.number, frame.time_seconds, frame.weather, frame.time_of_day, frame.moment, frame.view_name),
+        ),
+        ("ego", lambda: frame.ego),
+        ("lanes", lambda: repr(frame.lanes)),
+        ("motion", lambda: frame.motion),
+        ("drive", lambda: frame.drive),
         ("pairs", lambda: [frame.pair_image(pair) for pair in frame.pairs]),
         ("points", lambda: [frame.points(name) for name in frame.lidars]),
-        ("objects", lambda: (frame.view.arrays(), frame.view.arrays(Selection(min_visible_fraction=0.1, min_side_pixels=1)))),
+        (
+            "objects",
+            lambda: (frame.view.arrays(), frame.view.arrays(Selection(min_visible_fraction=0.1, min_side_pixels=1))),
+        ),
         ("project", lambda: [frame.camera.project(item.box3d.corners) for item in frame.objects]),
         ("camera", lambda: frame.camera.directions([[1, 2]])),
-        ("ignore regions", lambda: frame.view.ignore_regions), ("fields", lambda: {**frame.raw}),
-        ("image", frame.image), ("mask", frame.mask), ("class map", frame.class_map), ("depth", frame.depth), ("normals", frame.normals),
-        ("drawing", lambda: (draw.annotate(frame.view), draw.annotate(frame.view, "3d")))]
+        ("ignore regions", lambda: frame.view.ignore_regions),
+        ("fields", lambda: {**frame.raw}),
+        ("image", frame.image),
+        ("mask", frame.mask),
+        ("class map", frame.class_map),
+        ("depth", frame.depth),
+        ("normals", frame.normals),
+        ("drawing", lambda: (draw.annotate(frame.view), draw.annotate(frame.view, "3d"))),
+    ]
 
 
 def reads(folder: Path) -> Iterator[Tuple[str, Any]]:

@@ -25,14 +25,27 @@ def rows(name: str) -> List[Dict[str, str]]:
 
 
 def camera_of(row: Dict[str, str], near: float, posed: bool) -> Camera:
-    number = {key: float(value) for key, value in row.items() if key not in ("case", "outcome", "source", "tolerance", "rest")}
-    axes = [tuple(number[f"{name}{axis}"] for axis in "XYZ") for name in ("position", "right", "forward", "up")] if posed else [
-        (0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
+    number = {
+        key: float(value) for key, value in row.items() if key not in ("case", "outcome", "source", "tolerance", "rest")
+    }
+    axes = (
+        [tuple(number[f"{name}{axis}"] for axis in "XYZ") for name in ("position", "right", "forward", "up")]
+        if posed
+        else [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
+    )
     width, height = int(number["width"]), int(number["height"])
     return Camera(
-        *axes, vertical_fov_degrees=number["fovDegrees"], width=width, height=height, window_aspect=number["windowAspect"],
-        near_clip=near, focal_scale=number["focalScale"], cx=width * (0.5 + number["centreX"]), cy=height * (0.5 + number["centreY"]),
-        lens=Lens(number["k1"], number["k2"]))
+        *axes,
+        vertical_fov_degrees=number["fovDegrees"],
+        width=width,
+        height=height,
+        window_aspect=number["windowAspect"],
+        near_clip=near,
+        focal_scale=number["focalScale"],
+        cx=width * (0.5 + number["centreX"]),
+        cy=height * (0.5 + number["centreY"]),
+        lens=Lens(number["k1"], number["k2"]),
+    )
 
 
 @pytest.mark.parametrize("row", rows("projection.csv"), ids=lambda row: row["case"])
@@ -100,5 +113,10 @@ def test_agrees_with_opencv_within_the_fold() -> None:
         rotation = np.array([right, -up, forward])
         moved = rotation @ (np.array(point) - camera.position)
         seen, _ = cv2.projectPoints(
-            moved.reshape(1, 1, 3), np.zeros(3), np.zeros(3), camera.matrix, np.array([camera.lens.k1, camera.lens.k2, 0, 0]))
+            moved.reshape(1, 1, 3),
+            np.zeros(3),
+            np.zeros(3),
+            camera.matrix,
+            np.array([camera.lens.k1, camera.lens.k2, 0, 0]),
+        )
         assert camera.project(point).pixels - 0.5 == pytest.approx(seen.ravel(), abs=1e-8)

@@ -56,20 +56,29 @@ def test_show_writes_a_picture(handmade: HandmadeSession, capsys: pytest.Capture
 
 
 def test_show_names_its_file_by_the_frame(
-        handmade: HandmadeSession, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    handmade: HandmadeSession, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.chdir(tmp_path)
     assert main(["show", str(handmade.write())]) == 0
     assert (tmp_path / "frame-00000000.png").exists()
 
 
-@pytest.mark.parametrize("arguments, code, words", [
-    (["nowhere"], 1, "does not exist"),
-    (["session", "--frame", "9"], 1, "no frame 9"),
-    (["session", "--out", "no/folder/x.png"], 3, "No such file"),
-])
+@pytest.mark.parametrize(
+    "arguments, code, words",
+    [
+        (["nowhere"], 1, "does not exist"),
+        (["session", "--frame", "9"], 1, "no frame 9"),
+        (["session", "--out", "no/folder/x.png"], 3, "No such file"),
+    ],
+)
 def test_show_ends_with_one_line_and_a_code(
-        handmade: HandmadeSession, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, arguments: list[str], code: int,
-        words: str) -> None:
+    handmade: HandmadeSession,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    arguments: list[str],
+    code: int,
+    words: str,
+) -> None:
     monkeypatch.chdir(handmade.write().parent)
     assert main(["show", *arguments]) == code
     error = capsys.readouterr().err
@@ -79,6 +88,10 @@ def test_show_ends_with_one_line_and_a_code(
 def test_the_command_has_help() -> None:
     source = Path(__file__).resolve().parents[1] / "src"
     run = subprocess.run(
-        [sys.executable, "-m", "gtaharvest", "show", "--help"], env={**os.environ, "PYTHONPATH": str(source)}, capture_output=True,
-        text=True, check=True)
+        [sys.executable, "-m", "gtaharvest", "show", "--help"],
+        env={**os.environ, "PYTHONPATH": str(source)},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
     assert "--boxes" in run.stdout and "Exit codes" in run.stdout

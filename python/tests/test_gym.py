@@ -20,25 +20,36 @@ def games() -> Iterator[List[FakeGame]]:
         game.close()
 
 
-def environment(games: List[FakeGame], answer: Any, hello: Answer = {"type": "hello", "version": 1}, **options: Any) -> gym.DrivingEnv:
+def environment(
+    games: List[FakeGame], answer: Any, hello: Answer = {"type": "hello", "version": 1}, **options: Any
+) -> gym.DrivingEnv:
     games.append(FakeGame(answer, hello))
     return gym.DrivingEnv(address=games[-1].address, **{"observation": "state", "patience": 5, **options})
 
 
 def test_step_sends_the_action_and_gives_the_state(games: List[FakeGame]) -> None:
-    with environment(games, frames({1: {"speedMetresPerSecond": 12.5, "route": "left", "routeMetres": 30, "light": "red"}})) as env:
+    with environment(
+        games, frames({1: {"speedMetresPerSecond": 12.5, "route": "left", "routeMetres": 30, "light": "red"}})
+    ) as env:
         first, info = env.reset(seed=7)
         state, _, terminated, truncated, _ = env.step([0.25, 0.5, 0])
 
     named = dict(zip(gym.STATE_NAMES, state))
     assert info["seed"] == 7
     assert first in env.observation_space and state in env.observation_space
-    assert (named["speed"], named["routeMetres"], named["route:left"], named["route:right"], named["light:red"]) == (12.5, 30, 1, 0, 1)
+    assert (named["speed"], named["routeMetres"], named["route:left"], named["route:right"], named["light:red"]) == (
+        12.5,
+        30,
+        1,
+        0,
+        1,
+    )
     assert (terminated, truncated) == (False, False)
     assert games[0].heard[1:] == [
         {"type": "restart", "seed": 7, "image": False},
         {"type": "controls", "steering": 0.25, "throttle": 0.5, "brake": 0.0},
-        {"type": "step", "seconds": 0.1, "image": False}]
+        {"type": "step", "seconds": 0.1, "image": False},
+    ]
 
 
 def test_indicators_are_sent_as_such(games: List[FakeGame]) -> None:
@@ -69,16 +80,27 @@ def test_standing_costs_except_at_a_red_light(games: List[FakeGame]) -> None:
         assert env.step([0, 0, 1])[1] == pytest.approx(0)
 
 
-@pytest.mark.parametrize(("ending", "changes", "expected"), [
-    (gym.Ending(), {3: {"collisions": [0, 0, 1]}}, (3, True, False, "collision")),
-    (gym.Ending(collision=False, seconds=0.5), {3: {"collisions": [0, 0, 1]}}, (5, False, True, "seconds")),
-    (gym.Ending(outside_seconds=0.2), {n: {"outsideLanes": True} for n in (1, 3, 4, 5)}, (5, True, False, "outside")),
-    (gym.Ending(metres=4), {}, (4, False, True, "metres")),
-    (gym.Ending(standing_seconds=0.3), {n: {"speedMetresPerSecond": 0} for n in range(2, 9)}, (5, False, True, "standing")),
-    (gym.Ending(red_light=True), {2: {"redLightsRun": 1}}, (2, True, False, "red_light")),
-    (gym.Ending(stop_sign=True), {2: {"stopSignsRun": 1}}, (2, True, False, "stop_sign")),
-    (gym.Ending(), {2: {"repositioned": 1}}, (2, False, True, "repositioned")),
-])
+@pytest.mark.parametrize(
+    ("ending", "changes", "expected"),
+    [
+        (gym.Ending(), {3: {"collisions": [0, 0, 1]}}, (3, True, False, "collision")),
+        (gym.Ending(collision=False, seconds=0.5), {3: {"collisions": [0, 0, 1]}}, (5, False, True, "seconds")),
+        (
+            gym.Ending(outside_seconds=0.2),
+            {n: {"outsideLanes": True} for n in (1, 3, 4, 5)},
+            (5, True, False, "outside"),
+        ),
+        (gym.Ending(metres=4), {}, (4, False, True, "metres")),
+        (
+            gym.Ending(standing_seconds=0.3),
+            {n: {"speedMetresPerSecond": 0} for n in range(2, 9)},
+            (5, False, True, "standing"),
+        ),
+        (gym.Ending(red_light=True), {2: {"redLightsRun": 1}}, (2, True, False, "red_light")),
+        (gym.Ending(stop_sign=True), {2: {"stopSignsRun": 1}}, (2, True, False, "stop_sign")),
+        (gym.Ending(), {2: {"repositioned": 1}}, (2, False, True, "repositioned")),
+    ],
+)
 def test_episode_ends_as_configured(games: List[FakeGame], ending: gym.Ending, changes: Any, expected: Any) -> None:
     with environment(games, frames(changes), ending=ending) as env:
         env.reset(seed=1)
@@ -90,9 +112,28 @@ def test_episode_ends_as_configured(games: List[FakeGame], ending: gym.Ending, c
 
 
 def test_game_without_truth_still_rewards_distance(games: List[FakeGame]) -> None:
-    unknown = dict.fromkeys((
-        "drivenMetres", "collision", "collisions", "outsideLanes", "road", "lane", "acrossMarking", "laneOffsetMetres", "laneAngleRadians",
-        "redLightsRun", "stopSignsRun", "repositioned", "route", "routeMetres", "light", "stopSign", "appliedControls", "builtInDriver"))
+    unknown = dict.fromkeys(
+        (
+            "drivenMetres",
+            "collision",
+            "collisions",
+            "outsideLanes",
+            "road",
+            "lane",
+            "acrossMarking",
+            "laneOffsetMetres",
+            "laneAngleRadians",
+            "redLightsRun",
+            "stopSignsRun",
+            "repositioned",
+            "route",
+            "routeMetres",
+            "light",
+            "stopSign",
+            "appliedControls",
+            "builtInDriver",
+        )
+    )
     with environment(games, frames({n: unknown for n in range(9)}), restarts=False) as env:
         env.reset(options={"position": (1, 2, 3), "headingDegrees": 90})
         state, reward, terminated, _, _ = env.step([0, 1, 0])
@@ -104,7 +145,8 @@ def test_game_without_truth_still_rewards_distance(games: List[FakeGame]) -> Non
         {"type": "pause", "paused": True},
         {"type": "requestFrame", "image": False},
         {"type": "reset", "position": [1.0, 2.0, 3.0], "headingDegrees": 90.0},
-        {"type": "requestFrame", "image": False}]
+        {"type": "requestFrame", "image": False},
+    ]
 
 
 def test_frames_from_before_the_pause_are_passed_over(games: List[FakeGame]) -> None:
@@ -124,7 +166,9 @@ def test_frames_from_before_the_pause_are_passed_over(games: List[FakeGame]) -> 
 def test_frame_of_before_the_step_is_passed_over(games: List[FakeGame]) -> None:
     def answer(message: Message) -> Answer:
         # The controls are answered by a frame that a game in real time has sent meanwhile, the step by that of its end.
-        return {"restart": frame(0), "controls": frame(0, speedMetresPerSecond=99), "step": frame(1)}.get(message["type"])
+        return {"restart": frame(0), "controls": frame(0, speedMetresPerSecond=99), "step": frame(1)}.get(
+            message["type"]
+        )
 
     with environment(games, answer) as env:
         env.reset(seed=1)
@@ -143,7 +187,9 @@ def test_image_comes_as_pixels(games: List[FakeGame]) -> None:
         observation, _ = env.reset(seed=1)
         assert observation in env.observation_space
         assert np.array_equal(observation["image"], picture) and np.array_equal(env.render(), picture)
-    with environment(games, answer, observation="image", size=(8, 4)) as env, pytest.raises(gym.BridgeError, match="images of 6x4"):
+    with environment(games, answer, observation="image", size=(8, 4)) as env, pytest.raises(
+        gym.BridgeError, match="images of 6x4"
+    ):
         env.reset(seed=1)
 
 
@@ -158,24 +204,42 @@ def test_picture_is_rendered_on_request(games: List[FakeGame]) -> None:
         assert env.render().shape == (4, 6, 3)
 
 
-@pytest.mark.parametrize(("hello", "error", "words"), [
-    ({"type": "hello", "version": 2}, gym.VersionError, "version 2"),
-    ({"type": "error", "reason": "the client speaks version 1 of the bridge, the game version 2."}, gym.VersionError, "version 2"),
-    ({"type": "error", "reason": "the first message must be a hello with the right token."}, gym.GameRefusedError, "right token"),
-    ({"type": "frame"}, gym.GameRefusedError, "is it the bridge of a game"),
-    (b"HTTP/1.1 400 Bad Request\r\n\r\n", gym.GameRefusedError, "is it the bridge of a game"),
-    (b"", gym.GameEndedError, "has ended"),
-    (None, gym.GameHungError, "has not answered for 0.5 s"),
-])
+@pytest.mark.parametrize(
+    ("hello", "error", "words"),
+    [
+        ({"type": "hello", "version": 2}, gym.VersionError, "version 2"),
+        (
+            {"type": "error", "reason": "the client speaks version 1 of the bridge, the game version 2."},
+            gym.VersionError,
+            "version 2",
+        ),
+        (
+            {"type": "error", "reason": "the first message must be a hello with the right token."},
+            gym.GameRefusedError,
+            "right token",
+        ),
+        ({"type": "frame"}, gym.GameRefusedError, "is it the bridge of a game"),
+        (b"HTTP/1.1 400 Bad Request\r\n\r\n", gym.GameRefusedError, "is it the bridge of a game"),
+        (b"", gym.GameEndedError, "has ended"),
+        (None, gym.GameHungError, "has not answered for 0.5 s"),
+    ],
+)
 def test_wrong_hello_is_one_clear_line(games: List[FakeGame], hello: Answer, error: Any, words: str) -> None:
     with environment(games, frames(), hello, patience=0.5) as env, pytest.raises(error, match=words) as caught:
         env.reset(seed=1)
     assert "\n" not in str(caught.value)
 
 
-@pytest.mark.parametrize(("reply", "error"), [
-    (None, gym.GameHungError), (b"", gym.GameEndedError), (b"\0\0\0\x05\0\0\0\0{}", gym.GameEndedError),
-    (b"\0\0\0\x02\0\0\0\0]]", gym.GameRefusedError), ({"type": "error", "reason": "no"}, gym.GameRefusedError)])
+@pytest.mark.parametrize(
+    ("reply", "error"),
+    [
+        (None, gym.GameHungError),
+        (b"", gym.GameEndedError),
+        (b"\0\0\0\x05\0\0\0\0{}", gym.GameEndedError),
+        (b"\0\0\0\x02\0\0\0\0]]", gym.GameRefusedError),
+        ({"type": "error", "reason": "no"}, gym.GameRefusedError),
+    ],
+)
 def test_game_that_fails_is_told_and_a_reset_begins_anew(games: List[FakeGame], reply: Answer, error: Any) -> None:
     counted = frames()
     broken = [True]
@@ -196,14 +260,19 @@ def test_game_that_fails_is_told_and_a_reset_begins_anew(games: List[FakeGame], 
         env.step([0, 0, 0])
 
 
-@pytest.mark.parametrize(("fields", "missing", "error", "words"), [
-    ({}, "fast", gym.VersionError, "without 'fast', as another version does"),
-    ({}, "acrossMarking", gym.VersionError, "without 'acrossMarking'"),
-    ({"speedMetresPerSecond": "fast"}, "", gym.GameRefusedError, "malformed 'speedMetresPerSecond': 'fast'"),
-    ({"position": 5}, "", gym.GameRefusedError, "malformed 'position': 5"),
-    ({"indicators": [0] * 12}, "", gym.GameRefusedError, "malformed 'indicators'"),
-])
-def test_malformed_frame_is_one_clear_line(games: List[FakeGame], fields: Message, missing: str, error: Any, words: str) -> None:
+@pytest.mark.parametrize(
+    ("fields", "missing", "error", "words"),
+    [
+        ({}, "fast", gym.VersionError, "without 'fast', as another version does"),
+        ({}, "acrossMarking", gym.VersionError, "without 'acrossMarking'"),
+        ({"speedMetresPerSecond": "fast"}, "", gym.GameRefusedError, "malformed 'speedMetresPerSecond': 'fast'"),
+        ({"position": 5}, "", gym.GameRefusedError, "malformed 'position': 5"),
+        ({"indicators": [0] * 12}, "", gym.GameRefusedError, "malformed 'indicators'"),
+    ],
+)
+def test_malformed_frame_is_one_clear_line(
+    games: List[FakeGame], fields: Message, missing: str, error: Any, words: str
+) -> None:
     counted = frames()
 
     def answer(message: Message) -> Answer:
@@ -237,7 +306,9 @@ def test_nobody_at_the_port_is_told() -> None:
 
 
 def test_missing_harvester_is_told() -> None:
-    with gym.DrivingEnv(harvester=["no-such-harvester"]) as env, pytest.raises(gym.GameStartError, match="Cannot start 'no-such"):
+    with gym.DrivingEnv(harvester=["no-such-harvester"]) as env, pytest.raises(
+        gym.GameStartError, match="Cannot start 'no-such"
+    ):
         env.reset()
 
 
@@ -249,14 +320,20 @@ def test_harvester_that_ends_is_told_with_its_error() -> None:
 
 def test_harvester_that_hangs_is_ended() -> None:
     with gym.DrivingEnv(harvester=["sh", "-c", "exec sleep 60"], start_patience=0.2) as env, pytest.raises(
-            gym.GameStartError, match="within 0.2 s"):
+        gym.GameStartError, match="within 0.2 s"
+    ):
         env.reset()
 
 
 def test_wrong_arguments_are_refused(games: List[FakeGame]) -> None:
     for wrong in (
-            {"observation": "sound"}, {"action": "thoughts"}, {"step_seconds": 0}, {"render_mode": "human"}, {"patience": 0},
-            {"start_patience": -1}):
+        {"observation": "sound"},
+        {"action": "thoughts"},
+        {"step_seconds": 0},
+        {"render_mode": "human"},
+        {"patience": 0},
+        {"start_patience": -1},
+    ):
         with pytest.raises(ValueError):
             gym.DrivingEnv(**wrong)
     with environment(games, frames()) as env:
@@ -306,8 +383,14 @@ def test_bad_action_has_not_been_sent(games: List[FakeGame]) -> None:
     assert info["frame"]["frame"] == 1
 
 
-@pytest.mark.parametrize("options, message", [
-    ({"town": 3}, "can be restarted"), ({"headingDegrees": 90}, "needs the option position"), ({"colour": 1}, "colour")])
+@pytest.mark.parametrize(
+    "options, message",
+    [
+        ({"town": 3}, "can be restarted"),
+        ({"headingDegrees": 90}, "needs the option position"),
+        ({"colour": 1}, "colour"),
+    ],
+)
 def test_reset_refuses_options_without_effect(games: List[FakeGame], options: Message, message: str) -> None:
     with environment(games, frames({}), restarts=False) as env, pytest.raises(ValueError, match=message):
         env.reset(options=options)

@@ -23,7 +23,9 @@ SIZE = (64, 48)
 SLOPE_METRES = 0.1  # The origin of a car on a slope is not exactly above the point of the road on which it was put.
 ENDLESS = gym.Ending(collision=False, outside_seconds=None, seconds=None, standing_seconds=None)
 
-pytestmark = pytest.mark.skipif(HARVESTER_VARIABLE not in os.environ, reason=f"needs {HARVESTER_VARIABLE}; run tests/Python/run")
+pytestmark = pytest.mark.skipif(
+    HARVESTER_VARIABLE not in os.environ, reason=f"needs {HARVESTER_VARIABLE}; run tests/Python/run"
+)
 
 
 def create(**options: Any) -> gym.DrivingEnv:
@@ -52,7 +54,9 @@ def drive(env: gym.DrivingEnv, seed: int, count: int = 30) -> List[Any]:
 
 
 def as_bytes(observation: Any) -> bytes:
-    return b"".join(part.tobytes() for part in (observation.values() if isinstance(observation, dict) else [observation]))
+    return b"".join(
+        part.tobytes() for part in (observation.values() if isinstance(observation, dict) else [observation])
+    )
 
 
 def test_same_seed_and_actions_give_the_same_episode(env: gym.DrivingEnv) -> None:
@@ -141,7 +145,10 @@ def test_recording_has_the_seed_and_the_town_of_each_restart(tmp_path: Path) -> 
             own.reset(seed=7, options=options)
             own.step([0, 0.5, 0])
 
-    infos = [json.loads((tmp_path / "drives" / name / "session.json").read_text(encoding="utf-8")) for name in ("0001", "0002")]
+    infos = [
+        json.loads((tmp_path / "drives" / name / "session.json").read_text(encoding="utf-8"))
+        for name in ("0001", "0002")
+    ]
     assert [(info["seed"], info["settings"]["town"]) for info in infos] == [(7, "1"), (7, "3")]
 
 
@@ -164,7 +171,9 @@ needs_gymnasium = pytest.mark.skipif(spaces.gymnasium_module is None, reason="gy
 @pytest.mark.parametrize("observation", ["both", "state", "image"])
 def test_check_env_of_gymnasium(observation: str) -> None:
     checker = importlib.import_module("gymnasium.utils.env_checker")
-    with spaces.gymnasium_module.make("gtaharvest/Driving-v0", observation=observation, size=SIZE) as env, warnings.catch_warnings():
+    with spaces.gymnasium_module.make(
+        "gtaharvest/Driving-v0", observation=observation, size=SIZE
+    ) as env, warnings.catch_warnings():
         warnings.simplefilter("error")
         checker.check_env(env.unwrapped)
 
@@ -173,7 +182,12 @@ def test_check_env_of_gymnasium(observation: str) -> None:
 def test_vector_environments_of_gymnasium_give_the_same_steps() -> None:
     def digest(mode: str) -> str:
         made = spaces.gymnasium_module.make_vec(
-            "gtaharvest/Driving-v0", num_envs=2, vectorization_mode=mode, observation="state", ending=gym.Ending(seconds=1))
+            "gtaharvest/Driving-v0",
+            num_envs=2,
+            vectorization_mode=mode,
+            observation="state",
+            ending=gym.Ending(seconds=1),
+        )
         result = hashlib.sha256()
         try:
             observations, _ = made.reset(seed=5)
@@ -211,7 +225,11 @@ def test_environment_keeps_what_check_env_asks(env: gym.DrivingEnv) -> None:
     third, _ = env.reset(seed=123)
     assert env._np_random.bit_generator.state == generator
     fourth, _ = env.reset()
-    assert as_bytes(first) == as_bytes(third) and as_bytes(second) == as_bytes(fourth) and as_bytes(first) != as_bytes(second)
+    assert (
+        as_bytes(first) == as_bytes(third)
+        and as_bytes(second) == as_bytes(fourth)
+        and as_bytes(first) != as_bytes(second)
+    )
     env.reset(seed=456)
     assert env._np_random.bit_generator.state != generator
     env.reset(options={})

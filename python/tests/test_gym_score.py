@@ -30,8 +30,15 @@ def rows(name: str) -> List[Dict[str, float]]:
 @pytest.mark.parametrize("row", rows("driving-scores.csv"))
 def test_score_is_completion_times_penalties(row: Dict[str, float]) -> None:
     episode = gym.Episode(
-        row["wanted"], row["driven"], row["outside"], vehicle_collisions=int(row["vehicle"]), parked_collisions=int(row["parked"]),
-        pedestrian_collisions=int(row["pedestrian"]), red_lights=int(row["red"]), stop_signs=int(row["stop"]))
+        row["wanted"],
+        row["driven"],
+        row["outside"],
+        vehicle_collisions=int(row["vehicle"]),
+        parked_collisions=int(row["parked"]),
+        pedestrian_collisions=int(row["pedestrian"]),
+        red_lights=int(row["red"]),
+        stop_signs=int(row["stop"]),
+    )
     assert episode.route_completion == pytest.approx(row["completion"])
     assert episode.penalty == pytest.approx(row["penalty"])
     assert gym.driving_score(episode) == pytest.approx(row["score"])
@@ -48,12 +55,21 @@ def test_departures_begin_where_the_file_says(drive: str) -> None:
     keeping, moves = gym.LaneKeeping(), 0
     for number, row in enumerate(rows):
         moves += int(row["moved"])
-        keeping.take(frame(
-            number, road=int(row["road"]) if row["road"] else None, lane=int(row["lane"]) if row["lane"] else None,
-            outsideLanes=row["beyond"] == "1", acrossMarking=row["across"] == "1", builtInDriver=row["controller"] == "0",
-            repositioned=moves))
+        keeping.take(
+            frame(
+                number,
+                road=int(row["road"]) if row["road"] else None,
+                lane=int(row["lane"]) if row["lane"] else None,
+                outsideLanes=row["beyond"] == "1",
+                acrossMarking=row["across"] == "1",
+                builtInDriver=row["controller"] == "0",
+                repositioned=moves,
+            )
+        )
 
-    assert [begun["frame"] for begun in keeping.departures] == [number for number, row in enumerate(rows) if row["departs"] == "1"]
+    assert [begun["frame"] for begun in keeping.departures] == [
+        number for number, row in enumerate(rows) if row["departs"] == "1"
+    ]
 
 
 def test_counters_are_differences_between_frames() -> None:
@@ -61,11 +77,24 @@ def test_counters_are_differences_between_frames() -> None:
     after = {"collisions": [2, 0, 2], "redLightsRun": 5, "stopSignsRun": 1, "repositioned": 2}
     outside = {"outsideLanes": True}
     episode = gym.Episode.of(
-        [frame(10, **before), frame(11, **before, **outside), frame(13, **before, **outside), frame(14, **before),
-         frame(15, **before, **outside, builtInDriver=True), frame(20, **after)], wanted_metres=40)
+        [
+            frame(10, **before),
+            frame(11, **before, **outside),
+            frame(13, **before, **outside),
+            frame(14, **before),
+            frame(15, **before, **outside, builtInDriver=True),
+            frame(20, **after),
+        ],
+        wanted_metres=40,
+    )
 
     # The fake car drives a metre per number: 1 + 2 outside in one departure of the client, and 1 of the built-in driver.
-    assert (episode.driven_metres, episode.outside_metres, episode.judged_metres, episode.lane_departures) == (10, 4, 9, 1)
+    assert (episode.driven_metres, episode.outside_metres, episode.judged_metres, episode.lane_departures) == (
+        10,
+        4,
+        9,
+        1,
+    )
     assert episode.seconds == pytest.approx(1)
     assert (episode.vehicle_collisions, episode.parked_collisions, episode.pedestrian_collisions) == (1, 0, 0)
     assert (episode.red_lights, episode.stop_signs, episode.repositioned) == (2, 0, 1)

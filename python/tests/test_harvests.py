@@ -34,7 +34,9 @@ def test_lane_points_project_to_the_pixels_of_the_library(harvests: Path) -> Non
         for line in (*frame.lanes.boundaries, *(frame.lanes.markings or ())):
             far = line.in_camera[:, 1] > 5
             np.testing.assert_allclose(frame.camera.to_camera(line.points), line.in_camera, atol=1e-3)
-            np.testing.assert_allclose(frame.camera.project(line.points[far]).pixels, line.pixels[far], atol=ROUNDED_PIXELS)
+            np.testing.assert_allclose(
+                frame.camera.project(line.points[far]).pixels, line.pixels[far], atol=ROUNDED_PIXELS
+            )
             checked += int(far.sum())
     assert checked > 500
 
@@ -60,7 +62,9 @@ def test_true_occlusion_is_read(harvests: Path) -> None:
     fractions = [item.true_occluded_fraction for frame in open_session(harvests / "masks") for item in frame.objects]
     known = [fraction for fraction in fractions if fraction is not None]
     assert len(known) > 50 and any(fraction > 0 for fraction in known) and max(known) <= 1
-    assert all(item.true_occluded_fraction is None for frame in open_session(harvests / "shard") for item in frame.objects)
+    assert all(
+        item.true_occluded_fraction is None for frame in open_session(harvests / "shard") for item in frame.objects
+    )
 
 
 @pytest.mark.parametrize("name", ["masks", "jpeg", "shard", "relabelled", "repaired"])
@@ -72,11 +76,15 @@ def test_every_session_is_read_whole(harvests: Path, name: str) -> None:
         raw = json.loads(line)
         assert dict(frame.raw) == raw and session.frame(raw["frame"]).number == raw["frame"]
         assert [item.id for item in frame.objects] == [item["id"] for item in raw["objects"]]
-        assert len(frame.view.arrays()) == len(raw["objects"]) and len(frame.view.ignore_regions) == len(raw["ignoreRegions"])
+        assert len(frame.view.arrays()) == len(raw["objects"]) and len(frame.view.ignore_regions) == len(
+            raw["ignoreRegions"]
+        )
         assert frame.image().shape == (120, 160, 3) and frame.ego.model == raw["ego"]["model"]
         assert frame.lanes is not None and frame.lanes.status == raw["lanes"]["status"]
         assert annotate(frame.view, "3d").shape == (120, 160, 3)
     tracks = session.tracks()
-    assert sum(len(track.labels) for track in tracks.values()) == sum(len(json.loads(line)["objects"]) for line in lines)
+    assert sum(len(track.labels) for track in tracks.values()) == sum(
+        len(json.loads(line)["objects"]) for line in lines
+    )
     longest = max(tracks.values(), key=lambda track: len(track.frames))
     assert session.track(longest.id) == longest

@@ -51,7 +51,9 @@ def test_undamaged_session_is_read_whole(tmp_path: Path) -> None:
     assert refusals(rich.write(tmp_path / "rich")) == 0
 
 
-@pytest.mark.parametrize("kind", ["label", "session.json", "text of the label", "text of session.json", "files", "pictures", "manifest"])
+@pytest.mark.parametrize(
+    "kind", ["label", "session.json", "text of the label", "text of session.json", "files", "pictures", "manifest"]
+)
 def test_mutated_sessions_never_escape(tmp_path: Path, kind: str) -> None:
     sound = rich.write(tmp_path / "sound")
     (tmp_path / "outside.png").write_bytes((sound / "frames/00000001.png").read_bytes())

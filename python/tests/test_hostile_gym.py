@@ -92,12 +92,21 @@ def test_speed_that_is_no_number_is_refused(games: List[FakeGame], value: Any) -
         env.reset(seed=1)
 
 
-@pytest.mark.parametrize("image", [
-    PICTURE[:33] + struct.pack(">I", 0x7FFFFFFF) + PICTURE[37:] + bytes(19_000),
-    PICTURE[:16] + struct.pack(">II", 65_535, 65_535) + PICTURE[24:], b"%!PS-Adobe-3.0 EPSF-3.0\n", b"BM" + bytes(60), b""])
+@pytest.mark.parametrize(
+    "image",
+    [
+        PICTURE[:33] + struct.pack(">I", 0x7FFFFFFF) + PICTURE[37:] + bytes(19_000),
+        PICTURE[:16] + struct.pack(">II", 65_535, 65_535) + PICTURE[24:],
+        b"%!PS-Adobe-3.0 EPSF-3.0\n",
+        b"BM" + bytes(60),
+        b"",
+    ],
+)
 def test_malformed_image_ends_the_step_at_once(games: List[FakeGame], image: bytes) -> None:
     games.append(FakeGame(lambda message: (frame(0), image)))
-    with gym.DrivingEnv("image", size=SIZE, address=games[0].address, patience=20) as env, pytest.raises(gym.BridgeError):
+    with gym.DrivingEnv("image", size=SIZE, address=games[0].address, patience=20) as env, pytest.raises(
+        gym.BridgeError
+    ):
         env.reset(seed=1)
 
 

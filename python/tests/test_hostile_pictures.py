@@ -75,13 +75,25 @@ def test_only_what_pixels_need_reaches_the_decoder() -> None:
     assert jpeg.essential(sound[:2] + comment + sound[2:]) == jpeg.essential(sound)
 
 
-@pytest.mark.parametrize("name, data, words", [
-    ("EPS", b"%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 80 60\n", "not a PNG, JPEG or BMP"),
-    ("GIF", b"GIF89a" + bytes(50), "not a PNG, JPEG or BMP"),
-    ("TIFF", b"II*\0" + bytes(50), "not a PNG, JPEG or BMP"),
-    ("PNG with a palette", png.SIGNATURE + b"\0\0\0\rIHDR" + struct.pack(">IIBBBBB", WIDTH, HEIGHT, 8, 3, 0, 0, 0) + bytes(50), "palette"),
-    ("BMP with run lengths", b"BM" + bytes(16) + struct.pack("<iiHHI", WIDTH, HEIGHT, 1, 24, 1) + bytes(50), "uncompressed BMP"),
-    ("empty", b"", "not a PNG, JPEG or BMP")])
+@pytest.mark.parametrize(
+    "name, data, words",
+    [
+        ("EPS", b"%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 80 60\n", "not a PNG, JPEG or BMP"),
+        ("GIF", b"GIF89a" + bytes(50), "not a PNG, JPEG or BMP"),
+        ("TIFF", b"II*\0" + bytes(50), "not a PNG, JPEG or BMP"),
+        (
+            "PNG with a palette",
+            png.SIGNATURE + b"\0\0\0\rIHDR" + struct.pack(">IIBBBBB", WIDTH, HEIGHT, 8, 3, 0, 0, 0) + bytes(50),
+            "palette",
+        ),
+        (
+            "BMP with run lengths",
+            b"BM" + bytes(16) + struct.pack("<iiHHI", WIDTH, HEIGHT, 1, 24, 1) + bytes(50),
+            "uncompressed BMP",
+        ),
+        ("empty", b"", "not a PNG, JPEG or BMP"),
+    ],
+)
 def test_other_formats_reach_no_decoder(
     handmade: HandmadeSession, monkeypatch: pytest.MonkeyPatch, name: str, data: bytes, words: str
 ) -> None:
@@ -99,8 +111,14 @@ def test_jpeg_of_another_kind_reaches_no_decoder(handmade: HandmadeSession, monk
     sound = encoded()
     start = sound.index(b"\xff\xc0")
     for data, words in (
-            (encoded(progressive=True), "not a baseline JPEG"), (sound[:-2], "cut off"), (sound + sound, "after its end"),
-            (sound[:start + 5] + struct.pack(">HH", 65_500, 65_500) + sound[start + 9:], "65500x65500 pixels; its label says 80x60")):
+        (encoded(progressive=True), "not a baseline JPEG"),
+        (sound[:-2], "cut off"),
+        (sound + sound, "after its end"),
+        (
+            sound[: start + 5] + struct.pack(">HH", 65_500, 65_500) + sound[start + 9 :],
+            "65500x65500 pixels; its label says 80x60",
+        ),
+    ):
         with pytest.raises(gtaharvest.PictureError, match=words):
             session_with(handmade, data).image()
 
@@ -140,13 +158,25 @@ def test_filters_are_undone_as_the_specification_says(kinds: str) -> None:
         header = struct.pack(">IIBBBBB", width, height, 8, 0 if channels == 1 else 2, 0, 0, 0)
         data = png.SIGNATURE + b"".join(
             struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-            for kind, body in ((b"IHDR", header), (b"IDAT", zlib.compress(rows)), (b"IEND", b"")))
+            for kind, body in ((b"IHDR", header), (b"IDAT", zlib.compress(rows)), (b"IEND", b""))
+        )
         np.testing.assert_array_equal(png.decode(data), picture[..., 0] if channels == 1 else picture)
 
 
-@pytest.mark.parametrize("name", [
-    "session.json", "labels.jsonl", "manifest.jsonl", "frames/00000001.png", "masks/00000001.png", "classes/1.png", "depth/1.png",
-    "pairs/1.png", "lidar/1.bin"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "session.json",
+        "labels.jsonl",
+        "manifest.jsonl",
+        "frames/00000001.png",
+        "masks/00000001.png",
+        "classes/1.png",
+        "depth/1.png",
+        "pairs/1.png",
+        "lidar/1.bin",
+    ],
+)
 @pytest.mark.parametrize("kind", ["pipe", "device"])
 def test_pipe_or_device_does_not_block(tmp_path: Path, name: str, kind: str) -> None:
     """In a process of its own, which a pipe without a writer would block forever."""
@@ -157,10 +187,10 @@ def test_pipe_or_device_does_not_block(tmp_path: Path, name: str, kind: str) -> 
     else:
         (folder / name).symlink_to("/dev/zero")
     tests = Path(__file__).parent
-    program = (
-        "import sys; sys.path[:0] = sys.argv[2:]\nimport test_hostile, pathlib\nprint(test_hostile.refusals(pathlib.Path(sys.argv[1])))")
+    program = "import sys; sys.path[:0] = sys.argv[2:]\nimport test_hostile, pathlib\nprint(test_hostile.refusals(pathlib.Path(sys.argv[1])))"
     done = subprocess.run(
-        [sys.executable, "-c", program, folder, tests, tests.parent / "src"], capture_output=True, text=True, timeout=60)
+        [sys.executable, "-c", program, folder, tests, tests.parent / "src"], capture_output=True, text=True, timeout=60
+    )
     assert done.returncode == 0, done.stderr[-2000:]
     # Without a manifest the lines are searched for.
     assert (int(done.stdout) > 0) == (name != "manifest.jsonl")

@@ -53,7 +53,7 @@ def zeros(count: int) -> bytes:
     """A number of zeros, packed."""
     packer = zlib.compressobj(9)
     block = bytes(1 << 20)
-    parts = [packer.compress(block[:min(len(block), count - at)]) for at in range(0, count, len(block))]
+    parts = [packer.compress(block[: min(len(block), count - at)]) for at in range(0, count, len(block))]
     return b"".join(parts) + packer.flush()
 
 
@@ -66,7 +66,9 @@ def filtered(side: int) -> bytes:
 
 def false_length(folder: Path) -> None:
     sound = picture(80, 60, zeros(60 * 241))
-    (folder / "frames/00000001.png").write_bytes(sound[:33] + struct.pack(">I", 0x7FFFFFFF) + sound[37:] + bytes(19_000))
+    (folder / "frames/00000001.png").write_bytes(
+        sound[:33] + struct.pack(">I", 0x7FFFFFFF) + sound[37:] + bytes(19_000)
+    )
 
 
 def more_pixels_than_the_label(folder: Path) -> None:
@@ -143,8 +145,7 @@ INPUTS: Dict[str, Callable[[Path], None]] = {
 }
 
 
-HARMLESS = (
-    "80 x 60 pixels and 2 GB of data", "2 GB of text in a picture", "a manifest of 5,000,000 labels of 0 bytes")
+HARMLESS = ("80 x 60 pixels and 2 GB of data", "2 GB of text in a picture", "a manifest of 5,000,000 labels of 0 bytes")
 """Harmless input: data beyond the pixels is not unpacked, and a manifest that does not fit is not used."""
 
 
@@ -155,7 +156,11 @@ def test_input_takes_less_than_a_gigabyte(tmp_path: Path, name: str) -> None:
     INPUTS[name](folder)
     tests = Path(__file__).parent
     done = subprocess.run(
-        [sys.executable, "-c", READ_ALL, folder, tests, tests.parent / "src"], capture_output=True, text=True, timeout=TIMEOUT_SECONDS)
+        [sys.executable, "-c", READ_ALL, folder, tests, tests.parent / "src"],
+        capture_output=True,
+        text=True,
+        timeout=TIMEOUT_SECONDS,
+    )
     assert done.returncode == 0, done.stderr[-2000:]
     *lines, megabytes = done.stdout.splitlines()
     print(f"{name}: {megabytes} MB; {lines[:1]}")

@@ -39,7 +39,11 @@ def run(*command: object) -> str:
 
 
 def source_files() -> Set[str]:
-    return {path.relative_to(SOURCE).as_posix() for path in (SOURCE / "gtaharvest").rglob("*") if path.suffix in (".py", ".typed")}
+    return {
+        path.relative_to(SOURCE).as_posix()
+        for path in (SOURCE / "gtaharvest").rglob("*")
+        if path.suffix in (".py", ".typed")
+    }
 
 
 @pytest.fixture(scope="module")
@@ -84,15 +88,30 @@ def test_every_module_of_the_installed_wheel_can_be_imported(built: Path, tmp_pa
     run(sys.executable, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps", "--target", site, wheel)
     names = imported(tmp_path / "environment")
     assert {name.replace(".", "/") for name in names} == {
-        re.sub(r"(/__init__)?\.py$", "", name) for name in source_files() - {"gtaharvest/__init__.py", "gtaharvest/__main__.py"}
-        if name.endswith(".py")}
+        re.sub(r"(/__init__)?\.py$", "", name)
+        for name in source_files() - {"gtaharvest/__init__.py", "gtaharvest/__main__.py"}
+        if name.endswith(".py")
+    }
 
 
 def test_copied_folder_can_be_installed(tmp_path: Path) -> None:
     pytest.importorskip("pip")
-    shutil.copytree(ROOT / "python", tmp_path / "copied", ignore=shutil.ignore_patterns("__pycache__", "*.egg-info", "build"))
+    shutil.copytree(
+        ROOT / "python", tmp_path / "copied", ignore=shutil.ignore_patterns("__pycache__", "*.egg-info", "build")
+    )
     run(sys.executable, "-m", "venv", "--without-pip", "--system-site-packages", tmp_path / "environment")
     site = next((tmp_path / "environment/lib").glob("python*/site-packages"))
-    run(sys.executable, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps", "--no-build-isolation", "--target", site,
-        tmp_path / "copied")
+    run(
+        sys.executable,
+        "-m",
+        "pip",
+        "install",
+        "--quiet",
+        "--no-index",
+        "--no-deps",
+        "--no-build-isolation",
+        "--target",
+        site,
+        tmp_path / "copied",
+    )
     assert "gtaharvest.gym.env" in imported(tmp_path / "environment")

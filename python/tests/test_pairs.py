@@ -18,10 +18,13 @@ def session(tmp_path: Path) -> Path:
     made = HandmadeSession(tmp_path / "pairs")
     made.lines[0]["pairs"] = [
         {"file": "pairs/00000000/rain-06-without-7.png", "weather": "rain", "timeOfDay": "06:00:00", "without": [7]},
-        {"file": None, "weather": "snow", "timeOfDay": "06:00:00", "without": [], "dropped": "unsettled"}]
+        {"file": None, "weather": "snow", "timeOfDay": "06:00:00", "without": [], "dropped": "unsettled"},
+    ]
     folder = made.write()
     (folder / "pairs" / "00000000").mkdir(parents=True)
-    (folder / "pairs" / "00000000" / "rain-06-without-7.png").write_bytes(png.encode(np.full((HEIGHT, WIDTH, 3), 99, np.uint8)))
+    (folder / "pairs" / "00000000" / "rain-06-without-7.png").write_bytes(
+        png.encode(np.full((HEIGHT, WIDTH, 3), 99, np.uint8))
+    )
     return folder
 
 
@@ -37,6 +40,8 @@ def test_pairs_say_what_they_show(session: Path) -> None:
 def test_picture_of_a_pair_is_that_of_its_file(session: Path) -> None:
     frame = gtaharvest.open_session(session)[0]
 
-    assert frame.pair_image(frame.pairs[0]).shape == (HEIGHT, WIDTH, 3) and np.all(frame.pair_image(frame.pairs[0]) == 99)
+    assert frame.pair_image(frame.pairs[0]).shape == (HEIGHT, WIDTH, 3) and np.all(
+        frame.pair_image(frame.pairs[0]) == 99
+    )
     with pytest.raises(gtaharvest.MissingPictureError, match="unsettled"):
         frame.pair_image(frame.pairs[1])

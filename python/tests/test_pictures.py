@@ -11,6 +11,7 @@ import pytest
 from conftest import HEIGHT, WIDTH, HandmadeSession
 from gtaharvest import open_session, png
 
+
 def test_images_are_red_green_blue_and_masks_have_16_bits(handmade: HandmadeSession) -> None:
     frame = open_session(handmade.write())[2]
     assert frame.image().dtype == np.uint8 and frame.mask().dtype == np.uint16
@@ -39,7 +40,12 @@ def test_class_maps_have_8_bits(handmade: HandmadeSession) -> None:
 def test_depth_maps_are_in_metres(handmade: HandmadeSession) -> None:
     units = (np.arange(HEIGHT * WIDTH).reshape(HEIGHT, WIDTH) * 256 // 2 % 65536).astype(np.uint16)
     handmade.lines[1]["depth"] = {
-        "sparse": "depth/1.png", "completed": "depth-completed/1.png", "error": None, "raysCast": 3, "measuredPixels": 4}
+        "sparse": "depth/1.png",
+        "completed": "depth-completed/1.png",
+        "error": None,
+        "raysCast": 3,
+        "measuredPixels": 4,
+    }
     folder = handmade.write()
     for name in ("depth", "depth-completed"):
         (folder / name).mkdir()
@@ -78,7 +84,8 @@ def test_bmp_images(handmade: HandmadeSession) -> None:
     for height, rows in ((HEIGHT, picture[::-1]), (-HEIGHT, picture)):
         data = rows[..., ::-1].tobytes()
         header = struct.pack("<IIiiHHIIiiII", 40, 0, WIDTH, height, 1, 24, 0, len(data), 0, 0, 0, 0)[:4] + struct.pack(
-            "<iiHHIIiiII", WIDTH, height, 1, 24, 0, len(data), 0, 0, 0, 0)
+            "<iiHHIIiiII", WIDTH, height, 1, 24, 0, len(data), 0, 0, 0, 0
+        )
         (folder / "frames/0.bmp").write_bytes(b"BM" + struct.pack("<III", 54 + len(data), 0, 54) + header + data)
         np.testing.assert_array_equal(open_session(folder)[0].image(), picture)
 
@@ -124,7 +131,9 @@ def test_a_picture_outside_the_session_is_not_opened(handmade: HandmadeSession) 
             frame.image()
 
 
-@pytest.mark.parametrize("shape, dtype", [((5, 7), np.uint8), ((5, 7), np.uint16), ((5, 7, 3), np.uint8), ((1, 1), np.uint16)])
+@pytest.mark.parametrize(
+    "shape, dtype", [((5, 7), np.uint8), ((5, 7), np.uint16), ((5, 7, 3), np.uint8), ((1, 1), np.uint16)]
+)
 def test_png_round_trip(shape: tuple[int, ...], dtype: type) -> None:
     picture = np.random.default_rng(2).integers(0, np.iinfo(dtype).max, shape, dtype=dtype, endpoint=True)
     np.testing.assert_array_equal(png.decode(png.encode(picture)), picture)
@@ -147,7 +156,8 @@ def test_png_filters_as_other_encoders_write_them() -> None:
             rows += bytes([(value - (0, a, b, (a + b) // 2, paeth)[kind]) % 256])
     parts = ((b"IHDR", struct.pack(">IIBBBBB", 6, 11, 8, 2, 0, 0, 0)), (b"IDAT", zlib.compress(rows)), (b"IEND", b""))
     data = b"\x89PNG\r\n\x1a\n" + b"".join(
-        struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body)) for kind, body in parts)
+        struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body)) for kind, body in parts
+    )
     np.testing.assert_array_equal(png.decode(data), picture)
 
 
@@ -155,4 +165,4 @@ def test_every_flipped_bit_of_a_png_is_noticed() -> None:
     data = png.encode(conftest.image(0)[:6, :5])
     for position in range(len(data)):
         with pytest.raises(ValueError):
-            png.decode(data[:position] + bytes([data[position] ^ 0x10]) + data[position + 1:])
+            png.decode(data[:position] + bytes([data[position] ^ 0x10]) + data[position + 1 :])

@@ -24,7 +24,8 @@ def rig(tmp_path: Path) -> Path:
     folder = session.write()
     (folder / "lidar" / "top").mkdir(parents=True)
     (folder / "lidar" / "top" / "00000000.bin").write_bytes(
-        struct.pack("<4f3H2B", 1, 2, 3, 0.5, 7, 4, 12, 11, 0) + struct.pack("<4f3H2B", -1, 0, 1, 0.25, 8, 5, 0, 1, 1))
+        struct.pack("<4f3H2B", 1, 2, 3, 0.5, 7, 4, 12, 11, 0) + struct.pack("<4f3H2B", -1, 0, 1, 0.25, 8, 5, 0, 1, 1)
+    )
     return folder
 
 
@@ -42,7 +43,11 @@ def test_points_are_those_of_the_file(rig: Path) -> None:
     points = left.points("top")
 
     np.testing.assert_array_equal(points["position"], [[1, 2, 3], [-1, 0, 1]])
-    assert points["object_id"].tolist() == [12, 0] and points["class"].tolist() == [11, 1] and points["beam"].tolist() == [4, 5]
+    assert (
+        points["object_id"].tolist() == [12, 0]
+        and points["class"].tolist() == [11, 1]
+        and points["beam"].tolist() == [4, 5]
+    )
     with pytest.raises(KeyError):
         right.points("top")
 

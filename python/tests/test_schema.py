@@ -13,7 +13,10 @@ from conftest import ROOT, HandmadeSession
 
 jsonschema = pytest.importorskip("jsonschema")
 
-SCHEMAS = {name: json.loads((ROOT / f"docs/schema/{name}.schema.json").read_text(encoding="utf-8")) for name in ("label", "session")}
+SCHEMAS = {
+    name: json.loads((ROOT / f"docs/schema/{name}.schema.json").read_text(encoding="utf-8"))
+    for name in ("label", "session")
+}
 
 
 def validator(name: str) -> Any:
@@ -46,22 +49,27 @@ def test_both_schemas_describe_the_same_camera() -> None:
 
 
 def test_every_field_is_in_the_docs() -> None:
-    text = "".join((ROOT / f"docs/{page}.md").read_text(encoding="utf-8") for page in ("dataset-format", "lanes", "rigs"))
+    text = "".join(
+        (ROOT / f"docs/{page}.md").read_text(encoding="utf-8") for page in ("dataset-format", "lanes", "rigs")
+    )
     described = {word for code in re.findall(r"`([^`\n]+)`", text) for word in re.findall(r"\w+", code)}
     fields = {field for schema in SCHEMAS.values() for part in objects_of(schema) for field in part["properties"]}
     assert fields - described == set()
 
 
-@pytest.mark.parametrize("change, place", [
-    (lambda line: line.update(extra=1), ()),
-    (lambda line: line["objects"][0].update(extra=1), ("objects", 0)),
-    (lambda line: line["objects"][0].update({"class": "tank"}), ("objects", 0, "class")),
-    (lambda line: line["objects"][0].update(visibleFraction=1.5), ("objects", 0, "visibleFraction")),
-    (lambda line: line["objects"][0].update(box2d=[1, 2, 3]), ("objects", 0, "box2d")),
-    (lambda line: line["objects"][0].pop("velocity"), ("objects", 0)),
-    (lambda line: line["camera"].pop("cx"), ("camera",)),
-    (lambda line: line.update(frame=-1), ("frame",)),
-])
+@pytest.mark.parametrize(
+    "change, place",
+    [
+        (lambda line: line.update(extra=1), ()),
+        (lambda line: line["objects"][0].update(extra=1), ("objects", 0)),
+        (lambda line: line["objects"][0].update({"class": "tank"}), ("objects", 0, "class")),
+        (lambda line: line["objects"][0].update(visibleFraction=1.5), ("objects", 0, "visibleFraction")),
+        (lambda line: line["objects"][0].update(box2d=[1, 2, 3]), ("objects", 0, "box2d")),
+        (lambda line: line["objects"][0].pop("velocity"), ("objects", 0)),
+        (lambda line: line["camera"].pop("cx"), ("camera",)),
+        (lambda line: line.update(frame=-1), ("frame",)),
+    ],
+)
 def test_wrong_labels_are_refused(handmade: HandmadeSession, change: Any, place: Any) -> None:
     line = copy.deepcopy(handmade.lines[0])
     assert validator("label").is_valid(line)
@@ -74,10 +82,21 @@ Field = Tuple[str, ...]
 # What the simulated game and these sessions do not have: GTA V reads lists, knows its edition and build, can draw over the pictures and has
 # a display; its maps of normals are from rays. Only it and a real network have props of a file. A resumed session can report faults.
 ONLY_ELSEWHERE = {
-    ("session", "reading"), ("session", "pictures"), ("session", "pictures", "warning"),
-    *(("session", "start", *names) for names in (
-        ("display",), ("display", "state"), ("display", "region"),
-        ("colours",), ("colours", "state"), ("colours", "grey192"), ("colours", "grey128"))),
+    ("session", "reading"),
+    ("session", "pictures"),
+    ("session", "pictures", "warning"),
+    *(
+        ("session", "start", *names)
+        for names in (
+            ("display",),
+            ("display", "state"),
+            ("display", "region"),
+            ("colours",),
+            ("colours", "state"),
+            ("colours", "grey192"),
+            ("colours", "grey128"),
+        )
+    ),
     ("label", "$defs", "rays", "normals"),
     *(("session", "settings", name) for name in ("gameEdition", "gameBuild", "scriptApi", "props")),
 }
@@ -129,7 +148,11 @@ def test_harvests_conform_and_have_every_field(harvests: Path) -> None:
         lines = (folder / "labels.jsonl").read_text(encoding="utf-8").splitlines()
         documents += [("label", json.loads(line)) for line in lines]
         for name, document in documents:
-            assert [f"{list(error.path)}: {error.message}" for error in validator(name).iter_errors(document)] == [], folder
+            assert [
+                f"{list(error.path)}: {error.message}" for error in validator(name).iter_errors(document)
+            ] == [], folder
             used.update(used_fields(SCHEMAS[name], SCHEMAS[name], document, (name,)))
     missing = {field for name, schema in SCHEMAS.items() for field in fields_of(schema, name)} - used
-    assert {field for field in missing if field[:2] != ("session", "reading")} | {("session", "reading")} == ONLY_ELSEWHERE
+    assert {field for field in missing if field[:2] != ("session", "reading")} | {
+        ("session", "reading")
+    } == ONLY_ELSEWHERE

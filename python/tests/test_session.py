@@ -75,15 +75,26 @@ def test_labels_as_arrays_with_nan_for_unknown(handmade: HandmadeSession) -> Non
 def test_arrays_of_no_objects_have_their_shapes(handmade: HandmadeSession) -> None:
     handmade.lines[0]["objects"] = []
     arrays = open_session(handmade.write())[0].view.arrays()
-    assert len(arrays) == 0 and arrays.box2d.shape == (0, 4) and arrays.axes.shape == (0, 3, 3) and arrays.joints.shape == (0, 22, 3)
+    assert (
+        len(arrays) == 0
+        and arrays.box2d.shape == (0, 4)
+        and arrays.axes.shape == (0, 3, 3)
+        and arrays.joints.shape == (0, 22, 3)
+    )
 
 
 def test_joints_as_records_and_arrays(handmade: HandmadeSession) -> None:
     person = handmade.lines[1]["objects"][1]
     person["box2dJoints"] = [1, 2, 3, 4]
     person["joints"] = [
-        {"joint": name, "position": [i, 21, 0], "pixel": None if i == 0 else [i, 2 * i], "visibility": "selfOccluded" if i else "outside"}
-        for i, name in enumerate(gtaharvest.JOINT_NAMES)]
+        {
+            "joint": name,
+            "position": [i, 21, 0],
+            "pixel": None if i == 0 else [i, 2 * i],
+            "visibility": "selfOccluded" if i else "outside",
+        }
+        for i, name in enumerate(gtaharvest.JOINT_NAMES)
+    ]
     view = open_session(handmade.write())[1].view
     joints = view.objects[1].joints
     assert joints is not None and view.objects[1].box2d_joints == (1, 2, 3, 4)
@@ -112,10 +123,17 @@ def test_filters(handmade: HandmadeSession) -> None:
         Selection(classes="car")
 
 
-@pytest.mark.parametrize("options, words", [
-    ({"classes": {"carr"}}, "Unknown class 'carr'; did you mean 'car'?"), ({"classes": ["x7"]}, "Unknown class 'x7'; classes are car, "),
-    ({"min_visible_fraction": 5}, "min_visible_fraction is from 0 to 1, not 5."), ({"max_truncated_fraction": float("nan")}, "not nan."),
-    ({"max_distance_metres": -1}, "max_distance_metres is 0 or more, not -1."), ({"min_side_pixels": float("nan")}, "not nan.")])
+@pytest.mark.parametrize(
+    "options, words",
+    [
+        ({"classes": {"carr"}}, "Unknown class 'carr'; did you mean 'car'?"),
+        ({"classes": ["x7"]}, "Unknown class 'x7'; classes are car, "),
+        ({"min_visible_fraction": 5}, "min_visible_fraction is from 0 to 1, not 5."),
+        ({"max_truncated_fraction": float("nan")}, "not nan."),
+        ({"max_distance_metres": -1}, "max_distance_metres is 0 or more, not -1."),
+        ({"min_side_pixels": float("nan")}, "not nan."),
+    ],
+)
 def test_filters_without_a_meaning_are_refused(options: Any, words: str) -> None:
     with pytest.raises(ValueError) as refused:
         Selection(**options)
@@ -126,7 +144,9 @@ def test_frame_that_is_not_there_is_named(handmade: HandmadeSession) -> None:
     session = open_session(handmade.write())
     with pytest.raises(gtaharvest.NotInSessionError) as refused:
         session.frame(999)
-    assert str(refused.value) == f"{session.folder}: the session has no frame 999; its 3 frames have the numbers 0 to 2."
+    assert (
+        str(refused.value) == f"{session.folder}: the session has no frame 999; its 3 frames have the numbers 0 to 2."
+    )
     assert isinstance(refused.value, gtaharvest.SessionError) and isinstance(refused.value, KeyError)
 
 
@@ -137,15 +157,26 @@ def test_records_are_shown_in_a_line(handmade: HandmadeSession, tmp_path: Path) 
     assert repr(session.track(7)) == "Track(7, 'car', 3 frames from 0 to 2)"
     assert repr(session[1].view.arrays()) == "ObjectArrays(2 objects)"
     assert repr(open_session(rich.write(tmp_path / "rich"))[0].lanes) == (
-        "Lanes(known, lane 0 of 2, +0.50 m from its centre, 1 vehicles, 1 boundaries, 1 markings)")
+        "Lanes(known, lane 0 of 2, +0.50 m from its centre, 1 vehicles, 1 boundaries, 1 markings)"
+    )
     handmade.lines[0]["timeSeconds"] = "x"
     assert repr(open_session(handmade.write())[0]) == f"<damaged label: {session.folder / 'labels.jsonl'}, line 1>"
 
 
 def test_parts_can_be_left_out(handmade: HandmadeSession) -> None:
     handmade.lines[1]["objects"][1].update(
-        {"parent": 7, "space": {"face": 0, "mutcd": "R1-1", "facesCamera": True, "facingAngleDegrees": 3, "provenance": "measured",
-                                "light": {"state": "red", "method": "set", "litFraction": None}}})
+        {
+            "parent": 7,
+            "space": {
+                "face": 0,
+                "mutcd": "R1-1",
+                "facesCamera": True,
+                "facingAngleDegrees": 3,
+                "provenance": "measured",
+                "light": {"state": "red", "method": "set", "litFraction": None},
+            },
+        }
+    )
     view = open_session(handmade.write())[1].view
     assert [item.id for item in view.select(Selection(with_parts=False))] == [7]
     face = view.objects[1].face
@@ -175,14 +206,35 @@ def test_a_table_of_all_objects(handmade: HandmadeSession) -> None:
 def test_lanes_are_parsed_only_when_asked_for(handmade: HandmadeSession) -> None:
     numbers = {name: float(i) for i, name in enumerate(gtaharvest.INDICATOR_NAMES)}
     flags = {name: i % 2 == 0 for i, name in enumerate(gtaharvest.INDICATOR_NAMES)}
-    line = {"index": 0, "side": "left", "points": [[0, 1, 2]], "inCamera": [[3, 4, 5]], "pixels": [[6, 7]], "hidden": [None]}
+    line = {
+        "index": 0,
+        "side": "left",
+        "points": [[0, 1, 2]],
+        "inCamera": [[3, 4, 5]],
+        "pixels": [[6, 7]],
+        "hidden": [None],
+    }
     handmade.lines[0]["lanes"] = {
-        "status": "known", "source": "simulation", "confidence": 1, "inJunction": False, "laneCount": 2, "lane": 0,
-        "laneWidthMetres": 4, "laneWidthSource": "constant", "offsetFromLaneCentreMetres": 0.5, "lookAheadMetres": 10,
-        "curvaturePerMetre": 0, "fast": False, "indicators": numbers, "valid": flags, "torcsEquivalent": numbers,
+        "status": "known",
+        "source": "simulation",
+        "confidence": 1,
+        "inJunction": False,
+        "laneCount": 2,
+        "lane": 0,
+        "laneWidthMetres": 4,
+        "laneWidthSource": "constant",
+        "offsetFromLaneCentreMetres": 0.5,
+        "lookAheadMetres": 10,
+        "curvaturePerMetre": 0,
+        "fast": False,
+        "indicators": numbers,
+        "valid": flags,
+        "torcsEquivalent": numbers,
         "atCar": {"indicators": numbers, "valid": flags},
         "vehicles": [{"id": 7, "lane": 1, "oncoming": False, "distanceMetres": 9, "bumperDistanceMetres": 5}],
-        "boundaries": [line], "markings": None}
+        "boundaries": [line],
+        "markings": None,
+    }
     handmade.lines[0]["later"] = 1
     folder = handmade.write()
     frame = open_session(folder)[0]
@@ -218,8 +270,13 @@ def test_lines_are_found_with_and_without_a_manifest(handmade: HandmadeSession, 
     if manifest == "wrong sizes":
         sizes = [sizes[1], sizes[0], sizes[2]]
     if manifest != "absent":
-        lines = [f'{{"frame":{i},"label":{{"bytes":{size},"sha256":"0"}},"files":[],"check":"0"}}\n' for i, size in enumerate(sizes)]
-        (folder / "manifest.jsonl").write_text("".join(lines) + '{"path":"session.json","bytes":1,"sha256":"0","check":"0"}\n')
+        lines = [
+            f'{{"frame":{i},"label":{{"bytes":{size},"sha256":"0"}},"files":[],"check":"0"}}\n'
+            for i, size in enumerate(sizes)
+        ]
+        (folder / "manifest.jsonl").write_text(
+            "".join(lines) + '{"path":"session.json","bytes":1,"sha256":"0","check":"0"}\n'
+        )
     session = open_session(folder)
     assert [len(frame.objects) for frame in session] == [1, 2, 2]
 

@@ -44,7 +44,9 @@ def test_several_sessions_follow_one_another(handmade: HandmadeSession) -> None:
 
 
 def test_a_transform_is_applied(handmade: HandmadeSession) -> None:
-    data = torch_dataset.DetectionDataset(handmade.write(), transform=lambda image, target: (image.flip(-1), target["frame"]))
+    data = torch_dataset.DetectionDataset(
+        handmade.write(), transform=lambda image, target: (image.flip(-1), target["frame"])
+    )
     image, frame = data[2]
     assert frame == 2 and image[0, 5, 79].item() == 0
 
@@ -54,7 +56,8 @@ def test_several_workers_give_the_items_of_one(handmade: HandmadeSession, start:
     data = torch_dataset.DetectionDataset([handmade.write()] * 4)
     assert len(data[0]) == 2
     loader = torch.utils.data.DataLoader(
-        data, batch_size=2, num_workers=2, collate_fn=torch_dataset.collate, multiprocessing_context=start)
+        data, batch_size=2, num_workers=2, collate_fn=torch_dataset.collate, multiprocessing_context=start
+    )
     batches = list(loader)
     assert [target["frame"].item() for _, targets in batches for target in targets] == [0, 1, 2] * 4
     images = torch.cat([images for images, _ in batches])

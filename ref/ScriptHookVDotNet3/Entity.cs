@@ -4,7 +4,5 @@ namespace GTA;
 public abstract class Entity : PoolObject
 {
     private protected Entity(int handle)
-        : base(handle)
-    {
-    }
+        : base(handle) { }
 }

@@ -4,7 +4,5 @@ namespace GTA;
 public sealed class Ped : Entity
 {
     internal Ped(int handle)
-        : base(handle)
-    {
-    }
+        : base(handle) { }
 }

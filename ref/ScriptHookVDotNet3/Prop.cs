@@ -4,7 +4,5 @@ namespace GTA;
 public class Prop : Entity
 {
     internal Prop(int handle)
-        : base(handle)
-    {
-    }
+        : base(handle) { }
 }

@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using System.Windows.Forms;
 using GTA.Hosting;
 
@@ -34,9 +32,10 @@ public abstract class Script
 
     internal void RaiseKeyDown(Keys key) => Raise(() => KeyDown?.Invoke(this, new KeyEventArgs(key)));
 
-    private static void Raise(Action handlers) => ScriptThread.Run(() =>
-    {
-        handlers();
-        return true;
-    });
+    private static void Raise(Action handlers) =>
+        ScriptThread.Run(() =>
+        {
+            handlers();
+            return true;
+        });
 }

@@ -4,7 +4,5 @@ namespace GTA;
 public sealed class Vehicle : Entity
 {
     internal Vehicle(int handle)
-        : base(handle)
-    {
-    }
+        : base(handle) { }
 }

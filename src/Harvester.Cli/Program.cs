@@ -1,4 +1,3 @@
-using System.Threading;
 using Harvester.Cli.Commands;
 using Harvester.Cli.Supervising;
 using Harvester.Cli.Terminals;

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry;
 
 /// <summary>
@@ -58,15 +56,23 @@ public readonly record struct Axes
     /// <summary>As <see cref="FromVectors"/>; null for vectors that it rejects.</summary>
     internal static Axes? TryFromVectors(Vector3D right, Vector3D forward, Vector3D up)
     {
-        if (!IsUnit(right) || !IsUnit(forward) || !IsUnit(up)
+        if (
+            !IsUnit(right)
+            || !IsUnit(forward)
+            || !IsUnit(up)
             || Math.Abs(right.Dot(forward)) > OrthonormalTolerance
-            || (right.Cross(forward) - up).Length > 3 * OrthonormalTolerance)
+            || (right.Cross(forward) - up).Length > 3 * OrthonormalTolerance
+        )
         {
             return null;
         }
 
-        if (Math.Abs(forward.Length - 1) <= RoundingTolerance && Math.Abs(right.Length - 1) <= RoundingTolerance
-            && Math.Abs(right.Dot(forward)) <= RoundingTolerance && (right.Cross(forward) - up).Length <= RoundingTolerance)
+        if (
+            Math.Abs(forward.Length - 1) <= RoundingTolerance
+            && Math.Abs(right.Length - 1) <= RoundingTolerance
+            && Math.Abs(right.Dot(forward)) <= RoundingTolerance
+            && (right.Cross(forward) - up).Length <= RoundingTolerance
+        )
         {
             return new Axes(right, forward, up);
         }
@@ -83,13 +89,17 @@ public readonly record struct Axes
         double pitch = Angles.ToRadians(Guard.Finite(angles.PitchDegrees, nameof(angles)));
         double roll = Angles.ToRadians(Guard.Finite(angles.RollDegrees, nameof(angles)));
         double yaw = Angles.ToRadians(Guard.Finite(angles.YawDegrees, nameof(angles)));
-        double sp = Math.Sin(pitch), cp = Math.Cos(pitch);
-        double sr = Math.Sin(roll), cr = Math.Cos(roll);
-        double sy = Math.Sin(yaw), cy = Math.Cos(yaw);
+        double sp = Math.Sin(pitch),
+            cp = Math.Cos(pitch);
+        double sr = Math.Sin(roll),
+            cr = Math.Cos(roll);
+        double sy = Math.Sin(yaw),
+            cy = Math.Cos(yaw);
         return new Axes(
             new((cy * cr) - (sy * sp * sr), (sy * cr) + (cy * sp * sr), -cp * sr),
             new(-sy * cp, cy * cp, sp),
-            new((cy * sr) + (sy * sp * cr), (sy * sr) - (cy * sp * cr), cp * cr));
+            new((cy * sr) + (sy * sp * cr), (sy * sr) - (cy * sp * cr), cp * cr)
+        );
     }
 
     /// <summary>A level orientation with the game's heading: degrees counter-clockwise from north.</summary>

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry;
 
 /// <summary>A rectangle of the image with sides along its axes, in continuous pixels: pixel (i, j) covers [i, i+1) × [j, j+1).</summary>
@@ -22,7 +20,11 @@ public readonly record struct Box2D(double XMin, double YMin, double XMax, doubl
     public Box2D? Intersect(Box2D other)
     {
         var shared = new Box2D(
-            Math.Max(XMin, other.XMin), Math.Max(YMin, other.YMin), Math.Min(XMax, other.XMax), Math.Min(YMax, other.YMax));
+            Math.Max(XMin, other.XMin),
+            Math.Max(YMin, other.YMin),
+            Math.Min(XMax, other.XMax),
+            Math.Min(YMax, other.YMax)
+        );
         return shared.Width > 0 && shared.Height > 0 ? shared : null;
     }
 

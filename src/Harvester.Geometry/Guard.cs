@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry;
 
 /// <summary>Argument checks of the public API; NaN and infinity are rejected there.</summary>
@@ -35,7 +33,10 @@ internal static class Guard
         if (!(Finite(value, name) > low && value < high))
         {
             throw new ArgumentOutOfRangeException(
-                name, value, FormattableString.Invariant($"{name} must lie between {low} and {high}, both excluded."));
+                name,
+                value,
+                FormattableString.Invariant($"{name} must lie between {low} and {high}, both excluded.")
+            );
         }
 
         return value;
@@ -52,10 +53,10 @@ internal static class Guard
     }
 
     public static Axes Orientation(Axes value, string name) =>
-        value.IsOrientation ? value
+        value.IsOrientation
+            ? value
             : throw new ArgumentException($"{name} must be an orientation, not the default value of the type.", name);
 
     public static T NotNull<T>(T? value, string name)
-        where T : class =>
-        value ?? throw new ArgumentNullException(name);
+        where T : class => value ?? throw new ArgumentNullException(name);
 }

@@ -15,5 +15,6 @@ public readonly record struct Pose(Vector3D Position, Axes Axes)
     public Pose Compose(Pose local) =>
         new(
             ToWorld(local.Position),
-            Axes.FromVectors(Axes.ToWorld(local.Axes.Right), Axes.ToWorld(local.Axes.Forward), Axes.ToWorld(local.Axes.Up)));
+            Axes.FromVectors(Axes.ToWorld(local.Axes.Right), Axes.ToWorld(local.Axes.Forward), Axes.ToWorld(local.Axes.Up))
+        );
 }

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry;
 
 /// <summary>A half-line in the world. A point at distance t, in metres, is Origin + t · Direction.</summary>

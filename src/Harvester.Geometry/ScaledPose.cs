@@ -23,7 +23,11 @@ public readonly record struct ScaledPose(Pose Pose, Vector3D Scale)
     public static ScaledPose? FromMatrix(Vector3D right, Vector3D forward, Vector3D up, Vector3D position)
     {
         var scale = new Vector3D(ScaleOf(right), ScaleOf(forward), ScaleOf(up));
-        return position.IsFinite && IsUsable(scale.X) && IsUsable(scale.Y) && IsUsable(scale.Z)
+        return
+            position.IsFinite
+            && IsUsable(scale.X)
+            && IsUsable(scale.Y)
+            && IsUsable(scale.Z)
             && Axes.TryFromVectors(right / scale.X, forward / scale.Y, up / scale.Z) is { } axes
             ? new ScaledPose(new Pose(position, axes), scale)
             : null;

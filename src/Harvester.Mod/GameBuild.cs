@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using System.ComponentModel;
 using System.Diagnostics;
 using GTA;
@@ -45,25 +43,22 @@ internal sealed class GameBuild(string program, Version? fileVersion, Version? a
     public string Name => $"GTA V {Edition} {Build}";
 
     /// <summary>Why no camera can be mounted; null if one can. An unknown native would crash the game.</summary>
-    public string? MountProblem => !IsEnhanced && fileVersion is not null && fileVersion < FirstWithRigidCameras
-        ? "This build of the game is older than 1.0.2189 and cannot attach a camera rigidly. Update the game."
-        : null;
+    public string? MountProblem =>
+        !IsEnhanced && fileVersion is not null && fileVersion < FirstWithRigidCameras
+            ? "This build of the game is older than 1.0.2189 and cannot attach a camera rigidly. Update the game."
+            : null;
 
     /// <summary>
     /// Why nearby entities cannot be listed; null if they can. The API reads them from memory; in an unknown build that may crash the game.
     /// </summary>
     public string? ListProblem =>
         !IsEnhanced && fileVersion is not null && fileVersion >= FirstUnknownToRelease && Api < FirstApiForNewerBuilds
-        ? "This build of the game is newer than ScriptHookVDotNet 3.6.0 knows."
-        : null;
+            ? "This build of the game is newer than ScriptHookVDotNet 3.6.0 knows."
+            : null;
 
     /// <summary>The settings of the game that a session records.</summary>
     public IReadOnlyList<KeyValuePair<string, string>> Settings =>
-    [
-        new("gameEdition", Edition),
-        new("gameBuild", Build),
-        new("scriptApi", Api.ToString()),
-    ];
+        [new("gameEdition", Edition), new("gameBuild", Build), new("scriptApi", Api.ToString())];
 
     /// <summary>Whether the game is Enhanced.</summary>
     public bool IsEnhanced => string.Equals(program, EnhancedProgram, StringComparison.OrdinalIgnoreCase);
@@ -78,7 +73,8 @@ internal sealed class GameBuild(string program, Version? fileVersion, Version? a
             FileVersionInfo version = module.FileVersionInfo;
             return new GameBuild(
                 module.ModuleName!,
-                    new Version(version.FileMajorPart, version.FileMinorPart, version.FileBuildPart, version.FilePrivatePart));
+                new Version(version.FileMajorPart, version.FileMinorPart, version.FileBuildPart, version.FilePrivatePart)
+            );
         }
         catch (Exception exception) when (exception is Win32Exception or InvalidOperationException or NotSupportedException)
         {

@@ -1,4 +1,3 @@
-using System;
 using GTA.Native;
 using Harvester.Geometry;
 using Harvester.Play.Features;
@@ -17,9 +16,18 @@ internal sealed class GameCameras(GameBuild build) : ICameras
         Vector3D place = pose.Position;
         EulerAngles angles = pose.Axes.ToEuler();
         int camera = Natives.Call<int>(
-            Hash.CREATE_CAM_WITH_PARAMS, "DEFAULT_SCRIPTED_CAMERA", (float)place.X, (float)place.Y, (float)place.Z,
-            (float)angles.PitchDegrees, (float)angles.RollDegrees, (float)angles.YawDegrees, (float)verticalFovDegrees, true,
-                Natives.RotationOrder);
+            Hash.CREATE_CAM_WITH_PARAMS,
+            "DEFAULT_SCRIPTED_CAMERA",
+            (float)place.X,
+            (float)place.Y,
+            (float)place.Z,
+            (float)angles.PitchDegrees,
+            (float)angles.RollDegrees,
+            (float)angles.YawDegrees,
+            (float)verticalFovDegrees,
+            true,
+            Natives.RotationOrder
+        );
 
         // Whether it exists is not checked: if the check failed, the camera would be unknown and never removed. -1 means that there is
         // none.
@@ -32,8 +40,17 @@ internal sealed class GameCameras(GameBuild build) : ICameras
         EulerAngles angles = mount.Axes.ToEuler();
         Vector3D offset = mount.Position;
         Natives.Call(
-            Hash.HARD_ATTACH_CAM_TO_ENTITY, camera, vehicle, (float)angles.PitchDegrees, (float)angles.RollDegrees,
-            (float)angles.YawDegrees, (float)offset.X, (float)offset.Y, (float)offset.Z, true);
+            Hash.HARD_ATTACH_CAM_TO_ENTITY,
+            camera,
+            vehicle,
+            (float)angles.PitchDegrees,
+            (float)angles.RollDegrees,
+            (float)angles.YawDegrees,
+            (float)offset.X,
+            (float)offset.Y,
+            (float)offset.Z,
+            true
+        );
     }
 
     /// <inheritdoc/>

@@ -1,4 +1,3 @@
-using System;
 using GTA.Native;
 using Harvester.Geometry;
 using Harvester.Play.Features;
@@ -47,8 +46,16 @@ internal sealed class GameCarControls : ICarControls
     /// <inheritdoc/>
     public void Place(int vehicle, Vector3D position, double headingDegrees)
     {
-        Natives.Call(Hash.SET_ENTITY_COORDS_NO_OFFSET, vehicle, (float)position.X, (float)position.Y, (float)position.Z, false, false,
-            false);
+        Natives.Call(
+            Hash.SET_ENTITY_COORDS_NO_OFFSET,
+            vehicle,
+            (float)position.X,
+            (float)position.Y,
+            (float)position.Z,
+            false,
+            false,
+            false
+        );
         Natives.Call(Hash.SET_ENTITY_HEADING, vehicle, (float)headingDegrees);
         Natives.Call(Hash.SET_ENTITY_VELOCITY, vehicle, 0f, 0f, 0f);
         Natives.PlaceOnGround(vehicle);

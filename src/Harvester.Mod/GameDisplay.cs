@@ -1,4 +1,3 @@
-using System.Linq;
 using GTA.Native;
 using Harvester.Geometry;
 using Harvester.Play.Features;
@@ -15,10 +14,19 @@ internal sealed class GameDisplay : IDisplay
     private const int MaxPieces = 10;
 
     /// <inheritdoc/>
-    public void Rectangle(Box2D place, Colour colour) => Natives.Call(
-        Hash.DRAW_RECT,
-        (float)((place.XMin + place.XMax) / 2), (float)((place.YMin + place.YMax) / 2), (float)place.Width, (float)place.Height,
-        colour.Red, colour.Green, colour.Blue, Opaque, false);
+    public void Rectangle(Box2D place, Colour colour) =>
+        Natives.Call(
+            Hash.DRAW_RECT,
+            (float)((place.XMin + place.XMax) / 2),
+            (float)((place.YMin + place.YMax) / 2),
+            (float)place.Width,
+            (float)place.Height,
+            colour.Red,
+            colour.Green,
+            colour.Blue,
+            Opaque,
+            false
+        );
 
     /// <inheritdoc/>
     public void Text(string text, double left, double top)
@@ -45,15 +53,52 @@ internal sealed class GameDisplay : IDisplay
         const string? noTexture = null;
         float scale = (float)radiusMetres;
         Natives.Call(
-            Hash.DRAW_MARKER, sphere, (float)centre.X, (float)centre.Y, (float)centre.Z, 0f, 0f, 0f, 0f, 0f, 0f, scale, scale, scale,
-            colour.Red, colour.Green, colour.Blue, Opaque, false, false, Natives.RotationOrder, false, noTexture, noTexture, false);
+            Hash.DRAW_MARKER,
+            sphere,
+            (float)centre.X,
+            (float)centre.Y,
+            (float)centre.Z,
+            0f,
+            0f,
+            0f,
+            0f,
+            0f,
+            0f,
+            scale,
+            scale,
+            scale,
+            colour.Red,
+            colour.Green,
+            colour.Blue,
+            Opaque,
+            false,
+            false,
+            Natives.RotationOrder,
+            false,
+            noTexture,
+            noTexture,
+            false
+        );
     }
 
     /// <inheritdoc/>
-    public void Triangle(Vector3D a, Vector3D b, Vector3D c, Colour colour) => Natives.Call(
-        Hash.DRAW_POLY,
-        (float)a.X, (float)a.Y, (float)a.Z, (float)b.X, (float)b.Y, (float)b.Z, (float)c.X, (float)c.Y, (float)c.Z,
-        colour.Red, colour.Green, colour.Blue, Opaque);
+    public void Triangle(Vector3D a, Vector3D b, Vector3D c, Colour colour) =>
+        Natives.Call(
+            Hash.DRAW_POLY,
+            (float)a.X,
+            (float)a.Y,
+            (float)a.Z,
+            (float)b.X,
+            (float)b.Y,
+            (float)b.Z,
+            (float)c.X,
+            (float)c.Y,
+            (float)c.Z,
+            colour.Red,
+            colour.Green,
+            colour.Blue,
+            Opaque
+        );
 
     /// <inheritdoc/>
     public void HideGames()

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using GTA.Native;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
@@ -39,8 +37,16 @@ internal sealed class GameRays : ISurfaceRays
         Vector3D end = ray.At(maxDistance);
         int test = Natives.Call<int>(
             Hash.START_EXPENSIVE_SYNCHRONOUS_SHAPE_TEST_LOS_PROBE,
-            (float)start.X, (float)start.Y, (float)start.Z, (float)end.X, (float)end.Y, (float)end.Z, WhatHides, ignoredEntity,
-                PassThrough);
+            (float)start.X,
+            (float)start.Y,
+            (float)start.Z,
+            (float)end.X,
+            (float)end.Y,
+            (float)end.Z,
+            WhatHides,
+            ignoredEntity,
+            PassThrough
+        );
         using var hit = new NativeOutput();
         using var point = new NativeOutput();
         using var across = new NativeOutput();

@@ -10,7 +10,9 @@ internal sealed class GameRoadSource : IRoadSource
     /// <inheritdoc/>
     public bool RequestNodes(Vector3D centre, double range)
     {
-        float west = (float)(centre.X - range), south = (float)(centre.Y - range), east = (float)(centre.X + range),
+        float west = (float)(centre.X - range),
+            south = (float)(centre.Y - range),
+            east = (float)(centre.X + range),
             north = (float)(centre.Y + range);
         Natives.Call(Hash.REQUEST_PATH_NODES_IN_AREA_THIS_FRAME, west, south, east, north);
         return Natives.Call<bool>(Hash.ARE_NODES_LOADED_FOR_AREA, west, south, east, north);
@@ -24,7 +26,14 @@ internal sealed class GameRoadSource : IRoadSource
         const float freeHeight = 0;
         int node = Natives.Call<int>(
             Hash.GET_NTH_CLOSEST_VEHICLE_NODE_ID,
-            (float)place.X, (float)place.Y, (float)place.Z, number, withSwitchedOffAndBoats, weightOfHeight, freeHeight);
+            (float)place.X,
+            (float)place.Y,
+            (float)place.Z,
+            number,
+            withSwitchedOffAndBoats,
+            weightOfHeight,
+            freeHeight
+        );
 
         // The game crashes if it is asked for the position of an invalid node.
         if (node == 0)
@@ -60,8 +69,18 @@ internal sealed class GameRoadSource : IRoadSource
         using var median = new NativeOutput();
         return Natives.Call<bool>(
             Hash.GET_CLOSEST_ROAD,
-            (float)place.X, (float)place.Y, (float)place.Z, shortestMetres, minLanes, first, second, toFirst, toSecond, median,
-                ignoreSwitchedOff)
+            (float)place.X,
+            (float)place.Y,
+            (float)place.Z,
+            shortestMetres,
+            minLanes,
+            first,
+            second,
+            toFirst,
+            toSecond,
+            median,
+            ignoreSwitchedOff
+        )
             ? new SurveyedRoad(first.Vector, second.Vector, toFirst.Integer, toSecond.Integer, median.Single)
             : null;
     }
@@ -71,7 +90,13 @@ internal sealed class GameRoadSource : IRoadSource
     {
         using var edge = new NativeOutput();
         return Natives.Call<bool>(
-            Hash.GET_ROAD_BOUNDARY_USING_HEADING, (float)node.X, (float)node.Y, (float)node.Z, (float)headingDegrees, edge)
+            Hash.GET_ROAD_BOUNDARY_USING_HEADING,
+            (float)node.X,
+            (float)node.Y,
+            (float)node.Z,
+            (float)headingDegrees,
+            edge
+        )
             ? edge.Vector
             : null;
     }

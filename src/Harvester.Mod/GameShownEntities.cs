@@ -1,7 +1,5 @@
-using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
-using System.Linq;
 using GTA.Native;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
@@ -97,14 +95,14 @@ internal sealed class GameShownEntities(NearbyEntities nearby) : IShownEntities
     public void Show(int entity, bool isShown) => Natives.Call(Hash.SET_ENTITY_VISIBLE, entity, isShown, false);
 
     /// <summary>The props near entities. Lists by natives would search for them by rays and are left out.</summary>
-    private IEnumerable<int> PropsNear(IEnumerable<int> entities, double radius) => nearby.IsListedByApi(EntityKind.Prop)
-        ? entities.SelectMany(entity => nearby.AllProps(Natives.EntityPosition(entity), radius))
-        : [];
+    private IEnumerable<int> PropsNear(IEnumerable<int> entities, double radius) =>
+        nearby.IsListedByApi(EntityKind.Prop) ? entities.SelectMany(entity => nearby.AllProps(Natives.EntityPosition(entity), radius)) : [];
 
     private static string ThisProcess()
     {
         using Process process = System.Diagnostics.Process.GetCurrentProcess();
-        return process.Id.ToString(CultureInfo.InvariantCulture) + " "
+        return process.Id.ToString(CultureInfo.InvariantCulture)
+            + " "
             + process.StartTime.ToUniversalTime().ToString("yyyyMMdd-HHmmss", CultureInfo.InvariantCulture);
     }
 }

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using GTA.Math;
 using GTA.Native;
 using Harvester.Geometry;
@@ -22,7 +21,9 @@ internal sealed class GameStage(IModels models, GameRays rays) : ISurveyStage
     public ModelLoading Load(string model)
     {
         int hash = ModelHash.Of(model);
-        return !Natives.ModelExists(hash) ? ModelLoading.Missing : models.Load(hash) ? ModelLoading.Loaded : ModelLoading.Loading;
+        return !Natives.ModelExists(hash) ? ModelLoading.Missing
+            : models.Load(hash) ? ModelLoading.Loaded
+            : ModelLoading.Loading;
     }
 
     /// <inheritdoc/>
@@ -33,7 +34,15 @@ internal sealed class GameStage(IModels models, GameRays rays) : ISurveyStage
     {
         Vector3D place = Natives.EntityPosition(Natives.PlayerPed()) + new Vector3D(0, 0, MetresOverPlayer);
         return Natives.Call<int>(
-            Hash.CREATE_OBJECT_NO_OFFSET, ModelHash.Of(model), (float)place.X, (float)place.Y, (float)place.Z, false, false, false);
+            Hash.CREATE_OBJECT_NO_OFFSET,
+            ModelHash.Of(model),
+            (float)place.X,
+            (float)place.Y,
+            (float)place.Z,
+            false,
+            false,
+            false
+        );
     }
 
     /// <inheritdoc/>

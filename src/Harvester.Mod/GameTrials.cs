@@ -52,8 +52,8 @@ internal sealed class GameTrials : ITrialGame
     public void Repair(int vehicle) => Natives.Call(Hash.SET_VEHICLE_FIXED, vehicle);
 
     /// <inheritdoc/>
-    public void BeginLoading(Vector3D place) => Natives.Call<bool>(
-        Hash.NEW_LOAD_SCENE_START_SPHERE, (float)place.X, (float)place.Y, (float)place.Z, SceneRadiusMetres, 0);
+    public void BeginLoading(Vector3D place) =>
+        Natives.Call<bool>(Hash.NEW_LOAD_SCENE_START_SPHERE, (float)place.X, (float)place.Y, (float)place.Z, SceneRadiusMetres, 0);
 
     /// <inheritdoc/>
     public void EndLoading() => Natives.Call(Hash.NEW_LOAD_SCENE_STOP);
@@ -71,8 +71,16 @@ internal sealed class GameTrials : ITrialGame
         using var height = new NativeOutput();
         const bool isWaterGround = false;
         return Natives.Call<bool>(
-            Hash.GET_GROUND_Z_FOR_3D_COORD, (float)place.X, (float)place.Y, (float)place.Z, height, isWaterGround, false)
-            ? height.Single : null;
+            Hash.GET_GROUND_Z_FOR_3D_COORD,
+            (float)place.X,
+            (float)place.Y,
+            (float)place.Z,
+            height,
+            isWaterGround,
+            false
+        )
+            ? height.Single
+            : null;
     }
 
     /// <inheritdoc/>
@@ -86,8 +94,7 @@ internal sealed class GameTrials : ITrialGame
         Natives.Call(Hash.FREEZE_ENTITY_POSITION, vehicle, place is not null);
         if (place is { } there)
         {
-            Natives.Call(
-                Hash.SET_ENTITY_COORDS_NO_OFFSET, vehicle, (float)there.X, (float)there.Y, (float)there.Z, false, false, false);
+            Natives.Call(Hash.SET_ENTITY_COORDS_NO_OFFSET, vehicle, (float)there.X, (float)there.Y, (float)there.Z, false, false, false);
         }
     }
 
@@ -102,8 +109,8 @@ internal sealed class GameTrials : ITrialGame
     }
 
     /// <inheritdoc/>
-    public void DriveAlongRoads(int vehicle, double speedMetresPerSecond) => Natives.Call(
-        Hash.TASK_VEHICLE_DRIVE_WANDER, Natives.PlayerPed(), vehicle, (float)speedMetresPerSecond, LawfulStyle);
+    public void DriveAlongRoads(int vehicle, double speedMetresPerSecond) =>
+        Natives.Call(Hash.TASK_VEHICLE_DRIVE_WANDER, Natives.PlayerPed(), vehicle, (float)speedMetresPerSecond, LawfulStyle);
 
     /// <inheritdoc/>
     public void StopDriving() => Natives.Call(Hash.CLEAR_PED_TASKS, Natives.PlayerPed());

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Threading;
 using GTA.Native;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
@@ -47,8 +43,15 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
     /// <param name="faces">Returns the table of signs and traffic lights in use; no other props are read.</param>
     /// <param name="nearby">Lists the entities.</param>
     /// <param name="reading">Records entities that are left out.</param>
-    public GameWorld(CameraMount mount, GameTime time, GameRays rays, IModels models, Func<FaceTable> faces, NearbyEntities nearby,
-        ReadingRecord reading)
+    public GameWorld(
+        CameraMount mount,
+        GameTime time,
+        GameRays rays,
+        IModels models,
+        Func<FaceTable> faces,
+        NearbyEntities nearby,
+        ReadingRecord reading
+    )
     {
         _nearby = nearby;
         _reading = reading;
@@ -148,7 +151,10 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
         {
             EntityState? state = Read(machine, EntityKind.Vehicle, Natives.EntityMatrix(machine));
             yield return state is not null && VehicleClasses.HaveRiders(state.Class)
-                ? state with { HasRider = occupied.Contains(machine) }
+                ? state with
+                {
+                    HasRider = occupied.Contains(machine),
+                }
                 : state;
         }
 
@@ -175,10 +181,15 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
         [.. _nearby.AllProps(centre, range).Select(ReadProp).OfType<EntityState>()];
 
     /// <inheritdoc/>
-    public EnvironmentState ReadEnvironment() => new(
-        WeatherNames.Of(Natives.Call<int>(Hash.GET_PREV_WEATHER_TYPE_HASH_NAME)),
-        new TimeSpan(Natives.Call<int>(Hash.GET_CLOCK_HOURS), Natives.Call<int>(Hash.GET_CLOCK_MINUTES),
-            Natives.Call<int>(Hash.GET_CLOCK_SECONDS)));
+    public EnvironmentState ReadEnvironment() =>
+        new(
+            WeatherNames.Of(Natives.Call<int>(Hash.GET_PREV_WEATHER_TYPE_HASH_NAME)),
+            new TimeSpan(
+                Natives.Call<int>(Hash.GET_CLOCK_HOURS),
+                Natives.Call<int>(Hash.GET_CLOCK_MINUTES),
+                Natives.Call<int>(Hash.GET_CLOCK_SECONDS)
+            )
+        );
 
     /// <summary>
     /// The handles of nearby entities that may be labelled: without the vehicle that carries the camera, and only props with faces.
@@ -220,14 +231,16 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
     }
 
     /// <summary>Whether those on a vehicle sit on it and are seen: on a two-wheeler other than the one that carries the camera.</summary>
-    private bool IsRidden(int vehicle) => vehicle != _mount.Vehicle && Natives.EntityExists(vehicle)
-        && VehicleClasses.HaveRiders(FactsOf(EntityKind.Vehicle, vehicle).Class);
+    private bool IsRidden(int vehicle) =>
+        vehicle != _mount.Vehicle && Natives.EntityExists(vehicle) && VehicleClasses.HaveRiders(FactsOf(EntityKind.Vehicle, vehicle).Class);
 
     /// <summary>Whether the joints of a ped may be in the image of the camera read last.</summary>
     private bool IsForJoints(EntityState ped, Vector3D centre) =>
         (ped.Pose.Position - centre).Length < JointRangeMetres
-        && (_camera is not { } camera
-            || (LooksAround() ? camera.Pose.ToLocal(ped.Pose.Position).Y > -BehindMetres : MayBeInView(camera, ped.Pose.Position)));
+        && (
+            _camera is not { } camera
+            || (LooksAround() ? camera.Pose.ToLocal(ped.Pose.Position).Y > -BehindMetres : MayBeInView(camera, ped.Pose.Position))
+        );
 
     /// <summary>
     /// Whether a ped may reach into the view. At the depth y, the view extends t y to each side, t being the tangent of half its angle; a
@@ -286,8 +299,14 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
 
             ModelFacts model = FactsOf(kind, handle);
             var state = new EntityState(
-                handle, model.Class, model.Name, matrix.Pose, matrix.Stretch(model.Min), matrix.Stretch(model.Max),
-                    Natives.EntityVelocity(handle));
+                handle,
+                model.Class,
+                model.Name,
+                matrix.Pose,
+                matrix.Stretch(model.Min),
+                matrix.Stretch(model.Max),
+                Natives.EntityVelocity(handle)
+            );
             _still.Add(matrix, state);
             _rays.Know(handle);
             return state;

@@ -1,8 +1,4 @@
-using System;
 using System.Globalization;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using System.Windows.Forms;
 using GTA;
 using GTA.Native;
@@ -50,9 +46,7 @@ public sealed class HarvesterScript : Script
 
     /// <summary>Reads the settings; the game is not used yet.</summary>
     public HarvesterScript()
-        : this(GameWindowScreen.OfThisProcess(), new PlayerClock(), GameBuild.OfThisProcess(), null)
-    {
-    }
+        : this(GameWindowScreen.OfThisProcess(), new PlayerClock(), GameBuild.OfThisProcess(), null) { }
 
     /// <summary>Reads the settings; the game is not used yet.</summary>
     /// <param name="screen">Takes the pictures.</param>
@@ -62,7 +56,13 @@ public sealed class HarvesterScript : Script
     /// <param name="api">Answers the calls to the game; null for the game itself.</param>
     /// <param name="work">Answers for the work on other threads; null for that work itself.</param>
     internal HarvesterScript(
-        IScreen screen, IClock clock, GameBuild build, string? graphicsFile, IGameApi? api = null, IBackgroundWatch? work = null)
+        IScreen screen,
+        IClock clock,
+        GameBuild build,
+        string? graphicsFile,
+        IGameApi? api = null,
+        IBackgroundWatch? work = null
+    )
     {
         IClock realTime = clock;
         _build = build;
@@ -70,10 +70,7 @@ public sealed class HarvesterScript : Script
         _folder = new ModFolder(BaseDirectory);
         _messages = new PlayerMessages(BaseDirectory, message => Notification.Show(GameText.Plain(message)), clock);
         PlayerSettings player = PlayerSettings.Read(_folder.Settings, BaseDirectory);
-        player = player with
-        {
-            Options = GameRig.AppliedTo(player.Options with { Materials = _folder.Materials }, _folder.Rig),
-        };
+        player = player with { Options = GameRig.AppliedTo(player.Options with { Materials = _folder.Materials }, _folder.Rig) };
         _tape = api is null ? ScriptTape.Start(_folder, player, BaseDirectory, build, clock, _messages) : null;
         Natives.Game = api ?? (_tape is null ? new ScriptApi() : new TapedApi(new ScriptApi(), _tape));
         _work = work ?? (_tape is null ? null : new TapedBackground(_tape));
@@ -91,9 +88,10 @@ public sealed class HarvesterScript : Script
         }
         var measured = new MeasuredFaces(player.FacesFolder, _folder.ShippedFaces, _folder.FacesWith(player.FacesFolder));
         var display = new GameDisplay();
-        var time = new GameTime(
-            GameFreeze.Set, () => Natives.Call<int>(Hash.GET_GAME_TIMER))
-        { Method = player.Options.FreezeBy ?? FreezeMethod.Paused };
+        var time = new GameTime(GameFreeze.Set, () => Natives.Call<int>(Hash.GET_GAME_TIMER))
+        {
+            Method = player.Options.FreezeBy ?? FreezeMethod.Paused,
+        };
         var rays = new GameRays();
         var reading = new ReadingRecord();
         var calls = new GameCalls(rays);
@@ -109,13 +107,22 @@ public sealed class HarvesterScript : Script
         var mount = new CameraMount(player, _messages, cameras, vehicles);
         var nearby = new NearbyEntities(build, new NativeLists(time, rays), reading, _messages);
         var hidden = new HiddenEntities(
-            new GameShownEntities(nearby), _folder.HiddenPath, _messages, () => _harvest!.IsOn || _selfTest!.IsOn);
+            new GameShownEntities(nearby),
+            _folder.HiddenPath,
+            _messages,
+            () => _harvest!.IsOn || _selfTest!.IsOn
+        );
         var world = new GameWorld(mount, time, rays, models, () => _harvest!.Faces, nearby, reading)
         {
             LooksAround = () => _harvest!.HasRig,
         };
         var lights = new LightDriving(
-            world, new GameTrafficLights(), player.LightOrder, player.Options.RangeMetres, player.Options.MaxPictureLagTicks + 2)
+            world,
+            new GameTrafficLights(),
+            player.LightOrder,
+            player.Options.RangeMetres,
+            player.Options.MaxPictureLagTicks + 2
+        )
         {
             IsWanted = () => player.DrivesLights && _harvest!.IsOn,
         };
@@ -133,7 +140,7 @@ public sealed class HarvesterScript : Script
             Hud = hud,
             Card = card,
             Calls = calls,
-            Reading = reading
+            Reading = reading,
         };
         var driven = new PlayerCar(controls, vehicles, mount, world);
         _drive = new BridgeDriving(player.Bridge, game, driven, mount, display, _messages)
@@ -141,22 +148,45 @@ public sealed class HarvesterScript : Script
             Obstacle = DriveObstacle,
             Recording = player.Bridge.RecordSeconds is { } seconds
                 ? new BridgeRecording(
-                    1 / seconds, player.Options with { Image = player.Bridge.Driving.Picture }, player.Folder, _messages, game, driven,
-                        () => Origin(player), player.Bridge.RecordLagTicks)
-                { FacesInUse = () => measured.InUse }
+                    1 / seconds,
+                    player.Options with
+                    {
+                        Image = player.Bridge.Driving.Picture,
+                    },
+                    player.Folder,
+                    _messages,
+                    game,
+                    driven,
+                    () => Origin(player),
+                    player.Bridge.RecordLagTicks
+                )
+                {
+                    FacesInUse = () => measured.InUse,
+                }
                 : null,
         };
         _harvest = new Harvest(player.Options, player.Folder, _messages, mount, game, () => Origin(player))
-        { Problem = HarvestProblem, FacesInUse = () => measured.InUse };
+        {
+            Problem = HarvestProblem,
+            FacesInUse = () => measured.InUse,
+        };
         _calibration = new LensCalibration(_harvest, game, mount, _messages, _folder.SettingsPath);
-        _selfTest = new SelfTesting(
-            _harvest, game, mount, _messages, player.Folder, _folder.SettingsPath, () => Origin(player))
-        { Obstacle = DriveObstacle };
-        var overlay = new Overlay(
-            _harvest, game, _messages, new Sight(new GameSight(mount, world)), display)
-        { IsPictureNear = IsPictureNear };
+        _selfTest = new SelfTesting(_harvest, game, mount, _messages, player.Folder, _folder.SettingsPath, () => Origin(player))
+        {
+            Obstacle = DriveObstacle,
+        };
+        var overlay = new Overlay(_harvest, game, _messages, new Sight(new GameSight(mount, world)), display)
+        {
+            IsPictureNear = IsPictureNear,
+        };
         var survey = new RoadSurveying(
-            new GameRoadSource(), () => Natives.EntityPosition(Natives.PlayerPed()), player.SurveyFile, roads, _messages, clock)
+            new GameRoadSource(),
+            () => Natives.EntityPosition(Natives.PlayerPed()),
+            player.SurveyFile,
+            roads,
+            _messages,
+            clock
+        )
         {
             GivesLanes = player.RoadFile is null,
             AreLanesWanted = () => player.RoadFile is null && (overlay.IsOn || _drive.IsOn || _harvest.IsOn),
@@ -165,10 +195,26 @@ public sealed class HarvesterScript : Script
             new GameStage(models, rays),
             player.TakesPhotographs ? new SurveyCamera(cameras, screen, () => world.ReadCamera().WindowAspect) : null,
             SignModels.ToMeasure(_folder.ShippedFaces, player.FurtherModels),
-            measured, _harvest, mount, _messages, clock, player.SurveyBudgetMilliseconds);
-        var marking = new FaceMarking(game, world, SignName.Choices(player.SignNames, _folder.ShippedFaces), _folder.ShippedFaces,
-            measured, display, _messages)
-        { IsPictureNear = IsPictureNear, IsHarvesting = () => _harvest.IsOn };
+            measured,
+            _harvest,
+            mount,
+            _messages,
+            clock,
+            player.SurveyBudgetMilliseconds
+        );
+        var marking = new FaceMarking(
+            game,
+            world,
+            SignName.Choices(player.SignNames, _folder.ShippedFaces),
+            _folder.ShippedFaces,
+            measured,
+            display,
+            _messages
+        )
+        {
+            IsPictureNear = IsPictureNear,
+            IsHarvesting = () => _harvest.IsOn,
+        };
         _plan = Plan(player, game, driven, mount, models, vehicles, clock);
         var unknown = new UnknownModelsList(world, world, () => measured.InUse, player.FacesFolder, _messages) { Problem = Problem };
         var line = new HarvestLine(_harvest, player.Folder, clock, display)
@@ -176,14 +222,43 @@ public sealed class HarvesterScript : Script
             IsPictureNear = IsPictureNear,
             SurveyLines =
             [
-                () => _harvest.Warning, () => _selfTest.Line, () => _plan.Line, () => survey.Line, () => _signs.Line, () => marking.Line,
-            ]
+                () => _harvest.Warning,
+                () => _selfTest.Line,
+                () => _plan.Line,
+                () => survey.Line,
+                () => _signs.Line,
+                () => marking.Line,
+            ],
         };
         var frozen = new FrozenWorld(time, () => _harvest.IsOn || _calibration.IsOn || _drive.IsOn || _selfTest.IsOn);
         string graphics = graphicsFile ?? GraphicsSettingsFile.PathOf(build.IsEnhanced);
         var advice = new GraphicsAdvice(() => GraphicsSettingsFile.Read(graphics), _messages);
-        _features = new FeatureSet(_messages, calls, realTime, advice, frozen, hidden, hud, sheets, card, car, _plan, mount, _harvest,
-            lights, _calibration, _selfTest, markers, survey, _signs, marking, unknown, _drive, line, overlay);
+        _features = new FeatureSet(
+            _messages,
+            calls,
+            realTime,
+            advice,
+            frozen,
+            hidden,
+            hud,
+            sheets,
+            card,
+            car,
+            _plan,
+            mount,
+            _harvest,
+            lights,
+            _calibration,
+            _selfTest,
+            markers,
+            survey,
+            _signs,
+            marking,
+            unknown,
+            _drive,
+            line,
+            overlay
+        );
         if (player.RoadFile is { } file)
         {
             roads.Prepare(() => RoadSurveyFile.Load(file) ?? throw new FileNotFoundException($"There is no {file}."), "roadFile");
@@ -202,7 +277,13 @@ public sealed class HarvesterScript : Script
     internal bool IsBusy => _features.IsBusy || _tape is { IsBusy: true };
 
     private void BindKeys(
-        TestCar car, CameraMount mount, Overlay overlay, RoadSurveying survey, FaceMarking marking, UnknownModelsList unknown)
+        TestCar car,
+        CameraMount mount,
+        Overlay overlay,
+        RoadSurveying survey,
+        FaceMarking marking,
+        UnknownModelsList unknown
+    )
     {
         _keys.Add("SpawnTestCar", Keys.NumPad0, car, car.Spawn);
         _keys.Add("MountCamera", Keys.I, mount, mount.Mount);
@@ -225,13 +306,16 @@ public sealed class HarvesterScript : Script
 
     private void OnTick(object? sender, EventArgs e)
     {
-        Handle(null, () =>
-        {
-            Greet();
-            _gaps.Begin();
-            _features.Tick();
-            _gaps.End();
-        });
+        Handle(
+            null,
+            () =>
+            {
+                Greet();
+                _gaps.Begin();
+                _features.Tick();
+                _gaps.End();
+            }
+        );
     }
 
     // Key up instead of key down: Windows repeats the latter as long as a key is held.
@@ -317,53 +401,69 @@ public sealed class HarvesterScript : Script
         }
     }
 
-    private bool IsPictureNear() => _harvest.IsPictureNear || _calibration.IsOn || _drive.IsPictureNear || _signs.IsPictureNear
-        || _selfTest.IsPictureNear;
+    private bool IsPictureNear() =>
+        _harvest.IsPictureNear || _calibration.IsOn || _drive.IsPictureNear || _signs.IsPictureNear || _selfTest.IsPictureNear;
 
     private bool TakesPictures() => _harvest.IsOn || _calibration.IsOn || _signs.IsPictureNear || _drive.IsOn;
 
-    private string? Problem() => _selfTest.IsOn ? "The self-test is running: wait for its end, or end it by its key."
+    private string? Problem() =>
+        _selfTest.IsOn ? "The self-test is running: wait for its end, or end it by its key."
         : _calibration.IsOn ? "The calibration is running: wait for its end."
         : _signs.IsOn ? "The survey of signs is running: wait for its end, or end it by its key."
         : null;
 
     private string? HarvestProblem() => Problem() ?? _folder.RigProblem;
 
-    private string? DriveObstacle() => _plan.IsOn ? "A plan is running: end it by its key first."
-        : _harvest.IsOn ? "End the harvest first, then let a client drive." : Problem();
+    private string? DriveObstacle() =>
+        _plan.IsOn ? "A plan is running: end it by its key first."
+        : _harvest.IsOn ? "End the harvest first, then let a client drive."
+        : Problem();
 
     private PlanDriving Plan(
-        PlayerSettings player, GamePorts game, PlayerCar driven, CameraMount mount, GameModels models, GameVehicles vehicles, IClock clock)
+        PlayerSettings player,
+        GamePorts game,
+        PlayerCar driven,
+        CameraMount mount,
+        GameModels models,
+        GameVehicles vehicles,
+        IClock clock
+    )
     {
         var trials = new GameTrials();
         var controls = new GameCarControls();
-        return new PlanDriving(player.PlanFile, player.PlansFolder, new TrialSurroundings
-        {
-            Game = trials,
-            Grip = new TrialGrip(trials, controls),
-            Controls = controls,
-            Car = new TrialCar(vehicles, models, trials, ModelHash.Of(player.CarModel)),
-            Driven = driven,
-            World = game.World,
-            Roads = new GameRoadSource(),
-            Settling = new PictureSettling(game.Screen, clock),
-            Harvest = new TrialHarvest(_harvest, mount, _messages),
-            Clock = clock,
-            Options = player.Options,
-            Log = _messages.Log,
-        }, _messages)
+        return new PlanDriving(
+            player.PlanFile,
+            player.PlansFolder,
+            new TrialSurroundings
+            {
+                Game = trials,
+                Grip = new TrialGrip(trials, controls),
+                Controls = controls,
+                Car = new TrialCar(vehicles, models, trials, ModelHash.Of(player.CarModel)),
+                Driven = driven,
+                World = game.World,
+                Roads = new GameRoadSource(),
+                Settling = new PictureSettling(game.Screen, clock),
+                Harvest = new TrialHarvest(_harvest, mount, _messages),
+                Clock = clock,
+                Options = player.Options,
+                Log = _messages.Log,
+            },
+            _messages
+        )
         {
             Obstacle = () => _drive.IsOn ? "A client drives: end that first." : DriveObstacle(),
             StartsByItself = player.StartsPlan,
         };
     }
 
-    private SessionOrigin Origin(PlayerSettings player) => new()
-    {
-        Game = _build.Name,
-        Tool = $"GtaDataHarvester {typeof(HarvesterScript).Assembly.GetName().Version}",
-        RecordedUtc = DateTime.UtcNow.ToString("yyyy-MM-ddTHH:mm:ssZ", CultureInfo.InvariantCulture),
-        Truth = LabelTruths.OfGame,
-        Settings = [.. _build.Settings, .. player.LaneSettings],
-    };
+    private SessionOrigin Origin(PlayerSettings player) =>
+        new()
+        {
+            Game = _build.Name,
+            Tool = $"GtaDataHarvester {typeof(HarvesterScript).Assembly.GetName().Version}",
+            RecordedUtc = DateTime.UtcNow.ToString("yyyy-MM-ddTHH:mm:ssZ", CultureInfo.InvariantCulture),
+            Truth = LabelTruths.OfGame,
+            Settings = [.. _build.Settings, .. player.LaneSettings],
+        };
 }

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using GTA.Native;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;

@@ -1,4 +1,3 @@
-using System;
 using GTA.Native;
 using Harvester.Play.Tapes;
 
@@ -35,12 +34,15 @@ internal readonly struct NativeArgument
     /// <summary>The arguments as the API takes them.</summary>
     public static InputArgument[] ForApi(NativeArgument[] arguments) => Array.ConvertAll(arguments, argument => argument.ForApi());
 
-    private InputArgument ForApi() => _output is { } output ? output.Address : _value.Kind switch
-    {
-        TapeValueKind.False => false,
-        TapeValueKind.True => true,
-        TapeValueKind.Whole => _value.Whole,
-        TapeValueKind.Real => _value.X,
-        _ => _value.Text,
-    };
+    private InputArgument ForApi() =>
+        _output is { } output
+            ? output.Address
+            : _value.Kind switch
+            {
+                TapeValueKind.False => false,
+                TapeValueKind.True => true,
+                TapeValueKind.Whole => _value.Whole,
+                TapeValueKind.Real => _value.X,
+                _ => _value.Text,
+            };
 }

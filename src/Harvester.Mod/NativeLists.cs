@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using GTA.Native;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
@@ -132,9 +129,11 @@ internal sealed class NativeLists(GameTime time, GameRays rays)
             for (int column = 0; column < RayColumns; column++)
             {
                 var local = new Vector3D(right * Middle(column, RayColumns), 1, -up * Middle(row, RayRows));
-                if (rays.Cast(new Ray(camera.Pose.Position, camera.Pose.Axes.ToWorld(local)), reach,
-                    RayHit.World) is { Entity: not RayHit.World } hit
-                    && KindOf(hit.Entity) is { } kind)
+                if (
+                    rays.Cast(new Ray(camera.Pose.Position, camera.Pose.Axes.ToWorld(local)), reach, RayHit.World)
+                        is { Entity: not RayHit.World } hit
+                    && KindOf(hit.Entity) is { } kind
+                )
                 {
                     _found[hit.Entity] = kind;
                 }
@@ -145,18 +144,29 @@ internal sealed class NativeLists(GameTime time, GameRays rays)
     /// <summary>The middle of a cell of a row of cells that reaches from -1 to 1.</summary>
     private static double Middle(int cell, int cells) => ((2 * cell) + 1.0 - cells) / cells;
 
-    private static EntityKind? KindOf(int entity) => Natives.Call<int>(Hash.GET_ENTITY_TYPE, entity) switch
-    {
-        1 => EntityKind.Ped,
-        2 => EntityKind.Vehicle,
-        3 => EntityKind.Prop,
-        _ => null,
-    };
+    private static EntityKind? KindOf(int entity) =>
+        Natives.Call<int>(Hash.GET_ENTITY_TYPE, entity) switch
+        {
+            1 => EntityKind.Ped,
+            2 => EntityKind.Vehicle,
+            3 => EntityKind.Prop,
+            _ => null,
+        };
 
     private static bool IsNear(int entity, Vector3D centre, double radius) => (Natives.EntityPosition(entity) - centre).Length < radius;
 
-    private static int ClosestProp(Vector3D place, double radius, int model) => Natives.Call<int>(
-        Hash.GET_CLOSEST_OBJECT_OF_TYPE, (float)place.X, (float)place.Y, (float)place.Z, (float)radius, model, false, false, false);
+    private static int ClosestProp(Vector3D place, double radius, int model) =>
+        Natives.Call<int>(
+            Hash.GET_CLOSEST_OBJECT_OF_TYPE,
+            (float)place.X,
+            (float)place.Y,
+            (float)place.Z,
+            (float)radius,
+            model,
+            false,
+            false,
+            false
+        );
 
     private static int[] VehiclesNear(int ped)
     {

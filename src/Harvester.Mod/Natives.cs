@@ -1,4 +1,3 @@
-using System;
 using GTA.Math;
 using GTA.Native;
 using Harvester.Geometry;
@@ -34,9 +33,11 @@ internal static class Natives
 
     /// <summary>Position and orientation of an entity, without the scale of its matrix.</summary>
     /// <exception cref="InvalidOperationException">Its matrix is sheared or mirrored, or the entity no longer exists.</exception>
-    public static Pose EntityPose(int entity) => EntityMatrix(entity)?.Pose
+    public static Pose EntityPose(int entity) =>
+        EntityMatrix(entity)?.Pose
         ?? throw new InvalidOperationException(
-            "The game returned a sheared or mirrored matrix, possibly because of another mod. Use another vehicle.");
+            "The game returned a sheared or mirrored matrix, possibly because of another mod. Use another vehicle."
+        );
 
     /// <summary>
     /// The four vectors of an entity's matrix in one call, so that they are consistent; null if no rotation and scale give it.

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Threading;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Play.Features;
@@ -26,20 +23,17 @@ internal sealed class NearbyEntities(GameBuild build, NativeLists natives, Readi
     public bool IsListedByApi(EntityKind kind) => build.ListProblem is null && reading.SourceOf(kind) == ListSource.Api;
 
     /// <summary>The vehicles within a radius of a point.</summary>
-    public IReadOnlyList<int> Vehicles(Vector3D centre, double radius) =>
-        List(EntityKind.Vehicle, centre, radius, []);
+    public IReadOnlyList<int> Vehicles(Vector3D centre, double radius) => List(EntityKind.Vehicle, centre, radius, []);
 
     /// <summary>The people and animals within a radius of a point, including the player.</summary>
-    public IReadOnlyList<int> Peds(Vector3D centre, double radius) =>
-        List(EntityKind.Ped, centre, radius, []);
+    public IReadOnlyList<int> Peds(Vector3D centre, double radius) => List(EntityKind.Ped, centre, radius, []);
 
     /// <summary>The props within a radius of a point that have one of <see cref="PropModels"/>.</summary>
     public IReadOnlyList<int> Props(Vector3D centre, double radius) =>
         PropModels.Count == 0 ? [] : List(EntityKind.Prop, centre, radius, PropModels);
 
     /// <summary>The props of any model within a radius of a point. Natives find only those that rays hit.</summary>
-    public IReadOnlyList<int> AllProps(Vector3D centre, double radius) =>
-        List(EntityKind.Prop, centre, radius, []);
+    public IReadOnlyList<int> AllProps(Vector3D centre, double radius) => List(EntityKind.Prop, centre, radius, []);
 
     private IReadOnlyList<int> List(EntityKind kind, Vector3D centre, double radius, IReadOnlyList<int> models)
     {
@@ -83,6 +77,7 @@ internal sealed class NearbyEntities(GameBuild build, NativeLists natives, Readi
 
         messages.Tell(
             $"{why} The game's natives are used instead; they list fewer entities, so distant objects may lack labels. "
-            + "Look for an update of ScriptHookVDotNet.");
+                + "Look for an update of ScriptHookVDotNet."
+        );
     }
 }

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using GTA.Math;
 using GTA.Native;
 using Harvester.Geometry;
@@ -20,17 +18,32 @@ internal sealed class PedBones
     /// </summary>
     private static readonly int[] Ids =
     [
-        0, 0x796E, 0x9995,
-        0x29D2, 0x9D4D, 0x6E5C, 0xDEAD,
-        0xFCD9, 0xB1C5, 0xEEEB, 0x49D9,
-        0x60F2, 0x60F1, 0x60F0, 0x5C01, 0xE0FD,
-        0xCA72, 0x9000, 0xCC4D,
-        0xE39F, 0xF9BB, 0x3779,
+        0,
+        0x796E,
+        0x9995,
+        0x29D2,
+        0x9D4D,
+        0x6E5C,
+        0xDEAD,
+        0xFCD9,
+        0xB1C5,
+        0xEEEB,
+        0x49D9,
+        0x60F2,
+        0x60F1,
+        0x60F0,
+        0x5C01,
+        0xE0FD,
+        0xCA72,
+        0x9000,
+        0xCC4D,
+        0xE39F,
+        0xF9BB,
+        0x3779,
     ];
 
     /// <summary>The ends of the body, which an animation that goes on moves first.</summary>
-    private static readonly Joint[] Ends =
-        [Joint.HeadCenter, Joint.RightWrist, Joint.LeftWrist, Joint.RightAnkle, Joint.LeftAnkle];
+    private static readonly Joint[] Ends = [Joint.HeadCenter, Joint.RightWrist, Joint.LeftWrist, Joint.RightAnkle, Joint.LeftAnkle];
 
     private readonly Dictionary<int, bool> _hasAll = [];
 

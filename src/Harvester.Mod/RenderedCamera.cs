@@ -15,7 +15,8 @@ internal static class RenderedCamera
             Vector3D degrees = Natives.ToWorld(Natives.Call<Vector3>(Hash.GET_FINAL_RENDERED_CAM_ROT, Natives.RotationOrder));
             return new Pose(
                 Natives.ToWorld(Natives.Call<Vector3>(Hash.GET_FINAL_RENDERED_CAM_COORD)),
-                Axes.FromEuler(new EulerAngles(degrees.X, degrees.Y, degrees.Z)));
+                Axes.FromEuler(new EulerAngles(degrees.X, degrees.Y, degrees.Z))
+            );
         }
     }
 

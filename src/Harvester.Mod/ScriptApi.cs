@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using GTA;
 using GTA.Math;
 using GTA.Native;

@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using Harvester.Capture.Ports;
 using Harvester.Play.Features;
 using Harvester.Play.Settings;
@@ -23,7 +21,13 @@ internal static class ScriptTape
     /// <param name="clock">Real time.</param>
     /// <param name="messages">Says when the recording ends.</param>
     public static TapeRecorder? Start(
-        ModFolder folder, PlayerSettings player, string baseDirectory, GameBuild build, IClock clock, PlayerMessages messages)
+        ModFolder folder,
+        PlayerSettings player,
+        string baseDirectory,
+        GameBuild build,
+        IClock clock,
+        PlayerMessages messages
+    )
     {
         if (player.Tape.Choice == TapeChoice.Off)
         {
@@ -63,8 +67,8 @@ internal static class ScriptTape
         {
             return new FileInfo(path) is { Exists: true, Length: <= MaxFileBytes } ? File.ReadAllText(path) : string.Empty;
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or ArgumentException
-            or NotSupportedException)
+        catch (Exception exception)
+            when (exception is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {
             return string.Empty;
         }

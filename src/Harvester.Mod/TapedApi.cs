@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Threading;
 using GTA.Native;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
@@ -18,30 +14,44 @@ internal sealed class TapedApi(IGameApi game, TapeRecorder tape) : IGameApi
     public T Call<T>(Hash native, NativeArgument[] arguments)
     {
         T result = default!;
-        Record(native, arguments, () =>
-        {
-            result = game.Call<T>(native, arguments);
-            return TapedCall.Recorded(result);
-        });
+        Record(
+            native,
+            arguments,
+            () =>
+            {
+                result = game.Call<T>(native, arguments);
+                return TapedCall.Recorded(result);
+            }
+        );
         return result;
     }
 
     /// <inheritdoc/>
-    public void Call(Hash native, NativeArgument[] arguments) => Record(native, arguments, () =>
-    {
-        game.Call(native, arguments);
-        return default;
-    });
+    public void Call(Hash native, NativeArgument[] arguments) =>
+        Record(
+            native,
+            arguments,
+            () =>
+            {
+                game.Call(native, arguments);
+                return default;
+            }
+        );
 
     /// <inheritdoc/>
     public int[] Nearby(EntityKind kind, Vector3D centre, double radius, IReadOnlyList<int> models)
     {
         int[] handles = [];
-        Record(TapedCall.TargetOf(kind), TapedCall.Asked(centre, radius, models), () =>
-        {
-            handles = game.Nearby(kind, centre, radius, models);
-            return default;
-        }, () => [handles]);
+        Record(
+            TapedCall.TargetOf(kind),
+            TapedCall.Asked(centre, radius, models),
+            () =>
+            {
+                handles = game.Nearby(kind, centre, radius, models);
+                return default;
+            },
+            () => [handles]
+        );
         return handles;
     }
 
@@ -54,8 +64,12 @@ internal sealed class TapedApi(IGameApi game, TapeRecorder tape) : IGameApi
         }
 
         // What memory holds is asked before the call, because natives read it too.
-        Record((ulong)native, [.. arguments.Select(argument => argument.Recorded)], call,
-            () => [.. arguments.Select(argument => argument.Output).OfType<NativeOutput>().Select(output => output.Slots)]);
+        Record(
+            (ulong)native,
+            [.. arguments.Select(argument => argument.Recorded)],
+            call,
+            () => [.. arguments.Select(argument => argument.Output).OfType<NativeOutput>().Select(output => output.Slots)]
+        );
     }
 
     private void Record(ulong target, TapeValue[] asked, Func<TapeValue> call, Func<int[][]> written)

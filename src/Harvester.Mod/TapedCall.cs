@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using GTA.Math;
 using GTA.Native;
 using Harvester.Capture.Ports;
@@ -15,17 +13,25 @@ internal static class TapedCall
     /// Whether a native is not recorded. The texts on the screen have paths and depend on the disk, and the number plate may be a name; the
     /// game answers none of these natives.
     /// </summary>
-    public static bool IsLeftOut(Hash native) => native is
-        Hash.SET_TEXT_FONT or Hash.SET_TEXT_SCALE or Hash.SET_TEXT_COLOUR or Hash.SET_TEXT_OUTLINE or Hash.BEGIN_TEXT_COMMAND_DISPLAY_TEXT
-        or Hash.ADD_TEXT_COMPONENT_SUBSTRING_PLAYER_NAME or Hash.END_TEXT_COMMAND_DISPLAY_TEXT or Hash.SET_VEHICLE_NUMBER_PLATE_TEXT;
+    public static bool IsLeftOut(Hash native) =>
+        native
+            is Hash.SET_TEXT_FONT
+                or Hash.SET_TEXT_SCALE
+                or Hash.SET_TEXT_COLOUR
+                or Hash.SET_TEXT_OUTLINE
+                or Hash.BEGIN_TEXT_COMMAND_DISPLAY_TEXT
+                or Hash.ADD_TEXT_COMPONENT_SUBSTRING_PLAYER_NAME
+                or Hash.END_TEXT_COMMAND_DISPLAY_TEXT
+                or Hash.SET_VEHICLE_NUMBER_PLATE_TEXT;
 
     /// <summary>The target of a list of nearby entities.</summary>
-    public static ulong TargetOf(EntityKind kind) => kind switch
-    {
-        EntityKind.Vehicle => TapeLists.Vehicles,
-        EntityKind.Ped => TapeLists.Peds,
-        _ => TapeLists.Props,
-    };
+    public static ulong TargetOf(EntityKind kind) =>
+        kind switch
+        {
+            EntityKind.Vehicle => TapeLists.Vehicles,
+            EntityKind.Ped => TapeLists.Peds,
+            _ => TapeLists.Props,
+        };
 
     /// <summary>What is asked of a list.</summary>
     public static TapeValue[] Asked(Vector3D centre, double radius, IReadOnlyList<int> models)
@@ -40,15 +46,16 @@ internal static class TapedCall
     }
 
     /// <summary>A result of a native.</summary>
-    public static TapeValue Recorded(object? result) => result switch
-    {
-        bool value => TapeValue.Of(value),
-        int value => TapeValue.Of(value),
-        float value => TapeValue.Of(value),
-        Vector3 value => TapeValue.Of(value.X, value.Y, value.Z),
-        string or null => TapeValue.Of((string?)result),
-        _ => throw new NotSupportedException($"A tape has no results of type {result.GetType()}."),
-    };
+    public static TapeValue Recorded(object? result) =>
+        result switch
+        {
+            bool value => TapeValue.Of(value),
+            int value => TapeValue.Of(value),
+            float value => TapeValue.Of(value),
+            Vector3 value => TapeValue.Of(value.X, value.Y, value.Z),
+            string or null => TapeValue.Of((string?)result),
+            _ => throw new NotSupportedException($"A tape has no results of type {result.GetType()}."),
+        };
 
     /// <summary>The result of a native that a tape has; null if the tape has another type.</summary>
     /// <param name="type">The type that the mod reads.</param>

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using System.Text;
 
 namespace Harvester.Mod;
@@ -15,7 +14,7 @@ internal static class TextPieces
         char[] characters = text.ToCharArray();
         int start = 0;
         int bytes = 0;
-        for (int i = 0; i < text.Length;)
+        for (int i = 0; i < text.Length; )
         {
             int length = char.IsSurrogatePair(text, i) ? 2 : 1;
             int added = Encoding.UTF8.GetByteCount(characters, i, length);

@@ -1,7 +1,4 @@
-using System;
 using System.Collections.Frozen;
-using System.Collections.Generic;
-using System.IO;
 using System.Text;
 using System.Text.Json;
 using System.Xml;
@@ -20,7 +17,14 @@ public sealed class MarkupWriter : IDisposable
 
     /// <summary>HTML elements without end tag. SVG elements may always be self-closing.</summary>
     private static readonly FrozenSet<string> VoidElements = FrozenSet.Create(
-        StringComparer.Ordinal, "br", "hr", "img", "input", "link", "meta");
+        StringComparer.Ordinal,
+        "br",
+        "hr",
+        "img",
+        "input",
+        "link",
+        "meta"
+    );
 
     private static readonly XmlWriterSettings Settings = new()
     {

@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-
 namespace Harvester.Pages;
 
 /// <summary>An SVG image in a file of its own.</summary>
@@ -18,7 +15,10 @@ public static class SvgImage
     {
         ArgumentNullException.ThrowIfNull(writeContent);
         using var svg = new MarkupWriter(stream, Namespace);
-        svg.Start("svg").With("viewBox", FormattableString.Invariant($"0 0 {width} {height}")).With("width", width).With("height", height)
+        svg.Start("svg")
+            .With("viewBox", FormattableString.Invariant($"0 0 {width} {height}"))
+            .With("width", width)
+            .With("height", height)
             .NewLine();
         svg.Start("rect").With("width", "100%").With("height", "100%").With("fill", "#ffffff").End().NewLine();
         writeContent(svg);

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using GTA.Native;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
@@ -26,8 +23,10 @@ internal sealed class PlayedApi(TapeCursor tape) : IGameApi
 
         TapeCall call = Answer((ulong)native, [.. arguments.Select(argument => argument.Recorded)]);
         Fill(call, arguments);
-        return (T)(TapedCall.Result(typeof(T), call.Answer)
-            ?? throw tape.Differ($"{native} with a result of another type", $"{native} with a result of type {typeof(T).Name}"));
+        return (T)(
+            TapedCall.Result(typeof(T), call.Answer)
+            ?? throw tape.Differ($"{native} with a result of another type", $"{native} with a result of type {typeof(T).Name}")
+        );
     }
 
     /// <inheritdoc/>
@@ -62,9 +61,12 @@ internal sealed class PlayedApi(TapeCursor tape) : IGameApi
     private TapeCall Answer(ulong target, TapeValue[] asked)
     {
         TapeCall call = tape.Take<TapeCall>(
-            taped => taped.Target == target && taped.Asked.Count == asked.Length
+            taped =>
+                taped.Target == target
+                && taped.Asked.Count == asked.Length
                 && taped.Asked.Zip(asked).All(pair => pair.First.IsSameAs(pair.Second)),
-            () => Describe(target, asked));
+            () => Describe(target, asked)
+        );
         return call.Answer.Kind switch
         {
             TapeValueKind.InvalidOperation => throw new InvalidOperationException("The call failed when the tape was recorded."),

@@ -1,5 +1,3 @@
-using System;
-using System.Threading;
 using Harvester.Capture.Ports;
 
 namespace Harvester.Tapes;
@@ -34,7 +32,8 @@ internal sealed class PlayedBackground(TapeCursor tape, TimeSpan patience) : IBa
         SpinWait.SpinUntil(() => tape.IsCancelled || (isDoneHere = isDone()), patience);
         if (!isDoneHere)
         {
-            throw tape.IsCancelled ? new TapeStoppedException()
+            throw tape.IsCancelled
+                ? new TapeStoppedException()
                 : tape.Differ($"{what} done", FormattableString.Invariant($"{what} not done after {patience.TotalSeconds} s"));
         }
     }

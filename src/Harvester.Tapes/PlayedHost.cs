@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using GTA.Hosting;
 using GTA.Math;
 
@@ -20,9 +18,7 @@ internal sealed class PlayedHost(string folder) : IGameHost
         throw new NotSupportedException($"The list of {pool} bypassed the tape.");
 
     /// <inheritdoc/>
-    public void Notify(string message)
-    {
-    }
+    public void Notify(string message) { }
 
     /// <inheritdoc/>
     public void Report(string fault) => throw new InvalidOperationException(fault);

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Ports;
 using Harvester.Play.Tapes;
 using Harvester.Sessions.Imaging;
@@ -18,8 +17,7 @@ internal sealed class PlayedScreen(TapeCursor tape) : IScreen
     public GrabResult Grab(PixelBuffer target)
     {
         (int width, int height) = (target.Size.Width, target.Size.Height);
-        TapeGrab grab = tape.Take<TapeGrab>(
-            taped => taped.Width == width && taped.Height == height, () => Describe(width, height));
+        TapeGrab grab = tape.Take<TapeGrab>(taped => taped.Width == width && taped.Height == height, () => Describe(width, height));
         if (grab.Refusal is { } refusal)
         {
             return GrabResult.Refused(refusal);

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.Runtime.ExceptionServices;
-using System.Threading;
 using Harvester.Play.Tapes;
 
 namespace Harvester.Tapes;
@@ -155,12 +151,13 @@ internal sealed class TapeCursor : IDisposable
 
     public void Dispose() => _entries.Dispose();
 
-    private static string Describe(TapeEntry entry) => entry switch
-    {
-        TapeCall call => PlayedApi.Describe(call.Target, call.Asked),
-        TapeGrab grab => PlayedScreen.Describe(grab.Width, grab.Height),
-        _ => "no further call in this event",
-    };
+    private static string Describe(TapeEntry entry) =>
+        entry switch
+        {
+            TapeCall call => PlayedApi.Describe(call.Target, call.Asked),
+            TapeGrab grab => PlayedScreen.Describe(grab.Width, grab.Height),
+            _ => "no further call in this event",
+        };
 
     private void SkipReadings()
     {

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using System.Windows.Forms;
 using GTA.Hosting;
 using Harvester.Mod;
@@ -56,9 +51,16 @@ public static class TapePlayer
         tape.Fault?.Throw();
         WriteFiles(facts, folder);
         GameHost.Current = new PlayedHost(folder);
-        HarvesterScript script = ScriptThread.Run(() => new HarvesterScript(
-            new PlayedScreen(tape), new PlayedClock(tape), BuildOf(facts), Path.Combine(folder, "settings.xml"), new PlayedApi(tape),
-            new PlayedBackground(tape, Patience)));
+        HarvesterScript script = ScriptThread.Run(() =>
+            new HarvesterScript(
+                new PlayedScreen(tape),
+                new PlayedClock(tape),
+                BuildOf(facts),
+                Path.Combine(folder, "settings.xml"),
+                new PlayedApi(tape),
+                new PlayedBackground(tape, Patience)
+            )
+        );
         int played;
         try
         {
@@ -73,8 +75,7 @@ public static class TapePlayer
         cancellation.ThrowIfCancellationRequested();
         tape.Fault?.Throw();
         return !script.IsBusy
-            ? new TapeResult(
-                played, tape.Calls, reader.IsInterrupted, facts.GetValueOrDefault(TapeFacts.Mod, "unknown"), tape.Difference)
+            ? new TapeResult(played, tape.Calls, reader.IsInterrupted, facts.GetValueOrDefault(TapeFacts.Mod, "unknown"), tape.Difference)
             : throw new IOException($"The sessions of the playback in '{folder}' are still being written: the disk is too slow.");
     }
 
@@ -160,8 +161,8 @@ public static class TapePlayer
         }
     }
 
-    private static GameBuild BuildOf(Dictionary<string, string> facts) => new(
-        facts.GetValueOrDefault(TapeFacts.Program, ""), VersionOf(TapeFacts.Build, facts), VersionOf(TapeFacts.Api, facts));
+    private static GameBuild BuildOf(Dictionary<string, string> facts) =>
+        new(facts.GetValueOrDefault(TapeFacts.Program, ""), VersionOf(TapeFacts.Build, facts), VersionOf(TapeFacts.Api, facts));
 
     private static Version? VersionOf(string fact, Dictionary<string, string> facts) =>
         facts.TryGetValue(fact, out string? text) && Version.TryParse(text, out Version? version) ? version : null;

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Tapes;
 
 /// <summary>The tape has no answer, because it ended or differed; the mod's features stop.</summary>

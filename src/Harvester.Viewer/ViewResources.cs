@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Threading.Tasks;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Viewing;
 using Microsoft.AspNetCore.Http;
@@ -43,7 +39,8 @@ internal sealed class ViewResources(IReadOnlyList<SessionView> views)
         }
         catch (Exception e) when (e is DatasetFormatException or IOException or UnauthorizedAccessException)
         {
-            response.StatusCode = e is FileNotFoundException or DirectoryNotFoundException ? StatusCodes.Status404NotFound
+            response.StatusCode = e is FileNotFoundException or DirectoryNotFoundException
+                ? StatusCodes.Status404NotFound
                 : StatusCodes.Status422UnprocessableEntity;
             response.ContentType = "text/plain; charset=utf-8";
             await response.WriteAsync(e.Message, context.RequestAborted).ConfigureAwait(false);

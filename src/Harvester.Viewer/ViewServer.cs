@@ -1,11 +1,5 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Net;
 using System.Security.Cryptography;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Datasets.Viewing;
 using Microsoft.AspNetCore.Builder;
 using Microsoft.AspNetCore.Connections;
@@ -45,11 +39,13 @@ public sealed class ViewServer : IAsyncDisposable
     {
         string token = Convert.ToHexStringLower(RandomNumberGenerator.GetBytes(TokenBytes));
         WebApplicationBuilder builder = WebApplication.CreateEmptyBuilder(new WebApplicationOptions());
-        builder.WebHost.UseKestrelCore().ConfigureKestrel(options =>
-        {
-            options.AddServerHeader = false;
-            options.Listen(IPAddress.Loopback, port);
-        });
+        builder
+            .WebHost.UseKestrelCore()
+            .ConfigureKestrel(options =>
+            {
+                options.AddServerHeader = false;
+                options.Listen(IPAddress.Loopback, port);
+            });
         WebApplication application = builder.Build();
         var access = new AccessCheck(token);
         var resources = new ViewResources(views);
@@ -65,7 +61,8 @@ public sealed class ViewServer : IAsyncDisposable
                 e.InnerException is AddressInUseException
                     ? $"Port {port} is in use. Choose another port, or omit --port for a free one."
                     : $"Port {port} cannot be used: {e.Message} Choose another port, or omit --port for a free one.",
-                e);
+                e
+            );
         }
 
         var bound = new Uri(application.Services.GetRequiredService<IServer>().Features.Get<IServerAddressesFeature>()!.Addresses.Single());

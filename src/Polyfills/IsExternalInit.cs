@@ -2,7 +2,5 @@
 namespace System.Runtime.CompilerServices;
 
 /// <summary>Lets the compiler emit init accessors for frameworks that lack this marker.</summary>
-internal static class IsExternalInit
-{
-}
+internal static class IsExternalInit { }
 #endif

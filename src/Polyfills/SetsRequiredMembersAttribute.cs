@@ -3,7 +3,5 @@ namespace System.Diagnostics.CodeAnalysis;
 
 /// <summary>Says that a constructor sets all required members, for frameworks that lack this marker.</summary>
 [AttributeUsage(AttributeTargets.Constructor, Inherited = false)]
-internal sealed class SetsRequiredMembersAttribute : Attribute
-{
-}
+internal sealed class SetsRequiredMembersAttribute : Attribute { }
 #endif

@@ -24,13 +24,21 @@ public sealed class MessageTests
     [InlineData("Harvester.Cli")]
     public void Messages_are_one_line_and_end_as_sentences(string project)
     {
-        string[] messages = [.. Repository.SourcesOf(project)
-            .SelectMany(path => Regex.Matches(File.ReadAllText(path), Statement).Select(match => match.Groups["text"].Value))];
+        string[] messages =
+        [
+            .. Repository
+                .SourcesOf(project)
+                .SelectMany(path => Regex.Matches(File.ReadAllText(path), Statement).Select(match => match.Groups["text"].Value)),
+        ];
 
         Assert.NotEmpty(messages);
         // A message may end with the text of another fault.
-        string[] unfinished = [.. messages.Where(message =>
-            message.Contains("\\n", StringComparison.Ordinal) || !".!?})".Contains(message[^1], StringComparison.Ordinal))];
+        string[] unfinished =
+        [
+            .. messages.Where(message =>
+                message.Contains("\\n", StringComparison.Ordinal) || !".!?})".Contains(message[^1], StringComparison.Ordinal)
+            ),
+        ];
         Assert.Empty(unfinished);
     }
 
@@ -41,11 +49,18 @@ public sealed class MessageTests
     public void Core_messages_name_no_option_and_no_setting(string project)
     {
         using AssemblyDefinition assembly = AssemblyDefinition.ReadAssembly(Repository.AssemblyOf(project));
-        string[] sentences = [.. assembly.MainModule.GetTypes()
-            // The compiler prints the names of a record's properties.
-            .SelectMany(type => type.Methods).Where(method => method.HasBody && method.Name != "PrintMembers")
-            .SelectMany(method => method.Body.Instructions).Where(instruction => instruction.OpCode == OpCodes.Ldstr)
-            .Select(instruction => (string)instruction.Operand).Where(text => text.Contains(' ', StringComparison.Ordinal))];
+        string[] sentences =
+        [
+            .. assembly
+                .MainModule.GetTypes()
+                // The compiler prints the names of a record's properties.
+                .SelectMany(type => type.Methods)
+                .Where(method => method.HasBody && method.Name != "PrintMembers")
+                .SelectMany(method => method.Body.Instructions)
+                .Where(instruction => instruction.OpCode == OpCodes.Ldstr)
+                .Select(instruction => (string)instruction.Operand)
+                .Where(text => text.Contains(' ', StringComparison.Ordinal)),
+        ];
         string settings = string.Join('|', SettingNames());
 
         Assert.NotEmpty(sentences);

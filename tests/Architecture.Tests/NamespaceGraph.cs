@@ -45,8 +45,7 @@ internal sealed class NamespaceGraph
     }
 
     /// <summary>A use of a type for each arrow of a path.</summary>
-    public string ExamplesAlong(IReadOnlyList<string> path) =>
-        string.Join("; ", path.Zip(path.Skip(1), (from, to) => _arrows[from][to]));
+    public string ExamplesAlong(IReadOnlyList<string> path) => string.Join("; ", path.Zip(path.Skip(1), (from, to) => _arrows[from][to]));
 
     private bool Search(string current, List<string> path, HashSet<string> done)
     {
@@ -62,9 +61,11 @@ internal sealed class NamespaceGraph
             return true;
         }
 
-        foreach (string next in _arrows.TryGetValue(current, out Dictionary<string, string>? arrows)
-            ? arrows.Keys.Order(StringComparer.Ordinal)
-            : Enumerable.Empty<string>())
+        foreach (
+            string next in _arrows.TryGetValue(current, out Dictionary<string, string>? arrows)
+                ? arrows.Keys.Order(StringComparer.Ordinal)
+                : Enumerable.Empty<string>()
+        )
         {
             if (Search(next, path, done))
             {

@@ -15,7 +15,9 @@ public sealed partial class PrintedCommandTests
             .. Repository.SourcesOf("Harvester.Cli", "src"),
         ];
         string[] named =
-            [.. sources.SelectMany(file => RepositoryFile().Matches(File.ReadAllText(file))).Select(match => match.Value).Distinct()];
+        [
+            .. sources.SelectMany(file => RepositoryFile().Matches(File.ReadAllText(file))).Select(match => match.Value).Distinct(),
+        ];
 
         Assert.Contains("data/example-roads.csv", named);
         Assert.All(named, file => Assert.True(File.Exists(Path.Combine(Repository.Root, file)), file));

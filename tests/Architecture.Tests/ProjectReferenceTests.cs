@@ -22,15 +22,23 @@ public sealed class ProjectReferenceTests
         ["Harvester.Viewer"] = ["Harvester.Datasets"],
         ["Harvester.Cli"] =
         [
-            "Harvester.Simulation", "Harvester.Datasets", "Harvester.Evaluation", "Harvester.Pages", "Harvester.Play", "Harvester.Tapes",
+            "Harvester.Simulation",
+            "Harvester.Datasets",
+            "Harvester.Evaluation",
+            "Harvester.Pages",
+            "Harvester.Play",
+            "Harvester.Tapes",
             "Harvester.Viewer",
         ],
     };
 
-    public static TheoryData<string> Projects => new(Directory
-        .EnumerateFiles(Path.Combine(Repository.Root, "src"), "*.csproj", SearchOption.AllDirectories)
-        .Select(path => Path.GetFileNameWithoutExtension(path)!)
-        .Order(StringComparer.Ordinal));
+    public static TheoryData<string> Projects =>
+        new(
+            Directory
+                .EnumerateFiles(Path.Combine(Repository.Root, "src"), "*.csproj", SearchOption.AllDirectories)
+                .Select(path => Path.GetFileNameWithoutExtension(path)!)
+                .Order(StringComparer.Ordinal)
+        );
 
     [Theory]
     [MemberData(nameof(Projects))]
@@ -66,8 +74,11 @@ public sealed class ProjectReferenceTests
     {
         IEnumerable<string> offenders = Directory
             .EnumerateFiles(Path.Combine(Repository.Root, "src"), "*.cs", SearchOption.AllDirectories)
-            .Where(path => !path.Contains("Harvester.Mod", StringComparison.Ordinal)
-                && !path.Contains("Harvester.Tapes", StringComparison.Ordinal) && !path.Contains("/obj/", StringComparison.Ordinal))
+            .Where(path =>
+                !path.Contains("Harvester.Mod", StringComparison.Ordinal)
+                && !path.Contains("Harvester.Tapes", StringComparison.Ordinal)
+                && !path.Contains("/obj/", StringComparison.Ordinal)
+            )
             .Where(path => File.ReadLines(path).Any(line => line.StartsWith("using GTA", StringComparison.Ordinal)));
 
         Assert.Empty(offenders);
@@ -75,7 +86,9 @@ public sealed class ProjectReferenceTests
 
     private static bool IsForOtherFrameworkOnly(XElement reference) =>
         $"{reference.Attribute("Condition")?.Value} {reference.Parent?.Attribute("Condition")?.Value}".Contains(
-            "net10.0", StringComparison.Ordinal);
+            "net10.0",
+            StringComparison.Ordinal
+        );
 
     private static XDocument ProjectFile(string project) => XDocument.Load(PathOf(project));
 

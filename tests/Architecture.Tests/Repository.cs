@@ -11,17 +11,19 @@ internal static class Repository
     public static IEnumerable<string> SourcesOf(string project, string folder = "src")
     {
         string root = Path.Combine(Root, folder, project);
-        return Directory.EnumerateFiles(root, "*.cs", SearchOption.AllDirectories)
+        return Directory
+            .EnumerateFiles(root, "*.cs", SearchOption.AllDirectories)
             .Where(path => !Path.GetRelativePath(root, path).Split(Path.DirectorySeparatorChar).Any(part => part is "bin" or "obj"));
     }
 
     /// <summary>The assembly that a project was built to.</summary>
-    public static string AssemblyOf(string project) => project switch
-    {
-        "Harvester.Mod" => Path.Combine(Root, "artifacts", Configuration, "scripts", "GtaDataHarvester.dll"),
-        "Harvester.Cli" => Path.Combine(AppContext.BaseDirectory, "harvester.dll"),
-        _ => Path.Combine(AppContext.BaseDirectory, project + ".dll"),
-    };
+    public static string AssemblyOf(string project) =>
+        project switch
+        {
+            "Harvester.Mod" => Path.Combine(Root, "artifacts", Configuration, "scripts", "GtaDataHarvester.dll"),
+            "Harvester.Cli" => Path.Combine(AppContext.BaseDirectory, "harvester.dll"),
+            _ => Path.Combine(AppContext.BaseDirectory, project + ".dll"),
+        };
 
     // The tests lie in bin/CONFIGURATION/FRAMEWORK/.
     private static string Configuration =>

@@ -8,10 +8,13 @@ public sealed partial class TestNameTests
     // As CONTRIBUTING.md requires: a longer name states more than one behaviour or is not read to its end.
     private const int MaxLength = 60;
 
-    public static TheoryData<string> Projects => new(Directory
-        .EnumerateFiles(Path.Combine(Repository.Root, "tests"), "*.Tests.csproj", SearchOption.AllDirectories)
-        .Select(path => Path.GetFileNameWithoutExtension(path)!)
-        .Order(StringComparer.Ordinal));
+    public static TheoryData<string> Projects =>
+        new(
+            Directory
+                .EnumerateFiles(Path.Combine(Repository.Root, "tests"), "*.Tests.csproj", SearchOption.AllDirectories)
+                .Select(path => Path.GetFileNameWithoutExtension(path)!)
+                .Order(StringComparer.Ordinal)
+        );
 
     [Theory]
     [MemberData(nameof(Projects))]
@@ -48,6 +51,7 @@ public sealed partial class TestNameTests
     // An attribute whose name ends with Fact or Theory, and the first public method after it.
     [GeneratedRegex(
         @"^[ ]*\[[\w, ]*(Fact|Theory)\b.*\n(?:(?![ ]*public ).*\n)*?[ ]*public (?:[\w<>]+ )+?(?<name>\w+)\(",
-        RegexOptions.Multiline | RegexOptions.CultureInvariant)]
+        RegexOptions.Multiline | RegexOptions.CultureInvariant
+    )]
     private static partial Regex Test();
 }

@@ -12,15 +12,22 @@ public sealed class ThirdPartyNoticeTests
         (string Name, string Version)[] packages = [.. PackagesOf("src/Harvester.Cli")];
 
         Assert.NotEmpty(packages);
-        Assert.All(packages, package => Assert.Contains(notices, line => line.StartsWith($"| [{package.Name}](", StringComparison.Ordinal)
-            && line.Contains($" | {package.Version} | ", StringComparison.Ordinal)));
+        Assert.All(
+            packages,
+            package =>
+                Assert.Contains(
+                    notices,
+                    line =>
+                        line.StartsWith($"| [{package.Name}](", StringComparison.Ordinal)
+                        && line.Contains($" | {package.Version} | ", StringComparison.Ordinal)
+                )
+        );
     }
 
     [Fact]
     public void Projects_of_the_game_restore_no_package_that_ships()
     {
-        string[] referenceAssemblies =
-            ["Microsoft.NETFramework.ReferenceAssemblies", "Microsoft.NETFramework.ReferenceAssemblies.net472"];
+        string[] referenceAssemblies = ["Microsoft.NETFramework.ReferenceAssemblies", "Microsoft.NETFramework.ReferenceAssemblies.net472"];
 
         Assert.Equal(referenceAssemblies, PackagesOf("src/Harvester.Mod").Select(package => package.Name));
     }

@@ -20,13 +20,16 @@ public sealed partial class VersionTests
     [Fact]
     public void Python_package_repeats_the_version()
     {
-        string version = Regex.Match(
-            File.ReadAllText(Path.Combine(Repository.Root, "build", "Version.props")), "<Version>(.+)</Version>").Groups[1].Value;
+        string version = Regex
+            .Match(File.ReadAllText(Path.Combine(Repository.Root, "build", "Version.props")), "<Version>(.+)</Version>")
+            .Groups[1]
+            .Value;
 
         Assert.Contains(
             $"__version__ = \"{version}\"",
             File.ReadAllText(Path.Combine(Repository.Root, "python", "src", "gtaharvest", "_version.py")),
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
     }
 
     [Theory]
@@ -58,17 +61,21 @@ public sealed partial class VersionTests
     }
 
     private static string[] Sections() =>
-    [
-        .. File.ReadLines(Path.Combine(Repository.Root, "CHANGELOG.md")).Select(line => SectionHeading().Match(line))
-            .Where(heading => heading.Success).Select(heading => heading.Groups[1].Value),
-    ];
+        [
+            .. File.ReadLines(Path.Combine(Repository.Root, "CHANGELOG.md"))
+                .Select(line => SectionHeading().Match(line))
+                .Where(heading => heading.Success)
+                .Select(heading => heading.Groups[1].Value),
+        ];
 
     private static IEnumerable<string> FilesLike(string pattern) =>
         Directory.EnumerateFiles(Repository.Root, pattern, SearchOption.AllDirectories).Where(IsSource);
 
     /// <summary>Without what is built, and without the stand-in in ref, whose version is that of the API it stands for.</summary>
-    private static bool IsSource(string path) => !Path.GetRelativePath(Repository.Root, path).Split(Path.DirectorySeparatorChar)
-        .Any(part => part is "bin" or "obj" or "artifacts" or "out" or "ref");
+    private static bool IsSource(string path) =>
+        !Path.GetRelativePath(Repository.Root, path)
+            .Split(Path.DirectorySeparatorChar)
+            .Any(part => part is "bin" or "obj" or "artifacts" or "out" or "ref");
 
     [GeneratedRegex(@"<(Package|Assembly|File|Informational)?Version(Prefix)?>\d|^(__)?version(__)? = ""\d", RegexOptions.Multiline)]
     private static partial Regex DefinesVersion();

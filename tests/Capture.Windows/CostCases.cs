@@ -10,10 +10,7 @@ internal static class CostCases
     private const int Grabs = 20;
 
     public static IEnumerable<CaptureCase> All =>
-    [
-        new("memory: a grab allocates the window list and no picture", Allocation),
-        new("handles: GDI objects do not grow", Handles),
-    ];
+        [new("memory: a grab allocates the window list and no picture", Allocation), new("handles: GDI objects do not grow", Handles)];
 
     /// <summary>Milliseconds of a grab of a full HD window into a buffer.</summary>
     public static double MillisecondsPerGrab(int width, int height)

@@ -18,12 +18,12 @@ internal static class DrawingCases
     private const int MaxLoss = 8;
 
     public static IEnumerable<CaptureCase> All =>
-    [
-        new("a grab has the pixels that GDI+ copies from the screen", Grab),
-        new("GDI+ reads the pixels of a PNG", () => Decoded(ScreenshotFormat.Png, maxLoss: 0)),
-        new("GDI+ reads the pixels of a BMP", () => Decoded(ScreenshotFormat.Bmp, maxLoss: 0)),
-        new("GDI+ reads the pixels of a JPEG, nearly", () => Decoded(ScreenshotFormat.Jpeg, MaxLoss)),
-    ];
+        [
+            new("a grab has the pixels that GDI+ copies from the screen", Grab),
+            new("GDI+ reads the pixels of a PNG", () => Decoded(ScreenshotFormat.Png, maxLoss: 0)),
+            new("GDI+ reads the pixels of a BMP", () => Decoded(ScreenshotFormat.Bmp, maxLoss: 0)),
+            new("GDI+ reads the pixels of a JPEG, nearly", () => Decoded(ScreenshotFormat.Jpeg, MaxLoss)),
+        ];
 
     private static void Grab()
     {
@@ -44,7 +44,9 @@ internal static class DrawingCases
         file.Position = 0;
         using var bitmap = new Bitmap(file);
         Expect.That(
-            bitmap.Width == picture.Size.Width && bitmap.Height == picture.Size.Height, $"GDI+ reads {bitmap.Width} x {bitmap.Height}");
+            bitmap.Width == picture.Size.Width && bitmap.Height == picture.Size.Height,
+            $"GDI+ reads {bitmap.Width} x {bitmap.Height}"
+        );
         ExpectSame(picture.Bytes, Pixels(bitmap), maxLoss);
     }
 

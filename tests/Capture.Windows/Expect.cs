@@ -24,7 +24,8 @@ internal static class Expect
                     byte expected = pattern.Channel(channel, x, y);
                     That(
                         buffer.Bytes[i] == expected,
-                        $"pixel ({x}, {y}) channel {channel} is {buffer.Bytes[i]}, the window shows {expected}");
+                        $"pixel ({x}, {y}) channel {channel} is {buffer.Bytes[i]}, the window shows {expected}"
+                    );
                 }
             }
         }

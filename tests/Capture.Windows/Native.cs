@@ -30,8 +30,19 @@ internal static class Native
 
     [DllImport("user32", EntryPoint = "CreateWindowExW", CharSet = CharSet.Unicode, SetLastError = true)]
     public static extern IntPtr CreateWindowEx(
-        uint exStyle, string className, string title, uint style, int x, int y, int width, int height, IntPtr parent, IntPtr menu,
-        IntPtr module, IntPtr state);
+        uint exStyle,
+        string className,
+        string title,
+        uint style,
+        int x,
+        int y,
+        int width,
+        int height,
+        IntPtr parent,
+        IntPtr menu,
+        IntPtr module,
+        IntPtr state
+    );
 
     [DllImport("user32")]
     public static extern bool DestroyWindow(IntPtr window);
@@ -98,8 +109,19 @@ internal static class Native
 
     [DllImport("gdi32")]
     public static extern int SetDIBitsToDevice(
-        IntPtr context, int x, int y, int width, int height, int sourceX, int sourceY, int firstRow, int rows, byte[] pixels,
-        ref BitmapHeader header, uint usage);
+        IntPtr context,
+        int x,
+        int y,
+        int width,
+        int height,
+        int sourceX,
+        int sourceY,
+        int firstRow,
+        int rows,
+        byte[] pixels,
+        ref BitmapHeader header,
+        uint usage
+    );
 
     [StructLayout(LayoutKind.Sequential)]
     public struct WindowClass
@@ -145,6 +167,7 @@ internal static class Native
         public Rectangle Area;
         public int Restore;
         public int Update;
+
         [MarshalAs(UnmanagedType.ByValArray, SizeConst = 32)]
         public byte[] Reserved;
     }

@@ -29,8 +29,19 @@ internal sealed class PatternWindow : IDisposable
         _exStyle = exStyle;
         Area frame = FrameOf(client);
         _handle = Native.CreateWindowEx(
-            exStyle, ClassName, "pattern", style, frame.Left, frame.Top, frame.Width, frame.Height, IntPtr.Zero, IntPtr.Zero, IntPtr.Zero,
-            IntPtr.Zero);
+            exStyle,
+            ClassName,
+            "pattern",
+            style,
+            frame.Left,
+            frame.Top,
+            frame.Width,
+            frame.Height,
+            IntPtr.Zero,
+            IntPtr.Zero,
+            IntPtr.Zero,
+            IntPtr.Zero
+        );
         if (_handle == IntPtr.Zero)
         {
             throw new Win32Exception();
@@ -89,7 +100,14 @@ internal sealed class PatternWindow : IDisposable
         Client = client;
         Area frame = FrameOf(client);
         Native.SetWindowPos(
-            _handle, IntPtr.Zero, frame.Left, frame.Top, frame.Width, frame.Height, Native.KeepOrder | Native.DoNotActivate);
+            _handle,
+            IntPtr.Zero,
+            frame.Left,
+            frame.Top,
+            frame.Width,
+            frame.Height,
+            Native.KeepOrder | Native.DoNotActivate
+        );
         Repaint();
     }
 
@@ -143,17 +161,18 @@ internal sealed class PatternWindow : IDisposable
     private static bool IsOnScreen(Area client, Pattern pattern)
     {
         (int X, int Y)[] places =
-            [
-                (0, 0),
-                (client.Width - 1, 0),
-                (0, client.Height - 1),
-                (client.Width - 1, client.Height - 1),
-                (client.Width / 2, client.Height / 2),
-            ];
+        [
+            (0, 0),
+            (client.Width - 1, 0),
+            (0, client.Height - 1),
+            (client.Width - 1, client.Height - 1),
+            (client.Width / 2, client.Height / 2),
+        ];
         IntPtr desktop = Native.GetDC(IntPtr.Zero);
         bool isShown = places.All(place =>
             Native.GetPixel(desktop, client.Left + place.X, client.Top + place.Y)
-            == (pattern.Red(place.X, place.Y) | (pattern.Green(place.X, place.Y) << 8) | (pattern.Blue(place.X, place.Y) << 16)));
+            == (pattern.Red(place.X, place.Y) | (pattern.Green(place.X, place.Y) << 8) | (pattern.Blue(place.X, place.Y) << 16))
+        );
         _ = Native.ReleaseDC(IntPtr.Zero, desktop);
         return isShown;
     }

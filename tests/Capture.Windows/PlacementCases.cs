@@ -6,17 +6,17 @@ namespace Harvester.Capture.Windows;
 internal static class PlacementCases
 {
     public static IEnumerable<CaptureCase> All =>
-    [
-        new("a window without a frame, at odd position and size", () => Grab(new(37, 53, 401, 303), Native.Popup)),
-        new("a window with caption and frame: its client area alone", () => Grab(new(141, 97, 533, 377), Native.OverlappedWindow)),
-        new("a window in the screen's upper left corner", () => Grab(new(0, 0, 320, 240), Native.Popup)),
-        new("a window that fills the screen", () => Grab(WholeScreen(), Native.Popup)),
-        new("a narrow window: 3 x 201", () => Grab(new(777, 5, 3, 201), Native.Popup)),
-        new("a window moved between grabs", Moved),
-        new("a window that shows another picture", Changed),
-        new("a window below another that lies beside it", Beside),
-        new("a window in words: size, mode and scaling", Described),
-    ];
+        [
+            new("a window without a frame, at odd position and size", () => Grab(new(37, 53, 401, 303), Native.Popup)),
+            new("a window with caption and frame: its client area alone", () => Grab(new(141, 97, 533, 377), Native.OverlappedWindow)),
+            new("a window in the screen's upper left corner", () => Grab(new(0, 0, 320, 240), Native.Popup)),
+            new("a window that fills the screen", () => Grab(WholeScreen(), Native.Popup)),
+            new("a narrow window: 3 x 201", () => Grab(new(777, 5, 3, 201), Native.Popup)),
+            new("a window moved between grabs", Moved),
+            new("a window that shows another picture", Changed),
+            new("a window below another that lies beside it", Beside),
+            new("a window in words: size, mode and scaling", Described),
+        ];
 
     public static Area WholeScreen()
     {

@@ -14,14 +14,14 @@ internal static class ProcessCases
     private static readonly Area Shown = new(700, 120, 301, 203);
 
     public static IEnumerable<CaptureCase> All =>
-    [
-        new("another process's window, while a larger one of ours is in the foreground", OtherProcess),
-        new("our window, while another process's lies above it elsewhere", OwnProcess),
-        new("a process that does not exist", () => Expect.Refused(GrabRefusals.NoWindow, new GameWindowScreen(int.MaxValue))),
-        new("the largest of the process's windows", Largest),
-        new("the window once found, though a larger one opens", Kept),
-        new("a minimised game is not mistaken for its smaller window", MinimisedMain),
-    ];
+        [
+            new("another process's window, while a larger one of ours is in the foreground", OtherProcess),
+            new("our window, while another process's lies above it elsewhere", OwnProcess),
+            new("a process that does not exist", () => Expect.Refused(GrabRefusals.NoWindow, new GameWindowScreen(int.MaxValue))),
+            new("the largest of the process's windows", Largest),
+            new("the window once found, though a larger one opens", Kept),
+            new("a minimised game is not mistaken for its smaller window", MinimisedMain),
+        ];
 
     /// <summary>Shows a window until the input ends.</summary>
     public static void Show(int seed)
@@ -38,22 +38,28 @@ internal static class ProcessCases
     private static void OtherProcess()
     {
         using var mine = new PatternWindow(new(10, 10, 600, 500), Pattern.Distinct(1));
-        WithOther(21, processId =>
-        {
-            mine.BringToForeground();
-            using var screen = new GameWindowScreen(processId);
-            Expect.Shows(Shown, Pattern.Distinct(21), screen);
-        });
+        WithOther(
+            21,
+            processId =>
+            {
+                mine.BringToForeground();
+                using var screen = new GameWindowScreen(processId);
+                Expect.Shows(Shown, Pattern.Distinct(21), screen);
+            }
+        );
     }
 
     private static void OwnProcess()
     {
         using var mine = new PatternWindow(new(10, 10, 600, 500), Pattern.Distinct(2));
-        WithOther(22, _ =>
-        {
-            using var screen = GameWindowScreen.OfThisProcess();
-            Expect.Shows(mine, screen);
-        });
+        WithOther(
+            22,
+            _ =>
+            {
+                using var screen = GameWindowScreen.OfThisProcess();
+                Expect.Shows(mine, screen);
+            }
+        );
     }
 
     private static void WithOther(int seed, Action<int> run)

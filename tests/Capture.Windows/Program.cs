@@ -12,7 +12,12 @@ int failed = 0;
 string dpi = $"{Native.GetDpiForSystem()} dpi";
 CaptureCase[] cases =
 [
-    .. PlacementCases.All, .. RefusalCases.All, .. ScalingCases.All, .. ProcessCases.All, .. DrawingCases.All, .. CostCases.All,
+    .. PlacementCases.All,
+    .. RefusalCases.All,
+    .. ScalingCases.All,
+    .. ProcessCases.All,
+    .. DrawingCases.All,
+    .. CostCases.All,
 ];
 foreach (CaptureCase test in cases)
 {
@@ -33,6 +38,8 @@ Console.WriteLine(
     string.Create(
         CultureInfo.InvariantCulture,
         $"A grab of 1920x1080 takes {CostCases.MillisecondsPerGrab(1920, 1080):F1} ms, scaled to 800x600 "
-            + $"{CostCases.MillisecondsPerGrab(800, 600):F1} ms."));
+            + $"{CostCases.MillisecondsPerGrab(800, 600):F1} ms."
+    )
+);
 Console.WriteLine($"window capture at {dpi}: {passed} passed, {failed} failed");
 return failed == 0 ? 0 : 1;

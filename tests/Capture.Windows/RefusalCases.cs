@@ -9,28 +9,29 @@ internal static class RefusalCases
     private static readonly Area Client = new(200, 150, 400, 300);
 
     public static IEnumerable<CaptureCase> All =>
-    [
-        new("no window at all", NoWindow),
-        new("hidden", () => Refused(GrabRefusals.NoWindow, window => window.Hide(), window => window.Restore())),
-        new("minimised, then restored", () => Refused(GrabRefusals.Minimised, window => window.Minimise(), window => window.Restore())),
-        new("off screen by a pixel at the left", () => MovedOff(new(-1, 150, 400, 300))),
-        new("off screen by a pixel at the top", () => MovedOff(new(200, -1, 400, 300))),
-        new("off screen by a pixel at the right", () => MovedOff(new(PlacementCases.WholeScreen().Width - 399, 150, 400, 300))),
-        new("off screen by a pixel at the bottom", () => MovedOff(new(200, PlacementCases.WholeScreen().Height - 299, 400, 300))),
-        new("wholly off screen", () => MovedOff(new(-2000, -2000, 400, 300))),
-        new("covered in one pixel", () => Covered(new(599, 449, 100, 100), GrabRefusals.Covered)),
-        new("covered wholly", () => Covered(new(150, 100, 500, 400), GrabRefusals.Covered)),
-        new("covered in the middle by a tool window", () => Covered(new(300, 250, 50, 50), GrabRefusals.Covered, Native.ExToolWindow)),
-        new("covered by a half transparent layer", () => Covered(new(300, 250, 50, 50), GrabRefusals.Covered, Native.ExLayered)),
-        new(
-            "not covered by a layer that lets clicks through",
-            () => Covered(new(300, 250, 50, 50), null, Native.ExLayered | Native.ExTransparent)),
-        new("not covered any more when the other window is minimised, or the game raised", Uncovered),
-        new("resized: refused once, then the new size", Resized),
-        new("black", () => Content(Pattern.Uniform(0, 0, 0), GrabRefusals.Black)),
-        new("one colour", () => Content(Pattern.Uniform(200, 0, 0), GrabRefusals.SingleColour)),
-        new("a night with one lamp is a picture", () => Content(Pattern.Night(399, 299), null)),
-    ];
+        [
+            new("no window at all", NoWindow),
+            new("hidden", () => Refused(GrabRefusals.NoWindow, window => window.Hide(), window => window.Restore())),
+            new("minimised, then restored", () => Refused(GrabRefusals.Minimised, window => window.Minimise(), window => window.Restore())),
+            new("off screen by a pixel at the left", () => MovedOff(new(-1, 150, 400, 300))),
+            new("off screen by a pixel at the top", () => MovedOff(new(200, -1, 400, 300))),
+            new("off screen by a pixel at the right", () => MovedOff(new(PlacementCases.WholeScreen().Width - 399, 150, 400, 300))),
+            new("off screen by a pixel at the bottom", () => MovedOff(new(200, PlacementCases.WholeScreen().Height - 299, 400, 300))),
+            new("wholly off screen", () => MovedOff(new(-2000, -2000, 400, 300))),
+            new("covered in one pixel", () => Covered(new(599, 449, 100, 100), GrabRefusals.Covered)),
+            new("covered wholly", () => Covered(new(150, 100, 500, 400), GrabRefusals.Covered)),
+            new("covered in the middle by a tool window", () => Covered(new(300, 250, 50, 50), GrabRefusals.Covered, Native.ExToolWindow)),
+            new("covered by a half transparent layer", () => Covered(new(300, 250, 50, 50), GrabRefusals.Covered, Native.ExLayered)),
+            new(
+                "not covered by a layer that lets clicks through",
+                () => Covered(new(300, 250, 50, 50), null, Native.ExLayered | Native.ExTransparent)
+            ),
+            new("not covered any more when the other window is minimised, or the game raised", Uncovered),
+            new("resized: refused once, then the new size", Resized),
+            new("black", () => Content(Pattern.Uniform(0, 0, 0), GrabRefusals.Black)),
+            new("one colour", () => Content(Pattern.Uniform(200, 0, 0), GrabRefusals.SingleColour)),
+            new("a night with one lamp is a picture", () => Content(Pattern.Night(399, 299), null)),
+        ];
 
     private static void NoWindow()
     {

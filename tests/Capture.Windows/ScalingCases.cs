@@ -10,13 +10,13 @@ internal static class ScalingCases
     private const double RoundingTolerance = 0.6;
 
     public static IEnumerable<CaptureCase> All =>
-    [
-        new("shrunk by whole numbers: each pixel the mean of its block", () => Shrunk(new(32, 24, 800, 600), 4, 3)),
-        new("shrunk from full HD to a third", () => Shrunk(new(0, 0, 1920, 1080), 3, 3)),
-        new("enlarged twofold: every second pixel lies between its neighbours", Enlarged),
-        new("the same buffer after a small one", SizesInTurn),
-        new("the thread sees the desktop as it did before", Awareness),
-    ];
+        [
+            new("shrunk by whole numbers: each pixel the mean of its block", () => Shrunk(new(32, 24, 800, 600), 4, 3)),
+            new("shrunk from full HD to a third", () => Shrunk(new(0, 0, 1920, 1080), 3, 3)),
+            new("enlarged twofold: every second pixel lies between its neighbours", Enlarged),
+            new("the same buffer after a small one", SizesInTurn),
+            new("the thread sees the desktop as it did before", Awareness),
+        ];
 
     private static void Shrunk(Area client, int columns, int rows)
     {
@@ -34,7 +34,8 @@ internal static class ScalingCases
                     double mean = Mean(window.Pattern, channel, x * columns, y * rows, columns, rows);
                     Expect.That(
                         Math.Abs(buffer.Bytes[i] - mean) <= RoundingTolerance,
-                        $"pixel ({x}, {y}) channel {channel} is {buffer.Bytes[i]}, the mean is {mean}");
+                        $"pixel ({x}, {y}) channel {channel} is {buffer.Bytes[i]}, the mean is {mean}"
+                    );
                 }
             }
         }

@@ -32,7 +32,7 @@ public sealed class ApplicationTests
 
         // The docs say more of SIGTERM than fits into the help.
         static string InHelp(string[] cells) =>
-            $"\n  {cells[1].Trim(),-5}"
+            $"\n  {cells[1].Trim(), -5}"
             + $"{cells[2].Trim().Replace(", which `kill`, `timeout` and batch systems send", "", StringComparison.Ordinal)}\n";
     }
 
@@ -48,7 +48,7 @@ public sealed class ApplicationTests
 
         string[] options =
         [
-            .. lines.Where(line => line.StartsWith("  -", StringComparison.Ordinal)).Select(line => line.Trim().Split(' ')[0])
+            .. lines.Where(line => line.StartsWith("  -", StringComparison.Ordinal)).Select(line => line.Trim().Split(' ')[0]),
         ];
         Assert.Equal(options.Distinct(), options);
         Assert.Contains("-?,", options);
@@ -68,8 +68,8 @@ public sealed class ApplicationTests
         Assert.Equal(all.Length > most, !help.Contains("\nOptions:\n", StringComparison.Ordinal));
         Assert.Equal(all.Length > most ? ["-?", "-q"] : [], general);
 
-        static IEnumerable<string> OptionsOf(string text) => text.Split('\n')
-            .Where(line => line.StartsWith("  -", StringComparison.Ordinal)).Select(line => line.Trim().Split(' ', ',')[0]);
+        static IEnumerable<string> OptionsOf(string text) =>
+            text.Split('\n').Where(line => line.StartsWith("  -", StringComparison.Ordinal)).Select(line => line.Trim().Split(' ', ',')[0]);
 
         static string Section(string text, string heading) =>
             text.Split($"\n{heading}:\n") is [_, var rest, ..] ? rest.Split("\n\n")[0] : "";
@@ -102,7 +102,8 @@ public sealed class ApplicationTests
 
         Assert.Equal(
             made.Options.Select(option => option.Name).Where(name => name != "--help").Order(),
-            groups.SelectMany(group => group.Options).Order());
+            groups.SelectMany(group => group.Options).Order()
+        );
     }
 
     [Fact]
@@ -125,8 +126,17 @@ public sealed class ApplicationTests
     public void Error_quoting_a_file_is_truncated_and_free_of_control_codes()
     {
         CliRun run = CliRun.WithInput(
-            "\u001b[2J" + new string('x', 5000) + "\n", "project", "--position", "0,0,0", "--rotation", "0,0,0", "--fov", "50", "--size",
-            "800x600");
+            "\u001b[2J" + new string('x', 5000) + "\n",
+            "project",
+            "--position",
+            "0,0,0",
+            "--rotation",
+            "0,0,0",
+            "--fov",
+            "50",
+            "--size",
+            "800x600"
+        );
 
         Assert.Equal(ExitCode.BadData, run.ExitCode);
         Assert.StartsWith("harvester: standard input, line 1: expected x,y,z, found '[2Jxxx", run.Error, StringComparison.Ordinal);
@@ -175,7 +185,8 @@ public sealed class ApplicationTests
     [InlineData("--segmentation", "dots", "rle or polygon")]
     [InlineData("--parts", "some", "faces, all, none or only")]
     public void Unknown_choice_is_a_usage_error_that_lists_the_choices(string option, string value, string choices) =>
-        CliRun.Of("export", "session", "--format", "coco", "--out", "coco", option, value)
+        CliRun
+            .Of("export", "session", "--format", "coco", "--out", "coco", option, value)
             .AssertFailed(ExitCode.Usage, $"{option} takes {choices}, not '{value}'.");
 
     [Theory]
@@ -186,8 +197,10 @@ public sealed class ApplicationTests
         string help = run.Out;
         string[] examples =
         [
-            .. help.Split('\n').SkipWhile(line => !line.StartsWith("Example", StringComparison.Ordinal)).Skip(1)
-                .Where(line => line.Length > 0)
+            .. help.Split('\n')
+                .SkipWhile(line => !line.StartsWith("Example", StringComparison.Ordinal))
+                .Skip(1)
+                .Where(line => line.Length > 0),
         ];
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
@@ -200,9 +213,10 @@ public sealed class ApplicationTests
     {
         string help = CliRun.Of([.. command.Split(' ', StringSplitOptions.RemoveEmptyEntries), "--help"]).Out;
         int list = help.IndexOf("\nCommands:\n", StringComparison.Ordinal);
-        string[] names = list < 0
-            ? []
-            : [.. help[(list + "\nCommands:\n".Length)..].Split("\n\n")[0].Split('\n').Select(line => line.Trim().Split(' ')[0])];
+        string[] names =
+            list < 0
+                ? []
+                : [.. help[(list + "\nCommands:\n".Length)..].Split("\n\n")[0].Split('\n').Select(line => line.Trim().Split(' ')[0])];
         return names.Select(name => $"{command} {name}".Trim()).SelectMany(name => CommandsWithin(name).Prepend(name));
     }
 

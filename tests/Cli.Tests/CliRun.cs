@@ -17,9 +17,13 @@ internal sealed record CliRun(int ExitCode, string Out, string Error)
     /// </summary>
     public static Task<CliRun> BesideAsync(params string[] arguments) => BesideAsync(CancellationToken.None, arguments);
 
-    public static Task<CliRun> BesideAsync(CancellationToken cancellation, params string[] arguments) => Task.Factory.StartNew(
-        () => StartAsync("", cancellation, arguments).GetAwaiter().GetResult(), CancellationToken.None, TaskCreationOptions.LongRunning,
-        TaskScheduler.Default);
+    public static Task<CliRun> BesideAsync(CancellationToken cancellation, params string[] arguments) =>
+        Task.Factory.StartNew(
+            () => StartAsync("", cancellation, arguments).GetAwaiter().GetResult(),
+            CancellationToken.None,
+            TaskCreationOptions.LongRunning,
+            TaskScheduler.Default
+        );
 
     public static async Task<CliRun> StartAsync(string input, CancellationToken cancellation, params string[] arguments)
     {

@@ -20,8 +20,7 @@ public sealed class ProcessTests : IDisposable
     [InlineData("INT", 130)]
     public void Signal_ends_a_command_with_its_exit_code(string signal, int code)
     {
-        using Process serve = Start(
-            HeededSignals.Script + "exec $heeding dotnet \"$0\" serve --port 0 --traffic 0 --size 80x60", Program);
+        using Process serve = Start(HeededSignals.Script + "exec $heeding dotnet \"$0\" serve --port 0 --traffic 0 --size 80x60", Program);
         Assert.StartsWith("Serving at ", serve.StandardOutput.ReadLine(), StringComparison.Ordinal);
         using Process kill = Start("kill -\"$0\" \"$1\"", signal, serve.Id.ToString(CultureInfo.InvariantCulture));
 
@@ -46,11 +45,15 @@ public sealed class ProcessTests : IDisposable
         // A frame of this size takes many seconds; after the first signal alone, it would be finished and counted.
         using Process harvest = Start(
             HeededSignals.Script + "exec $heeding dotnet \"$0\" harvest --out out --frames 2 --size 3840x2160 --masks --no-report",
-            Program);
+            Program
+        );
         Assert.StartsWith("Harvesting ", harvest.StandardOutput.ReadLine(), StringComparison.Ordinal);
         Assert.Equal([".out.harvester-lock", ".out.harvester-lock.txt"], Locks());
         using Process kill = Start(
-            "kill -\"$0\" \"$1\"; sleep 0.2; kill -\"$0\" \"$1\"", signal, harvest.Id.ToString(CultureInfo.InvariantCulture));
+            "kill -\"$0\" \"$1\"; sleep 0.2; kill -\"$0\" \"$1\"",
+            signal,
+            harvest.Id.ToString(CultureInfo.InvariantCulture)
+        );
 
         try
         {
@@ -65,8 +68,7 @@ public sealed class ProcessTests : IDisposable
         Assert.Equal(signal == "INT" ? ExitCode.Cancelled : ExitCode.Terminated, harvest.ExitCode);
         Assert.Empty(Locks());
 
-        string[] Locks() =>
-            [.. Directory.EnumerateFiles(_folder.Path, "*harvester-lock*").Select(path => Path.GetFileName(path)).Order()];
+        string[] Locks() => [.. Directory.EnumerateFiles(_folder.Path, "*harvester-lock*").Select(path => Path.GetFileName(path)).Order()];
     }
 
     [PosixFact]
@@ -87,7 +89,8 @@ public sealed class ProcessTests : IDisposable
         string data = Directory.CreateDirectory(_folder.PathOf("data")).FullName;
         File.WriteAllText(
             Path.Combine(data, "spaces.csv"),
-            "prop_sign_road_01a,-949234773,sign,STOP,R1-1,0,-0.5,-0.04,3,0.5,-0.06,1.5,-y,measured,a test\n");
+            "prop_sign_road_01a,-949234773,sign,STOP,R1-1,0,-0.5,-0.04,3,0.5,-0.06,1.5,-y,measured,a test\n"
+        );
         using Process gallery = Start("exec dotnet \"$0\" spaces gallery data/spaces.csv", Program);
         gallery.WaitForExit();
 
@@ -112,8 +115,9 @@ public sealed class ProcessTests : IDisposable
         {
             using Process harvest = Start(
                 $"DOTNET_PROCESSOR_COUNT={cores} exec dotnet \"$0\" harvest --seed 4 --frames 6 --size 160x120 --no-report --quiet "
-                + $"--out {cores} {options}",
-                Program);
+                    + $"--out {cores} {options}",
+                Program
+            );
             harvest.WaitForExit();
             Assert.Equal(ExitCode.Done, harvest.ExitCode);
         }
@@ -124,7 +128,8 @@ public sealed class ProcessTests : IDisposable
     }
 
     private static Dictionary<string, byte[]> FilesOf(string folder) =>
-        Directory.EnumerateFiles(folder, "*", SearchOption.AllDirectories)
+        Directory
+            .EnumerateFiles(folder, "*", SearchOption.AllDirectories)
             .ToDictionary(path => Path.GetRelativePath(folder, path), File.ReadAllBytes);
 
     private Process Start(string script, params string[] arguments)

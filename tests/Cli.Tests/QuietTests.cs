@@ -27,7 +27,18 @@ public sealed class QuietTests : IDisposable
     public void Quiet_command_still_prints_its_result()
     {
         CliRun run = CliRun.WithInput(
-            "0,10,0\n", "project", "-q", "--position", "0,0,0", "--rotation", "0,0,0", "--fov", "90", "--size", "800x600");
+            "0,10,0\n",
+            "project",
+            "-q",
+            "--position",
+            "0,0,0",
+            "--rotation",
+            "0,0,0",
+            "--fov",
+            "90",
+            "--size",
+            "800x600"
+        );
 
         Assert.Equal("u,v,depth,outcome\n400,300,10,inImage\n", run.Out);
     }

@@ -8,13 +8,14 @@ internal static class SharedHarvest
 {
     private static readonly ConcurrentDictionary<string, Lazy<TemporaryFolder>> Made = new();
 
-    static SharedHarvest() => AppDomain.CurrentDomain.ProcessExit += (_, _) =>
-    {
-        foreach (Lazy<TemporaryFolder> folder in Made.Values)
+    static SharedHarvest() =>
+        AppDomain.CurrentDomain.ProcessExit += (_, _) =>
         {
-            folder.Value.Dispose();
-        }
-    };
+            foreach (Lazy<TemporaryFolder> folder in Made.Values)
+            {
+                folder.Value.Dispose();
+            }
+        };
 
     /// <summary>Gives a test a session as harvest --out FOLDER OPTIONS would write it.</summary>
     /// <param name="folder">Where to write it; must not exist.</param>

@@ -9,6 +9,7 @@ internal static class TestSetting
     /// <param name="variable">The environment variable.</param>
     /// <param name="usual">The number where the variable is not set.</param>
     public static int Number(string variable, int usual) =>
-        int.TryParse(Environment.GetEnvironmentVariable(variable), NumberStyles.None, CultureInfo.InvariantCulture, out int value) ? value
+        int.TryParse(Environment.GetEnvironmentVariable(variable), NumberStyles.None, CultureInfo.InvariantCulture, out int value)
+            ? value
             : usual;
 }

@@ -18,10 +18,7 @@ internal static class TestImages
             rows.Write(new byte[height * (1 + (((width * bitsPerPixel) + 7) / 8))]);
         }
 
-        return
-        [
-            .. Signature, .. Header(width, height, bitDepth, colourType), .. Chunk("IDAT"u8, data.ToArray()), .. Chunk("IEND"u8, []),
-        ];
+        return [.. Signature, .. Header(width, height, bitDepth, colourType), .. Chunk("IDAT"u8, data.ToArray()), .. Chunk("IEND"u8, [])];
     }
 
     public static byte[] PngWithoutPixels(int width, int height, byte bitDepth = 8, byte colourType = 2) =>

@@ -9,7 +9,16 @@ import sys
 PICTURE = b"\x89PNG\r\n\x1a\n" + struct.pack(">I4sIIBBBBBI", 13, b"IHDR", 1, 1, 8, 2, 0, 0, 0, 0)
 INDICATORS = [0, -7, 3.5, 7, 75, 75, -9.5, -2, 2, 9.5, 75, 75, 75]
 HELLO = json.dumps({"type": "hello", "version": 1}).encode()
-HEADER = json.dumps({"type": "frame", "frame": 0, "speedMetresPerSecond": 0, "lanesKnown": True, "indicators": INDICATORS, "torcsEquivalent": INDICATORS}).encode()
+HEADER = json.dumps(
+    {
+        "type": "frame",
+        "frame": 0,
+        "speedMetresPerSecond": 0,
+        "lanesKnown": True,
+        "indicators": INDICATORS,
+        "torcsEquivalent": INDICATORS,
+    }
+).encode()
 MESSAGE = struct.pack(">II", len(HEADER), len(PICTURE) + 100) + HEADER + PICTURE
 
 with socket.create_server(("127.0.0.1", 0)) as listener:
@@ -18,4 +27,4 @@ with socket.create_server(("127.0.0.1", 0)) as listener:
     client, _ = listener.accept()
     with client:
         client.sendall(struct.pack(">II", len(HELLO), 0) + HELLO)
-        client.sendall(MESSAGE[:int(sys.argv[1])])
+        client.sendall(MESSAGE[: int(sys.argv[1])])

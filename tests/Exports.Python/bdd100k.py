@@ -7,7 +7,18 @@ import os
 import numpy as np
 from PIL import Image
 
-EVALUATED = ("pedestrian", "rider", "car", "truck", "bus", "train", "motorcycle", "bicycle", "traffic light", "traffic sign")
+EVALUATED = (
+    "pedestrian",
+    "rider",
+    "car",
+    "truck",
+    "bus",
+    "train",
+    "motorcycle",
+    "bicycle",
+    "traffic light",
+    "traffic sign",
+)
 IGNORED = ("other person", "other vehicle", "trailer")
 CATEGORIES = {"sign": "traffic sign", "trafficLight": "traffic light", "other": "other vehicle"}
 COLOURS = {"red": "red", "amber": "yellow", "green": "green"}
@@ -29,8 +40,11 @@ def read(root, labels):
         assert abs(frame["timestamp"] - 1000 * label["timeSeconds"]) <= 0.5
         assert frame["attributes"]["timeofday"] in ("daytime", "night", "dawn/dusk")
         objects = {int(item["id"]): item for item in frame["labels"] if not item["attributes"]["crowd"]}
-        seen = {item["id"]: item for item in label["objects"]
-                if item["parent"] is None and not item["knownParts"] and item["box2dVisible"]}
+        seen = {
+            item["id"]: item
+            for item in label["objects"]
+            if item["parent"] is None and not item["knownParts"] and item["box2dVisible"]
+        }
         assert seen.keys() <= objects.keys()
         for number, item in objects.items():
             assert item["category"] in EVALUATED + IGNORED
@@ -58,6 +72,6 @@ def read_lanes(root, labels):
             double = marking["style"] == "doubleSolid"
             assert item["category"] == f"{'double' if double else 'single'} {marking['colour']}"
             assert item["attributes"]["laneStyle"] == ("dashed" if marking["style"] == "dashed" else "solid")
-            line, = item["poly2d"]
+            (line,) = item["poly2d"]
             assert line["types"] == "L" * len(line["vertices"]) and not line["closed"]
             assert np.allclose(line["vertices"], marking["pixels"], atol=0.001)

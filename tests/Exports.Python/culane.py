@@ -22,15 +22,18 @@ def spline(points):
     matrix = np.eye(len(points))
     right = np.zeros_like(points)
     for i in range(1, len(points) - 1):
-        matrix[i, i - 1:i + 2] = gaps[i - 1], 2 * (gaps[i - 1] + gaps[i]), gaps[i]
+        matrix[i, i - 1 : i + 2] = gaps[i - 1], 2 * (gaps[i - 1] + gaps[i]), gaps[i]
         right[i] = 6 * ((points[i + 1] - points[i]) / gaps[i] - (points[i] - points[i - 1]) / gaps[i - 1])
     bend = np.linalg.solve(matrix, right)
     curve = []
     for i, gap in enumerate(gaps):
         for along in np.linspace(0, gap, 50):
             back = gap - along
-            curve.append((bend[i] * back ** 3 + bend[i + 1] * along ** 3) / (6 * gap)
-                         + (points[i] / gap - bend[i] * gap / 6) * back + (points[i + 1] / gap - bend[i + 1] * gap / 6) * along)
+            curve.append(
+                (bend[i] * back**3 + bend[i + 1] * along**3) / (6 * gap)
+                + (points[i] / gap - bend[i] * gap / 6) * back
+                + (points[i + 1] / gap - bend[i + 1] * gap / 6) * along
+            )
     return np.array(curve)
 
 
@@ -66,7 +69,7 @@ def distance(point, lines):
     for line in lines:
         start, end = line[:-1], line[1:]
         along = end - start
-        share = np.clip(((point - start) * along).sum(1) / np.maximum((along ** 2).sum(1), 1e-12), 0, 1)
+        share = np.clip(((point - start) * along).sum(1) / np.maximum((along**2).sum(1), 1e-12), 0, 1)
         best = min(best, np.linalg.norm(start + along * share[:, None] - point, axis=1).min())
     return best
 

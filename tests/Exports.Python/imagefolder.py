@@ -23,13 +23,13 @@ def card_of(root):
 
 def files_of(root, split):
     """The files of a split, by the patterns of the card."""
-    files, = [item["path"] for item in card_of(root)["configs"][0]["data_files"] if item["split"] == split]
+    (files,) = [item["path"] for item in card_of(root)["configs"][0]["data_files"] if item["split"] == split]
     return [path for path in glob.glob(os.path.join(root, files), recursive=True) if os.path.isfile(path)]
 
 
 def read(root, labels):
     files = files_of(root, "train")
-    metadata, = [path for path in files if os.path.basename(path) == "metadata.jsonl"]
+    (metadata,) = [path for path in files if os.path.basename(path) == "metadata.jsonl"]
     with open(metadata, encoding="utf-8") as file:
         rows = [json.loads(line) for line in file]
     assert len(rows) == len(labels) == len(files) - 1

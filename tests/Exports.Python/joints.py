@@ -28,8 +28,14 @@ def labels_of(folder):
 
 def check_evaluator():
     """One nose, area 10000, k = 0.052: a detection 5.2 px away has exp(-0.5) = 0.607, above 3 of 10 thresholds."""
-    truth = {"image_id": 1, "keypoints": [100, 100, 2] + [0, 0, 0] * 16, "num_keypoints": 1, "area": 10000, "iscrowd": 0,
-             "bbox": [0, 0, 100, 100]}
+    truth = {
+        "image_id": 1,
+        "keypoints": [100, 100, 2] + [0, 0, 0] * 16,
+        "num_keypoints": 1,
+        "area": 10000,
+        "iscrowd": 0,
+        "bbox": [0, 0, 100, 100],
+    }
     near = {"image_id": 1, "keypoints": [105.2, 100, 2] + [0, 0, 0] * 16, "score": 1}
     assert abs(average_precision([near], [truth]) - 0.3) < 1e-9
 
@@ -68,7 +74,10 @@ def check_coco(folder):
             if "joints" in item:
                 by_id[(label["frame"], item["id"])] = {joint["joint"]: joint for joint in item["joints"]}
     names = coco["categories"][0]["keypoints"]
-    frames = {image["id"]: int(os.path.splitext(os.path.basename(image["file_name"]))[0].split("_")[-1]) for image in coco["images"]}
+    frames = {
+        image["id"]: int(os.path.splitext(os.path.basename(image["file_name"]))[0].split("_")[-1])
+        for image in coco["images"]
+    }
     compared = 0
     for each in people:
         joints = by_id[(frames[each["image_id"]], each["track_id"])]
@@ -90,7 +99,10 @@ def check_jta(folder):
         mine = [label for label in labels if label["place"] == place]
         for number, label in enumerate(mine, 1):
             assert os.path.exists(os.path.join(folder, "jta", "frames", "train", f"seq_{place}", f"{number}.png"))
-        rows += [[mine[frame - 1]["frame"], *row] for frame, *row in json_of(folder, "jta", "annotations", "train", f"seq_{place}.json")]
+        rows += [
+            [mine[frame - 1]["frame"], *row]
+            for frame, *row in json_of(folder, "jta", "annotations", "train", f"seq_{place}.json")
+        ]
     camera = json_of(folder, "jta", "cameras", "train", "seq_0.json")
     expected = {
         (label["frame"], item["id"], number): joint
@@ -105,7 +117,9 @@ def check_jta(folder):
         projected = camera["fx"] * x3 / z3 + camera["cx"], camera["fy"] * y3 / z3 + camera["cy"]
         assert z3 > 0 and math.dist(projected, (x2, y2)) < PROJECTED_PIXELS * max(1, 2 / z3), (frame, person, number)
         assert math.dist((x2, y2), joint["pixel"]) < 0.01
-        assert occluded == (joint["visibility"] in ("occluded", "unknown")) and own == (joint["visibility"] == "selfOccluded")
+        assert occluded == (joint["visibility"] in ("occluded", "unknown")) and own == (
+            joint["visibility"] == "selfOccluded"
+        )
     print(f"jta: {len(rows)} rows agree with the session")
 
 

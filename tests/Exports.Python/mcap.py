@@ -22,7 +22,7 @@ def u64(data, at):
 
 def text(data, at):
     length = u32(data, at)
-    return data[at + 4:at + 4 + length].decode(), at + 4 + length
+    return data[at + 4 : at + 4 + length].decode(), at + 4 + length
 
 
 def records(data, at, end):
@@ -30,7 +30,7 @@ def records(data, at, end):
     while at < end:
         length = u64(data, at + 1)
         assert at + 9 + length <= end
-        yield at, data[at], data[at + 9:at + 9 + length]
+        yield at, data[at], data[at + 9 : at + 9 + length]
         at += 9 + length
 
 
@@ -52,7 +52,7 @@ def definitions(all_records):
             name, at = text(content, 2)
             encoding, at = text(content, at)
             assert encoding == "protobuf" and u32(content, at) == len(content) - at - 4
-            schemas[u16(content, 0)] = {"name": name, "data": content[at + 4:]}
+            schemas[u16(content, 0)] = {"name": name, "data": content[at + 4 :]}
         elif kind == 4:
             topic, at = text(content, 4)
             encoding, at = text(content, at)
@@ -69,8 +69,8 @@ def read(path):
     footer_at = len(data) - 8 - 9 - 20
     assert data[footer_at] == 2
     summary_at, offsets_at, crc = u64(data, footer_at + 9), u64(data, footer_at + 17), u32(data, footer_at + 25)
-    assert crc == zlib.crc32(data[summary_at:footer_at + 25])
-    assert data[summary_at - 13] == 0x0F and u32(data, summary_at - 4) == zlib.crc32(data[:summary_at - 13])
+    assert crc == zlib.crc32(data[summary_at : footer_at + 25])
+    assert data[summary_at - 13] == 0x0F and u32(data, summary_at - 4) == zlib.crc32(data[: summary_at - 13])
 
     top = list(records(data, 8, footer_at))
     body = [record for record in top if record[0] < summary_at]
@@ -83,7 +83,7 @@ def read(path):
     counts = {}
     for _, _, index in (record for record in summary if record[1] == 8):
         start, end, at, length = (u64(index, 8 * i) for i in range(4))
-        chunk = data[at + 9:at + length]
+        chunk = data[at + 9 : at + length]
         assert data[at] == 6 and (u64(chunk, 0), u64(chunk, 8)) == (start, end) and u32(chunk, 28) == 0
         content = chunk[40:]
         assert u64(chunk, 16) == u64(chunk, 32) == len(content) and u32(chunk, 24) == zlib.crc32(content)
@@ -97,13 +97,17 @@ def read(path):
                 assert start <= time <= end and content[offset] == 5 and u16(content, offset + 9) == channel
                 assert u64(content, offset + 15) == time
                 topic, kind = channels[channel]
-                messages[topic].append((time, kind.FromString(content[offset + 31:offset + 9 + u64(content, offset + 1)])))
+                messages[topic].append(
+                    (time, kind.FromString(content[offset + 31 : offset + 9 + u64(content, offset + 1)]))
+                )
                 counts[channel] = counts.get(channel, 0) + 1
                 seen += 1
         assert seen == sum(1 for _ in records(content, 0, len(content)))
     statistics = next(content for _, kind, content in summary if kind == 0x0B)
     assert u64(statistics, 0) == sum(counts.values())
     at = 8 + 2 + 4 * 4 + 16
-    listed = {u16(statistics, place): u64(statistics, place + 2) for place in range(at + 4, at + 4 + u32(statistics, at), 10)}
+    listed = {
+        u16(statistics, place): u64(statistics, place + 2) for place in range(at + 4, at + 4 + u32(statistics, at), 10)
+    }
     assert listed == counts
     return messages

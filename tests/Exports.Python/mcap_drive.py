@@ -14,17 +14,23 @@ ROUNDING = 1e-6
 
 
 def controls_of(message, field):
-    return {name: getattr(getattr(message, field), name) for name in ("steering", "throttle", "brake")} if message.HasField(field) else None
+    return (
+        {name: getattr(getattr(message, field), name) for name in ("steering", "throttle", "brake")}
+        if message.HasField(field)
+        else None
+    )
 
 
 def turned(quaternion, vector):
     """A vector turned by a quaternion."""
     w, x, y, z = (getattr(quaternion, name) for name in "wxyz")
-    matrix = np.array([
-        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-    ])
+    matrix = np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )
     return matrix @ vector
 
 
@@ -65,15 +71,24 @@ def read(session, path, plain):
         assert message.timestamp.ToNanoseconds() == time
         check_action(message, label["drive"])
     for label, (_, message) in zip(answered, messages["/drive/indicators"]):
-        named = [getattr(message, field.name) for field in message.DESCRIPTOR.fields if field.name not in ("timestamp", "speed")]
+        named = [
+            getattr(message, field.name)
+            for field in message.DESCRIPTOR.fields
+            if field.name not in ("timestamp", "speed")
+        ]
         assert named == label["drive"]["indicators"]
     for tick, (_, message) in zip(ticks, messages["/drive/tick"]):
-        assert (message.driver, message.speed) == (tick["driver"], tick["speed"]) and controls_of(message, "applied") == tick["applied"]
+        assert (message.driver, message.speed) == (tick["driver"], tick["speed"]) and controls_of(
+            message, "applied"
+        ) == tick["applied"]
 
     known = [tick for tick in ticks if tick["acceleration"] and tick["angularRate"]]
     assert [time for time, _ in messages["/imu"]] == [round(tick["timeSeconds"] * 1e9) for tick in known]
     imu = dict(messages["/imu"])
-    poses = {time: next(item for item in message.transforms if item.child_frame_id == "ego") for time, message in messages["/tf"]}
+    poses = {
+        time: next(item for item in message.transforms if item.child_frame_id == "ego")
+        for time, message in messages["/tf"]
+    }
     for drive, label in zip(drives, labels[1:]):
         time = round(label["timeSeconds"] * 1e9)
         check_imu(imu[time], drive["ticks"][-1], label["ego"], poses[time])

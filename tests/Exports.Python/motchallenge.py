@@ -68,9 +68,16 @@ def evaluate(truth, found):
                 if score >= MATCH:
                     together[number, other] = together.get((number, other), 0) + 1
         # A pair that goes on is kept, whatever else overlaps more.
-        weights = [[(1000 * (before.get(number) == other) + score) if score >= MATCH else 0 for (other, _), score in zip(boxes, line)]
-                   for (number, _), line in zip(rows, scores)]
-        pairs = [(row, column) for row, column in greatest(weights) if weights[row][column] > 0] if rows and boxes else []
+        weights = [
+            [
+                (1000 * (before.get(number) == other) + score) if score >= MATCH else 0
+                for (other, _), score in zip(boxes, line)
+            ]
+            for (number, _), line in zip(rows, scores)
+        ]
+        pairs = (
+            [(row, column) for row, column in greatest(weights) if weights[row][column] > 0] if rows and boxes else []
+        )
         matched = {rows[row][0]: boxes[column][0] for row, column in pairs}
         switches += sum(number in last and last[number] != other for number, other in matched.items())
         misses += len(rows) - len(matched)
@@ -87,7 +94,7 @@ def evaluate(truth, found):
 
 
 def read(root, labels):
-    (name, info), = sequences_of(root, "train")
+    ((name, info),) = sequences_of(root, "train")
     assert int(info["seqLength"]) == len(labels)
     folder = os.path.join(root, "MOT17-train", name)
     truth = rows_of(os.path.join(folder, "gt", "gt.txt"), len(labels))
@@ -108,7 +115,9 @@ def read(root, labels):
     assert sum(map(len, perfect)) > 0
     assert evaluate(truth, perfect) == (1.0, 1.0)
     half = len(perfect) // 2
-    renamed = [[(number + 100_000 * (frame >= half), box) for number, box in boxes] for frame, boxes in enumerate(perfect)]
+    renamed = [
+        [(number + 100_000 * (frame >= half), box) for number, box in boxes] for frame, boxes in enumerate(perfect)
+    ]
     accuracy, identity = evaluate(truth, renamed)
     assert accuracy < 1 and identity < 1
     accuracy, _ = evaluate(truth, [[] for _ in perfect])

@@ -20,10 +20,33 @@ TABLES = {
     "log": ["logfile", "vehicle", "date_captured", "location"],
     "map": ["category", "filename", "log_tokens"],
     "sample": ["timestamp", "scene_token", "prev", "next"],
-    "sample_annotation": ["sample_token", "instance_token", "visibility_token", "attribute_tokens", "translation", "size", "rotation",
-                          "prev", "next", "num_lidar_pts", "num_radar_pts", "num_lidar_hits"],
-    "sample_data": ["sample_token", "ego_pose_token", "calibrated_sensor_token", "timestamp", "fileformat", "is_key_frame", "height",
-                    "width", "filename", "prev", "next"],
+    "sample_annotation": [
+        "sample_token",
+        "instance_token",
+        "visibility_token",
+        "attribute_tokens",
+        "translation",
+        "size",
+        "rotation",
+        "prev",
+        "next",
+        "num_lidar_pts",
+        "num_radar_pts",
+        "num_lidar_hits",
+    ],
+    "sample_data": [
+        "sample_token",
+        "ego_pose_token",
+        "calibrated_sensor_token",
+        "timestamp",
+        "fileformat",
+        "is_key_frame",
+        "height",
+        "width",
+        "filename",
+        "prev",
+        "next",
+    ],
     "scene": ["log_token", "nbr_samples", "first_sample_token", "last_sample_token", "name", "description"],
     "sensor": ["channel", "modality"],
     "visibility": ["level", "description"],
@@ -47,9 +70,11 @@ AROUND = [(math.cos(angle * math.pi / 8), math.sin(angle * math.pi / 8)) for ang
 def matrix(quaternion):
     w, x, y, z = quaternion
     assert abs(w * w + x * x + y * y + z * z - 1) < 1e-6
-    return [[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]]
+    return [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+    ]
 
 
 def out_of(frame, point):
@@ -82,8 +107,12 @@ def check_links(tables):
         for record in table.values():
             for field, value in record.items():
                 target = field.removesuffix("_token").removesuffix("_tokens")
-                target = {"first_annotation": "sample_annotation", "last_annotation": "sample_annotation",
-                          "first_sample": "sample", "last_sample": "sample"}.get(target, target)
+                target = {
+                    "first_annotation": "sample_annotation",
+                    "last_annotation": "sample_annotation",
+                    "first_sample": "sample",
+                    "last_sample": "sample",
+                }.get(target, target)
                 if field.endswith("_token") or field.endswith("_tokens"):
                     for token in value if isinstance(value, list) else [value]:
                         assert token in tables[target], f"{name}.{field}"
@@ -120,7 +149,10 @@ def check_geometry(root, tables):
     for data in tables["sample_data"].values():
         assert os.path.isfile(os.path.join(root, data["filename"])), data["filename"]
         assert data["filename"].startswith("samples/" if data["is_key_frame"] else "sweeps/")
-        pose, sensor = tables["ego_pose"][data["ego_pose_token"]], tables["calibrated_sensor"][data["calibrated_sensor_token"]]
+        pose, sensor = (
+            tables["ego_pose"][data["ego_pose_token"]],
+            tables["calibrated_sensor"][data["calibrated_sensor_token"]],
+        )
         assert pose["timestamp"] == data["timestamp"]
         if not data["is_key_frame"]:
             continue
@@ -146,8 +178,11 @@ def check_geometry(root, tables):
                     if abs(moved[0]) > radius or abs(moved[1]) > radius:
                         continue
                     x, y, z = (sum(rows[i][j] * moved[i] for i in range(3)) for j in range(3))
-                    inside += (abs(x) <= length / 2 + MARGIN_METRES and abs(y) <= width / 2 + MARGIN_METRES
-                               and abs(z) <= height / 2 + MARGIN_METRES)
+                    inside += (
+                        abs(x) <= length / 2 + MARGIN_METRES
+                        and abs(y) <= width / 2 + MARGIN_METRES
+                        and abs(z) <= height / 2 + MARGIN_METRES
+                    )
                 counted += box["num_lidar_hits"]
                 within += min(inside, box["num_lidar_hits"])
                 assert box["num_lidar_pts"] == points_in_box(box, points), box
@@ -160,8 +195,10 @@ def check_geometry(root, tables):
 def points_in_box(box, points):
     """The number of points inside a box by the definition of the devkit: along each edge from one corner, between its ends."""
     width, length, height = box["size"]
-    corner, *ends = [out_of(box, (x * length / 2, y * width / 2, z * height / 2))
-                     for x, y, z in ((1, 1, 1), (-1, 1, 1), (1, -1, 1), (1, 1, -1))]
+    corner, *ends = [
+        out_of(box, (x * length / 2, y * width / 2, z * height / 2))
+        for x, y, z in ((1, 1, 1), (-1, 1, 1), (1, -1, 1), (1, 1, -1))
+    ]
     edges = [[b - a for a, b in zip(corner, end)] for end in ends]
     squares = [sum(part * part for part in edge) for edge in edges]
     reach = math.dist((0, 0, 0), box["size"])
@@ -191,7 +228,7 @@ class Mask:
 
     def __init__(self, root, tables, scene):
         log = tables["scene"][scene]["log_token"]
-        record, = (each for each in tables["map"].values() if log in each["log_tokens"])
+        (record,) = (each for each in tables["map"].values() if log in each["log_tokens"])
         Image.MAX_IMAGE_PIXELS = None
         image = Image.open(os.path.join(root, record["filename"]))
         assert image.mode == "L"
@@ -202,12 +239,19 @@ class Mask:
         """Whether positions on the ground are drivable; each must be on the map."""
         columns, rows = np.round(np.array(places)[:, :2].T * PIXELS_PER_METRE).astype(int)
         rows = len(self.pixels) - rows
-        assert min(columns) >= 0 and min(rows) >= 0 and max(columns) < self.pixels.shape[1] and max(rows) < self.pixels.shape[0]
+        assert (
+            min(columns) >= 0
+            and min(rows) >= 0
+            and max(columns) < self.pixels.shape[1]
+            and max(rows) < self.pixels.shape[0]
+        )
         return self.pixels[rows, columns] == 255
 
     def has_near(self, places):
         """Whether there is drivable ground beside positions, as far as a parking strip is wide."""
-        beside = [self.has(places[:, :2] + metres * np.array(side)) for side in AROUND for metres in range(PARKING_METRES + 1)]
+        beside = [
+            self.has(places[:, :2] + metres * np.array(side)) for side in AROUND for metres in range(PARKING_METRES + 1)
+        ]
         return np.any(beside, axis=0)
 
 
@@ -220,10 +264,15 @@ def check_maps(root, tables, session):
         for sweep in label.get("lidar", []):
             sweeps[round(label["timeSeconds"] * 1e6), sweep["sensor"]] = sweep["file"]
     for annotation in tables["sample_annotation"].values():
-        boxes.setdefault(tables["sample"][annotation["sample_token"]]["scene_token"], []).append(annotation["translation"])
+        boxes.setdefault(tables["sample"][annotation["sample_token"]]["scene_token"], []).append(
+            annotation["translation"]
+        )
     for data in tables["sample_data"].values():
         scene = tables["sample"][data["sample_token"]]["scene_token"]
-        pose, sensor = tables["ego_pose"][data["ego_pose_token"]], tables["calibrated_sensor"][data["calibrated_sensor_token"]]
+        pose, sensor = (
+            tables["ego_pose"][data["ego_pose_token"]],
+            tables["calibrated_sensor"][data["calibrated_sensor_token"]],
+        )
         poses.setdefault(scene, []).append(pose["translation"])
         if scene not in masks:
             masks[scene] = Mask(root, tables, scene)
@@ -231,7 +280,7 @@ def check_maps(root, tables, session):
         file = sweeps.get((data["timestamp"] - START, tables["sensor"][sensor["sensor_token"]]["channel"]))
         if file:
             points = np.fromfile(os.path.join(session, file), POINT)
-            places = (points["place"].astype(float) @ np.array(matrix(sensor["rotation"])).T + sensor["translation"])
+            places = points["place"].astype(float) @ np.array(matrix(sensor["rotation"])).T + sensor["translation"]
             places = places @ np.array(matrix(pose["rotation"])).T + pose["translation"]
             road = places[np.isin(points["class"], ROAD_CLASSES)]
             on_roads.extend(mask.has(road))
@@ -239,14 +288,18 @@ def check_maps(root, tables, session):
             others.extend(mask.has(places[np.isin(points["class"], OTHER_CLASSES)]))
     for scene, mask in masks.items():
         assert all(isinstance(metres, int) for metres in offsets[scene])
-        assert mask.has(poses[scene]).all(), f"{tables['scene'][scene]['name']}: a pose of the vehicle is not on drivable ground"
+        assert mask.has(
+            poses[scene]
+        ).all(), f"{tables['scene'][scene]['name']}: a pose of the vehicle is not on drivable ground"
         if scene in boxes:
             mask.has(boxes[scene])
     if not others:
         return ""
     on_road, near_road, other = (float(np.mean(found)) for found in (on_roads, near_roads, others))
     shares = f"{on_road:.1%} of the points of roads, {near_road:.1%} with parking strips, {other:.2%} of other ground and walls"
-    assert on_road >= LEAST_SHARE_ON_ROADS and near_road >= LEAST_SHARE_NEAR_ROADS and other <= MOST_OTHERS_ON_ROADS, shares
+    assert (
+        on_road >= LEAST_SHARE_ON_ROADS and near_road >= LEAST_SHARE_NEAR_ROADS and other <= MOST_OTHERS_ON_ROADS
+    ), shares
     return ", " + shares
 
 
@@ -268,8 +321,12 @@ def check_session(root, tables, session):
         if not data["is_key_frame"]:
             continue
         if tables["sensor"][sensor["sensor_token"]]["modality"] == "lidar":
-            label = next(label for (time, _), label in frames.items() if time == data["timestamp"] - START and "lidar" in label)
-            with open(os.path.join(session, next(each["file"] for each in label["lidar"] if each["sensor"] == channel)), "rb") as file:
+            label = next(
+                label for (time, _), label in frames.items() if time == data["timestamp"] - START and "lidar" in label
+            )
+            with open(
+                os.path.join(session, next(each["file"] for each in label["lidar"] if each["sensor"] == channel)), "rb"
+            ) as file:
                 ids = [point[6] for point in struct.iter_unpack("<4f3H2B", file.read())]
             views = [frame for (time, _), frame in frames.items() if time == data["timestamp"] - START]
             objects = {}
@@ -289,12 +346,17 @@ def check_session(root, tables, session):
             if box is None:
                 continue
             width, length, height = box["size"]
-            seen = [into(sensor, into(pose, out_of(box, (x * length / 2, y * width / 2, z * height / 2)))) for x, y, z in corners]
+            seen = [
+                into(sensor, into(pose, out_of(box, (x * length / 2, y * width / 2, z * height / 2))))
+                for x, y, z in corners
+            ]
             if min(z for _, _, z in seen) < 0.5:
                 continue
             sides = [fx * x / z + cx for x, _, z in seen], [fy * y / z + cy for _, y, z in seen]
             expected = item["box2dAmodal"]
-            assert all(abs(a - b) < 1 for a, b in zip((min(sides[0]), min(sides[1]), max(sides[0]), max(sides[1])), expected)), item["id"]
+            assert all(
+                abs(a - b) < 1 for a, b in zip((min(sides[0]), min(sides[1]), max(sides[0]), max(sides[1])), expected)
+            ), item["id"]
             projected += 1
     assert projected > 0 and counted > 0
     return projected
@@ -302,18 +364,32 @@ def check_session(root, tables, session):
 
 def check_can_bus(root, tables):
     """Messages are in order; poses follow each other as their velocities say, and those of samples are their ego poses."""
-    poses = {(data["timestamp"], tuple(tables["ego_pose"][data["ego_pose_token"]]["translation"])) for data in tables["sample_data"].values()}
+    poses = {
+        (data["timestamp"], tuple(tables["ego_pose"][data["ego_pose_token"]]["translation"]))
+        for data in tables["sample_data"].values()
+    }
     times, messages, steps = {time for time, _ in poses}, 0, []
     for scene in tables["scene"].values():
         kinds = {}
-        for kind in ("ms_imu", "pose", "steeranglefeedback", "vehicle_monitor", "zoe_veh_info", "zoesensors", "meta", "route"):
+        for kind in (
+            "ms_imu",
+            "pose",
+            "steeranglefeedback",
+            "vehicle_monitor",
+            "zoe_veh_info",
+            "zoesensors",
+            "meta",
+            "route",
+        ):
             with open(os.path.join(root, "can_bus", f"{scene['name']}_{kind}.json"), encoding="utf-8") as file:
                 kinds[kind] = json.load(file)
         meta = kinds.pop("meta")
         for place, after in zip(kinds["route"], kinds.pop("route")[1:]):
             assert math.dist(place, after) < 5
         for kind, rows in kinds.items():
-            assert [row["utime"] for row in rows] == sorted({row["utime"] for row in rows}) and meta[kind]["message_count"] == len(rows)
+            assert [row["utime"] for row in rows] == sorted({row["utime"] for row in rows}) and meta[kind][
+                "message_count"
+            ] == len(rows)
             messages += len(rows)
         for before, after in zip(kinds["pose"], kinds["pose"][1:]):
             seconds = (after["utime"] - before["utime"]) / 1e6
@@ -327,7 +403,9 @@ def check_can_bus(root, tables):
                 assert any(time == row["utime"] and math.dist(place, row["pos"]) < 1e-3 for time, place in poses)
 
     # A car that runs into another one stands at once, with the velocity of the tick before.
-    assert steps.count(False) <= len(steps) / 100, f"{steps.count(False)} of {len(steps)} steps are not those of the velocity"
+    assert (
+        steps.count(False) <= len(steps) / 100
+    ), f"{steps.count(False)} of {len(steps)} steps are not those of the velocity"
     return messages
 
 
@@ -340,12 +418,15 @@ def read(root, session=None):
         named = [name for scenes in json.load(file).values() for name in scenes]
     assert sorted(named) == sorted(scene["name"] for scene in tables["scene"].values())
     shares = check_maps(root, tables, session)
-    return (f"nuscenes: {len(tables['scene'])} scenes, {len(tables['sample'])} samples, {len(tables['sample_annotation'])} annotations, "
-            f"{within} of {counted} points in their boxes, {check_can_bus(root, tables)} CAN bus messages, "
-            f"on drivable ground are all {len(tables['ego_pose'])} poses{shares}"
-            + (f", {check_session(root, tables, session)} projections as in the session" if session else ""))
+    return (
+        f"nuscenes: {len(tables['scene'])} scenes, {len(tables['sample'])} samples, {len(tables['sample_annotation'])} annotations, "
+        f"{within} of {counted} points in their boxes, {check_can_bus(root, tables)} CAN bus messages, "
+        f"on drivable ground are all {len(tables['ego_pose'])} poses{shares}"
+        + (f", {check_session(root, tables, session)} projections as in the session" if session else "")
+    )
 
 
 if __name__ == "__main__":
     import sys
+
     print(read(*sys.argv[1:]))

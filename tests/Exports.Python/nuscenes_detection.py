@@ -17,12 +17,20 @@ MAX_BOXES = 500
 # Exports have four decimals of a metre and nine of a quaternion.
 ROUNDING = 1e-6
 DETECTIONS = {
-    "vehicle.car": ("car", 50), "vehicle.truck": ("truck", 50), "vehicle.bus.bendy": ("bus", 50), "vehicle.bus.rigid": ("bus", 50),
-    "vehicle.trailer": ("trailer", 50), "vehicle.construction": ("construction_vehicle", 50),
-    "human.pedestrian.adult": ("pedestrian", 40), "human.pedestrian.child": ("pedestrian", 40),
-    "human.pedestrian.construction_worker": ("pedestrian", 40), "human.pedestrian.police_officer": ("pedestrian", 40),
-    "vehicle.motorcycle": ("motorcycle", 40), "vehicle.bicycle": ("bicycle", 40),
-    "movable_object.trafficcone": ("traffic_cone", 30), "movable_object.barrier": ("barrier", 30),
+    "vehicle.car": ("car", 50),
+    "vehicle.truck": ("truck", 50),
+    "vehicle.bus.bendy": ("bus", 50),
+    "vehicle.bus.rigid": ("bus", 50),
+    "vehicle.trailer": ("trailer", 50),
+    "vehicle.construction": ("construction_vehicle", 50),
+    "human.pedestrian.adult": ("pedestrian", 40),
+    "human.pedestrian.child": ("pedestrian", 40),
+    "human.pedestrian.construction_worker": ("pedestrian", 40),
+    "human.pedestrian.police_officer": ("pedestrian", 40),
+    "vehicle.motorcycle": ("motorcycle", 40),
+    "vehicle.bicycle": ("bicycle", 40),
+    "movable_object.trafficcone": ("traffic_cone", 30),
+    "movable_object.barrier": ("barrier", 30),
 }
 RANGES = dict(DETECTIONS.values())
 
@@ -35,13 +43,18 @@ class Database:
         with open(os.path.join(root, nuscenes.VERSION, "splits.json"), encoding="utf-8") as file:
             splits = json.load(file)
         scenes = {name for names in splits.values() for name in names} if split is None else set(splits[split])
-        self.samples = [token for token, sample in self.tables["sample"].items()
-                        if self.tables["scene"][sample["scene_token"]]["name"] in scenes]
+        self.samples = [
+            token
+            for token, sample in self.tables["sample"].items()
+            if self.tables["scene"][sample["scene_token"]]["name"] in scenes
+        ]
         self.ego = {}
         for data in self.tables["sample_data"].values():
             sensor = self.tables["calibrated_sensor"][data["calibrated_sensor_token"]]["sensor_token"]
             if data["is_key_frame"] and self.tables["sensor"][sensor]["channel"] == "LIDAR_TOP":
-                self.ego[data["sample_token"]] = np.array(self.tables["ego_pose"][data["ego_pose_token"]]["translation"])
+                self.ego[data["sample_token"]] = np.array(
+                    self.tables["ego_pose"][data["ego_pose_token"]]["translation"]
+                )
         assert set(self.samples) <= set(self.ego), "each sample needs a keyframe of LIDAR_TOP"
         self.annotations = {token: [] for token in self.samples}
         for annotation in self.tables["sample_annotation"].values():
@@ -57,16 +70,25 @@ class Database:
 
     def truth(self):
         """The true boxes that count, by sample."""
-        return {sample: [dict(annotation, detection_name=self.class_of(annotation)) for annotation in annotations
-                         if self.class_of(annotation) and annotation["num_lidar_pts"] + annotation["num_radar_pts"] > 0
-                         and self.is_in_range(sample, self.class_of(annotation), annotation["translation"])]
-                for sample, annotations in self.annotations.items()}
+        return {
+            sample: [
+                dict(annotation, detection_name=self.class_of(annotation))
+                for annotation in annotations
+                if self.class_of(annotation)
+                and annotation["num_lidar_pts"] + annotation["num_radar_pts"] > 0
+                and self.is_in_range(sample, self.class_of(annotation), annotation["translation"])
+            ]
+            for sample, annotations in self.annotations.items()
+        }
 
     def velocity(self, annotation):
         """Of the centre, from the annotations before and after; NaN without any within 1.5 s on a side."""
         table = self.tables["sample_annotation"]
         first, last = (table[annotation[side]] if annotation[side] else annotation for side in ("prev", "next"))
-        seconds = 1e-6 * (self.tables["sample"][last["sample_token"]]["timestamp"] - self.tables["sample"][first["sample_token"]]["timestamp"])
+        seconds = 1e-6 * (
+            self.tables["sample"][last["sample_token"]]["timestamp"]
+            - self.tables["sample"][first["sample_token"]]["timestamp"]
+        )
         limit = 3 if annotation["prev"] and annotation["next"] else 1.5
         if first is last or seconds > limit:
             return [np.nan, np.nan]
@@ -82,12 +104,22 @@ def submission(database):
             name = database.class_of(annotation)
             if name and annotation["num_lidar_pts"] > 0:
                 attributes = [database.tables["attribute"][token]["name"] for token in annotation["attribute_tokens"]]
-                results[sample].append({
-                    "sample_token": sample, "translation": annotation["translation"], "size": annotation["size"],
-                    "rotation": annotation["rotation"], "velocity": database.velocity(annotation), "detection_name": name,
-                    "detection_score": 1.0, "attribute_name": attributes[0] if attributes else ""})
-    return {"meta": {"use_camera": True, "use_lidar": True, "use_radar": False, "use_map": False, "use_external": False},
-            "results": results}
+                results[sample].append(
+                    {
+                        "sample_token": sample,
+                        "translation": annotation["translation"],
+                        "size": annotation["size"],
+                        "rotation": annotation["rotation"],
+                        "velocity": database.velocity(annotation),
+                        "detection_name": name,
+                        "detection_score": 1.0,
+                        "attribute_name": attributes[0] if attributes else "",
+                    }
+                )
+    return {
+        "meta": {"use_camera": True, "use_lidar": True, "use_radar": False, "use_map": False, "use_external": False},
+        "results": results,
+    }
 
 
 def average_precision(truth, results, name, threshold):
@@ -112,7 +144,7 @@ def average_precision(truth, results, name, threshold):
     right = np.cumsum(hits)
     precision, recall = right / np.arange(1, len(hits) + 1), right / positives
     curve = np.interp(np.linspace(0, 1, 101), recall, precision, right=0)
-    above = curve[round(100 * MIN_RECALL) + 1:] - MIN_PRECISION
+    above = curve[round(100 * MIN_RECALL) + 1 :] - MIN_PRECISION
     return float(np.mean(np.maximum(above, 0)) / (1 - MIN_PRECISION)), pairs
 
 
@@ -120,11 +152,15 @@ def evaluate(database, result):
     """The average precision of each class that is present, by threshold."""
     assert set(result["results"]) == set(database.samples), "a result has each sample"
     assert all(len(boxes) <= MAX_BOXES for boxes in result["results"].values())
-    results = {sample: [box for box in boxes if database.is_in_range(sample, box["detection_name"], box["translation"])]
-               for sample, boxes in result["results"].items()}
+    results = {
+        sample: [box for box in boxes if database.is_in_range(sample, box["detection_name"], box["translation"])]
+        for sample, boxes in result["results"].items()
+    }
     truth = database.truth()
     names = sorted({box["detection_name"] for boxes in truth.values() for box in boxes})
-    return {name: [average_precision(truth, results, name, threshold) for threshold in THRESHOLDS_METRES] for name in names}
+    return {
+        name: [average_precision(truth, results, name, threshold) for threshold in THRESHOLDS_METRES] for name in names
+    }
 
 
 def check_errors(pairs):
@@ -138,8 +174,10 @@ def check_errors(pairs):
 
 def check_that_errors_count(database, result):
     """Boxes that are moved by 0.75 m match at 1 m and not at 0.5 m; without the half of the boxes, the precision ends at half the recall."""
-    moved = {sample: [dict(box, translation=[box["translation"][0] + 0.75, *box["translation"][1:]]) for box in boxes]
-             for sample, boxes in result["results"].items()}
+    moved = {
+        sample: [dict(box, translation=[box["translation"][0] + 0.75, *box["translation"][1:]]) for box in boxes]
+        for sample, boxes in result["results"].items()
+    }
     sparse = json.loads(json.dumps(result))
     kept = 0
     for boxes in sparse["results"].values():
@@ -147,8 +185,10 @@ def check_that_errors_count(database, result):
             kept += 1
             if kept % 2:
                 boxes.remove(box)
-    name, _ = max(((name, sum(len(pairs) for _, pairs in found)) for name, found in evaluate(database, result).items()),
-                  key=lambda item: item[1])
+    name, _ = max(
+        ((name, sum(len(pairs) for _, pairs in found)) for name, found in evaluate(database, result).items()),
+        key=lambda item: item[1],
+    )
     by_threshold = [precision for precision, _ in evaluate(database, dict(result, results=moved))[name]]
     assert by_threshold[0] < 0.9 < by_threshold[3], by_threshold
     assert 0.2 < evaluate(database, sparse)[name][3][0] < 0.7
@@ -170,4 +210,5 @@ def read(root):
 
 if __name__ == "__main__":
     import sys
+
     print(read(sys.argv[1]))

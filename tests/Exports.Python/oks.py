@@ -10,7 +10,25 @@ Average precision is the mean over the similarities 0.50, 0.55 ... 0.95 and 101 
 
 import math
 
-SIGMAS = (0.026, 0.025, 0.025, 0.035, 0.035, 0.079, 0.079, 0.072, 0.072, 0.062, 0.062, 0.107, 0.107, 0.087, 0.087, 0.089, 0.089)
+SIGMAS = (
+    0.026,
+    0.025,
+    0.025,
+    0.035,
+    0.035,
+    0.079,
+    0.079,
+    0.072,
+    0.072,
+    0.062,
+    0.062,
+    0.107,
+    0.107,
+    0.087,
+    0.087,
+    0.089,
+    0.089,
+)
 THRESHOLDS = [0.5 + 0.05 * step for step in range(10)]
 RECALLS = [step / 100 for step in range(101)]
 MAX_DETECTIONS = 20
@@ -42,7 +60,11 @@ def matches(detections, annotations, threshold, span):
     """Of one image: (score, whether matched, whether ignored) of each detection, and the number of annotations that count."""
 
     def is_ignored(annotation):
-        return annotation["num_keypoints"] == 0 or annotation["iscrowd"] == 1 or not span[0] <= annotation["area"] <= span[1]
+        return (
+            annotation["num_keypoints"] == 0
+            or annotation["iscrowd"] == 1
+            or not span[0] <= annotation["area"] <= span[1]
+        )
 
     ordered = sorted(annotations, key=is_ignored)
     taken = set()

@@ -7,12 +7,51 @@ import cv2
 import numpy as np
 from PIL import Image
 
-ROOT = {"metadata", "objects", "actions", "events", "contexts", "relations", "tags", "frames", "frame_intervals", "streams",
-        "coordinate_systems", "ontologies", "resources"}
+ROOT = {
+    "metadata",
+    "objects",
+    "actions",
+    "events",
+    "contexts",
+    "relations",
+    "tags",
+    "frames",
+    "frame_intervals",
+    "streams",
+    "coordinate_systems",
+    "ontologies",
+    "resources",
+}
 FRAME = {"objects", "actions", "events", "contexts", "relations", "frame_properties"}
-OBJECT = {"name", "type", "object_data", "object_data_pointers", "frame_intervals", "coordinate_system", "ontology_uid", "resource_uid"}
-DATA = {"bbox", "rbbox", "cuboid", "poly2d", "poly3d", "num", "text", "boolean", "vec", "point2d", "point3d", "mat", "binary", "image",
-        "mesh", "area_reference", "line_reference"}
+OBJECT = {
+    "name",
+    "type",
+    "object_data",
+    "object_data_pointers",
+    "frame_intervals",
+    "coordinate_system",
+    "ontology_uid",
+    "resource_uid",
+}
+DATA = {
+    "bbox",
+    "rbbox",
+    "cuboid",
+    "poly2d",
+    "poly3d",
+    "num",
+    "text",
+    "boolean",
+    "vec",
+    "point2d",
+    "point3d",
+    "mat",
+    "binary",
+    "image",
+    "mesh",
+    "area_reference",
+    "line_reference",
+}
 
 
 def matrix_of(transform):
@@ -51,22 +90,33 @@ def read(root, labels):
     assert [int(key) for key in top["frames"]] == list(range(len(labels))) == frames_of(top["frame_intervals"])
     for key, item in top["objects"].items():
         assert set(item) <= OBJECT and item["name"] and item["type"]
-        assert frames_of(item["frame_intervals"]) == [int(frame) for frame, data in top["frames"].items() if key in data["objects"]]
+        assert frames_of(item["frame_intervals"]) == [
+            int(frame) for frame, data in top["frames"].items() if key in data["objects"]
+        ]
     assert all(key in top["objects"] for frame in top["frames"].values() for key in frame["objects"])
 
     corners = 0
     for label, frame in zip(labels, top["frames"].values()):
         assert set(frame) <= FRAME
         properties = frame["frame_properties"]
-        assert Image.open(os.path.join(root, properties["streams"]["camera"]["uri"])).size == (pinhole["width_px"], pinhole["height_px"])
+        assert Image.open(os.path.join(root, properties["streams"]["camera"]["uri"])).size == (
+            pinhole["width_px"],
+            pinhole["height_px"],
+        )
         turn, place = matrix_of(properties["transforms"]["camera_to_world"])
-        seen = {item["id"]: item for item in label["objects"] if item["parent"] is None and not item["knownParts"] and item["box2dVisible"]}
+        seen = {
+            item["id"]: item
+            for item in label["objects"]
+            if item["parent"] is None and not item["knownParts"] and item["box2dVisible"]
+        }
         assert {str(number) for number in seen} <= set(frame["objects"])
         for number, source in seen.items():
             data = frame["objects"][str(number)]["object_data"]
             assert set(data) <= DATA and top["objects"][str(number)]["type"] == source["class"]
             x, y, width, height = data["bbox"][0]["val"]
-            assert np.allclose([x - width / 2, y - height / 2, x + width / 2, y + height / 2], source["box2dVisible"], atol=0.002)
+            assert np.allclose(
+                [x - width / 2, y - height / 2, x + width / 2, y + height / 2], source["box2dVisible"], atol=0.002
+            )
             values = data["cuboid"][0]["val"]
             ends = np.array(np.meshgrid([-0.5, 0.5], [-0.5, 0.5], [-0.5, 0.5])).reshape(3, -1).T * values[7:]
             world = ends @ rotation(values[3:7]).T + values[:3]

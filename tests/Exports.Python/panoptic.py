@@ -42,8 +42,11 @@ def quality(pairs, categories):
         for segment, category in guessed_categories.items():
             is_void = shared.get((VOID, segment), 0) > guessed_areas[segment] / 2
             found[category][2] += segment not in matched_guess and not is_void
-    return {category: total / (hits + wrong / 2 + missed / 2)
-            for category, (total, hits, wrong, missed) in found.items() if hits + wrong + missed > 0}
+    return {
+        category: total / (hits + wrong / 2 + missed / 2)
+        for category, (total, hits, wrong, missed) in found.items()
+        if hits + wrong + missed > 0
+    }
 
 
 def read(session, folder):
@@ -72,8 +75,14 @@ def read(session, folder):
 
     # Without the largest stuff segment of the first image, that category is missed once.
     ids, categories = truth[0]
-    largest = max((segment for segment in categories if not is_thing[categories[segment]]), key=lambda segment: (ids == segment).sum())
-    less = (np.where(ids == largest, VOID, ids), {segment: each for segment, each in categories.items() if segment != largest})
+    largest = max(
+        (segment for segment in categories if not is_thing[categories[segment]]),
+        key=lambda segment: (ids == segment).sum(),
+    )
+    less = (
+        np.where(ids == largest, VOID, ids),
+        {segment: each for segment, each in categories.items() if segment != largest},
+    )
     worse = quality(zip(truth, [less, *truth[1:]]), is_thing)
     images = sum(categories[largest] in each.values() for _, each in truth)
     assert abs(worse[categories[largest]] - (images - 1) / (images - 0.5)) < 1e-9

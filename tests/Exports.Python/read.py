@@ -42,7 +42,9 @@ def kitti_type(item):
 
 def seen_of(label):
     """The objects of a frame of which a pixel is seen, without faces and posts."""
-    return [item for item in label["objects"] if item["parent"] is None and not item["knownParts"] and item["box2dVisible"]]
+    return [
+        item for item in label["objects"] if item["parent"] is None and not item["knownParts"] and item["box2dVisible"]
+    ]
 
 
 def labels_of(folder):
@@ -84,12 +86,20 @@ def read_kitti(folder, labels):
         objects = [target for target in targets if target["type"] != "DontCare"]
         assert [target["type"] for target in objects] == [kitti_type(item) for item in expected]
         for target, item in zip(objects, expected):
-            assert np.allclose(target["bbox"], np.clip(np.array(item["box2dVisible"]) - 0.5, 0, [image.width - 1, image.height - 1] * 2), atol=0.01)
-            assert np.allclose(np.array(target["dimensions"]), 2 * np.array(item["box3d"]["halfExtents"])[[2, 0, 1]], atol=0.001)
+            assert np.allclose(
+                target["bbox"],
+                np.clip(np.array(item["box2dVisible"]) - 0.5, 0, [image.width - 1, image.height - 1] * 2),
+                atol=0.01,
+            )
+            assert np.allclose(
+                np.array(target["dimensions"]), 2 * np.array(item["box3d"]["halfExtents"])[[2, 0, 1]], atol=0.001
+            )
 
 
 def read_cityscapes(folder, labels):
-    dataset = Cityscapes(os.path.join(folder, "cityscapes"), split="train", mode="fine", target_type=["instance", "semantic"])
+    dataset = Cityscapes(
+        os.path.join(folder, "cityscapes"), split="train", mode="fine", target_type=["instance", "semantic"]
+    )
     assert len(dataset) == len(labels)
     by_image = {os.path.basename(path): i for i, path in enumerate(dataset.images)}
     for number, label in enumerate(labels):
@@ -105,10 +115,15 @@ def read_voc(folder, labels):
     assert len(dataset) == len(labels)
     for (image, target), label in zip(dataset, labels):
         assert image.size == size_of(label)
-        objects = {(item["name"], *(int(item["bndbox"][side]) for side in ("xmin", "ymin", "xmax", "ymax")))
-                   for item in target["annotation"].get("object", [])}
+        objects = {
+            (item["name"], *(int(item["bndbox"][side]) for side in ("xmin", "ymin", "xmax", "ymax")))
+            for item in target["annotation"].get("object", [])
+        }
         # From the first pixel, which is 1, to the last, which belongs to the box.
-        assert objects >= {(item["class"], item["box2dVisible"][0] + 1, item["box2dVisible"][1] + 1, *item["box2dVisible"][2:]) for item in seen_of(label)}
+        assert objects >= {
+            (item["class"], item["box2dVisible"][0] + 1, item["box2dVisible"][1] + 1, *item["box2dVisible"][2:])
+            for item in seen_of(label)
+        }
 
 
 def read_jpeg(folder, labels):
@@ -182,7 +197,8 @@ def read_panoptic(folder, labels):
         assert (ids[mask == 0] == 2 << 16).all()
         assert (ids == mask)[(mask != 0) & ~np.isin(mask, props)].all()
         assert {segment["id"]: segment["area"] for segment in annotation["segments_info"]} == {
-            int(value): int(count) for value, count in zip(*np.unique(ids[ids != 0], return_counts=True))}
+            int(value): int(count) for value, count in zip(*np.unique(ids[ids != 0], return_counts=True))
+        }
 
 
 def read_yolo(folder, labels):
@@ -209,7 +225,9 @@ def read_yolo_outlines(folder, labels):
         for row, item in zip(rows, seen):
             corners = np.round(np.array(row[1:], float).reshape(-1, 2) * size_of(label)).astype(np.int32)
             # The library draws polygons so; their edges are the pixels right of and below the outline.
-            drawn = cv2.fillPoly(np.zeros((mask.shape[0] + 1, mask.shape[1] + 1), np.uint8), [corners], 1)[:-1, :-1].astype(bool)
+            drawn = cv2.fillPoly(np.zeros((mask.shape[0] + 1, mask.shape[1] + 1), np.uint8), [corners], 1)[
+                :-1, :-1
+            ].astype(bool)
             own = filled(mask == item["id"])
             assert not (own & ~drawn).any()
 
@@ -232,7 +250,9 @@ def read_openlane(folder, labels):
         for line in frame["lane_lines"]:
             forward, left, up = np.array(line["xyz"])
             # OpenCV's camera: x right, y down, z forward.
-            projected, _ = cv2.projectPoints(np.stack([-left, -up, forward], 1), np.zeros(3), np.zeros(3), np.array(frame["intrinsic"], float), None)
+            projected, _ = cv2.projectPoints(
+                np.stack([-left, -up, forward], 1), np.zeros(3), np.zeros(3), np.array(frame["intrinsic"], float), None
+            )
             # Metres have four decimals: at a metre and a focal length of some hundred pixels that is some hundredths.
             assert np.allclose(projected[:, 0].T, np.array(line["uv"]), atol=0.05)
             points += len(forward)
@@ -251,14 +271,38 @@ def read_tusimple(folder, labels):
 
 # The linear maps of DeepDriving's loss layer, value * factor + shift, in the order of its labels.
 LOSS_LAYER = [
-    (1 / 1.1, 0.5), (0.17778, 1.34445), (0.14545, 0.39091), (0.17778, -0.34445), (1 / 95, 0.12), (1 / 95, 0.12),
-    (0.14545, 1.48181), (0.16, 0.98), (0.16, 0.02), (0.14545, -0.48181), (1 / 95, 0.12), (1 / 95, 0.12), (1 / 95, 0.12),
+    (1 / 1.1, 0.5),
+    (0.17778, 1.34445),
+    (0.14545, 0.39091),
+    (0.17778, -0.34445),
+    (1 / 95, 0.12),
+    (1 / 95, 0.12),
+    (0.14545, 1.48181),
+    (0.16, 0.98),
+    (0.16, 0.02),
+    (0.14545, -0.48181),
+    (1 / 95, 0.12),
+    (1 / 95, 0.12),
+    (1 / 95, 0.12),
 ]
 
 
 def read_deepdriving(folder, labels):
-    names = ["angle", "toMarkingL", "toMarkingM", "toMarkingR", "distL", "distR",
-             "toMarkingLL", "toMarkingML", "toMarkingMR", "toMarkingRR", "distLL", "distMM", "distRR"]
+    names = [
+        "angle",
+        "toMarkingL",
+        "toMarkingM",
+        "toMarkingR",
+        "distL",
+        "distR",
+        "toMarkingLL",
+        "toMarkingML",
+        "toMarkingMR",
+        "toMarkingRR",
+        "distLL",
+        "distMM",
+        "distRR",
+    ]
     for number, label in enumerate(labels):
         name = f"{number:08d}"
         small = cv2.imread(os.path.join(folder, "deepdriving", "images", name + ".png"))
@@ -278,8 +322,11 @@ def read_deepdriving(folder, labels):
 def read_csv(folder, labels):
     with open(os.path.join(folder, "csv", "objects.csv"), encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
-    expected = [(str(number), str(item["id"]), item["class"], item["name"] or "", str(item["parent"] or ""))
-                for number, label in enumerate(labels) for item in label["objects"]]
+    expected = [
+        (str(number), str(item["id"]), item["class"], item["name"] or "", str(item["parent"] or ""))
+        for number, label in enumerate(labels)
+        for item in label["objects"]
+    ]
     assert [(row["frame"], row["id"], row["class"], row["name"], row["parent"]) for row in rows] == expected
 
 
@@ -298,7 +345,11 @@ def read_mcap(folder, labels):
     messages = mcap.read(os.path.join(folder, "mcap", "train", "0000.mcap"))
     for number, label in enumerate(labels):
         at = {topic: all_of[number][1] for topic, all_of in messages.items() if len(all_of) == len(labels)}
-        assert all(all_of[number][0] == round(label["timeSeconds"] * 1e9) for all_of in messages.values() if len(all_of) == len(labels))
+        assert all(
+            all_of[number][0] == round(label["timeSeconds"] * 1e9)
+            for all_of in messages.values()
+            if len(all_of) == len(labels)
+        )
         image = np.array(Image.open(io.BytesIO(at["/camera/image"].data)))
         assert at["/camera/image"].format == "png"
         assert np.array_equal(image, np.array(Image.open(os.path.join(folder, "session", label["image"]))))
@@ -341,8 +392,21 @@ if __name__ == "__main__":
     root = sys.argv[1]
     session = labels_of(root)
     readers = (
-        read_kitti, read_cityscapes, read_voc, read_jpeg, read_coco, read_coco_polygons, read_panoptic, read_yolo, read_yolo_outlines,
-        read_deepdriving, read_webdataset, read_openlane, read_tusimple, read_csv, read_mcap,
+        read_kitti,
+        read_cityscapes,
+        read_voc,
+        read_jpeg,
+        read_coco,
+        read_coco_polygons,
+        read_panoptic,
+        read_yolo,
+        read_yolo_outlines,
+        read_deepdriving,
+        read_webdataset,
+        read_openlane,
+        read_tusimple,
+        read_csv,
+        read_mcap,
     )
     for reader in readers:
         reader(root, session)
@@ -353,9 +417,15 @@ if __name__ == "__main__":
     panoptic.read(os.path.join(root, "classes"), os.path.join(root, "panoptic-stuff"))
     print(nuscenes.read(os.path.join(root, "nuscenes"), os.path.join(root, "around")))
     print(nuscenes_detection.read(os.path.join(root, "nuscenes")))
-    print(rigs.read(os.path.join(root, "grey-and-colour"), *(os.path.join(root, f"rig-{name}") for name in rigs.FORMATS)))
-    print(mcap_drive.read(
-        os.path.join(root, "recorded"), os.path.join(root, "recorded-mcap", "train", "0000.mcap"),
-        os.path.join(root, "mcap", "train", "0000.mcap")))
+    print(
+        rigs.read(os.path.join(root, "grey-and-colour"), *(os.path.join(root, f"rig-{name}") for name in rigs.FORMATS))
+    )
+    print(
+        mcap_drive.read(
+            os.path.join(root, "recorded"),
+            os.path.join(root, "recorded-mcap", "train", "0000.mcap"),
+            os.path.join(root, "mcap", "train", "0000.mcap"),
+        )
+    )
     print(pairs.read(*(os.path.join(root, name) for name in ("moments", "pairs-csv", "pairs-webdataset"))))
     imagefolder.read_webdataset_card(os.path.join(root, "webdataset"))

@@ -9,8 +9,17 @@ import re
 import numpy as np
 
 FORMATS = ("kitti", "kitti-odometry", "pcd", "ply")
-POINT = np.dtype([("position", "<f4", 3), ("intensity", "<f4"), ("column", "<u2"), ("beam", "<u2"), ("id", "<u2"), ("class", "u1"),
-                  ("flags", "u1")])
+POINT = np.dtype(
+    [
+        ("position", "<f4", 3),
+        ("intensity", "<f4"),
+        ("column", "<u2"),
+        ("beam", "<u2"),
+        ("id", "<u2"),
+        ("class", "u1"),
+        ("flags", "u1"),
+    ]
+)
 # From the class of a point, by its number in the session, to SemanticKITTI's.
 SEMANTIC_KITTI = [0, 40, 48, 60, 50, 70, 72, 0, 49, 80, 51, 10, 18, 13, 15, 11, 20, 30, 81, 99, 99, 30]
 # And of those that move: a car, a truck, a bus, a trailer, a person, a motorcyclist, a bicyclist.
@@ -62,7 +71,9 @@ def check_scan(path, points):
     scan = velodyne(path)
     assert len(scan) == len(points) > 0
     right, forward, up = points["position"].T
-    assert np.array_equal(scan[:, :3], np.column_stack([forward, -right, up])) and np.array_equal(scan[:, 3], points["intensity"])
+    assert np.array_equal(scan[:, :3], np.column_stack([forward, -right, up])) and np.array_equal(
+        scan[:, 3], points["intensity"]
+    )
     return scan
 
 
@@ -76,11 +87,16 @@ def check_oxts(path, label):
     place = [lon * np.pi * EARTH_RADIUS / 180, EARTH_RADIUS * np.log(np.tan((90 + lat) * np.pi / 360)), alt]
     assert np.allclose(place, label["ego"]["position"], atol=METRES)
     (sr, sp, sy), (cr, cp, cy) = (np.sin([roll, pitch, yaw]), np.cos([roll, pitch, yaw]))
-    turn = (np.array([[cy, -sy, 0], [sy, cy, 0], [0, 0, 1]]) @ np.array([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
-            @ np.array([[1, 0, 0], [0, cr, -sr], [0, sr, cr]]))
+    turn = (
+        np.array([[cy, -sy, 0], [sy, cy, 0], [0, 0, 1]])
+        @ np.array([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
+        @ np.array([[1, 0, 0], [0, cr, -sr], [0, sr, cr]])
+    )
     assert np.allclose(turn, body(label["ego"]), atol=1e-6)
     assert np.allclose([east, north], label["ego"]["velocity"][:2], atol=METRES)
-    assert abs(np.hypot(ahead, left) - np.hypot(east, north)) < METRES and abs(up - label["ego"]["velocity"][2]) < METRES
+    assert (
+        abs(np.hypot(ahead, left) - np.hypot(east, north)) < METRES and abs(up - label["ego"]["velocity"][2]) < METRES
+    )
     felt = np.array([float(word) for word in words[11:14]])
     assert abs(felt[2] - 9.81) < 5
     assert abs(float(words[19]) - label["ego"]["yawRate"]) < 0.1
@@ -103,8 +119,11 @@ def check_kitti(root, session, moments):
 
         # Camera 0 is KITTI's reference: readers take the scanner's place for that in its frame.
         assert not calibration["P0"][:, 3].any()
-        reference = (homogeneous(calibration["R0_rect"]) @ homogeneous(calibration["Tr_velo_to_cam"])
-                     @ np.column_stack([scan[:, :3], np.ones(len(scan))]).T)
+        reference = (
+            homogeneous(calibration["R0_rect"])
+            @ homogeneous(calibration["Tr_velo_to_cam"])
+            @ np.column_stack([scan[:, :3], np.ones(len(scan))]).T
+        )
         for slot in range(4):
             camera = views[f"image_0{slot}"]["camera"]
             seen = calibration[f"P{slot}"] @ reference
@@ -139,14 +158,25 @@ def check_point(value, instance, kind, number, objects):
         assert instance == item["vehicle"]
     still = {SEMANTIC_KITTI[kind]}
     if kind == RIDER:
-        still = {RIDDEN[SEMANTIC_KITTI[SEMANTIC_CLASSES[vehicle["class"]]]]} if vehicle is not None else {30, *RIDDEN.values()}
+        still = (
+            {RIDDEN[SEMANTIC_KITTI[SEMANTIC_CLASSES[vehicle["class"]]]]}
+            if vehicle is not None
+            else {30, *RIDDEN.values()}
+        )
     elif SEMANTIC_KITTI[kind] in RIDDEN and item is None:
         still |= {RIDDEN[SEMANTIC_KITTI[kind]]}
     elif SEMANTIC_KITTI[kind] in RIDDEN and item["hasRider"]:
         still = {RIDDEN[SEMANTIC_KITTI[kind]]}
     moving = {MOVING.get(was, was) for was in still}
-    expected = still if number == 0 else still | moving if item is None else \
-        moving if np.linalg.norm(item["velocity"]) > MOVING_SPEED else still
+    expected = (
+        still
+        if number == 0
+        else still | moving
+        if item is None
+        else moving
+        if np.linalg.norm(item["velocity"]) > MOVING_SPEED
+        else still
+    )
     assert value in expected, (number, kind, value, expected)
 
 
@@ -171,8 +201,8 @@ def check_odometry(root, session, moments):
             labels = np.fromfile(os.path.join(folder, "labels", f"{number:06d}.label"), "<u4")
             objects = {item["id"]: item for view in views.values() for item in view["objects"]}
             for label, kind, number_of in zip(labels, points["class"], points["id"]):
-                check_point(label & 0xffff, label >> 16, kind, number_of, objects)
-            moving += int(np.isin(labels & 0xffff, list(MOVING.values())).sum())
+                check_point(label & 0xFFFF, label >> 16, kind, number_of, objects)
+            moving += int(np.isin(labels & 0xFFFF, list(MOVING.values())).sum())
             labelled += len(labels)
             check_oxts(os.path.join(folder, "oxts", "data", f"{number:010d}.txt"), views["image_00"])
             info = json.load(open(os.path.join(session, "session.json"), encoding="utf-8"))
@@ -199,7 +229,9 @@ def read_pcd(path):
     assert header["DATA"] == ["binary"] and set(header["COUNT"]) == {"1"}
     points = int(header["POINTS"][0])
     assert points == int(header["WIDTH"][0]) * int(header["HEIGHT"][0])
-    kind = np.dtype([(name, PCD_TYPES[of, int(size)]) for name, of, size in zip(header["FIELDS"], header["TYPE"], header["SIZE"])])
+    kind = np.dtype(
+        [(name, PCD_TYPES[of, int(size)]) for name, of, size in zip(header["FIELDS"], header["TYPE"], header["SIZE"])]
+    )
     assert len(content) == points * kind.itemsize
     return np.frombuffer(content, kind)
 
@@ -225,13 +257,26 @@ def check_clouds(root, session, moments, reader):
     total = 0
     for row, views in zip(rows, moments):
         label = views["image_00"]
-        assert int(row["session_frame"]) == label["frame"] and abs(float(row["time_seconds"]) - label["timeSeconds"]) < 1e-6
+        assert (
+            int(row["session_frame"]) == label["frame"]
+            and abs(float(row["time_seconds"]) - label["timeSeconds"]) < 1e-6
+        )
         points = np.fromfile(os.path.join(session, label["lidar"][0]["file"]), POINT)
         cloud = reader(os.path.join(root, row["file"]))
         assert len(cloud) == len(points) == int(row["points"])
         right, forward, up = points["position"].T
-        assert np.array_equal(cloud["x"], forward) and np.array_equal(cloud["y"], -right) and np.array_equal(cloud["z"], up)
-        for name, field in (("intensity", "intensity"), ("ring", "beam"), ("object", "id"), ("label", "class"), ("interpolated", "flags")):
+        assert (
+            np.array_equal(cloud["x"], forward)
+            and np.array_equal(cloud["y"], -right)
+            and np.array_equal(cloud["z"], up)
+        )
+        for name, field in (
+            ("intensity", "intensity"),
+            ("ring", "beam"),
+            ("object", "id"),
+            ("label", "class"),
+            ("interpolated", "flags"),
+        ):
             assert np.array_equal(cloud[name], points[field]), name
         total += len(cloud)
     return total
@@ -243,11 +288,14 @@ def read(session, kitti, odometry, pcd, ply):
         for label in map(json.loads, file):
             moments.setdefault(label["moment"], {})[label["view"]] = label
     moments = [moments[moment] for moment in sorted(moments)]
-    return (f"rigs: {check_kitti(kitti, session, moments)} pixels of points in four cameras, "
-            f"{check_odometry(odometry, session, moments)} labelled points of sequences, "
-            f"{check_clouds(pcd, session, moments, read_pcd)} points in PCD and {check_clouds(ply, session, moments, read_ply)} in PLY files")
+    return (
+        f"rigs: {check_kitti(kitti, session, moments)} pixels of points in four cameras, "
+        f"{check_odometry(odometry, session, moments)} labelled points of sequences, "
+        f"{check_clouds(pcd, session, moments, read_pcd)} points in PCD and {check_clouds(ply, session, moments, read_ply)} in PLY files"
+    )
 
 
 if __name__ == "__main__":
     import sys
+
     print(read(*sys.argv[1:]))

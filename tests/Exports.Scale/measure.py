@@ -7,8 +7,25 @@ import sys
 import time
 
 FORMATS = [
-    "kitti", "kitti-tracking", "coco", "coco-panoptic", "yolo", "yolo-segment", "voc", "cityscapes", "bdd100k", "motchallenge", "openlabel",
-    "deepdriving", "tusimple", "culane", "openlane", "webdataset", "imagefolder", "mcap", "csv",
+    "kitti",
+    "kitti-tracking",
+    "coco",
+    "coco-panoptic",
+    "yolo",
+    "yolo-segment",
+    "voc",
+    "cityscapes",
+    "bdd100k",
+    "motchallenge",
+    "openlabel",
+    "deepdriving",
+    "tusimple",
+    "culane",
+    "openlane",
+    "webdataset",
+    "imagefolder",
+    "mcap",
+    "csv",
 ]
 # These keep a session in one split.
 WHOLE_SESSIONS = {"kitti-tracking", "motchallenge", "openlabel", "mcap"}
@@ -20,7 +37,9 @@ MOST_GROWTH_MEBIBYTES = 60
 def run(command):
     """Runs a command and gives the seconds it took and the mebibytes that it held at its peak."""
     start = time.monotonic()
-    child = os.posix_spawnp(command[0], command, os.environ, file_actions=[(os.POSIX_SPAWN_OPEN, 1, os.devnull, os.O_WRONLY, 0)])
+    child = os.posix_spawnp(
+        command[0], command, os.environ, file_actions=[(os.POSIX_SPAWN_OPEN, 1, os.devnull, os.O_WRONLY, 0)]
+    )
     _, status, usage = os.wait4(child, 0)
     if status != 0:
         sys.exit(f"failed: {' '.join(command)}")
@@ -74,7 +93,10 @@ def measure(harvester, scratch, lengths, formats):
             check_seconds, check_peak = run([*harvester, "validate", out])
             shutil.rmtree(out)
             peaks.setdefault(name, []).append(export_peak)
-            print(f"| {name} | {frames:,} | {seconds:.0f} | {export_peak:.0f} | {check_seconds:.0f} | {check_peak:.0f} |", flush=True)
+            print(
+                f"| {name} | {frames:,} | {seconds:.0f} | {export_peak:.0f} | {check_seconds:.0f} | {check_peak:.0f} |",
+                flush=True,
+            )
         shutil.rmtree(session)
     return peaks
 
@@ -84,7 +106,8 @@ if __name__ == "__main__":
     formats = sys.argv[4].split(",") if len(sys.argv) > 4 else FORMATS
     print("| format | frames | export, s | peak, MiB | validate, s | peak, MiB |\n|---|---|---|---|---|---|")
     grown = [
-        name for name, peaks in measure(harvester, scratch, lengths, formats).items()
+        name
+        for name, peaks in measure(harvester, scratch, lengths, formats).items()
         if max(peaks) > MOST_MEBIBYTES or peaks[-1] > peaks[0] + MOST_GROWTH_MEBIBYTES
     ]
     sys.exit(f"Too much memory: {', '.join(grown)}" if grown else 0)

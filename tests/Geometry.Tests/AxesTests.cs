@@ -28,14 +28,18 @@ public sealed class AxesTests
 
     [Fact]
     public void ToEuler_random_orientations_invert_FromEuler() =>
-        RandomCases.Check(2_000, Draws.Orientations(89), angles =>
-        {
-            EulerAngles back = Axes.FromEuler(angles).ToEuler();
+        RandomCases.Check(
+            2_000,
+            Draws.Orientations(89),
+            angles =>
+            {
+                EulerAngles back = Axes.FromEuler(angles).ToEuler();
 
-            Assert.Equal(angles.PitchDegrees, back.PitchDegrees, AfterInverse);
-            Assert.Equal(angles.RollDegrees, back.RollDegrees, AfterInverse);
-            Assert.Equal(angles.YawDegrees, back.YawDegrees, AfterInverse);
-        });
+                Assert.Equal(angles.PitchDegrees, back.PitchDegrees, AfterInverse);
+                Assert.Equal(angles.RollDegrees, back.RollDegrees, AfterInverse);
+                Assert.Equal(angles.YawDegrees, back.YawDegrees, AfterInverse);
+            }
+        );
 
     [Theory]
     [InlineData(90)]
@@ -67,17 +71,21 @@ public sealed class AxesTests
 
     [Fact]
     public void FromVectors_single_precision_axes_become_exactly_orthonormal() =>
-        RandomCases.Check(500, Draws.Orientations(90), angles =>
-        {
-            Axes exact = Axes.FromEuler(angles);
+        RandomCases.Check(
+            500,
+            Draws.Orientations(90),
+            angles =>
+            {
+                Axes exact = Axes.FromEuler(angles);
 
-            Axes axes = Axes.FromVectors(Single(exact.Right), Single(exact.Forward), Single(exact.Up));
+                Axes axes = Axes.FromVectors(Single(exact.Right), Single(exact.Forward), Single(exact.Up));
 
-            Assert.Equal(1, axes.Right.Length, Rounding);
-            Assert.Equal(0, axes.Right.Dot(axes.Forward), Rounding);
-            AssertClose(axes.Up, axes.Right.Cross(axes.Forward), Rounding);
-            AssertClose(exact.Forward, axes.Forward, 1e-6);
-        });
+                Assert.Equal(1, axes.Right.Length, Rounding);
+                Assert.Equal(0, axes.Right.Dot(axes.Forward), Rounding);
+                AssertClose(axes.Up, axes.Right.Cross(axes.Forward), Rounding);
+                AssertClose(exact.Forward, axes.Forward, 1e-6);
+            }
+        );
 
     [Fact]
     public void FromVectors_refuses_left_handed_long_or_skewed_axes()
@@ -91,13 +99,17 @@ public sealed class AxesTests
 
     [Fact]
     public void ToLocal_of_ToWorld_is_the_vector() =>
-        RandomCases.Check(500, Arb.Zip(Draws.Orientations(90), Draws.Vectors(100)), drawn =>
-        {
-            (EulerAngles angles, Vector3D vector) = drawn;
-            Axes axes = Axes.FromEuler(angles);
+        RandomCases.Check(
+            500,
+            Arb.Zip(Draws.Orientations(90), Draws.Vectors(100)),
+            drawn =>
+            {
+                (EulerAngles angles, Vector3D vector) = drawn;
+                Axes axes = Axes.FromEuler(angles);
 
-            AssertClose(vector, axes.ToLocal(axes.ToWorld(vector)), 1e-11);
-        });
+                AssertClose(vector, axes.ToLocal(axes.ToWorld(vector)), 1e-11);
+            }
+        );
 
     [Fact]
     public void Compose_camera_ahead_of_a_car_that_looks_west()

@@ -20,6 +20,5 @@ public sealed class RayTests
     }
 
     [Fact]
-    public void Cross_of_east_and_north_is_up() =>
-        Assert.Equal(new Vector3D(0, 0, 1), new Vector3D(1, 0, 0).Cross(new(0, 1, 0)));
+    public void Cross_of_east_and_north_is_up() => Assert.Equal(new Vector3D(0, 0, 1), new Vector3D(1, 0, 0).Cross(new(0, 1, 0)));
 }

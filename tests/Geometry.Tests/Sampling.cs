@@ -16,5 +16,6 @@ internal static class Sampling
     public static Camera Camera(this Random random, Lens lens) =>
         new(
             new Pose(random.Vector(100), random.Axes()),
-            new CameraIntrinsics(random.Between(20, 100), new ImageSize(800, 600), random.Between(1, 2), 0.1, lens));
+            new CameraIntrinsics(random.Between(20, 100), new ImageSize(800, 600), random.Between(1, 2), 0.1, lens)
+        );
 }

@@ -36,7 +36,8 @@ public sealed class ScaledPoseTests
     public void FromMatrix_with_single_precision_rounding_has_no_scale() =>
         Assert.Equal(
             new Vector3D(1, 1, 1),
-            ScaledPose.FromMatrix(Turned.Right * 1.0005, Turned.Forward * 0.9995, Turned.Up, Place)!.Value.Scale);
+            ScaledPose.FromMatrix(Turned.Right * 1.0005, Turned.Forward * 0.9995, Turned.Up, Place)!.Value.Scale
+        );
 
     [Theory]
     [InlineData(1, 0, 0, 0.2, 1, 0, 0, 0, 1)]
@@ -47,10 +48,24 @@ public sealed class ScaledPoseTests
     [InlineData(double.NaN, 0, 0, 0, 1, 0, 0, 0, 1)]
     [InlineData(double.PositiveInfinity, 0, 0, 0, 1, 0, 0, 0, 1)]
     public void FromMatrix_sheared_mirrored_or_vanishing_is_null(
-        double rightX, double rightY, double rightZ, double forwardX, double forwardY, double forwardZ, double upX, double upY,
-        double upZ) =>
-        Assert.Null(ScaledPose.FromMatrix(
-            new Vector3D(rightX, rightY, rightZ), new Vector3D(forwardX, forwardY, forwardZ), new Vector3D(upX, upY, upZ), Place));
+        double rightX,
+        double rightY,
+        double rightZ,
+        double forwardX,
+        double forwardY,
+        double forwardZ,
+        double upX,
+        double upY,
+        double upZ
+    ) =>
+        Assert.Null(
+            ScaledPose.FromMatrix(
+                new Vector3D(rightX, rightY, rightZ),
+                new Vector3D(forwardX, forwardY, forwardZ),
+                new Vector3D(upX, upY, upZ),
+                Place
+            )
+        );
 
     [Fact]
     public void FromMatrix_with_a_position_that_is_not_finite_is_null() =>

@@ -11,7 +11,8 @@ internal static class Vectors
         string[] names = lines[0].Split(',');
 
         // The last column, the source, is free text.
-        return lines.Skip(1)
+        return lines
+            .Skip(1)
             .Select(line => line.Split(',', names.Length))
             .Select(cells => names.Zip(cells).ToDictionary(pair => pair.First, pair => pair.Second));
     }

@@ -65,9 +65,16 @@ def packed(values: np.ndarray, active: np.ndarray, sessions: Tuple[int, ...]) ->
     count = len(values)
     none = np.full(count, np.nan, np.float32)
     return Packed(
-        np.zeros((count, 70, 140, 3), np.uint8), values, active, np.full(count, 5.4, np.float32),
-        np.array([(session, frame) for frame, session in enumerate(sessions)]), np.full((count, 3), np.nan), none, none,
-        np.zeros(count, np.bool_))
+        np.zeros((count, 70, 140, 3), np.uint8),
+        values,
+        active,
+        np.full(count, 5.4, np.float32),
+        np.array([(session, frame) for frame, session in enumerate(sessions)]),
+        np.full((count, 3), np.nan),
+        none,
+        none,
+        np.zeros(count, np.bool_),
+    )
 
 
 def test_shifted_labels_are_those_of_the_frame_before() -> None:
@@ -118,18 +125,38 @@ def test_network_takes_further_inputs() -> None:
     assert first.shape == (1, 2) and not torch.equal(first, second)
 
 
-def frame(metres: float, outside: bool = False, built_in: bool = False, offset: Any = 0.5, parked: int = 0) -> Dict[str, Any]:
+def frame(
+    metres: float, outside: bool = False, built_in: bool = False, offset: Any = 0.5, parked: int = 0
+) -> Dict[str, Any]:
     return {
-        "drivenMetres": metres, "timeSeconds": metres / 10, "outsideLanes": outside, "builtInDriver": built_in, "laneOffsetMetres": offset,
-        "road": None if built_in else 1, "lane": None if built_in else 0, "acrossMarking": outside,
-        "collisions": [0, parked, 0], "repositioned": 0, "redLightsRun": 0, "stopSignsRun": 0, "position": [0, 0, 0]}
+        "drivenMetres": metres,
+        "timeSeconds": metres / 10,
+        "outsideLanes": outside,
+        "builtInDriver": built_in,
+        "laneOffsetMetres": offset,
+        "road": None if built_in else 1,
+        "lane": None if built_in else 0,
+        "acrossMarking": outside,
+        "collisions": [0, parked, 0],
+        "repositioned": 0,
+        "redLightsRun": 0,
+        "stopSignsRun": 0,
+        "position": [0, 0, 0],
+    }
 
 
 def test_judge_counts_what_the_driver_did() -> None:
     judge = Judge(frame(0), 80)
     for each in (
-            frame(10), frame(20, outside=True), frame(30, outside=True), frame(40), frame(50, parked=1), frame(60, built_in=True, parked=1),
-            frame(70, outside=True, built_in=True, parked=2), frame(80, parked=2)):
+        frame(10),
+        frame(20, outside=True),
+        frame(30, outside=True),
+        frame(40),
+        frame(50, parked=1),
+        frame(60, built_in=True, parked=1),
+        frame(70, outside=True, built_in=True, parked=2),
+        frame(80, parked=2),
+    ):
         judge.take(each)
 
     figures = judge.figures()
@@ -147,14 +174,16 @@ def test_progress_of_another_model_or_with_other_options_is_not_continued(tmp_pa
     picture = np.arange(24, dtype=np.uint8).reshape(2, 4, 3)
     Progress(file, model, {"towns": 3}).add({"town": 301}, picture)
 
-    (figures, image), = Progress(file, model, {"towns": 3}).done
+    ((figures, image),) = Progress(file, model, {"towns": 3}).done
     assert figures == {"town": 301}
     np.testing.assert_array_equal(image, picture)
     roads = tmp_path / "roads.zip"
     roads.write_bytes(b"roads")
     for wanted, difference in (
-            ((model, {"towns": 4}), "another --towns"), ((other, {"towns": 3}), "another model"),
-            ((model, {"towns": 3}, roads), "another road network")):
+        ((model, {"towns": 4}), "another --towns"),
+        ((other, {"towns": 3}), "another model"),
+        ((model, {"towns": 3}, roads), "another road network"),
+    ):
         with pytest.raises(ProgressError, match=difference):
             Progress(file, *wanted)
     for damage in ("", "{}\n", '{"sha256": 1}\n'):
@@ -220,13 +249,17 @@ def test_stopping_ends_what_runs_and_starts_nothing_more(tmp_path: Path, script:
         "import os, sys, time\n"
         "out = sys.argv[sys.argv.index('--out') + 1]\n"
         "open(f'{os.path.dirname(out)}/{os.getpid()}.pid', 'w').close()\n"
-        "time.sleep(60)\n")
+        "time.sleep(60)\n"
+    )
     (data / "driven").mkdir(parents=True)
     with subprocess.Popen(
-            [sys.executable, f"examples/learn/{script}.py", data, "--jobs", "2", "--harvester", f"{sys.executable} {fake}"],
-            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
-            # A shell that runs this in the background has it ignored.
-            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler)) as process:
+        [sys.executable, f"examples/learn/{script}.py", data, "--jobs", "2", "--harvester", f"{sys.executable} {fake}"],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+        # A shell that runs this in the background has it ignored.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
+    ) as process:
         begun = time.monotonic()
         while len(list(data.glob("*/*.pid"))) < 2 and time.monotonic() < begun + 30:
             time.sleep(0.05)
@@ -253,8 +286,13 @@ def test_command_that_hangs_is_ended_even_if_it_ignores_that(tmp_path: Path, mon
 
 def town_of(metres: float, in_lane: float, offset: float, departures: int) -> Dict[str, Any]:
     return {
-        "driverMetres": metres, "inLaneMetres": in_lane, "rmsOffsetMetres": offset, "departures": [{}] * departures, "score": 50.0,
-        "collisions": {"vehicle": 1}}
+        "driverMetres": metres,
+        "inLaneMetres": in_lane,
+        "rmsOffsetMetres": offset,
+        "departures": [{}] * departures,
+        "score": 50.0,
+        "collisions": {"vehicle": 1},
+    }
 
 
 def test_total_weighs_the_offset_by_the_distance_in_a_lane() -> None:
@@ -267,21 +305,24 @@ def test_total_weighs_the_offset_by_the_distance_in_a_lane() -> None:
     assert (nowhere["departuresPerKilometre"], nowhere["interval"], nowhere["rmsOffsetMetres"]) == (None, None, None)
 
 
-@pytest.mark.parametrize(("arguments", "words"), [
-    (("train", "data", "full.state"), "'full.state' is not the name of a file that ends with .pt"),
-    (("train", "data", "full.pt", "--epochs", "0"), "'0' is not a whole number of at least 1"),
-    (("harvest", "data", "--frames", "0"), "'0' is not a whole number of at least 1"),
-    (("drive", "full.pt", "--kilometres", "nan"), "'nan' is not a number greater than 0"),
-    (("drive", "full.pt", "--out", "none/x.json"), "'none/x.json' is no file that can be written"),
-    (("drive", "full.pt", "--strip", "strip"), "'strip' does not end with .png or .jpg"),
-    (("pack", "data", "none"), "unknown set 'none'; sets are train, validation"),
-    (("pack", "none"), "none has no set; run harvest.py first."),
-    (("pack", "none", "train"), "none/train has no session; run harvest.py first."),
-    (("evaluate", "data", "damaged.pt"), "damaged.pt is not a network of train.py or imitate.py, or is damaged."),
-    (("drive", "damaged.pt"), "damaged.pt is not a network of train.py or imitate.py, or is damaged."),
-    (("plot", "curves.png", "damaged.pt"), "damaged.jsonl is not the log of a training."),
-    (("train", "data", "new.pt"), "train.npz is damaged, or of another version"),
-])
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("train", "data", "full.state"), "'full.state' is not the name of a file that ends with .pt"),
+        (("train", "data", "full.pt", "--epochs", "0"), "'0' is not a whole number of at least 1"),
+        (("harvest", "data", "--frames", "0"), "'0' is not a whole number of at least 1"),
+        (("drive", "full.pt", "--kilometres", "nan"), "'nan' is not a number greater than 0"),
+        (("drive", "full.pt", "--out", "none/x.json"), "'none/x.json' is no file that can be written"),
+        (("drive", "full.pt", "--strip", "strip"), "'strip' does not end with .png or .jpg"),
+        (("pack", "data", "none"), "unknown set 'none'; sets are train, validation"),
+        (("pack", "none"), "none has no set; run harvest.py first."),
+        (("pack", "none", "train"), "none/train has no session; run harvest.py first."),
+        (("evaluate", "data", "damaged.pt"), "damaged.pt is not a network of train.py or imitate.py, or is damaged."),
+        (("drive", "damaged.pt"), "damaged.pt is not a network of train.py or imitate.py, or is damaged."),
+        (("plot", "curves.png", "damaged.pt"), "damaged.jsonl is not the log of a training."),
+        (("train", "data", "new.pt"), "train.npz is damaged, or of another version"),
+    ],
+)
 def test_bad_input_is_one_clear_line(tmp_path: Path, arguments: Tuple[str, ...], words: str) -> None:
     (tmp_path / "damaged.pt").write_bytes(b"PK")
     (tmp_path / "damaged.jsonl").write_text("")
@@ -290,8 +331,13 @@ def test_bad_input_is_one_clear_line(tmp_path: Path, arguments: Tuple[str, ...],
     script, *rest = arguments
 
     run = subprocess.run(
-        [sys.executable, Path("examples/learn").resolve() / f"{script}.py", *rest], cwd=tmp_path, text=True, capture_output=True,
-        env={**os.environ, "PYTHONPATH": str(Path("python/src").resolve())}, timeout=60)
+        [sys.executable, Path("examples/learn").resolve() / f"{script}.py", *rest],
+        cwd=tmp_path,
+        text=True,
+        capture_output=True,
+        env={**os.environ, "PYTHONPATH": str(Path("python/src").resolve())},
+        timeout=60,
+    )
 
     assert run.returncode != 0
     assert words in run.stderr.splitlines()[-1] and "Traceback" not in run.stderr
@@ -323,8 +369,18 @@ class Stop(Exception):
 
 
 def options_of(model: Path, **changed: Any) -> argparse.Namespace:
-    return argparse.Namespace(**{
-        "data": model.parent, "model": model, "epochs": 3, "seed": 1, "threads": 1, "labels": "true", "sessions": None, **changed})
+    return argparse.Namespace(
+        **{
+            "data": model.parent,
+            "model": model,
+            "epochs": 3,
+            "seed": 1,
+            "threads": 1,
+            "labels": "true",
+            "sessions": None,
+            **changed,
+        }
+    )
 
 
 def fit(options: argparse.Namespace, frames: int = 8, stop_after: int = 99) -> None:
@@ -350,7 +406,10 @@ def fit(options: argparse.Namespace, frames: int = 8, stop_after: int = 99) -> N
 
 
 def figures_of(log: Path) -> List[Dict[str, float]]:
-    return [{key: value for key, value in json.loads(line).items() if key != "seconds"} for line in log.read_text().splitlines()]
+    return [
+        {key: value for key, value in json.loads(line).items() if key != "seconds"}
+        for line in log.read_text().splitlines()
+    ]
 
 
 def test_stopped_training_ends_as_one_that_was_not_stopped(tmp_path: Path) -> None:
@@ -373,8 +432,11 @@ def test_training_with_other_options_or_data_is_refused(tmp_path: Path) -> None:
     before = model.read_bytes()
 
     for frames, changed, told in (
-            (8, {"epochs": 2}, "--epochs 1"), (8, {"epochs": 1, "labels": "mirrored"}, "--labels true"),
-            (8, {"epochs": 1, "sessions": 1}, "no --sessions"), (9, {"epochs": 1}, "other data")):
+        (8, {"epochs": 2}, "--epochs 1"),
+        (8, {"epochs": 1, "labels": "mirrored"}, "--labels true"),
+        (8, {"epochs": 1, "sessions": 1}, "no --sessions"),
+        (9, {"epochs": 1}, "other data"),
+    ):
         with pytest.raises(training.TrainingError) as refusal:
             fit(options_of(model, **changed), frames)
         remedy = f"Choose another name for the model, or delete {tmp_path / 'full.state'} to start over."
@@ -389,9 +451,14 @@ def test_damaged_state_is_refused(tmp_path: Path, damage: str) -> None:
     fit(options_of(model, epochs=1))
     whole = state.read_bytes()
     middle = len(whole) // 2
-    state.write_bytes({
-        "empty": b"", "cut": whole[:middle], "changed": whole[:middle] + bytes(64) + whole[middle + 64:], "foreign": model.read_bytes()
-    }[damage])
+    state.write_bytes(
+        {
+            "empty": b"",
+            "cut": whole[:middle],
+            "changed": whole[:middle] + bytes(64) + whole[middle + 64 :],
+            "foreign": model.read_bytes(),
+        }[damage]
+    )
 
     with pytest.raises(training.TrainingError, match="is damaged, or of another version"):
         fit(options_of(model, epochs=1))

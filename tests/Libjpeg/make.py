@@ -11,8 +11,12 @@ Y, X = np.mgrid[0:29, 0:45]
 # The same picture as LibjpegPictures.Pattern.
 PATTERN = np.stack([X * 11 + Y * 7, X * X * 3 + Y, X ^ (Y * 5)], axis=2).astype(np.uint8)
 # Four flat colours that meet at the borders of 16 x 16 pixels, brighter and darker from row to row.
-FLAT = np.clip(np.array([[[200, 60, 60], [60, 180, 90]], [[70, 80, 190], [190, 180, 60]]]).repeat(16, 0).repeat(16, 1)
-               + 4 * (np.arange(32) % 8)[:, None, None], 0, 255).astype(np.uint8)
+FLAT = np.clip(
+    np.array([[[200, 60, 60], [60, 180, 90]], [[70, 80, 190], [190, 180, 60]]]).repeat(16, 0).repeat(16, 1)
+    + 4 * (np.arange(32) % 8)[:, None, None],
+    0,
+    255,
+).astype(np.uint8)
 
 
 def path(name):

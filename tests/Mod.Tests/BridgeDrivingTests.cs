@@ -58,7 +58,8 @@ public sealed class BridgeDriveTests : ServedGame
             driver,
             client,
             """{"type":"indicators","values":[0,-7,3.5,7,75,75,-9.5,-2.5,1.5,9.5,75,75,75]}""",
-            () => driver.Game.Controls[Steer] != 0);
+            () => driver.Game.Controls[Steer] != 0
+        );
 
         Assert.Equal(-0.0597f, driver.Game.Controls[Steer], 4);
         Assert.Equal(1f, driver.Game.Controls[Accelerate]);
@@ -220,7 +221,8 @@ public sealed class BridgeDriveTests : ServedGame
             driver,
             client,
             """{"type":"controls","steering":0.5,"throttle":0,"brake":0}""",
-            () => HasShown("DRIVEN by the client at 127.0.0.1:"));
+            () => HasShown("DRIVEN by the client at 127.0.0.1:")
+        );
         int grabs = driver.Screen.Grabs;
         Say(driver, client, """{"type":"requestFrame"}""", () => driver.Screen.Grabs >= grabs + 3);
 

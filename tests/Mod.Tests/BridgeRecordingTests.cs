@@ -39,8 +39,11 @@ public sealed class BridgeRecordingTests : ServedGame
             AssertClose(answer, drive.Controls);
             AssertClose(answer, drive.Applied);
             Assert.Equal(8, drive.SpeedMetresPerSecond);
-            Assert.Equal([label.TimeSeconds + TickSeconds, label.TimeSeconds + (2 * TickSeconds)],
-                drive.Ticks.Select(tick => Math.Round(tick.TimeSeconds, 6)), (one, other) => Math.Abs(one - other) < LabelTolerance);
+            Assert.Equal(
+                [label.TimeSeconds + TickSeconds, label.TimeSeconds + (2 * TickSeconds)],
+                drive.Ticks.Select(tick => Math.Round(tick.TimeSeconds, 6)),
+                (one, other) => Math.Abs(one - other) < LabelTolerance
+            );
             Assert.All(drive.Ticks, tick => AssertClose(answer, tick.Applied));
             Assert.Equal((null, null, null), (drive.Route, drive.RouteMetres, drive.Truth));
         }
@@ -63,7 +66,9 @@ public sealed class BridgeRecordingTests : ServedGame
         Assert.Empty(SessionValidator.Validate(session).Problems);
         Assert.Empty(SchemaValidator.Problems(session));
         Assert.All(
-            labels, label => Assert.Equal([ObjectClass.Car, ObjectClass.Pedestrian], label.Objects.Select(item => item.Class).Order()));
+            labels,
+            label => Assert.Equal([ObjectClass.Car, ObjectClass.Pedestrian], label.Objects.Select(item => item.Class).Order())
+        );
         Assert.Equal((280, 210), (labels[0].Camera.Width, labels[0].Camera.Height));
         Assert.StartsWith("drive-", Path.GetFileName(Session(driver)), StringComparison.Ordinal);
     }
@@ -98,12 +103,11 @@ public sealed class BridgeRecordingTests : ServedGame
     public void Late_picture_of_a_running_game_has_the_labels_of_its_moment(int lag)
     {
         using ScriptDriver driver = Driven(
-            string.Create(CultureInfo.InvariantCulture, $"Record = On\nRecordSeconds = 0.4\nRecordLag = {lag}\n"));
+            string.Create(CultureInfo.InvariantCulture, $"Record = On\nRecordSeconds = 0.4\nRecordLag = {lag}\n")
+        );
         GameEntity car = driver.Game.Entities[driver.Game.PlayersVehicle];
-        driver.Game.PassFrame = () => car.Pose = car.Pose with
-        {
-            Position = car.Pose.Position + (driver.Game.IsFrozen ? default : car.Velocity * TickSeconds),
-        };
+        driver.Game.PassFrame = () =>
+            car.Pose = car.Pose with { Position = car.Pose.Position + (driver.Game.IsFrozen ? default : car.Velocity * TickSeconds) };
         using SocketClient client = Connect();
         for (int frame = 0; frame < 4 * Steps; frame++)
         {
@@ -127,8 +131,10 @@ public sealed class BridgeRecordingTests : ServedGame
         // Each tick belongs to one frame, from the frame's moment to that of the next.
         double[] ticks = [.. labels.SelectMany(label => label.Drive!.Ticks.Select(tick => tick.TimeSeconds))];
         Assert.All(ticks.Zip(ticks.Skip(1)), pair => Assert.Equal(TickSeconds, pair.Second - pair.First, LabelTolerance));
-        Assert.All(labels.Zip(labels.Skip(1)), pair =>
-            Assert.Equal(pair.Second.TimeSeconds, pair.First.Drive!.Ticks[^1].TimeSeconds, LabelTolerance));
+        Assert.All(
+            labels.Zip(labels.Skip(1)),
+            pair => Assert.Equal(pair.Second.TimeSeconds, pair.First.Drive!.Ticks[^1].TimeSeconds, LabelTolerance)
+        );
     }
 
     [Fact]
@@ -279,8 +285,12 @@ public sealed class BridgeRecordingTests : ServedGame
         (JsonElement header, byte[] png) = client.Receive();
         long frame = header.GetProperty("frame").GetInt64();
         DriveControls answer = AnswerTo(frame);
-        client.Send(string.Create(CultureInfo.InvariantCulture,
-            $$"""{"type":"controls","steering":{{answer.Steering}},"throttle":{{answer.Throttle}},"brake":0,"frame":{{frame}}}"""));
+        client.Send(
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $$"""{"type":"controls","steering":{{answer.Steering}},"throttle":{{answer.Throttle}},"brake":0,"frame":{{frame}}}"""
+            )
+        );
         return (frame, png);
     }
 
@@ -317,7 +327,8 @@ public sealed class BridgeRecordingTests : ServedGame
         FrameLabel[] labels = ReadLabels(driver);
         Assert.Contains(
             driver.Game.Notifications,
-            message => message.Contains($"The drive was recorded: {labels.Length} frames, in ", StringComparison.Ordinal));
+            message => message.Contains($"The drive was recorded: {labels.Length} frames, in ", StringComparison.Ordinal)
+        );
         return labels;
     }
 

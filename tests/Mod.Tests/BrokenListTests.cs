@@ -69,7 +69,9 @@ public sealed class BrokenListTests
         driver.WaitForDisk();
 
         Assert.Single(
-            driver.Game.Notifications, message => message.Contains("newer than ScriptHookVDotNet 3.6.0 knows", StringComparison.Ordinal));
+            driver.Game.Notifications,
+            message => message.Contains("newer than ScriptHookVDotNet 3.6.0 knows", StringComparison.Ordinal)
+        );
         Assert.Contains("premier", Assert.Single(driver.Labels()), StringComparison.Ordinal);
     }
 
@@ -89,8 +91,13 @@ public sealed class BrokenListTests
         driver.Tick(EnoughTicksForAFrame);
         driver.WaitForDisk();
 
-        Assert.Equal(2, Objects(driver).Count(label => label.GetProperty("class")
-            .GetString() == "trafficLight" && label.GetProperty("space").ValueKind == JsonValueKind.Null));
+        Assert.Equal(
+            2,
+            Objects(driver)
+                .Count(label =>
+                    label.GetProperty("class").GetString() == "trafficLight" && label.GetProperty("space").ValueKind == JsonValueKind.Null
+                )
+        );
     }
 
     private static JsonElement[] HarvestWith(Func<PoolKind, int[]?>? broken, out TestGame game, out JsonElement reading)
@@ -125,5 +132,10 @@ public sealed class BrokenListTests
 #pragma warning restore CA2201
 
     private static GameEntity Car(string name, double north) =>
-        new() { Pool = PoolKind.Vehicles, Name = name, Pose = new Pose(new Vector3D(100, north, 0.6), Axes.Identity) };
+        new()
+        {
+            Pool = PoolKind.Vehicles,
+            Name = name,
+            Pose = new Pose(new Vector3D(100, north, 0.6), Axes.Identity),
+        };
 }

@@ -17,7 +17,8 @@ internal static class BuiltMod
     {
         using ModuleDefinition module = ModuleDefinition.ReadModule(Path);
         IEnumerable<string> types = module.GetTypeReferences().Where(IsGameApi).Select(type => type.FullName);
-        IEnumerable<string> members = module.GetMemberReferences()
+        IEnumerable<string> members = module
+            .GetMemberReferences()
             .Where(member => IsGameApi(member.DeclaringType))
             .Select(member => member.FullName);
         return types.Concat(members).Distinct().Order(StringComparer.Ordinal).ToArray();

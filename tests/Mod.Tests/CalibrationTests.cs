@@ -68,13 +68,19 @@ public sealed class CalibrationTests
         Assert.Contains("ended: 1 frame", EndOfOneFrame(driver), StringComparison.Ordinal);
         Assert.Contains("ended: 1 frame", EndOfOneFrame(driver), StringComparison.Ordinal);
 
-        int[] frames = [.. Directory.GetDirectories(driver.Output, "singles*").Order(StringComparer.Ordinal)
-            .Select(session => File.ReadLines(Path.Combine(session, "labels.jsonl")).Count())];
+        int[] frames =
+        [
+            .. Directory
+                .GetDirectories(driver.Output, "singles*")
+                .Order(StringComparer.Ordinal)
+                .Select(session => File.ReadLines(Path.Combine(session, "labels.jsonl")).Count()),
+        ];
         Assert.Equal([1, 2], frames);
 
         // The second session records the error of the model, though its second frame was not checked again.
         string header = File.ReadAllText(
-            Path.Combine(Directory.GetDirectories(driver.Output).Order(StringComparer.Ordinal).Last(), "session.json"));
+            Path.Combine(Directory.GetDirectories(driver.Output).Order(StringComparer.Ordinal).Last(), "session.json")
+        );
         Assert.Matches("\"cameraErrorPixels\": [0-9]", header);
     }
 
@@ -135,7 +141,8 @@ public sealed class CalibrationTests
 
         Assert.Contains(
             driver.Game.Notifications,
-            message => message.Contains("The camera model was not checked: none of 20 markers was visible", StringComparison.Ordinal));
+            message => message.Contains("The camera model was not checked: none of 20 markers was visible", StringComparison.Ordinal)
+        );
     }
 
     [Fact]
@@ -159,10 +166,12 @@ public sealed class CalibrationTests
         driver.Press(Keys.O);
         driver.Game.Notifications.Clear();
         driver.Press(Keys.K);
-        driver.Until(
-            () => driver.Game.Notifications.Any(message =>
+        driver.Until(() =>
+            driver.Game.Notifications.Any(message =>
                 message.Contains("The harvest ended", StringComparison.Ordinal)
-                || message.Contains("The camera model is off", StringComparison.Ordinal)));
+                || message.Contains("The camera model is off", StringComparison.Ordinal)
+            )
+        );
         driver.WaitForDisk();
         return driver.Game.Notifications[^1];
     }

@@ -190,7 +190,12 @@ public sealed class CameraMountTests
 
     internal static GameEntity SitInCar(TestGame game, Axes axes)
     {
-        var car = new GameEntity { Pool = PoolKind.Vehicles, Name = "asea", Pose = new Pose(new Vector3D(100, 200, 5), axes) };
+        var car = new GameEntity
+        {
+            Pool = PoolKind.Vehicles,
+            Name = "asea",
+            Pose = new Pose(new Vector3D(100, 200, 5), axes),
+        };
         game.PlayersVehicle = game.Add(car);
         return car;
     }

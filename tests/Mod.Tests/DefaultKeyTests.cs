@@ -11,14 +11,65 @@ public sealed class DefaultKeyTests
     /// </summary>
     private static readonly HashSet<Keys> StoryMode =
     [
-        Keys.A, Keys.B, Keys.C, Keys.D, Keys.E, Keys.F, Keys.G, Keys.H, Keys.M, Keys.P, Keys.Q, Keys.R, Keys.S, Keys.V, Keys.W, Keys.X,
+        Keys.A,
+        Keys.B,
+        Keys.C,
+        Keys.D,
+        Keys.E,
+        Keys.F,
+        Keys.G,
+        Keys.H,
+        Keys.M,
+        Keys.P,
+        Keys.Q,
+        Keys.R,
+        Keys.S,
+        Keys.V,
+        Keys.W,
+        Keys.X,
         Keys.Z,
-        Keys.D1, Keys.D2, Keys.D3, Keys.D4, Keys.D5, Keys.D6, Keys.D7, Keys.D8, Keys.D9,
-        Keys.F1, Keys.F2, Keys.F3, Keys.F5, Keys.F6, Keys.F7, Keys.F8, Keys.F9, Keys.F10, Keys.F11,
-        Keys.NumPad4, Keys.NumPad5, Keys.NumPad6, Keys.NumPad7, Keys.NumPad8, Keys.NumPad9, Keys.Add, Keys.Subtract,
-        Keys.Space, Keys.Tab, Keys.CapsLock, Keys.Enter, Keys.Back, Keys.Escape, Keys.Insert, Keys.Delete, Keys.Home, Keys.PageUp,
+        Keys.D1,
+        Keys.D2,
+        Keys.D3,
+        Keys.D4,
+        Keys.D5,
+        Keys.D6,
+        Keys.D7,
+        Keys.D8,
+        Keys.D9,
+        Keys.F1,
+        Keys.F2,
+        Keys.F3,
+        Keys.F5,
+        Keys.F6,
+        Keys.F7,
+        Keys.F8,
+        Keys.F9,
+        Keys.F10,
+        Keys.F11,
+        Keys.NumPad4,
+        Keys.NumPad5,
+        Keys.NumPad6,
+        Keys.NumPad7,
+        Keys.NumPad8,
+        Keys.NumPad9,
+        Keys.Add,
+        Keys.Subtract,
+        Keys.Space,
+        Keys.Tab,
+        Keys.CapsLock,
+        Keys.Enter,
+        Keys.Back,
+        Keys.Escape,
+        Keys.Insert,
+        Keys.Delete,
+        Keys.Home,
+        Keys.PageUp,
         Keys.PageDown,
-        Keys.Left, Keys.Right, Keys.Up, Keys.Down,
+        Keys.Left,
+        Keys.Right,
+        Keys.Up,
+        Keys.Down,
     ];
 
     /// <summary>The console of ScriptHookVDotNet, and Steam's screenshot.</summary>
@@ -36,11 +87,11 @@ public sealed class DefaultKeyTests
     }
 
     /// <summary>The keys under [Keys] of the shipped file, which another test compares with the mod's own.</summary>
-    private static IEnumerable<Keys> Defaults() => File
-        .ReadLines(Path.Combine(BuiltMod.RepositoryRoot, "src", "Harvester.Mod", "GtaDataHarvester.ini"))
-        .SkipWhile(line => line != "[Keys]")
-        .Skip(1)
-        .TakeWhile(line => !line.StartsWith('['))
-        .Where(line => line.Contains('=', StringComparison.Ordinal) && line[0] != ';')
-        .Select(line => Enum.Parse<Keys>(line.Split('=')[1].Trim()));
+    private static IEnumerable<Keys> Defaults() =>
+        File.ReadLines(Path.Combine(BuiltMod.RepositoryRoot, "src", "Harvester.Mod", "GtaDataHarvester.ini"))
+            .SkipWhile(line => line != "[Keys]")
+            .Skip(1)
+            .TakeWhile(line => !line.StartsWith('['))
+            .Where(line => line.Contains('=', StringComparison.Ordinal) && line[0] != ';')
+            .Select(line => Enum.Parse<Keys>(line.Split('=')[1].Trim()));
 }

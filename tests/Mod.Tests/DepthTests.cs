@@ -20,8 +20,12 @@ public sealed class DepthTests
         JsonElement label = JsonDocument.Parse(Assert.Single(driver.Labels())).RootElement;
         Assert.NotEqual(0, label.GetProperty("rays").GetProperty("depth").GetInt32());
         string file = label.GetProperty("depth").GetProperty("sparse").GetString()!;
-        Assert.Equal(1, Directory.EnumerateFiles(driver.Output, Path.GetFileName(file), SearchOption.AllDirectories)
-            .Count(path => path.Replace('\\', '/').EndsWith("/" + file, StringComparison.Ordinal)));
+        Assert.Equal(
+            1,
+            Directory
+                .EnumerateFiles(driver.Output, Path.GetFileName(file), SearchOption.AllDirectories)
+                .Count(path => path.Replace('\\', '/').EndsWith("/" + file, StringComparison.Ordinal))
+        );
     }
 
     [Fact]
@@ -37,12 +41,14 @@ public sealed class DepthTests
     private static ScriptDriver Start(string setting)
     {
         var driver = new ScriptDriver($"[Harvest]\nWidth = 64\nHeight = 48\n{setting}\n");
-        driver.Game.PlayersVehicle = driver.Game.Add(new GameEntity
-        {
-            Pool = PoolKind.Vehicles,
-            Name = "adder",
-            Pose = new Pose(new Vector3D(100, 200, 0.6), Axes.Identity),
-        });
+        driver.Game.PlayersVehicle = driver.Game.Add(
+            new GameEntity
+            {
+                Pool = PoolKind.Vehicles,
+                Name = "adder",
+                Pose = new Pose(new Vector3D(100, 200, 0.6), Axes.Identity),
+            }
+        );
         return driver;
     }
 }

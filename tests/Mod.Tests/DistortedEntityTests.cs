@@ -22,7 +22,9 @@ public sealed class DistortedEntityTests
         // The model is 2 m wide, 4 m long and 1.5 m high.
         JsonElement scaled = labels.Single(label => label.GetProperty("model").GetString() == "blista");
         Assert.Equal(
-            [4, 6, 6], scaled.GetProperty("box3d").GetProperty("halfExtents").EnumerateArray().Select(half => 2 * half.GetDouble()));
+            [4, 6, 6],
+            scaled.GetProperty("box3d").GetProperty("halfExtents").EnumerateArray().Select(half => 2 * half.GetDouble())
+        );
         Assert.Equal(0, Session(driver).GetProperty("reading").GetProperty("distortedEntities").GetInt32());
     }
 
@@ -53,13 +55,16 @@ public sealed class DistortedEntityTests
         Assert.Contains(driver.Game.Notifications, message => message.Contains("sheared or mirrored", StringComparison.Ordinal));
     }
 
-    private static int Put(TestGame game, Vector3D right, Vector3D forward, Vector3D up) => game.Add(new GameEntity
-    {
-        Pool = PoolKind.Vehicles,
-        Name = "blista",
-        Pose = new Pose(new Vector3D(97, 225, 0.6), Axes.Identity),
-        Matrix = (right, forward, up),
-    });
+    private static int Put(TestGame game, Vector3D right, Vector3D forward, Vector3D up) =>
+        game.Add(
+            new GameEntity
+            {
+                Pool = PoolKind.Vehicles,
+                Name = "blista",
+                Pose = new Pose(new Vector3D(97, 225, 0.6), Axes.Identity),
+                Matrix = (right, forward, up),
+            }
+        );
 
     private static JsonElement[] Harvest(ScriptDriver driver)
     {
@@ -70,6 +75,7 @@ public sealed class DistortedEntityTests
     }
 
     private static JsonElement Session(ScriptDriver driver) =>
-        JsonDocument.Parse(
-            File.ReadAllText(Path.Combine(Assert.Single(Directory.GetDirectories(driver.Output)), "session.json"))).RootElement;
+        JsonDocument
+            .Parse(File.ReadAllText(Path.Combine(Assert.Single(Directory.GetDirectories(driver.Output)), "session.json")))
+            .RootElement;
 }

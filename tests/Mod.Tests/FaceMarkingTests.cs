@@ -75,8 +75,10 @@ public sealed class SpaceMarkingTests
     public void Marked_face_keeps_the_shipped_one_on_the_other_side()
     {
         const string shipped =
-            Sign + ",,sign,STOP,R1-1,0,-0.4,0.05,2.7,0.4,-0.05,1.9,-y,estimated,test\n" +
-            Sign + ",,sign,WRONG WAY,R5-1a,1,-0.4,0.05,2.7,0.4,-0.05,1.9,+y,estimated,test\n";
+            Sign
+            + ",,sign,STOP,R1-1,0,-0.4,0.05,2.7,0.4,-0.05,1.9,-y,estimated,test\n"
+            + Sign
+            + ",,sign,WRONG WAY,R5-1a,1,-0.4,0.05,2.7,0.4,-0.05,1.9,+y,estimated,test\n";
         using ScriptDriver driver = BeforeSign(Names, shipped);
         Mark(driver, -0.35, 2.1);
         Mark(driver, 0.35, 2.7);
@@ -84,7 +86,8 @@ public sealed class SpaceMarkingTests
 
         Assert.Equal(
             [(0, Provenance.Measured, Facing.Back), (1, Provenance.Estimated, Facing.Front)],
-            Rows(driver).Select(row => (row.Number, row.Provenance, row.Facing)));
+            Rows(driver).Select(row => (row.Number, row.Provenance, row.Facing))
+        );
     }
 
     [Fact]
@@ -142,7 +145,8 @@ public sealed class SpaceMarkingTests
         Assert.Contains(
             "ONE WAY",
             Assert.Single(LabelsIn(Assert.Single(Directory.GetDirectories(driver.Output, "singles*")))),
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]
@@ -156,7 +160,13 @@ public sealed class SpaceMarkingTests
 
         // A car is no prop.
         driver.Game.Add(
-            new GameEntity { Pool = PoolKind.Vehicles, Name = "asea", Pose = new Pose(new Vector3D(-2, 20, 31), Axes.Identity) });
+            new GameEntity
+            {
+                Pool = PoolKind.Vehicles,
+                Name = "asea",
+                Pose = new Pose(new Vector3D(-2, 20, 31), Axes.Identity),
+            }
+        );
         driver.Game.Notifications.Clear();
         driver.Clock.Milliseconds += 10_000;
         driver.Press(Keys.NumPad2);
@@ -180,9 +190,21 @@ public sealed class SpaceMarkingTests
     {
         using ScriptDriver driver = BeforeSign(Names);
         driver.Game.Add(
-            new GameEntity { Pool = PoolKind.Props, Name = "prop_bench_01a", Pose = new Pose(new Vector3D(90, 200, 0), Axes.Identity) });
+            new GameEntity
+            {
+                Pool = PoolKind.Props,
+                Name = "prop_bench_01a",
+                Pose = new Pose(new Vector3D(90, 200, 0), Axes.Identity),
+            }
+        );
         driver.Game.Add(
-            new GameEntity { Pool = PoolKind.Props, Name = "prop_far_away", Pose = new Pose(new Vector3D(900, 200, 0), Axes.Identity) });
+            new GameEntity
+            {
+                Pool = PoolKind.Props,
+                Name = "prop_far_away",
+                Pose = new Pose(new Vector3D(900, 200, 0), Axes.Identity),
+            }
+        );
         Look(driver, 100, 2.1);
         driver.Press(Keys.Divide);
         driver.WaitForDisk();
@@ -192,7 +214,8 @@ public sealed class SpaceMarkingTests
         int bench = ModelHash.Of("prop_bench_01a");
         Assert.Equal(
             $"model,hash,class,x,y,z\n0x{bench:X8},{bench},other,90,200,0\n{Sign},{ModelHash.Of(Sign)},sign,100,200,0\n",
-            File.ReadAllText(file));
+            File.ReadAllText(file)
+        );
     }
 
     /// <summary>A sign at (100, 200, 0), 0.1 m thick, whose face the player sees from the south.</summary>
@@ -203,14 +226,17 @@ public sealed class SpaceMarkingTests
         return driver;
     }
 
-    private static void AddSign(ScriptDriver driver, Vector3D place) => driver.Game.Add(new GameEntity
-    {
-        Pool = PoolKind.Props,
-        Name = Sign,
-        Pose = new Pose(place, Axes.Identity),
-        ModelMin = new Vector3D(-0.4, -0.05, 0),
-        ModelMax = new Vector3D(0.4, 0.05, 2.8),
-    });
+    private static void AddSign(ScriptDriver driver, Vector3D place) =>
+        driver.Game.Add(
+            new GameEntity
+            {
+                Pool = PoolKind.Props,
+                Name = Sign,
+                Pose = new Pose(place, Axes.Identity),
+                ModelMin = new Vector3D(-0.4, -0.05, 0),
+                ModelMax = new Vector3D(0.4, 0.05, 2.8),
+            }
+        );
 
     private static void Mark(ScriptDriver driver, double right, double up)
     {

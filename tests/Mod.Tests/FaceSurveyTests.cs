@@ -61,7 +61,8 @@ public sealed class SpaceSurveyTests
         string folder = Path.Combine(Folder(driver), SurveyPhoto.FolderName);
         Assert.Equal(
             [Sign + ".png", Sign + "_back.png", Light + ".png", Light + "_back.png"],
-            Directory.GetFiles(folder).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+            Directory.GetFiles(folder).Select(Path.GetFileName).Order(StringComparer.Ordinal)
+        );
         Assert.Equal((4, 0), (driver.Screen.Grabs, driver.Screen.SpoiltPictures));
         IReadOnlyList<SurveyPhoto> photos = SurveyPhoto.ReadAll(Folder(driver));
         Assert.Equal(4, photos.Count);
@@ -107,7 +108,8 @@ public sealed class SpaceSurveyTests
 
         Assert.Contains(
             driver.Game.Texts,
-            text => text.StartsWith("SIGNS  ", StringComparison.Ordinal) && text.Contains(" of 109  prop_", StringComparison.Ordinal));
+            text => text.StartsWith("SIGNS  ", StringComparison.Ordinal) && text.Contains(" of 109  prop_", StringComparison.Ordinal)
+        );
         driver.Press(Keys.Multiply);
         Assert.Matches("was stopped after [0-9]+ of 109 models[.] The next", driver.Game.Notifications[^1]);
         Assert.Empty(driver.Game.Objects);
@@ -122,7 +124,8 @@ public sealed class SpaceSurveyTests
         driver.Press(Keys.Multiply);
         for (bool isLast = false; !isLast; driver.Tick())
         {
-            isLast = driver.Game.Texts.Any(text => text.StartsWith("SIGNS  109 of 109", StringComparison.Ordinal))
+            isLast =
+                driver.Game.Texts.Any(text => text.StartsWith("SIGNS  109 of 109", StringComparison.Ordinal))
                 || driver.Game.Notifications.Count > 1;
         }
 
@@ -210,7 +213,8 @@ public sealed class SpaceSurveyTests
         Assert.Contains(
             "\"provenance\":\"measured\"",
             File.ReadAllText(Path.Combine(session, "labels.jsonl")).Replace(" ", "", StringComparison.Ordinal),
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]
@@ -299,12 +303,19 @@ public sealed class SpaceSurveyTests
     private static void AssertFaces(Prop prop, IReadOnlyList<ModelFace> found)
     {
         Assert.Equal(prop.Faces.Count, found.Count);
-        Assert.All(prop.Faces, face => Assert.Contains(found, row =>
-            row.Facing == face.Facing
-            && Math.Abs(row.FrontUpperLeft.X - face.Min.X) < ToleranceMetres
-                && Math.Abs(row.FrontUpperLeft.Z - face.Max.Z) < ToleranceMetres
-            && Math.Abs(row.BackLowerRight.X - face.Max.X) < ToleranceMetres
-                && Math.Abs(row.BackLowerRight.Z - face.Min.Z) < ToleranceMetres
-            && Math.Abs(row.BackLowerRight.Y - face.Min.Y) < ToleranceMetres));
+        Assert.All(
+            prop.Faces,
+            face =>
+                Assert.Contains(
+                    found,
+                    row =>
+                        row.Facing == face.Facing
+                        && Math.Abs(row.FrontUpperLeft.X - face.Min.X) < ToleranceMetres
+                        && Math.Abs(row.FrontUpperLeft.Z - face.Max.Z) < ToleranceMetres
+                        && Math.Abs(row.BackLowerRight.X - face.Max.X) < ToleranceMetres
+                        && Math.Abs(row.BackLowerRight.Z - face.Min.Z) < ToleranceMetres
+                        && Math.Abs(row.BackLowerRight.Y - face.Min.Y) < ToleranceMetres
+                )
+        );
     }
 }

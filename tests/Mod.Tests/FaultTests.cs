@@ -108,7 +108,8 @@ public sealed class FaultTests
         Assert.Contains(
             "The harvest stopped: The fwScriptGuid pool is full. Restart the game, and remove mods that hold many",
             driver.Game.Notifications[^1],
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
         Assert.False(driver.Game.IsPaused);
     }
 
@@ -156,8 +157,8 @@ public sealed class FaultTests
         int before = driver.Game.Calls.Count;
         for (int repeat = 0; repeat < 30; repeat++)
         {
-            foreach (Keys key
-                in new[]
+            foreach (
+                Keys key in new[]
                 {
                     Keys.NumPad0,
                     Keys.I,
@@ -174,7 +175,8 @@ public sealed class FaultTests
                     Keys.Y,
                     Keys.Divide,
                     Keys.Decimal,
-                })
+                }
+            )
             {
                 driver.Script.RaiseKeyDown(key);
             }
@@ -241,7 +243,9 @@ public sealed class FaultTests
         driver.Tick(2);
 
         Assert.Contains(
-            driver.Game.Notifications, message => message.Contains("vehicle with the camera is gone", StringComparison.Ordinal));
+            driver.Game.Notifications,
+            message => message.Contains("vehicle with the camera is gone", StringComparison.Ordinal)
+        );
         Assert.Contains("The harvest ended", driver.Game.Notifications[^1], StringComparison.Ordinal);
         Assert.False(driver.Game.IsPaused);
     }

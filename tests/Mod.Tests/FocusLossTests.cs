@@ -19,12 +19,11 @@ public sealed class FocusLossTests
 
         Assert.Contains(
             driver.Game.Notifications,
-            shown => shown.Contains(
-                "No tick for 12.3 s: the game was paused. Switch off Pause Game On Focus Loss", StringComparison.Ordinal));
+            shown =>
+                shown.Contains("No tick for 12.3 s: the game was paused. Switch off Pause Game On Focus Loss", StringComparison.Ordinal)
+        );
         driver.Press(Keys.J);
-        Assert.Contains(
-            "The game stopped for 12.3 s while a harvest, a drive or a plan was running.",
-            CausesIn(driver));
+        Assert.Contains("The game stopped for 12.3 s while a harvest, a drive or a plan was running.", CausesIn(driver));
     }
 
     [Fact]
@@ -59,7 +58,9 @@ public sealed class FocusLossTests
         GraphicsAdviceTests.UntilRead(driver);
 
         Assert.Equal(
-            ["The game stops while another window has the focus, so a program that drives gets no frames then."], CausesIn(driver));
+            ["The game stops while another window has the focus, so a program that drives gets no frames then."],
+            CausesIn(driver)
+        );
     }
 
     /// <summary>The window loses the focus for a while and gets it back, with ticks as the game gives them.</summary>

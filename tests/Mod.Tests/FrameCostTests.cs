@@ -18,15 +18,18 @@ public sealed class FrameCostTests
     private const int Ticks = 120;
 
     [Theory]
-
     // 600 vehicles and people within 300 m, 16 labels: before 29,915 natives and 3,757 rays.
     [InlineData(3, 1, 14_300, 2_550)]
-
     // 100 vehicles and people, 6 labels: before 6,373 natives and 980 rays.
     [InlineData(21, 0.15, 3_750, 770)]
     public void Frame_asks_the_game_once_for_what_stands_still(int seed, double density, int maxNatives, int maxRays)
     {
-        var options = new SimulationOptions { Seed = seed, TrafficDensity = density, PedestrianDensity = density };
+        var options = new SimulationOptions
+        {
+            Seed = seed,
+            TrafficDensity = density,
+            PedestrianDensity = density,
+        };
         var scene = new SimulatedScene(options, FaceTable.Empty);
         using var driver = new ScriptDriver("[Harvest]\nRate = 2\n", scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock);
         driver.Script.RaiseKeyUp(Keys.J);

@@ -36,7 +36,10 @@ public sealed class FreezeTests
     [InlineData(null, FreezeMethod.Paused, "timeScale")]
     [InlineData(FreezeMethod.Paused, FreezeMethod.TimeScale, "paused")]
     public void Auto_tries_both_methods_and_the_session_records_the_findings(
-        FreezeMethod? holdsCamera, FreezeMethod? letsTrafficGoOn, string expected)
+        FreezeMethod? holdsCamera,
+        FreezeMethod? letsTrafficGoOn,
+        string expected
+    )
     {
         using ScriptDriver driver = Driving(Auto);
         driver.Game.HoldsCamera = holdsCamera;
@@ -47,16 +50,23 @@ public sealed class FreezeTests
         Assert.Equal(expected, freezing.GetProperty("used").GetString());
         Assert.Equal(
             ["paused", "timeScale"],
-            freezing.GetProperty("tried").EnumerateArray().Select(tried => tried.GetProperty("method").GetString()));
-        Assert.All(freezing.GetProperty("tried").EnumerateArray(), tried =>
-        {
-            FreezeMethod method = tried.GetProperty("method").GetString() == "paused" ? FreezeMethod.Paused : FreezeMethod.TimeScale;
-            Assert.True(tried.GetProperty("sawMovement").GetBoolean());
-            Assert.Equal(method == letsTrafficGoOn, tried.GetProperty("settleTicks").ValueKind == JsonValueKind.Null);
-            Assert.Equal(
-                method == letsTrafficGoOn ? JsonValueKind.Null : method == holdsCamera ? JsonValueKind.False : JsonValueKind.True,
-                tried.GetProperty("movesCamera").ValueKind);
-        });
+            freezing.GetProperty("tried").EnumerateArray().Select(tried => tried.GetProperty("method").GetString())
+        );
+        Assert.All(
+            freezing.GetProperty("tried").EnumerateArray(),
+            tried =>
+            {
+                FreezeMethod method = tried.GetProperty("method").GetString() == "paused" ? FreezeMethod.Paused : FreezeMethod.TimeScale;
+                Assert.True(tried.GetProperty("sawMovement").GetBoolean());
+                Assert.Equal(method == letsTrafficGoOn, tried.GetProperty("settleTicks").ValueKind == JsonValueKind.Null);
+                Assert.Equal(
+                    method == letsTrafficGoOn ? JsonValueKind.Null
+                        : method == holdsCamera ? JsonValueKind.False
+                        : JsonValueKind.True,
+                    tried.GetProperty("movesCamera").ValueKind
+                );
+            }
+        );
         Assert.Contains("Freeze = Auto: Paused: the world", driver.Log(), StringComparison.Ordinal);
         Assert.Equal(mounted, Assert.Single(driver.Game.Cameras).Value.Offset);
     }
@@ -142,6 +152,7 @@ public sealed class FreezeTests
     }
 
     private static JsonElement Session(ScriptDriver driver) =>
-        JsonDocument.Parse(
-            File.ReadAllText(Path.Combine(Assert.Single(Directory.GetDirectories(driver.Output)), "session.json"))).RootElement;
+        JsonDocument
+            .Parse(File.ReadAllText(Path.Combine(Assert.Single(Directory.GetDirectories(driver.Output)), "session.json")))
+            .RootElement;
 }

@@ -49,6 +49,7 @@ public sealed class GameApiFileTests
         Assert.Contains(
             "No dll at 'nowhere.dll': say where ScriptHookVDotNet3.dll lies with -p:ScriptHookVDotNetDll=PATH.",
             output,
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
     }
 }

@@ -23,7 +23,9 @@ public sealed class GameApiTests
     {
         using ModuleDefinition module = ModuleDefinition.ReadModule(BuiltMod.Path);
         AssemblyNameReference api = Assert.Single(
-            module.AssemblyReferences, reference => reference.Name.StartsWith("ScriptHookVDotNet", StringComparison.Ordinal));
+            module.AssemblyReferences,
+            reference => reference.Name.StartsWith("ScriptHookVDotNet", StringComparison.Ordinal)
+        );
 
         Assert.Equal("ScriptHookVDotNet3", api.Name);
         Assert.Equal(new Version(3, 6, 0, 0), api.Version);
@@ -35,8 +37,14 @@ public sealed class GameApiTests
     {
         string[] allowed =
         [
-            "mscorlib", "System", "System.Core", "System.Drawing", "System.IO.Compression", "System.Windows.Forms",
-            "System.Xml", "ScriptHookVDotNet3",
+            "mscorlib",
+            "System",
+            "System.Core",
+            "System.Drawing",
+            "System.IO.Compression",
+            "System.Windows.Forms",
+            "System.Xml",
+            "ScriptHookVDotNet3",
         ];
         using ModuleDefinition module = ModuleDefinition.ReadModule(BuiltMod.Path);
 

@@ -11,12 +11,14 @@ public sealed class GraphicsAdviceTests
         using var driver = new ScriptDriver();
         File.WriteAllText(
             driver.GraphicsFile,
-            "<Settings><graphics><MSAA value=\"4\" /><DoF value=\"true\" />" +
-            "<MotionBlurStrength value=\"0.500000\" /></graphics></Settings>");
+            "<Settings><graphics><MSAA value=\"4\" /><DoF value=\"true\" />"
+                + "<MotionBlurStrength value=\"0.500000\" /></graphics></Settings>"
+        );
         UntilRead(driver);
         driver.Tick(10);
 
-        const string found = "Settings of the game harm pictures and labels: "
+        const string found =
+            "Settings of the game harm pictures and labels: "
             + "Motion Blur Strength is 0.5, In-Game Depth Of Field Effects is on, MSAA is 4.";
         Assert.Contains(found, Assert.Single(driver.Game.Notifications), StringComparison.Ordinal);
         Assert.Equal([found], Doctor.Examine(driver.Folder).Findings.Select(finding => finding.Cause));
@@ -29,7 +31,8 @@ public sealed class GraphicsAdviceTests
         File.WriteAllText(
             driver.GraphicsFile,
             "<Settings><MSAA value=\"0\" /><TXAA_Enabled value=\"false\" /><DoF value=\"false\" /><PostFX value=\"0\" />"
-                + "<MotionBlurStrength value=\"0.000000\" /><PauseOnFocusLoss value=\"0\" /></Settings>");
+                + "<MotionBlurStrength value=\"0.000000\" /><PauseOnFocusLoss value=\"0\" /></Settings>"
+        );
         UntilRead(driver);
 
         Assert.Empty(driver.Game.Notifications);

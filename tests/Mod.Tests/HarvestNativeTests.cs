@@ -95,24 +95,40 @@ public sealed class HarvestNativeTests
         HarvestTests.Street(driver.Game);
         foreach (int i in Enumerable.Range(0, Parked + Driven))
         {
-            int vehicle = driver.Game.Add(new GameEntity { Pool = PoolKind.Vehicles, Name = "premier", Pose = PoseOf(i, 240) });
+            int vehicle = driver.Game.Add(
+                new GameEntity
+                {
+                    Pool = PoolKind.Vehicles,
+                    Name = "premier",
+                    Pose = PoseOf(i, 240),
+                }
+            );
             if (i < Driven)
             {
                 driver.Game.Add(
-                    new GameEntity { Pool = PoolKind.Peds, Name = "a_m_y_hipster_01", Pose = PoseOf(i, 240), Vehicle = vehicle });
+                    new GameEntity
+                    {
+                        Pool = PoolKind.Peds,
+                        Name = "a_m_y_hipster_01",
+                        Pose = PoseOf(i, 240),
+                        Vehicle = vehicle,
+                    }
+                );
             }
         }
 
         foreach (int i in Enumerable.Range(0, OnFoot - 1))
         {
             Pose pose = PoseOf(i, 230);
-            driver.Game.Add(new GameEntity
-            {
-                Pool = PoolKind.Peds,
-                Name = "a_m_y_hipster_01",
-                Pose = pose,
-                Skeleton = new Skeleton(Enumerable.Repeat(pose.Position, Skeleton.Count)),
-            });
+            driver.Game.Add(
+                new GameEntity
+                {
+                    Pool = PoolKind.Peds,
+                    Name = "a_m_y_hipster_01",
+                    Pose = pose,
+                    Skeleton = new Skeleton(Enumerable.Repeat(pose.Position, Skeleton.Count)),
+                }
+            );
         }
 
         driver.Press(Keys.J);

@@ -51,7 +51,8 @@ public sealed class HarvestTests
     [Fact]
     public void Label_of_a_two_wheeler_states_whether_it_has_a_rider()
     {
-        const int cycles = 13, motorcycles = 8;
+        const int cycles = 13,
+            motorcycles = 8;
         using var driver = new ScriptDriver();
         Street(driver.Game);
         int ridden = driver.Game.Add(
@@ -61,14 +62,17 @@ public sealed class HarvestTests
                 Name = "scorcher",
                 VehicleClass = cycles,
                 Pose = new Pose(new Vector3D(97, 214, 0.6), Axes.Identity),
-            });
-        driver.Game.Add(new GameEntity
-        {
-            Pool = PoolKind.Vehicles,
-            Name = "bati",
-            VehicleClass = motorcycles,
-            Pose = new Pose(new Vector3D(103, 214, 0.6), Axes.Identity),
-        });
+            }
+        );
+        driver.Game.Add(
+            new GameEntity
+            {
+                Pool = PoolKind.Vehicles,
+                Name = "bati",
+                VehicleClass = motorcycles,
+                Pose = new Pose(new Vector3D(103, 214, 0.6), Axes.Identity),
+            }
+        );
         driver.Game.Add(
             new GameEntity
             {
@@ -76,7 +80,8 @@ public sealed class HarvestTests
                 Name = "a_m_y_cyclist_01",
                 Pose = new Pose(new Vector3D(97, 214, 0.6), Axes.Identity),
                 Vehicle = ridden,
-            });
+            }
+        );
         driver.Press(Keys.J);
         driver.Tick(5 * TicksOfAFrame);
         driver.Press(Keys.J);
@@ -85,8 +90,13 @@ public sealed class HarvestTests
         string line = File.ReadLines(Path.Combine(Assert.Single(Directory.GetDirectories(driver.Output)), "labels.jsonl")).First();
         Assert.Equal(
             [("bicycle", "True"), ("car", ""), ("motorcycle", "False"), ("pedestrian", "")],
-            JsonDocument.Parse(line).RootElement.GetProperty("objects").EnumerateArray()
-                .Select(label => (label.GetProperty("class").GetString()!, label.GetProperty("hasRider").ToString())).Order());
+            JsonDocument
+                .Parse(line)
+                .RootElement.GetProperty("objects")
+                .EnumerateArray()
+                .Select(label => (label.GetProperty("class").GetString()!, label.GetProperty("hasRider").ToString()))
+                .Order()
+        );
     }
 
     [Fact]
@@ -126,7 +136,8 @@ public sealed class HarvestTests
         driver.Until(() => driver.Game.Texts.Any(text => text.Contains("free", StringComparison.Ordinal)));
         Assert.Matches(
             @"^REC  \d+ frames  \d+\.\d/s  0 discarded  queue \d+  \d+\.\d GB free(  1 minute of driving takes \d+(\.\d)?)?$",
-            driver.Game.Texts[^1]);
+            driver.Game.Texts[^1]
+        );
         Assert.All(lines, line => Assert.InRange(line.Length, 1, 99));
     }
 
@@ -152,8 +163,11 @@ public sealed class HarvestTests
 
         double ratio = ticks * millisecondsOfATick / (driver.Game.TimerMilliseconds - before);
         string shown = Regex.Match(line, @"1 minute of driving takes (\d+(\.\d)?)").Groups[1].Value;
-        Assert.InRange(double.Parse(shown, CultureInfo.InvariantCulture), ratio - 0.05 - (toleranceOfFirstFrame * ratio),
-            ratio + 0.05 + (toleranceOfFirstFrame * ratio));
+        Assert.InRange(
+            double.Parse(shown, CultureInfo.InvariantCulture),
+            ratio - 0.05 - (toleranceOfFirstFrame * ratio),
+            ratio + 0.05 + (toleranceOfFirstFrame * ratio)
+        );
     }
 
     [Fact]
@@ -172,7 +186,9 @@ public sealed class HarvestTests
         // The folder of the sessions was made for this one.
         Assert.False(Directory.Exists(driver.Output));
         Assert.Contains(
-            driver.Game.Notifications, message => message.Contains("(0 frames; its empty folder is removed)", StringComparison.Ordinal));
+            driver.Game.Notifications,
+            message => message.Contains("(0 frames; its empty folder is removed)", StringComparison.Ordinal)
+        );
     }
 
     [Fact]

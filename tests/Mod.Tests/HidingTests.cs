@@ -18,9 +18,7 @@ public sealed class HidingTests
 
     /// <summary>The natives that only a harvest with coded masks calls.</summary>
     internal static IReadOnlyList<Hash> OwnNatives { get; } =
-    [
-        Hash.IS_ENTITY_VISIBLE, Hash.SET_ENTITY_VISIBLE, Hash.GET_VEHICLE_TRAILER_VEHICLE, Hash.GET_ENTITY_ATTACHED_TO, Hash.DRAW_POLY,
-    ];
+    [Hash.IS_ENTITY_VISIBLE, Hash.SET_ENTITY_VISIBLE, Hash.GET_VEHICLE_TRAILER_VEHICLE, Hash.GET_ENTITY_ATTACHED_TO, Hash.DRAW_POLY];
 
     [Fact]
     [Trait("Category", "Heavy")]
@@ -119,15 +117,19 @@ public sealed class HidingTests
         driver.Screen.ShowsHiding = false;
         HarvestTests.Street(driver.Game);
         driver.Press(Keys.J);
-        driver.Until(() => Directory.Exists(driver.Output)
-            && Directory.GetFiles(driver.Output, "labels.jsonl", SearchOption.AllDirectories)
-                .Any(file => File.ReadAllLines(file).Length > 3));
+        driver.Until(() =>
+            Directory.Exists(driver.Output)
+            && Directory
+                .GetFiles(driver.Output, "labels.jsonl", SearchOption.AllDirectories)
+                .Any(file => File.ReadAllLines(file).Length > 3)
+        );
         driver.Press(Keys.J);
         driver.WaitForDisk();
 
         Assert.Contains(
             driver.Game.Notifications,
-            message => message.Contains("Masks come from rays: hidden objects still show", StringComparison.Ordinal));
+            message => message.Contains("Masks come from rays: hidden objects still show", StringComparison.Ordinal)
+        );
         Assert.DoesNotContain("\"pictures\"", driver.Labels()[^1], StringComparison.Ordinal);
     }
 
@@ -140,8 +142,10 @@ public sealed class HidingTests
         driver.Press(Keys.J);
         driver.Until(() => driver.Game.Texts.Any(text => text.StartsWith("Masks come from rays: ", StringComparison.Ordinal)));
 
-        Assert.Contains(driver.Game.Texts, text =>
-            text.StartsWith("REC  ", StringComparison.Ordinal) && text.Contains("  MASKS FROM RAYS", StringComparison.Ordinal));
+        Assert.Contains(
+            driver.Game.Texts,
+            text => text.StartsWith("REC  ", StringComparison.Ordinal) && text.Contains("  MASKS FROM RAYS", StringComparison.Ordinal)
+        );
         Assert.Contains("Masks come from rays: ", driver.Log(), StringComparison.Ordinal);
     }
 
@@ -151,13 +155,18 @@ public sealed class HidingTests
         using var driver = new ScriptDriver(Ini);
         HarvestTests.Street(driver.Game);
         int vehicle = driver.Game.HandleOf(driver.Game.Vehicles.First(each => driver.Game.HandleOf(each) != driver.Game.PlayersVehicle));
-        GameEntity[] occupants = [.. Enumerable.Range(0, 2).Select(_ => new GameEntity
-        {
-            Pool = PoolKind.Peds,
-            Name = "a_m_y_hipster_01",
-            Pose = driver.Game.Entities[vehicle].Pose,
-            Vehicle = vehicle,
-        })];
+        GameEntity[] occupants =
+        [
+            .. Enumerable
+                .Range(0, 2)
+                .Select(_ => new GameEntity
+                {
+                    Pool = PoolKind.Peds,
+                    Name = "a_m_y_hipster_01",
+                    Pose = driver.Game.Entities[vehicle].Pose,
+                    Vehicle = vehicle,
+                }),
+        ];
         Array.ForEach(occupants, occupant => driver.Game.Add(occupant));
         driver.Press(Keys.J);
         int hidden = 0;
@@ -202,7 +211,13 @@ public sealed class HidingTests
         [
             Prop(driver.Game, trailer, isAttached: true),
             Prop(driver.Game, vehicle, isAttached: true),
-            new() { Pool = PoolKind.Peds, Name = "a_m_y_hipster_01", Pose = vehicle.Pose, Vehicle = driver.Game.HandleOf(vehicle) },
+            new()
+            {
+                Pool = PoolKind.Peds,
+                Name = "a_m_y_hipster_01",
+                Pose = vehicle.Pose,
+                Vehicle = driver.Game.HandleOf(vehicle),
+            },
         ];
         driver.Game.Add(carried[2]);
         GameEntity phone = Prop(driver.Game, carried[2], isAttached: true);

@@ -89,10 +89,14 @@ public sealed class HudTests
                 game.HidesHudWhilePaused = false;
                 game.SwitchesHudWhilePaused = false;
             },
-            "stays", null,
-            driver => Assert.Contains(
-                driver.Game.Notifications,
-                message => message.Contains("Switch them off in the game's settings", StringComparison.Ordinal)));
+            "stays",
+            null,
+            driver =>
+                Assert.Contains(
+                    driver.Game.Notifications,
+                    message => message.Contains("Switch them off in the game's settings", StringComparison.Ordinal)
+                )
+        );
     }
 
     [Theory]
@@ -121,11 +125,14 @@ public sealed class HudTests
         Assert.Equal(warning is not null, isSaidAtOnce);
         Assert.Equal(
             warning is not null,
-            driver.Game.Notifications.Any(message => message.Contains(warning ?? "are clipped", StringComparison.Ordinal)));
+            driver.Game.Notifications.Any(message => message.Contains(warning ?? "are clipped", StringComparison.Ordinal))
+        );
         Assert.Equal(
             warning is not null,
-            Doctor.Examine(Path.GetDirectoryName(session)!, false).Findings
-                .Any(finding => finding.Cause.Contains("Auto HDR", StringComparison.Ordinal)));
+            Doctor
+                .Examine(Path.GetDirectoryName(session)!, false)
+                .Findings.Any(finding => finding.Cause.Contains("Auto HDR", StringComparison.Ordinal))
+        );
     }
 
     private static void AssertDisplay(Action<TestGame> prepare, string state, string? region, Action<ScriptDriver>? further = null)

@@ -69,9 +69,11 @@ public sealed class LightTests
         // The mod sets the lights and its record is not used: the state read from the picture must be the one that was set.
         var scene = new SimulatedScene(Town(), ModelFaces.Table);
         using var driver = new ScriptDriver(Image, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock, Table());
-        foreach (int light in driver.Game.Entities
-            .Where(entity => entity.Value.Name.StartsWith("prop_traffic", StringComparison.Ordinal))
-            .Select(entity => entity.Key))
+        foreach (
+            int light in driver
+                .Game.Entities.Where(entity => entity.Value.Name.StartsWith("prop_traffic", StringComparison.Ordinal))
+                .Select(entity => entity.Key)
+        )
         {
             driver.Game.LightDriven(light, 1);
         }
@@ -88,7 +90,8 @@ public sealed class LightTests
         using ScriptDriver driver = OnStreet(
             "[Harvest]\nWidth = 160\nHeight = 120\nRate = 1\nQueue = 1000\nDriveLights = On\nLightOrder = RedAmberGreen\n",
             out int along,
-            out int across);
+            out int across
+        );
         driver.Press(Keys.J);
         var seen = new HashSet<(int, int)>();
         int begun = driver.Game.TimerMilliseconds;
@@ -142,15 +145,16 @@ public sealed class LightTests
         driver.Press(Keys.J);
         driver.Tick(30);
         int asked = 0;
-        driver.Game.Fault = native => native == Hash.SET_ENTITY_TRAFFICLIGHT_OVERRIDE
-            && asked++ == 0 ? new InvalidOperationException("No light.") : null;
+        driver.Game.Fault = native =>
+            native == Hash.SET_ENTITY_TRAFFICLIGHT_OVERRIDE && asked++ == 0 ? new InvalidOperationException("No light.") : null;
         driver.Press(Keys.J);
         driver.Tick(3);
 
         Assert.Empty(driver.Game.LightOverrides);
         Assert.Contains(
             driver.Game.Notifications,
-            message => message.Contains("The driving of traffic lights failed: No light.", StringComparison.Ordinal));
+            message => message.Contains("The driving of traffic lights failed: No light.", StringComparison.Ordinal)
+        );
     }
 
     private static ScriptDriver InTown(string ini)
@@ -170,9 +174,20 @@ public sealed class LightTests
     }
 
     internal static GameEntity LightAt(Vector3D place, Axes axes) =>
-        new() { Pool = PoolKind.Props, Name = "prop_traffic_03a", Pose = new Pose(place, axes) };
+        new()
+        {
+            Pool = PoolKind.Props,
+            Name = "prop_traffic_03a",
+            Pose = new Pose(place, axes),
+        };
 
-    private static SimulationOptions Town() => new() { Seed = 12, TrafficDensity = 0, PedestrianDensity = 0 };
+    private static SimulationOptions Town() =>
+        new()
+        {
+            Seed = 12,
+            TrafficDensity = 0,
+            PedestrianDensity = 0,
+        };
 
     private static string Table()
     {
@@ -206,11 +221,14 @@ public sealed class LightTests
         select (
             label.GetProperty("gameFrame").GetInt64(),
             item.GetProperty("space").GetProperty("light"),
-            Nearest(driver.Game, new Vector3D(centre[0], centre[1], centre[2]), item.GetProperty("model").GetString()!));
+            Nearest(driver.Game, new Vector3D(centre[0], centre[1], centre[2]), item.GetProperty("model").GetString()!)
+        );
 
-    private static int Nearest(TestGame game, Vector3D head, string model) => game.Entities
-        .Where(entity => entity.Value.Name == model)
-        .MinBy(entity => ModelFaces.Table.Of(model).Min(face => (face.CuboidAt(entity.Value.Pose).Centre - head).Length)).Key;
+    private static int Nearest(TestGame game, Vector3D head, string model) =>
+        game
+            .Entities.Where(entity => entity.Value.Name == model)
+            .MinBy(entity => ModelFaces.Table.Of(model).Min(face => (face.CuboidAt(entity.Value.Pose).Centre - head).Length))
+            .Key;
 
     private static string State(JsonElement light) => light.GetProperty("state").GetString()!;
 

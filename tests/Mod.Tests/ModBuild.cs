@@ -9,13 +9,28 @@ internal sealed class ModBuild : IDisposable
 {
     private static readonly string[] Folders =
     [
-        "build", "data", "docs/images/mod", "ref", "src/Polyfills", "src/Harvester.Geometry", "src/Harvester.Sessions",
-        "src/Harvester.Capture", "src/Harvester.Surveys", "src/Harvester.Driving", "src/Harvester.Play", "src/Harvester.Mod",
+        "build",
+        "data",
+        "docs/images/mod",
+        "ref",
+        "src/Polyfills",
+        "src/Harvester.Geometry",
+        "src/Harvester.Sessions",
+        "src/Harvester.Capture",
+        "src/Harvester.Surveys",
+        "src/Harvester.Driving",
+        "src/Harvester.Play",
+        "src/Harvester.Mod",
     ];
 
     private static readonly string[] Files =
     [
-        "Directory.Build.props", "Directory.Packages.props", "global.json", ".editorconfig", "LICENSE", "src/Directory.Build.targets",
+        "Directory.Build.props",
+        "Directory.Packages.props",
+        "global.json",
+        ".editorconfig",
+        "LICENSE",
+        "src/Directory.Build.targets",
         "docs/mod.md",
     ];
 
@@ -39,7 +54,9 @@ internal sealed class ModBuild : IDisposable
     public (int ExitCode, string Output) Build(params string[] properties)
     {
         var start = new ProcessStartInfo(
-            "dotnet", ["build", "-c", "Release", "src/Harvester.Mod", "-nodeReuse:false", "-p:UseSharedCompilation=false", .. properties])
+            "dotnet",
+            ["build", "-c", "Release", "src/Harvester.Mod", "-nodeReuse:false", "-p:UseSharedCompilation=false", .. properties]
+        )
         {
             WorkingDirectory = _folder.Path,
             RedirectStandardOutput = true,
@@ -47,8 +64,9 @@ internal sealed class ModBuild : IDisposable
         };
 
         // What the test runner has set for its own MSBuild is not the user's.
-        foreach (string name
-            in start.Environment.Keys.Where(name => name.StartsWith("MSBUILD", StringComparison.OrdinalIgnoreCase)).ToArray())
+        foreach (
+            string name in start.Environment.Keys.Where(name => name.StartsWith("MSBUILD", StringComparison.OrdinalIgnoreCase)).ToArray()
+        )
         {
             start.Environment.Remove(name);
         }
@@ -63,8 +81,9 @@ internal sealed class ModBuild : IDisposable
 
     public void Dispose() => _folder.Dispose();
 
-    private static IEnumerable<string> FilesIn(string folder) => Directory
-        .EnumerateFiles(Path.Combine(BuiltMod.RepositoryRoot, folder), "*", SearchOption.AllDirectories)
-        .Select(file => Path.GetRelativePath(BuiltMod.RepositoryRoot, file))
-        .Where(file => !file.Split(Path.DirectorySeparatorChar).Any(part => part is "bin" or "obj"));
+    private static IEnumerable<string> FilesIn(string folder) =>
+        Directory
+            .EnumerateFiles(Path.Combine(BuiltMod.RepositoryRoot, folder), "*", SearchOption.AllDirectories)
+            .Select(file => Path.GetRelativePath(BuiltMod.RepositoryRoot, file))
+            .Where(file => !file.Split(Path.DirectorySeparatorChar).Any(part => part is "bin" or "obj"));
 }

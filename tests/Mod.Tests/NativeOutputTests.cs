@@ -57,7 +57,10 @@ public sealed class NativeOutputTests
         var output = new NativeOutput();
         output.Dispose();
 
-        Assert.Throws<ObjectDisposedException>(() => { InputArgument place = NativeArgument.ForApi([output])[0]; });
+        Assert.Throws<ObjectDisposedException>(() =>
+        {
+            InputArgument place = NativeArgument.ForApi([output])[0];
+        });
         Assert.Throws<ObjectDisposedException>(() => output.Integer);
     }
 

@@ -7,8 +7,8 @@ namespace Harvester.Mod.Tests;
 public sealed class NativeTableTests
 {
     [Fact]
-    public void Hashes_of_the_fake_equal_those_of_the_table() => Assert.All(
-        Enum.GetValues<Hash>(), native => Assert.Equal(native.ToString(), NativeTable.ByHash[(ulong)native].Name));
+    public void Hashes_of_the_fake_equal_those_of_the_table() =>
+        Assert.All(Enum.GetValues<Hash>(), native => Assert.Equal(native.ToString(), NativeTable.ByHash[(ulong)native].Name));
 
     [Fact]
     public void Every_native_call_has_the_arguments_and_result_of_the_table()
@@ -16,9 +16,11 @@ public sealed class NativeTableTests
         IReadOnlyList<WrittenCall> calls = WrittenCalls.Read(BuiltMod.Path);
 
         Assert.Empty(Enum.GetValues<Hash>().Except(calls.Select(call => call.Native)));
-        Assert.Empty(calls.SelectMany(call => NativeTable.ByHash[(ulong)call.Native]
-            .MistakesIn(call.Passed, call.Expected)
-            .Select(mistake => $"{call.Place}: {mistake}")));
+        Assert.Empty(
+            calls.SelectMany(call =>
+                NativeTable.ByHash[(ulong)call.Native].MistakesIn(call.Passed, call.Expected).Select(mistake => $"{call.Place}: {mistake}")
+            )
+        );
     }
 
     [Fact]

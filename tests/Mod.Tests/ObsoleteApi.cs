@@ -16,9 +16,18 @@ internal static class ObsoleteApi
     {
         using ModuleDefinition module = ModuleDefinition.ReadModule(
             Path.Combine(
-                BuiltMod.RepositoryRoot, "ref", "ScriptHookVDotNet3", "bin", BuiltMod.Configuration, "net472", "ScriptHookVDotNet3.dll"));
+                BuiltMod.RepositoryRoot,
+                "ref",
+                "ScriptHookVDotNet3",
+                "bin",
+                BuiltMod.Configuration,
+                "net472",
+                "ScriptHookVDotNet3.dll"
+            )
+        );
         TypeReference notice = module.ImportReference(
-            new TypeReference("System", nameof(ObsoleteAttribute), module, module.TypeSystem.CoreLibrary));
+            new TypeReference("System", nameof(ObsoleteAttribute), module, module.TypeSystem.CoreLibrary)
+        );
         var bare = new MethodReference(".ctor", module.TypeSystem.Void, notice) { HasThis = true };
         var withMessage = new MethodReference(".ctor", module.TypeSystem.Void, notice) { HasThis = true };
         withMessage.Parameters.Add(new ParameterDefinition(module.TypeSystem.String));
@@ -34,8 +43,9 @@ internal static class ObsoleteApi
             }
         }
 
-        CustomAttribute framework = module.Assembly.CustomAttributes.Single(
-            attribute => attribute.AttributeType.Name == "TargetFrameworkAttribute");
+        CustomAttribute framework = module.Assembly.CustomAttributes.Single(attribute =>
+            attribute.AttributeType.Name == "TargetFrameworkAttribute"
+        );
         framework.ConstructorArguments[0] = new CustomAttributeArgument(module.TypeSystem.String, NewerFramework);
         module.Assembly.Name.Version = new Version(3, 7, 0, 112);
         module.Write(path);

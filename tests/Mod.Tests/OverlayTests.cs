@@ -54,7 +54,9 @@ public sealed class OverlayTests
         driver.Press(Keys.L);
 
         Match figures = Regex.Match(
-            driver.Log(), @"The overlay: off after (\d+) ticks in .* s, ([\d.]+) natives per tick, 0 rays per second, tick time p50 ");
+            driver.Log(),
+            @"The overlay: off after (\d+) ticks in .* s, ([\d.]+) natives per tick, 0 rays per second, tick time p50 "
+        );
         Assert.InRange(int.Parse(figures.Groups[1].Value, CultureInfo.InvariantCulture), Ticks, Ticks + 2);
         Assert.InRange(double.Parse(figures.Groups[2].Value, CultureInfo.InvariantCulture), 4 * seen, NativesPerEntity * seen);
     }
@@ -100,7 +102,8 @@ public sealed class OverlayTests
                 Name = "a_m_y_hipster_01",
                 Pose = new Pose(new Vector3D(100, 220, 1), Axes.Identity),
                 Vehicle = ahead,
-            });
+            }
+        );
         for (int behind = 0; behind < 11; behind++)
         {
             Add(PoolKind.Vehicles, "asea", 98 + behind, 180 - behind);
@@ -109,6 +112,13 @@ public sealed class OverlayTests
         return 8;
 
         void Add(PoolKind pool, string name, double x, double y) =>
-            game.Add(new GameEntity { Pool = pool, Name = name, Pose = new Pose(new Vector3D(x, y, 0.6), Axes.Identity) });
+            game.Add(
+                new GameEntity
+                {
+                    Pool = pool,
+                    Name = name,
+                    Pose = new Pose(new Vector3D(x, y, 0.6), Axes.Identity),
+                }
+            );
     }
 }

@@ -33,18 +33,22 @@ public sealed class PairTests
 
         Assert.Equal(
             [Before, new EnvironmentState("rain", TimeSpan.FromHours(6)), new EnvironmentState("xmas", TimeSpan.FromHours(6))],
-            skies.OrderBy(sky => sky.Weather, StringComparer.Ordinal));
+            skies.OrderBy(sky => sky.Weather, StringComparer.Ordinal)
+        );
         Assert.Equal((Before, null), (driver.Game.Environment, driver.Game.KeptWeather));
         string session = Assert.Single(Directory.GetDirectories(driver.Output));
         JsonElement label = JsonDocument.Parse(File.ReadLines(Path.Combine(session, "labels.jsonl")).First()).RootElement;
         string[] files = [.. label.GetProperty("pairs").EnumerateArray().Select(pair => pair.GetProperty("file").GetString()!)];
         Assert.Equal(
             [
-                "pairs/00000000/base-without-nearest-vehicle.png", "pairs/00000000/rain-06.png",
-                "pairs/00000000/rain-06-without-nearest-vehicle.png", "pairs/00000000/xmas-06.png",
+                "pairs/00000000/base-without-nearest-vehicle.png",
+                "pairs/00000000/rain-06.png",
+                "pairs/00000000/rain-06-without-nearest-vehicle.png",
+                "pairs/00000000/xmas-06.png",
                 "pairs/00000000/xmas-06-without-nearest-vehicle.png",
             ],
-            files);
+            files
+        );
         Assert.All(files, file => Assert.True(File.Exists(Path.Combine(session, file))));
     }
 
@@ -63,8 +67,10 @@ public sealed class PairTests
         driver.WaitForDisk();
 
         Assert.Contains("\"dropped\":\"unsettled\"", driver.Labels()[0], StringComparison.Ordinal);
-        Assert.Contains(driver.Game.Notifications, message =>
-            message.Contains("further pictures of moments are missing", StringComparison.Ordinal));
+        Assert.Contains(
+            driver.Game.Notifications,
+            message => message.Contains("further pictures of moments are missing", StringComparison.Ordinal)
+        );
     }
 
     [Fact]
@@ -100,7 +106,8 @@ public sealed class PairTests
 
         Assert.Contains(
             driver.Game.Notifications,
-            told => told.Contains("PairWeathers, PairHours and PairWithout need Mode = Freeze", StringComparison.Ordinal));
+            told => told.Contains("PairWeathers, PairHours and PairWithout need Mode = Freeze", StringComparison.Ordinal)
+        );
         Assert.False(Directory.Exists(driver.Output));
     }
 

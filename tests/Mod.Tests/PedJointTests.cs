@@ -98,17 +98,22 @@ public sealed class PedJointTests
 
         // Beside the car that is parked ahead.
         Vector3D place = ego.Pose.ToWorld(new Vector3D(ahead / 8, ahead, 1));
-        var skeleton = new Skeleton(Enumerable.Range(0, Skeleton.Count)
-            .Select(joint => place + new Vector3D(0.01 * joint, 0.02 * ((joint * 7) % 22), 0.9 - (0.08 * joint))));
-        game.Add(new GameEntity
-        {
-            Pool = PoolKind.Peds,
-            Name = "a_m_y_hipster_01",
-            Pose = new Pose(place, Axes.Identity),
-            ModelMin = new(-0.4, -0.4, -1),
-            ModelMax = new(0.4, 0.4, 0.9),
-            Skeleton = skeleton,
-        });
+        var skeleton = new Skeleton(
+            Enumerable
+                .Range(0, Skeleton.Count)
+                .Select(joint => place + new Vector3D(0.01 * joint, 0.02 * ((joint * 7) % 22), 0.9 - (0.08 * joint)))
+        );
+        game.Add(
+            new GameEntity
+            {
+                Pool = PoolKind.Peds,
+                Name = "a_m_y_hipster_01",
+                Pose = new Pose(place, Axes.Identity),
+                ModelMin = new(-0.4, -0.4, -1),
+                ModelMax = new(0.4, 0.4, 0.9),
+                Skeleton = skeleton,
+            }
+        );
         return skeleton;
     }
 
@@ -121,7 +126,8 @@ public sealed class PedJointTests
         string[] lines = File.ReadAllLines(Path.Combine(Assert.Single(Directory.GetDirectories(driver.Output)), "labels.jsonl"));
         return
         [
-            .. lines.SelectMany(line => JsonDocument.Parse(line).RootElement.GetProperty("objects").EnumerateArray())
+            .. lines
+                .SelectMany(line => JsonDocument.Parse(line).RootElement.GetProperty("objects").EnumerateArray())
                 .Where(item => item.GetProperty("class").GetString() == "pedestrian"),
         ];
     }

@@ -31,7 +31,9 @@ public sealed class PlanTests
         Assert.Contains("\"weather\":\"foggy\"", File.ReadAllText(Path.Combine(session, "labels.jsonl")), StringComparison.Ordinal);
         Assert.EndsWith(
             "The plan play is over: 1 trial done, none skipped, in " + Path.Combine(driver.Output, "plans", "play") + ".",
-            driver.Game.Notifications[^1], StringComparison.Ordinal);
+            driver.Game.Notifications[^1],
+            StringComparison.Ordinal
+        );
         AssertGivenBack(driver.Game);
     }
 
@@ -41,13 +43,20 @@ public sealed class PlanTests
         using var driver = new ScriptDriver(Ini);
         HarvestTests.Street(driver.Game);
         File.WriteAllText(Path.Combine(driver.Folder, "pair.json"), RigTests.Rig);
-        Run(driver, Text.Replace(
-            """{"name":"small","width":64,"height":48,"verticalFovDegrees":45}""", """{"name":"pair","rig":"pair.json"}""",
-            StringComparison.Ordinal));
+        Run(
+            driver,
+            Text.Replace(
+                """{"name":"small","width":64,"height":48,"verticalFovDegrees":45}""",
+                """{"name":"pair","rig":"pair.json"}""",
+                StringComparison.Ordinal
+            )
+        );
 
         string session = Path.Combine(driver.Output, "plans", "play", "trials", "street_foggy_0730_pair_001");
-        JsonElement[] labels = [.. File.ReadAllLines(Path.Combine(session, "labels.jsonl"))
-            .Select(line => JsonDocument.Parse(line).RootElement)];
+        JsonElement[] labels =
+        [
+            .. File.ReadAllLines(Path.Combine(session, "labels.jsonl")).Select(line => JsonDocument.Parse(line).RootElement),
+        ];
         Assert.Equal(["ahead", "left", "ahead", "left"], labels.Select(label => label.GetProperty("view").GetString()));
         Assert.Equal(70, labels[1].GetProperty("camera").GetProperty("verticalFovDegrees").GetDouble(), 3);
         Assert.Single(labels[0].GetProperty("lidar").EnumerateArray());
@@ -62,9 +71,14 @@ public sealed class PlanTests
         Run(driver);
 
         // Two frames at the plan's 10 a second.
-        Assert.Contains(driver.Game.Notifications, message => message.Contains(
-            "The plan has 1 trial left, 0 minutes of driving. How long a minute of driving takes is shown once it is measured.",
-            StringComparison.Ordinal));
+        Assert.Contains(
+            driver.Game.Notifications,
+            message =>
+                message.Contains(
+                    "The plan has 1 trial left, 0 minutes of driving. How long a minute of driving takes is shown once it is measured.",
+                    StringComparison.Ordinal
+                )
+        );
     }
 
     [Fact]
@@ -84,7 +98,8 @@ public sealed class PlanTests
         string message = Assert.Single(driver.Game.Notifications, shown => shown.Contains("The plan has", StringComparison.Ordinal));
         Match figures = Regex.Match(
             message,
-            "left, 1.7 minutes of driving. 1 minute of driving takes ([0-9.]+), so that they take about ([0-9.]+) minutes");
+            "left, 1.7 minutes of driving. 1 minute of driving takes ([0-9.]+), so that they take about ([0-9.]+) minutes"
+        );
         Assert.True(figures.Success, message);
         Assert.Equal(100.0 / 60 * Number(1), Number(2), 0.2);
 
@@ -97,8 +112,11 @@ public sealed class PlanTests
         using var driver = new ScriptDriver(Ini + "Start = On\n");
         HarvestTests.Street(driver.Game);
         File.WriteAllText(Path.Combine(driver.Folder, "plan.json"), Text);
-        Until(driver, () => driver.Game.Notifications.Any(message =>
-            message.Contains("The plan play is over: 1 trial done", StringComparison.Ordinal)));
+        Until(
+            driver,
+            () =>
+                driver.Game.Notifications.Any(message => message.Contains("The plan play is over: 1 trial done", StringComparison.Ordinal))
+        );
 
         Assert.Contains(driver.Game.Vehicles, vehicle => vehicle.Repairs == 1);
     }
@@ -142,8 +160,10 @@ public sealed class PlanTests
         HarvestTests.Street(driver.Game);
         Start(driver);
         driver.Press(Keys.J);
-        Until(driver, () => driver.Game.Notifications.Any(message =>
-            message.Contains("Another harvest is running", StringComparison.Ordinal)));
+        Until(
+            driver,
+            () => driver.Game.Notifications.Any(message => message.Contains("Another harvest is running", StringComparison.Ordinal))
+        );
         driver.Press(Keys.Decimal);
         driver.Game.Notifications.Clear();
         driver.Press(Keys.J);
@@ -159,16 +179,18 @@ public sealed class PlanTests
         HarvestTests.Street(driver.Game);
         string folder = Path.Combine(driver.Output, "plans", "play");
         Start(driver);
-        Until(driver, () =>
-        {
-            // A folder in place of the last image, as soon as the session is open.
-            driver.WaitForDisk();
-            string session = Path.Combine(folder, "trials", "street_foggy_0730_small_001");
-            return Directory.Exists(session)
-                && Directory.CreateDirectory(Path.Combine(session, "frames", "00000001.png", "inner")).Exists;
-        });
-        Until(driver, () => driver.Game.Notifications.Any(message =>
-            message.Contains("The plan play is over", StringComparison.Ordinal)));
+        Until(
+            driver,
+            () =>
+            {
+                // A folder in place of the last image, as soon as the session is open.
+                driver.WaitForDisk();
+                string session = Path.Combine(folder, "trials", "street_foggy_0730_small_001");
+                return Directory.Exists(session)
+                    && Directory.CreateDirectory(Path.Combine(session, "frames", "00000001.png", "inner")).Exists;
+            }
+        );
+        Until(driver, () => driver.Game.Notifications.Any(message => message.Contains("The plan play is over", StringComparison.Ordinal)));
         driver.WaitForDisk();
 
         string[] status = File.ReadAllLines(Path.Combine(folder, "plan-status.jsonl"));
@@ -196,10 +218,18 @@ public sealed class PlanTests
     {
         int before = driver.Game.Notifications.Count;
         Start(driver, plan);
-        Until(driver, () => driver.Game.Notifications.Skip(before).Any(message =>
-            message.Contains("The plan play is over", StringComparison.Ordinal)
-            || message.Contains(" failed: ", StringComparison.Ordinal) || message.Contains(" stopped: ", StringComparison.Ordinal)
-            || message.Contains("cannot run", StringComparison.Ordinal)));
+        Until(
+            driver,
+            () =>
+                driver
+                    .Game.Notifications.Skip(before)
+                    .Any(message =>
+                        message.Contains("The plan play is over", StringComparison.Ordinal)
+                        || message.Contains(" failed: ", StringComparison.Ordinal)
+                        || message.Contains(" stopped: ", StringComparison.Ordinal)
+                        || message.Contains("cannot run", StringComparison.Ordinal)
+                    )
+        );
         driver.WaitForDisk();
     }
 
@@ -209,17 +239,19 @@ public sealed class PlanTests
         driver.Press(Keys.Decimal);
     }
 
-    private static void Until(ScriptDriver driver, Func<bool> isSo) => driver.Until(() =>
-    {
-        driver.Clock.Milliseconds += MillisecondsOfATick;
-        return isSo();
-    });
+    private static void Until(ScriptDriver driver, Func<bool> isSo) =>
+        driver.Until(() =>
+        {
+            driver.Clock.Milliseconds += MillisecondsOfATick;
+            return isSo();
+        });
 
     private static void AssertGivenBack(TestGame game)
     {
         Assert.Equal(
             (false, false, false, false, (string?)null),
-            (game.IsSceneHeld, game.IsPlayerInvincible, game.IsIgnoredByPolice, game.IsDrivenByTask, game.KeptWeather));
+            (game.IsSceneHeld, game.IsPlayerInvincible, game.IsIgnoredByPolice, game.IsDrivenByTask, game.KeptWeather)
+        );
         Assert.Equal(TestGame.NoCamera, game.RenderingCamera);
         Assert.DoesNotContain(game.Vehicles, vehicle => vehicle.IsFrozen);
     }

@@ -11,8 +11,8 @@ namespace Harvester.Mod.Tests;
 internal static class Playthrough
 {
     /// <summary>The settings that it needs.</summary>
-    public const string Ini = "[Bridge]\nKind = Folder\nFolder = out/bridge\nRecord = On\n[Harvest]\nDriveLights = On\nFreeze = Auto\n"
-        + PlanTests.Ini;
+    public const string Ini =
+        "[Bridge]\nKind = Folder\nFolder = out/bridge\nRecord = On\n[Harvest]\nDriveLights = On\nFreeze = Auto\n" + PlanTests.Ini;
 
     /// <summary>More than a calibration takes that looks for markers in vain.</summary>
     private const int TicksOfCalibration = 400;
@@ -85,9 +85,11 @@ internal static class Playthrough
         Until(Hash.SET_CLOCK_TIME);
         Until(Hash.GET_CONTROL_NORMAL);
 
-        void Until(Hash native) => driver.Until(
-            () => driver.Game.Calls.Contains(native) || HasMessageSince(driver, before, Failed, Stopped),
-            ServedGame.ClientsPauseMilliseconds);
+        void Until(Hash native) =>
+            driver.Until(
+                () => driver.Game.Calls.Contains(native) || HasMessageSince(driver, before, Failed, Stopped),
+                ServedGame.ClientsPauseMilliseconds
+            );
     }
 
     private static bool HasMessageSince(ScriptDriver driver, int before, params string[] words) =>

@@ -19,7 +19,8 @@ public sealed class PlaythroughTests
             Assert.DoesNotContain(game.Notifications, message => message.Contains("failed", StringComparison.Ordinal));
             Assert.Contains(
                 Directory.GetDirectories(driver.Output, "session*"),
-                session => File.ReadAllLines(Path.Combine(session, "labels.jsonl")).Length > 0);
+                session => File.ReadAllLines(Path.Combine(session, "labels.jsonl")).Length > 0
+            );
         }
 
         Assert.Empty(game.LeftBehind);

@@ -17,8 +17,7 @@ public sealed class RigTests
     private const int TicksOfAMoment = 40;
 
     /// <summary>Two cameras and a LiDAR.</summary>
-    public const string Rig =
-        """
+    public const string Rig = """
         {"name":"pair","cameras":[
         {"name":"ahead","position":[0,2,0.5],"verticalFovDegrees":50,"width":64,"height":48},
         {"name":"left","position":[-1,0,1],"yawDegrees":90,"pitchDegrees":-5,"verticalFovDegrees":70,"width":64,"height":48}],
@@ -132,8 +131,10 @@ public sealed class RigTests
         using ScriptDriver driver = Start(Rig.Replace("\"verticalFovDegrees\":70", "\"verticalFovDegrees\":131", StringComparison.Ordinal));
         driver.Press(Keys.J);
 
-        Assert.Contains(driver.Game.Notifications, told => told.Contains("'left' of the rig needs a verticalFovDegrees of at most 130",
-            StringComparison.Ordinal));
+        Assert.Contains(
+            driver.Game.Notifications,
+            told => told.Contains("'left' of the rig needs a verticalFovDegrees of at most 130", StringComparison.Ordinal)
+        );
         Assert.False(Directory.Exists(driver.Output));
     }
 
@@ -146,8 +147,10 @@ public sealed class RigTests
         using ScriptDriver driver = Start(Rig.Replace(place, "[0.5,-1,0.3]", StringComparison.Ordinal));
         driver.Press(Keys.J);
 
-        Assert.Contains(driver.Game.Notifications, told => told.Contains(
-            $"{name} of the rig 'pair' is inside the body of the vehicle. Move it outside.", StringComparison.Ordinal));
+        Assert.Contains(
+            driver.Game.Notifications,
+            told => told.Contains($"{name} of the rig 'pair' is inside the body of the vehicle. Move it outside.", StringComparison.Ordinal)
+        );
         Assert.False(Directory.Exists(driver.Output));
     }
 
@@ -162,8 +165,10 @@ public sealed class RigTests
         using ScriptDriver driver = Start(rig);
         driver.Press(Keys.J);
 
-        Assert.Contains(driver.Game.Notifications, told => told.Contains(
-            "A moment of the rig 'pair' takes about 67 s; at most 60 s are allowed.", StringComparison.Ordinal));
+        Assert.Contains(
+            driver.Game.Notifications,
+            told => told.Contains("A moment of the rig 'pair' takes about 67 s; at most 60 s are allowed.", StringComparison.Ordinal)
+        );
         Assert.False(Directory.Exists(driver.Output));
     }
 
@@ -193,20 +198,26 @@ public sealed class RigTests
 
     private static ScriptDriver Start(string rig, string ini = Ini)
     {
-        var driver = new ScriptDriver(ini, game => File.WriteAllText(
-            Path.Combine(Path.GetDirectoryName(game.ScriptFile)!, "rig.json"), rig));
-        driver.Game.PlayersVehicle = driver.Game.Add(new GameEntity
-        {
-            Pool = PoolKind.Vehicles,
-            Name = "adder",
-            Pose = new Pose(new Vector3D(100, 200, 0.6), Axes.Identity),
-        });
-        driver.Game.Add(new GameEntity
-        {
-            Pool = PoolKind.Vehicles,
-            Name = "asea",
-            Pose = new Pose(new Vector3D(100, 214, 0.6), Axes.Identity),
-        });
+        var driver = new ScriptDriver(
+            ini,
+            game => File.WriteAllText(Path.Combine(Path.GetDirectoryName(game.ScriptFile)!, "rig.json"), rig)
+        );
+        driver.Game.PlayersVehicle = driver.Game.Add(
+            new GameEntity
+            {
+                Pool = PoolKind.Vehicles,
+                Name = "adder",
+                Pose = new Pose(new Vector3D(100, 200, 0.6), Axes.Identity),
+            }
+        );
+        driver.Game.Add(
+            new GameEntity
+            {
+                Pool = PoolKind.Vehicles,
+                Name = "asea",
+                Pose = new Pose(new Vector3D(100, 214, 0.6), Axes.Identity),
+            }
+        );
         return driver;
     }
 

@@ -83,7 +83,8 @@ public sealed class RoadTests
         Assert.Contains(
             "\"laneWidthMetres\":4.5,\"laneWidthSource\":\"calibrated\"",
             Assert.Single(driver.Labels()).Replace(" ", string.Empty, StringComparison.Ordinal),
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]
@@ -107,7 +108,8 @@ public sealed class RoadTests
         Assert.Contains(
             "\"source\":\"roadFile\"",
             Assert.Single(driver.Labels()).Replace(" ", string.Empty, StringComparison.Ordinal),
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
         Assert.DoesNotContain(GTA.Native.Hash.GET_CLOSEST_ROAD, driver.Game.Calls);
     }
 
@@ -132,9 +134,7 @@ public sealed class RoadTests
     /// A road to the north, 2.625 m left of the player's car, with a lane along and two lanes back. Its nodes lie in the middle of the
     /// game's grid, a quarter of a metre wide, so that nothing is lost when the game truncates them.
     /// </summary>
-    internal static RoadNetwork Road() => new(
-        [NodeAt(180.125, 0), NodeAt(320.125, 1)],
-        [new RoadLink(0, 1, 1, 2, 0, RoadLinkFlags.None)]);
+    internal static RoadNetwork Road() => new([NodeAt(180.125, 0), NodeAt(320.125, 1)], [new RoadLink(0, 1, 1, 2, 0, RoadLinkFlags.None)]);
 
     private static RoadNode NodeAt(double north, int number) =>
         new(7, number, new Vector3D(97.375, north, 0), string.Empty, RoadNodeFlags.None);
@@ -152,9 +152,8 @@ public sealed class RoadTests
     /// u = 1/2 + (x - 100) / (2 d tan 25° · 4/3) and v = 1/2 + 1 / (2 d tan 25°): (u - 1/2) / (v - 1/2) tells x without d.
     /// </summary>
     private static double[] Places(IEnumerable<Box2D> dots) =>
-    [
-        .. dots
-            .Select(dot => new Vector2D((dot.XMin + dot.XMax) / 2, (dot.YMin + dot.YMax) / 2))
-            .Select(point => 100 + ((point.X - 0.5) / (point.Y - 0.5) * (4.0 / 3))),
-    ];
+        [
+            .. dots.Select(dot => new Vector2D((dot.XMin + dot.XMax) / 2, (dot.YMin + dot.YMax) / 2))
+                .Select(point => 100 + ((point.X - 0.5) / (point.Y - 0.5) * (4.0 / 3))),
+        ];
 }

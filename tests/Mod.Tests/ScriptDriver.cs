@@ -21,7 +21,12 @@ internal sealed class ScriptDriver : IDisposable
     private readonly List<HarvesterScript> _ended = [];
 
     public ScriptDriver(
-        string ini = "", Action<TestGame>? prepare = null, IScreen? screen = null, IClock? clock = null, string? faces = "# none\n")
+        string ini = "",
+        Action<TestGame>? prepare = null,
+        IScreen? screen = null,
+        IClock? clock = null,
+        string? faces = "# none\n"
+    )
     {
         // What a harvest does before its first frame, and how often it takes one, is left out where a test does not ask for it.
         string display = ini.Contains("CheckDisplay =", StringComparison.Ordinal) ? string.Empty : "CheckDisplay = Off\n";
@@ -29,7 +34,8 @@ internal sealed class ScriptDriver : IDisposable
         string freeze = ini.Contains("Freeze =", StringComparison.Ordinal) ? string.Empty : "Freeze = Paused\n";
         File.WriteAllText(
             Path.Combine(_folder.Path, "GtaDataHarvester.ini"),
-            $"{ini}\n[Harvest]\nFolder = out\nProbeLag = Off\n{rate}{display}{freeze}[Lens]\nMaxError = 0\n");
+            $"{ini}\n[Harvest]\nFolder = out\nProbeLag = Off\n{rate}{display}{freeze}[Lens]\nMaxError = 0\n"
+        );
         if (faces is not null)
         {
             File.WriteAllText(Path.Combine(_folder.Path, "spaces_of_interest.csv"), faces);

@@ -14,17 +14,28 @@ public sealed class ScriptsFolderTests
     {
         Assert.Equal(
             [
-                "GtaDataHarvester-LICENSE.txt", "GtaDataHarvester-guide", "GtaDataHarvester-rigs", "GtaDataHarvester.dll",
-                "GtaDataHarvester.ini", "INSTALL.txt", "materials.csv", "spaces_of_interest.csv",
+                "GtaDataHarvester-LICENSE.txt",
+                "GtaDataHarvester-guide",
+                "GtaDataHarvester-rigs",
+                "GtaDataHarvester.dll",
+                "GtaDataHarvester.ini",
+                "INSTALL.txt",
+                "materials.csv",
+                "spaces_of_interest.csv",
             ],
-            Directory.EnumerateFileSystemEntries(Folder).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+            Directory.EnumerateFileSystemEntries(Folder).Select(Path.GetFileName).Order(StringComparer.Ordinal)
+        );
     }
 
     [Fact]
-    public void Example_rigs_are_in_the_folder() => Assert.Equal(
-        ["kitti.json", "nuscenes-half.json", "nuscenes.json", "stereo.json", "thesis.json"],
-        Directory.EnumerateFileSystemEntries(Path.Combine(Folder, "GtaDataHarvester-rigs")).Select(Path.GetFileName)
-            .Order(StringComparer.Ordinal));
+    public void Example_rigs_are_in_the_folder() =>
+        Assert.Equal(
+            ["kitti.json", "nuscenes-half.json", "nuscenes.json", "stereo.json", "thesis.json"],
+            Directory
+                .EnumerateFileSystemEntries(Path.Combine(Folder, "GtaDataHarvester-rigs"))
+                .Select(Path.GetFileName)
+                .Order(StringComparer.Ordinal)
+        );
 
     [Fact]
     public void Guide_in_the_folder_has_all_its_pictures()
@@ -58,7 +69,9 @@ public sealed class ScriptsFolderTests
     {
         string install = File.ReadAllText(Path.Combine(Folder, "INSTALL.txt"));
 
-        Assert.All(Directory.EnumerateFileSystemEntries(Folder), file =>
-            Assert.Contains(Path.GetFileName(file), install, StringComparison.Ordinal));
+        Assert.All(
+            Directory.EnumerateFileSystemEntries(Folder),
+            file => Assert.Contains(Path.GetFileName(file), install, StringComparison.Ordinal)
+        );
     }
 }

@@ -44,8 +44,13 @@ public abstract class ServedGame
     {
         int before = driver.Game.Notifications.Count;
         driver.Press(Keys.N);
-        Until(driver, () => driver.Game.Notifications.Skip(before).Any(
-            message => message.Contains("The car waits for a client", StringComparison.Ordinal)));
+        Until(
+            driver,
+            () =>
+                driver
+                    .Game.Notifications.Skip(before)
+                    .Any(message => message.Contains("The car waits for a client", StringComparison.Ordinal))
+        );
         driver.Tick(2);
         Assert.NotEmpty(driver.Game.Controls);
     }

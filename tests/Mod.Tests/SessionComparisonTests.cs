@@ -50,13 +50,14 @@ public sealed class SessionComparisonTests
         Assert.Empty(SchemaValidator.Problems(new SessionReader(byMod)));
     }
 
-    private static string AsOfTheGame(string line) => Regex.Replace(
-        Regex.Replace(line, ",\"lights\":\\{[^}]*\\}", ""), ",\"yawRate\":[^}]*", "");
+    private static string AsOfTheGame(string line) =>
+        Regex.Replace(Regex.Replace(line, ",\"lights\":\\{[^}]*\\}", ""), ",\"yawRate\":[^}]*", "");
 
     /// <summary>In a scene without traffic, people, signals or hidden objects, a mod that reads none of them would pass.</summary>
     private static void AssertScenePutsEverythingToTheTest(string[] labels)
     {
-        JsonElement[] objects = labels.SelectMany(line => JsonDocument.Parse(line).RootElement.GetProperty("objects").EnumerateArray())
+        JsonElement[] objects = labels
+            .SelectMany(line => JsonDocument.Parse(line).RootElement.GetProperty("objects").EnumerateArray())
             .ToArray();
         string?[] classes = objects.Select(label => label.GetProperty("class").GetString()).Distinct().ToArray();
 
@@ -65,7 +66,13 @@ public sealed class SessionComparisonTests
         Assert.Contains(objects, label => label.GetProperty("occludedFraction").GetDouble() > 0);
     }
 
-    private static SimulationOptions Options() => new() { Seed = 14, TrafficDensity = 2, PedestrianDensity = 12 };
+    private static SimulationOptions Options() =>
+        new()
+        {
+            Seed = 14,
+            TrafficDensity = 2,
+            PedestrianDensity = 12,
+        };
 
     private static void HarvestDirectly(SimulatedScene scene, FaceTable faces, string directory)
     {
@@ -88,10 +95,8 @@ public sealed class SessionComparisonTests
         }
     }
 
-    private static IEnumerable<string> Files(string session, string kind) => Directory
-        .GetFiles(Path.Combine(session, kind))
-        .Select(path => Path.GetRelativePath(session, path))
-        .Order(StringComparer.Ordinal);
+    private static IEnumerable<string> Files(string session, string kind) =>
+        Directory.GetFiles(Path.Combine(session, kind)).Select(path => Path.GetRelativePath(session, path)).Order(StringComparer.Ordinal);
 
     private static FaceTable ReadFaces(out string text)
     {

@@ -16,7 +16,8 @@ public sealed class SettingsTests
         Assert.Equal(
             "GtaDataHarvester: GtaDataHarvester.ini: Line 2: SpawnTestCar = Banana is not a key, such as NumPad0, I or F9; the default is "
                 + "used.",
-            Assert.Single(driver.Game.Notifications));
+            Assert.Single(driver.Game.Notifications)
+        );
         driver.Press(Keys.NumPad0);
         driver.Tick(10);
         Assert.Single(driver.Game.Vehicles);
@@ -39,17 +40,19 @@ public sealed class SettingsTests
     public void First_tick_logs_versions_system_window_and_changed_settings()
     {
         using var driver = new ScriptDriver(
-            "[Camera]\nVerticalFov = 60\n[Keys]\nHarvest = F4\nOverlay = L\n[Bridge]\nTakeBackKeys = W, A, S, D, Space\n");
+            "[Camera]\nVerticalFov = 60\n[Keys]\nHarvest = F4\nOverlay = L\n[Bridge]\nTakeBackKeys = W, A, S, D, Space\n"
+        );
         driver.Tick(3);
 
         Assert.Matches(
             @"^(?<time>\d{4}-\d\d-\d\d \d\d:\d\d:\d\d )GtaDataHarvester \d+(\.\d+){3}, API 3\.6\.0\.0, GTA V Legacy 1\.0\.3179\.0\.\s+"
-            + @"\S+ \S+ System: \S.*, runtime \d.*\.\s+"
-            + @"\S+ \S+ Window: 1920 x 1080, borderless, 96 dpi\.\s+"
-            + @"\S+ \S+ Changed settings: \[Camera\] VerticalFov = 60; \[Keys\] Harvest = F4; \[Harvest\] Folder = out; \[Harvest\] "
-            + @"ProbeLag = Off; \[Harvest\] Rate = 10; \[Harvest\] CheckDisplay = Off; "
-            + @"\[Harvest\] Freeze = Paused; \[Lens\] MaxError = 0\.\s*$",
-            driver.Log());
+                + @"\S+ \S+ System: \S.*, runtime \d.*\.\s+"
+                + @"\S+ \S+ Window: 1920 x 1080, borderless, 96 dpi\.\s+"
+                + @"\S+ \S+ Changed settings: \[Camera\] VerticalFov = 60; \[Keys\] Harvest = F4; \[Harvest\] Folder = out; \[Harvest\] "
+                + @"ProbeLag = Off; \[Harvest\] Rate = 10; \[Harvest\] CheckDisplay = Off; "
+                + @"\[Harvest\] Freeze = Paused; \[Lens\] MaxError = 0\.\s*$",
+            driver.Log()
+        );
     }
 
     [Fact]
@@ -58,7 +61,8 @@ public sealed class SettingsTests
         using var folder = new TemporaryFolder();
         File.Copy(
             Path.Combine(BuiltMod.RepositoryRoot, "src", "Harvester.Mod", "GtaDataHarvester.ini"),
-            Path.Combine(folder.Path, "GtaDataHarvester.ini"));
+            Path.Combine(folder.Path, "GtaDataHarvester.ini")
+        );
         IniFile shipped = new ModFolder(folder.Path).Settings;
         IniFile empty = IniFile.Read(TextReader.Null);
 
@@ -66,10 +70,21 @@ public sealed class SettingsTests
         Assert.Empty(shipped.Changes);
         (string Name, Keys Key)[] keys =
         [
-            ("SpawnTestCar", Keys.NumPad0), ("MountCamera", Keys.I), ("RestoreCamera", Keys.O), ("Harvest", Keys.J),
-            ("OneFrame", Keys.K), ("Overlay", Keys.L), ("Calibrate", Keys.NumPad1), ("RoadSurvey", Keys.U),
-            ("SpaceSurvey", Keys.Multiply), ("MarkCorner", Keys.NumPad2), ("NextName", Keys.NumPad3), ("KeepFace", Keys.Y),
-            ("UnknownModels", Keys.Divide), ("Drive", Keys.N), ("Plan", Keys.Decimal),
+            ("SpawnTestCar", Keys.NumPad0),
+            ("MountCamera", Keys.I),
+            ("RestoreCamera", Keys.O),
+            ("Harvest", Keys.J),
+            ("OneFrame", Keys.K),
+            ("Overlay", Keys.L),
+            ("Calibrate", Keys.NumPad1),
+            ("RoadSurvey", Keys.U),
+            ("SpaceSurvey", Keys.Multiply),
+            ("MarkCorner", Keys.NumPad2),
+            ("NextName", Keys.NumPad3),
+            ("KeepFace", Keys.Y),
+            ("UnknownModels", Keys.Divide),
+            ("Drive", Keys.N),
+            ("Plan", Keys.Decimal),
             ("SelfTest", Keys.T),
         ];
         Assert.All(keys, key => Assert.Equal(key.Key, shipped.Choice("Keys", key.Name, Keys.None, "a key")));
@@ -84,7 +99,10 @@ public sealed class SettingsTests
         driver.Tick();
 
         Assert.StartsWith(
-            "GtaDataHarvester: spaces_of_interest.csv cannot be read", Assert.Single(driver.Game.Notifications), StringComparison.Ordinal);
+            "GtaDataHarvester: spaces_of_interest.csv cannot be read",
+            Assert.Single(driver.Game.Notifications),
+            StringComparison.Ordinal
+        );
         driver.Press(Keys.NumPad0);
         driver.Tick(10);
         Assert.Single(driver.Game.Vehicles);

@@ -16,8 +16,7 @@ public sealed class StandInTests
     public StandInTests() => GameHost.Current = _game;
 
     [Fact]
-    public void Output_accepts_no_int_as_its_initial_value() =>
-        Assert.Throws<InvalidCastException>(() => new OutputArgument(5));
+    public void Output_accepts_no_int_as_its_initial_value() => Assert.Throws<InvalidCastException>(() => new OutputArgument(5));
 
     [Fact]
     public void Output_accepts_a_native_value_as_its_initial_value()
@@ -52,7 +51,10 @@ public sealed class StandInTests
         var output = new OutputArgument();
         output.Dispose();
 
-        Assert.Throws<ObjectDisposedException>(() => { InputArgument argument = output; });
+        Assert.Throws<ObjectDisposedException>(() =>
+        {
+            InputArgument argument = output;
+        });
     }
 
     [Theory]
@@ -69,8 +71,7 @@ public sealed class StandInTests
         using var entity = new OutputArgument();
         OnScriptThread(() =>
         {
-            int test = Function.Call<int>(
-                Hash.START_EXPENSIVE_SYNCHRONOUS_SHAPE_TEST_LOS_PROBE, 0f, 0f, 100f, 0f, 0f, 200f, 1, 0, 7);
+            int test = Function.Call<int>(Hash.START_EXPENSIVE_SYNCHRONOUS_SHAPE_TEST_LOS_PROBE, 0f, 0f, 100f, 0f, 0f, 200f, 1, 0, 7);
             return Function.Call<int>(Hash.GET_SHAPE_TEST_RESULT_INCLUDING_MATERIAL, test, hit, point, normal, material, entity);
         });
 
@@ -105,30 +106,38 @@ public sealed class StandInTests
 
         Assert.Equal(
             ["DOES_ENTITY_EXIST returns BOOL and was read as Single.", "DOES_ENTITY_EXIST takes Entity as argument 0 and got Single."],
-            _game.Misuses.Order(StringComparer.Ordinal));
+            _game.Misuses.Order(StringComparer.Ordinal)
+        );
     }
 
     [Fact]
     public void Strings_reach_the_game_in_utf8_and_null_as_no_address()
     {
-        int car = _game.Add(new GameEntity { Pool = PoolKind.Vehicles, Name = "asea", Pose = new Pose(Vector3D.Zero, Axes.Identity) });
+        int car = _game.Add(
+            new GameEntity
+            {
+                Pool = PoolKind.Vehicles,
+                Name = "asea",
+                Pose = new Pose(Vector3D.Zero, Axes.Identity),
+            }
+        );
         Set("Straße");
         Assert.Equal("Straße", _game.Entities[car].Plate);
         Set(null);
         Assert.Null(_game.Entities[car].Plate);
 
-        void Set(string? plate) => OnScriptThread(() =>
-        {
-            Function.Call(Hash.SET_VEHICLE_NUMBER_PLATE_TEXT, car, plate!);
-            return true;
-        });
+        void Set(string? plate) =>
+            OnScriptThread(() =>
+            {
+                Function.Call(Hash.SET_VEHICLE_NUMBER_PLATE_TEXT, car, plate!);
+                return true;
+            });
     }
 
     [Fact]
     public void Call_from_another_thread_is_reported_and_refused()
     {
-        OnScriptThread(() => Assert.Throws<InvalidOperationException>(() =>
-            OtherThread.Do(() => Function.Call<int>(Hash.PLAYER_PED_ID))));
+        OnScriptThread(() => Assert.Throws<InvalidOperationException>(() => OtherThread.Do(() => Function.Call<int>(Hash.PLAYER_PED_ID))));
 
         Assert.Contains("not the script's", Assert.Single(_game.Misuses), StringComparison.Ordinal);
         Assert.Empty(_game.Calls);

@@ -51,10 +51,18 @@ public sealed class SurveyPhotoTests
     private static Box2D WhiteAbove(PngDecoder picture, double row)
     {
         const int samples = 3;
-        (int X, int Y)[] white = [.. Enumerable.Range(0, picture.Width * picture.Height)
-            .Where(pixel => picture.Samples[pixel * samples] > 0 && pixel / picture.Width < row)
-            .Select(pixel => (pixel % picture.Width, pixel / picture.Width))];
+        (int X, int Y)[] white =
+        [
+            .. Enumerable
+                .Range(0, picture.Width * picture.Height)
+                .Where(pixel => picture.Samples[pixel * samples] > 0 && pixel / picture.Width < row)
+                .Select(pixel => (pixel % picture.Width, pixel / picture.Width)),
+        ];
         return new Box2D(
-            white.Min(pixel => pixel.X), white.Min(pixel => pixel.Y), white.Max(pixel => pixel.X) + 1, white.Max(pixel => pixel.Y) + 1);
+            white.Min(pixel => pixel.X),
+            white.Min(pixel => pixel.Y),
+            white.Max(pixel => pixel.X) + 1,
+            white.Max(pixel => pixel.Y) + 1
+        );
     }
 }

@@ -99,7 +99,10 @@ public sealed class TestCarTests
 
         Assert.Empty(driver.Game.Vehicles);
         Assert.Contains(
-            "no vehicle 'notacar'. Change Model under [TestCar]", Assert.Single(driver.Game.Notifications), StringComparison.Ordinal);
+            "no vehicle 'notacar'. Change Model under [TestCar]",
+            Assert.Single(driver.Game.Notifications),
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]

@@ -6,16 +6,17 @@ public sealed class TextPiecesTests
 {
     private const int MaxBytes = 99;
 
-    public static TheoryData<string, int> Texts() => new()
-    {
-        { string.Empty, 1 },
-        { new string('a', 99), 1 },
-        { new string('a', 100), 2 },
-        { new string('é', 99), 3 },
-        { new string('a', 98) + "é", 2 },
-        { new string('a', 96) + "\U0001F697", 2 },
-        { string.Concat(Enumerable.Repeat("\U0001F697", 25)), 2 },
-    };
+    public static TheoryData<string, int> Texts() =>
+        new()
+        {
+            { string.Empty, 1 },
+            { new string('a', 99), 1 },
+            { new string('a', 100), 2 },
+            { new string('é', 99), 3 },
+            { new string('a', 98) + "é", 2 },
+            { new string('a', 96) + "\U0001F697", 2 },
+            { string.Concat(Enumerable.Repeat("\U0001F697", 25)), 2 },
+        };
 
     [Theory]
     [MemberData(nameof(Texts))]

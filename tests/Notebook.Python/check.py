@@ -12,7 +12,9 @@ from gtaharvest import png
 from nbconvert.preprocessors import ExecutePreprocessor
 
 MOST_BYTES = 300_000
-LETTER_LEVELS = 1.0  # Mean difference of 255 levels: letters are drawn by OpenCV, whose versions smooth them differently.
+LETTER_LEVELS = (
+    1.0  # Mean difference of 255 levels: letters are drawn by OpenCV, whose versions smooth them differently.
+)
 TIMEOUT_SECONDS = 600
 
 
@@ -29,20 +31,38 @@ def outputs(notebook):
 
 def is_same(old, new):
     """Whether two lists of outputs have the same texts and pictures."""
-    texts = [[(output.output_type, output.get("name"), output.get("text"), output.get("data", {}).get("text/plain")) for output in cell]
-             for cell in (old, new)]
-    pictures = [[png.decode(base64.b64decode(output.data["image/png"])).astype(int) for output in cell if "image/png" in output.get("data", {})]
-                for cell in (old, new)]
-    return texts[0] == texts[1] and len(pictures[0]) == len(pictures[1]) and all(
-        one.shape == other.shape and numpy.abs(one - other).mean() <= LETTER_LEVELS for one, other in zip(*pictures))
+    texts = [
+        [
+            (output.output_type, output.get("name"), output.get("text"), output.get("data", {}).get("text/plain"))
+            for output in cell
+        ]
+        for cell in (old, new)
+    ]
+    pictures = [
+        [
+            png.decode(base64.b64decode(output.data["image/png"])).astype(int)
+            for output in cell
+            if "image/png" in output.get("data", {})
+        ]
+        for cell in (old, new)
+    ]
+    return (
+        texts[0] == texts[1]
+        and len(pictures[0]) == len(pictures[1])
+        and all(
+            one.shape == other.shape and numpy.abs(one - other).mean() <= LETTER_LEVELS for one, other in zip(*pictures)
+        )
+    )
 
 
 def tidy(notebook):
     """Drops what says where and when the notebook was run."""
     for cell in notebook.cells:
         cell.metadata = {}
-    notebook.metadata = {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
-                         "language_info": {"name": "python"}}
+    notebook.metadata = {
+        "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+        "language_info": {"name": "python"},
+    }
 
 
 def main(arguments):
@@ -52,7 +72,9 @@ def main(arguments):
     path = pathlib.Path(arguments[0])
     stored = nbformat.read(path, as_version=4)
     made = nbformat.read(path, as_version=4)
-    ExecutePreprocessor(timeout=TIMEOUT_SECONDS, kernel_name="python3").preprocess(made, {"metadata": {"path": os.getcwd()}})
+    ExecutePreprocessor(timeout=TIMEOUT_SECONDS, kernel_name="python3").preprocess(
+        made, {"metadata": {"path": os.getcwd()}}
+    )
     tidy(made)
     text = nbformat.writes(made) + "\n"
     problems = []
@@ -62,8 +84,12 @@ def main(arguments):
         problems.append("it has a path of this machine")
     if "--write" in arguments:
         path.write_text(text, encoding="utf-8")
-    elif cells := [number for number, (old, new) in enumerate(zip(outputs(stored), outputs(made))) if not is_same(old, new)]:
-        problems.append(f"the outputs of the code cells {cells} differ from what is stored; tests/Notebook.Python/run --write stores them")
+    elif cells := [
+        number for number, (old, new) in enumerate(zip(outputs(stored), outputs(made))) if not is_same(old, new)
+    ]:
+        problems.append(
+            f"the outputs of the code cells {cells} differ from what is stored; tests/Notebook.Python/run --write stores them"
+        )
     if problems:
         sys.exit(f"{path.name}: {'; '.join(problems)}.")
     print(f"{path.name}: {sum(len(cell) for cell in outputs(made))} outputs as stored, {len(text.encode())} bytes.")

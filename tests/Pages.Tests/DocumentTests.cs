@@ -22,12 +22,15 @@ public sealed class DocumentTests
     [Fact]
     public void Svg_image_has_its_namespace_and_size()
     {
-        XElement root =
-            XDocument.Parse(Written(stream => SvgImage.Write(stream, 30, 20, svg => svg.Start("g").Start("line").End().End()))).Root!;
+        XElement root = XDocument
+            .Parse(Written(stream => SvgImage.Write(stream, 30, 20, svg => svg.Start("g").Start("line").End().End())))
+            .Root!;
 
         Assert.All(root.DescendantsAndSelf(), element => Assert.Equal("http://www.w3.org/2000/svg", element.Name.NamespaceName));
         Assert.Equal(
-            ("0 0 30 20", "30", "20"), (root.Attribute("viewBox")!.Value, root.Attribute("width")!.Value, root.Attribute("height")!.Value));
+            ("0 0 30 20", "30", "20"),
+            (root.Attribute("viewBox")!.Value, root.Attribute("width")!.Value, root.Attribute("height")!.Value)
+        );
         Assert.Equal(["rect", "g", "line"], root.Descendants().Select(element => element.Name.LocalName));
     }
 

@@ -50,7 +50,11 @@ public sealed class MarkupWriterTests
         string written = Written(svg =>
         {
             svg.Start("path").With("x", -0.04).With("y", 1234.56).With("z", 2.675, 2);
-            svg.WithLines([[new Vector2D(0, 1), new Vector2D(2.25, -3)], [new Vector2D(4, 5)]]).End();
+            svg.WithLines([
+                    [new Vector2D(0, 1), new Vector2D(2.25, -3)],
+                    [new Vector2D(4, 5)],
+                ])
+                .End();
             svg.Start("polygon").WithPoints([new Vector2D(0, 1), new Vector2D(2.25, -3)]).End();
         });
 
@@ -73,12 +77,17 @@ public sealed class MarkupWriterTests
     [Fact]
     public void Json_cannot_end_its_script_element()
     {
-        string page = Page(body => body.Json("data", json =>
-        {
-            json.WriteStartArray();
-            json.WriteStringValue(Hostile);
-            json.WriteEndArray();
-        }));
+        string page = Page(body =>
+            body.Json(
+                "data",
+                json =>
+                {
+                    json.WriteStartArray();
+                    json.WriteStringValue(Hostile);
+                    json.WriteEndArray();
+                }
+            )
+        );
 
         string data = page.Split("id=\"data\">")[1].Split("</script>")[0];
         Assert.Equal(Hostile, JsonDocument.Parse(data).RootElement[0].GetString());

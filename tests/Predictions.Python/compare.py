@@ -11,7 +11,9 @@ TOLERANCE = 1e-5  # The report has six decimals.
 
 truth, results = (json.loads(pathlib.Path(path).read_text()) for path in sys.argv[1:3])
 page = pathlib.Path(sys.argv[3]).read_text()
-report = json.loads(re.search(r'<script type="application/json" id="predictions">(.*?)</script>', page, re.DOTALL).group(1))
+report = json.loads(
+    re.search(r'<script type="application/json" id="predictions">(.*?)</script>', page, re.DOTALL).group(1)
+)
 
 
 def difference(name, ours, theirs):
@@ -40,6 +42,9 @@ else:
     judge.accumulate()
     judge.summarize()
     figures = {name: None if value == -1 else value for name, value in zip(report["figures"], judge.stats, strict=True)}
-    worst = max([worst] + [difference(f"{name} of pycocotools", report["figures"][name], value) for name, value in figures.items()])
+    worst = max(
+        [worst]
+        + [difference(f"{name} of pycocotools", report["figures"][name], value) for name, value in figures.items()]
+    )
     reference = "pycocotools too"
 print(f"{pathlib.Path(sys.argv[3]).name}: AP {report['figures']['AP']}, largest difference {worst:.1e} ({reference})")

@@ -2,7 +2,7 @@
 
 from collections import defaultdict
 
-RANGES = {"all": (0, 1e10), "small": (0, 32 ** 2), "medium": (32 ** 2, 96 ** 2), "large": (96 ** 2, 1e10)}
+RANGES = {"all": (0, 1e10), "small": (0, 32**2), "medium": (32**2, 96**2), "large": (96**2, 1e10)}
 OVERLAPS = [0.5 + step * ((0.95 - 0.5) / 9) for step in range(9)] + [0.95]
 RECALLS = [step * 0.01 for step in range(100)] + [1.0]
 
@@ -41,7 +41,9 @@ class Evaluation:
             for item in self.results[category, image][:most]:
                 match = self.best(item, [box for box in wanted if id(box) not in taken], threshold)
                 if match is None:
-                    match = self.best(item, [box for box in others if box["iscrowd"] or id(box) not in taken], threshold)
+                    match = self.best(
+                        item, [box for box in others if box["iscrowd"] or id(box) not in taken], threshold
+                    )
                 if match is not None:
                     taken.add(id(match))
                     if not is_ignored[id(match)]:
@@ -90,7 +92,8 @@ class Evaluation:
         """The twelve figures of COCO's summary."""
         precision, recall = self.average_precision, self.average_recall
         return {
-            "AP": self.mean(precision), "AP50": self.mean(lambda kind: precision(kind, thresholds=[OVERLAPS[0]])),
+            "AP": self.mean(precision),
+            "AP50": self.mean(lambda kind: precision(kind, thresholds=[OVERLAPS[0]])),
             "AP75": self.mean(lambda kind: precision(kind, thresholds=[OVERLAPS[5]])),
             **{f"AP{sizes}": self.mean(lambda kind: precision(kind, sizes)) for sizes in ("small", "medium", "large")},
             **{f"AR{most}": self.mean(lambda kind: recall(kind, most=most)) for most in (1, 10, 100)},

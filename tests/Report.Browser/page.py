@@ -48,7 +48,11 @@ class Page:
 
     def switch(self, group, label):
         """Clicks the switch whose label begins with a text."""
-        next(button for button in self.driver.find_elements(By.CSS_SELECTOR, f"#{group} button") if button.text.startswith(label)).click()
+        next(
+            button
+            for button in self.driver.find_elements(By.CSS_SELECTOR, f"#{group} button")
+            if button.text.startswith(label)
+        ).click()
 
     def marks(self):
         """All that is drawn on the picture and on the ground."""
@@ -91,4 +95,6 @@ def browser():
 def resize(driver, width, height):
     """Sets the size of what the page sees of the window."""
     driver.execute_cdp_cmd(
-        "Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 500})
+        "Emulation.setDeviceMetricsOverride",
+        {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 500},
+    )

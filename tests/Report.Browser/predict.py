@@ -9,7 +9,9 @@ results = []
 for number, item in enumerate(item for item in truth["annotations"] if not item["iscrowd"]):
     left, top, width, height = item["bbox"]
     if number % 3 == 1:
-        results.append({"image_id": item["image_id"], "category_id": item["category_id"], "bbox": item["bbox"], "score": 0.9})
+        results.append(
+            {"image_id": item["image_id"], "category_id": item["category_id"], "bbox": item["bbox"], "score": 0.9}
+        )
     elif number % 3 == 2:
         # Above the image, where nothing is.
         box = [left, -1000 - height, width, height]

@@ -23,14 +23,19 @@ PIXELS = 1  # Both sides are rounded to whole pixels.
 
 
 def boxes(page, kind):
-    return sorted(page.script(
-        "return [...document.querySelectorAll(`.prediction.${arguments[0]}`)].map(e => "
-        "['x', 'y', 'width', 'height'].map(side => Math.round(e.getAttribute(side))))", kind))
+    return sorted(
+        page.script(
+            "return [...document.querySelectorAll(`.prediction.${arguments[0]}`)].map(e => "
+            "['x', 'y', 'width', 'height'].map(side => Math.round(e.getAttribute(side))))",
+            kind,
+        )
+    )
 
 
 def near(shown, wanted):
     return len(shown) == len(wanted) and all(
-        abs(one - other) <= PIXELS for box, target in zip(shown, sorted(wanted)) for one, other in zip(box, target))
+        abs(one - other) <= PIXELS for box, target in zip(shown, sorted(wanted)) for one, other in zip(box, target)
+    )
 
 
 def test_found_missed_and_false_boxes_are_told_apart(open_page, expected):
@@ -40,10 +45,12 @@ def test_found_missed_and_false_boxes_are_told_apart(open_page, expected):
     assert near(boxes(page, "missed"), frame["missed"])
     assert page.count(".prediction.false") == frame["false"]
     assert page.text("#outcomes-here") == (
-        f"This frame: {len(frame['matched'])} matched, {len(frame['missed'])} missed, {frame['false']} false.")
+        f"This frame: {len(frame['matched'])} matched, {len(frame['missed'])} missed, {frame['false']} false."
+    )
     styles = page.script(
         "return ['matched', 'missed', 'false'].map(kind => { const s = getComputedStyle(document.querySelector(`.prediction.${kind}`)); "
-        "return [s.stroke, s.strokeDasharray]; })")
+        "return [s.stroke, s.strokeDasharray]; })"
+    )
     assert len({stroke for stroke, _ in styles}) == len({dashes for _, dashes in styles}) == 3
 
 
@@ -61,7 +68,9 @@ def test_frames_with_the_most_errors_come_first(open_page, expected):
     page = open_page("predicted")
     errors = {number: len(frame["missed"]) + frame["false"] for number, frame in expected.items()}
     order = sorted((number for number in errors if errors[number]), key=lambda number: (-errors[number], number))
-    links = page.script("return [...document.querySelectorAll('.worst a')].map(a => Number(a.textContent.split(' ')[1]))")
+    links = page.script(
+        "return [...document.querySelectorAll('.worst a')].map(a => Number(a.textContent.split(' ')[1]))"
+    )
     assert links == order
     page.script("document.querySelectorAll('.worst a')[1].click()")
     page.wait(lambda: page.frame() == order[1])
@@ -71,7 +80,9 @@ def test_frames_with_the_most_errors_come_first(open_page, expected):
 
 def test_counts_of_classes_add_up(open_page, expected):
     page = open_page("predicted")
-    cells = page.script("return [...document.querySelector('#by-class tbody').lastElementChild.children].map(cell => cell.textContent)")
+    cells = page.script(
+        "return [...document.querySelector('#by-class tbody').lastElementChild.children].map(cell => cell.textContent)"
+    )
     totals = [sum(len(frame[kind]) for frame in expected.values()) for kind in ("matched", "missed")]
     assert cells[:3] == ["all", *map(str, totals)]
     assert cells[4] == str(sum(frame["false"] for frame in expected.values()))
@@ -89,7 +100,8 @@ def test_controls_stay_visible_with_predictions(open_page):
     page = open_page("predicted")
     below = page.script(
         "return [...document.querySelectorAll('#kinds button, #next-worst, #classes button, #text, #mostOccluded')]"
-        ".filter(e => e.getBoundingClientRect().bottom > innerHeight).map(e => e.id || e.textContent)")
+        ".filter(e => e.getBoundingClientRect().bottom > innerHeight).map(e => e.id || e.textContent)"
+    )
     assert below == []
 
 

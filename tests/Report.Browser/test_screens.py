@@ -22,8 +22,18 @@ STATES = {
     "boxes": ("town", 5, ["box"], ""),
     "all-boxes": ("town", 5, ["box", "visible", "amodal", "edges"], ""),
     "joints-and-lanes": ("town", 16, ["lanes", "joints"], ""),
-    "mask-by-instance": ("town", 5, ["mask"], "byId('opacity').value = 100; byId('opacity').dispatchEvent(new Event('input'))"),
-    "mask-by-class": ("town", 5, ["mask"], "byId('paint').value = 'class'; byId('paint').dispatchEvent(new Event('change'))"),
+    "mask-by-instance": (
+        "town",
+        5,
+        ["mask"],
+        "byId('opacity').value = 100; byId('opacity').dispatchEvent(new Event('input'))",
+    ),
+    "mask-by-class": (
+        "town",
+        5,
+        ["mask"],
+        "byId('paint').value = 'class'; byId('paint').dispatchEvent(new Event('change'))",
+    ),
     "depth": ("town", 16, ["depth"], ""),
     "points": ("rig", 0, ["points"], ""),
     "filtered": ("town", 5, ["edges"], "state.hidden.add('pedestrian'); state.farthest = 40; refilter()"),
@@ -36,14 +46,17 @@ def screenshot(page, name):
     """The picture and the ground, without letters, as PNG in base64."""
     page.script(STYLE, NO_LETTERS if name == "boxes" else NO_LETTERS + NO_PHOTOGRAPH)
     page.script("return new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
-    left, top, width, height = page.script("const b = document.querySelector('.sight').getBoundingClientRect(); return [b.left, b.top, b.width, b.height]")
+    left, top, width, height = page.script(
+        "const b = document.querySelector('.sight').getBoundingClientRect(); return [b.left, b.top, b.width, b.height]"
+    )
     clip = {"x": left, "y": top, "width": width, "height": height, "scale": SCALE}
     return page.driver.execute_cdp_cmd("Page.captureScreenshot", {"format": "png", "clip": clip})["data"]
 
 
 def difference(page, one, other):
     """Mean difference of two pictures, in levels."""
-    return page.script("""
+    return page.script(
+        """
         const pixels = [];
         for (const data of arguments) {
           const bitmap = await createImageBitmap(new Blob([Uint8Array.from(atob(data), character => character.charCodeAt(0))]));
@@ -55,7 +68,10 @@ def difference(page, one, other):
         let sum = 0;
         for (let i = 0; i < pixels[0].length; i++) sum += Math.abs(pixels[0][i] - pixels[1][i]);
         return sum / pixels[0].length * 4 / 3;
-    """, one, other)
+    """,
+        one,
+        other,
+    )
 
 
 def stored(name):
@@ -68,7 +84,11 @@ def test_state_looks_as_stored(view, name):
     page = view(session, f"#frame={frame}")
     page.show_layers(*layers)
     page.script(script)
-    page.wait(lambda: page.script("return !byId('raster-mask').hasAttribute('href') || drawnRasters.get('mask').key.endsWith(state.paint)"))
+    page.wait(
+        lambda: page.script(
+            "return !byId('raster-mask').hasAttribute('href') || drawnRasters.get('mask').key.endsWith(state.paint)"
+        )
+    )
     taken = screenshot(page, name)
     if "REPORT_SCREENS" in os.environ:
         pathlib.Path(os.environ["REPORT_SCREENS"], f"{name}.png").write_bytes(base64.b64decode(taken))

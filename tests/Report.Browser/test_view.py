@@ -49,9 +49,24 @@ def test_other_hosts_are_refused(served):
     assert status(served["town"], Host=f"localhost:{port}") == 200
 
 
-@pytest.mark.parametrize("path", [
-    "session.json", "labels.jsonl", "image/../labels.jsonl", "image/..%2f..%2fsession.json", "image/frames%2f00000000.png", "image/-1",
-    "image/20", "image/99999999999", "image/0/0", "../9/", "frame/", "frame/x", "classes/0"])
+@pytest.mark.parametrize(
+    "path",
+    [
+        "session.json",
+        "labels.jsonl",
+        "image/../labels.jsonl",
+        "image/..%2f..%2fsession.json",
+        "image/frames%2f00000000.png",
+        "image/-1",
+        "image/20",
+        "image/99999999999",
+        "image/0/0",
+        "../9/",
+        "frame/",
+        "frame/x",
+        "classes/0",
+    ],
+)
 def test_nothing_but_the_resources_is_served(served, path):
     connection = http.client.HTTPConnection(*urllib.parse.urlsplit(served["town"]).netloc.split(":"))
     connection.request("GET", urllib.parse.urlsplit(served["town"]).path + path)
@@ -84,7 +99,8 @@ def test_controls_are_visible_without_scrolling(view):
     page = view("town")
     boxes = page.script(
         "return [...document.querySelectorAll(arguments[0])].map(e => { const b = e.getBoundingClientRect(); return [e.id || e.textContent, b.top, b.bottom, b.left, b.right]; })",
-        CONTROLS)
+        CONTROLS,
+    )
     assert len(boxes) > 25
     assert [box for box in boxes if box[1] < 0 or box[2] > 720 or box[3] < 0 or box[4] > 1280] == []
 
@@ -106,7 +122,9 @@ def test_each_frame_is_asked_for_by_number(view, labels):
     frame = labels("long")[700]
     assert page.frame() == 700
     assert page.count("rect.box") == len(drawn(frame))
-    asked = page.script("return performance.getEntriesByType('resource').map(entry => new URL(entry.name).pathname.split('/').slice(-2).join('/'))")
+    asked = page.script(
+        "return performance.getEntriesByType('resource').map(entry => new URL(entry.name).pathname.split('/').slice(-2).join('/'))"
+    )
     frames = {int(path.split("/")[1]) for path in asked if path.startswith("frame/")}
     assert 700 in frames and len(frames) < 20
 
@@ -122,7 +140,9 @@ def test_page_asks_only_its_own_server(view, served):
 
 def test_mask_has_the_pixels_of_the_file(view):
     page = view("town", f"#{FRAME}")
-    values = page.script(f"return decodeGrey(await source.bytes({FRAME}, 'mask')).then(map => [map.width, ...map.values])")
+    values = page.script(
+        f"return decodeGrey(await source.bytes({FRAME}, 'mask')).then(map => [map.width, ...map.values])"
+    )
     rows = grey(SESSIONS / "town" / "masks" / f"{FRAME:08}.png")
     assert values[0] == len(rows[0]) and values[1:] == [value for row in rows for value in row]
     assert len(set(values[1:])) > 3
@@ -138,7 +158,8 @@ def test_depth_has_the_pixels_of_the_file(view):
 
 def painted(page, kind):
     """The colours of a layer: its width, then red, green, blue and opacity of each pixel."""
-    return page.script("""
+    return page.script(
+        """
         const image = new Image();
         image.src = byId(`raster-${arguments[0]}`).getAttribute("href");
         await image.decode();
@@ -146,7 +167,9 @@ def painted(page, kind):
         [canvas.width, canvas.height] = [image.naturalWidth, image.naturalHeight];
         canvas.getContext("2d").drawImage(image, 0, 0);
         return [canvas.width, ...canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data];
-    """, kind)
+    """,
+        kind,
+    )
 
 
 def test_mask_is_painted_by_instance_or_class(view, labels):
@@ -161,7 +184,7 @@ def test_mask_is_painted_by_instance_or_class(view, labels):
         pixels = painted(page, "mask")[1:]
         colours = {}
         for index, value in enumerate(ids):
-            colours.setdefault(key(value), set()).add(tuple(pixels[4 * index:4 * index + 4]))
+            colours.setdefault(key(value), set()).add(tuple(pixels[4 * index : 4 * index + 4]))
         assert all(len(each) == 1 for each in colours.values()), paint
         assert len(set.union(*colours.values())) == len(colours) > 2, paint
         clear = colours[key(0)].pop()
@@ -203,12 +226,15 @@ def test_points_have_their_range_and_place(view, labels, view_number):
     ego, camera = frame["ego"], frame["camera"]
     seen = 0
     for index in range(0, sweep["points"], 97):
-        u, v, x, y, distance = values[5 * index:5 * index + 5]
+        u, v, x, y, distance = values[5 * index : 5 * index + 5]
         local = struct.unpack_from("<3f", raw, 24 * index)
         assert distance == pytest.approx(sum(part * part for part in local) ** 0.5, abs=RANGE_METRES)
         on_car = [part + shift for part, shift in zip(local, offset)]
-        world = [ego["position"][axis] + sum(on_car[part] * ego[name][axis] for part, name in enumerate(("right", "forward", "up")))
-                 for axis in range(3)]
+        world = [
+            ego["position"][axis]
+            + sum(on_car[part] * ego[name][axis] for part, name in enumerate(("right", "forward", "up")))
+            for axis in range(3)
+        ]
         # The level direction of the ego, from its axes instead of its heading.
         level = [part / math.hypot(*ego["forward"][:2]) for part in ego["forward"][:2]]
         from_ego = [a - b for a, b in zip(world, ego["position"])]
@@ -225,16 +251,25 @@ def test_points_have_their_range_and_place(view, labels, view_number):
             assert u is None and v is None  # NaN, which JSON does not have.
     assert seen > 10
     page.show_layers("points")
-    assert page.count("#ground image") == 1 and page.find("#raster-points").get_attribute("href").startswith("data:image/png")
+    assert page.count("#ground image") == 1 and page.find("#raster-points").get_attribute("href").startswith(
+        "data:image/png"
+    )
 
 
-@pytest.mark.parametrize("name, text, passes", [
-    ("farthest", "30", lambda item: item["distanceMetres"] <= 30),
-    ("mostTruncated", "10", lambda item: item["truncatedFraction"] <= 0.1),
-    ("mostOccluded", "25", lambda item: (item["occludedFraction"] or 0) <= 0.25),
-    ("leastSeen", "120", lambda item: area(item["box2d"]) * (1 - (item["occludedFraction"] or 0)) >= 120),
-    ("text", "car", lambda item: "car" in f"{item['id']} {item['class']} {item['model']} {item['name'] or ''}".lower()),
-])
+@pytest.mark.parametrize(
+    "name, text, passes",
+    [
+        ("farthest", "30", lambda item: item["distanceMetres"] <= 30),
+        ("mostTruncated", "10", lambda item: item["truncatedFraction"] <= 0.1),
+        ("mostOccluded", "25", lambda item: (item["occludedFraction"] or 0) <= 0.25),
+        ("leastSeen", "120", lambda item: area(item["box2d"]) * (1 - (item["occludedFraction"] or 0)) >= 120),
+        (
+            "text",
+            "car",
+            lambda item: "car" in f"{item['id']} {item['class']} {item['model']} {item['name'] or ''}".lower(),
+        ),
+    ],
+)
 def test_filters_count_the_whole_session(view, labels, name, text, passes):
     page = view("long")
     frames = labels("long")
@@ -242,7 +277,10 @@ def test_filters_count_the_whole_session(view, labels, name, text, passes):
     passed = [sum(map(passes, frame["objects"])) for frame in frames]
     every = sum(len(frame["objects"]) for frame in frames)
     assert 0 < sum(passed) < every
-    assert page.text("#matches") == f"{sum(passed)} of {every} labels in {sum(count > 0 for count in passed)} of {len(frames)} frames"
+    assert (
+        page.text("#matches")
+        == f"{sum(passed)} of {every} labels in {sum(count > 0 for count in passed)} of {len(frames)} frames"
+    )
 
 
 def test_statistics_are_those_of_the_report(view, open_page):
@@ -264,7 +302,9 @@ def test_followed_object_is_found_in_all_frames(view, labels):
 def test_views_of_a_rig_are_side_by_side(view, labels):
     page = view("rig", "#frame=8")
     names = [frame["view"] for frame in labels("rig") if frame["moment"] == 1]
-    assert [button.text for button in page.driver.find_elements(By.CSS_SELECTOR, "#views button")] == names and len(names) == 6
+    assert [button.text for button in page.driver.find_elements(By.CSS_SELECTOR, "#views button")] == names and len(
+        names
+    ) == 6
 
 
 def test_address_shows_the_same_again(view):
@@ -370,17 +410,23 @@ def test_report_and_viewer_have_the_same_values(view, open_page):
 def test_plot_has_axes(view):
     page = view("town")
     values = [float(text) for text in page.text("#plot-values").split()]
-    speeds = page.script("return Array.from({ length: source.count }, (_, index) => source.value('speed', index) * 3.6)")
+    speeds = page.script(
+        "return Array.from({ length: source.count }, (_, index) => source.value('speed', index) * 3.6)"
+    )
     assert (values[0], values[-1]) == (round(max(speeds), 1), round(min(speeds), 1))
     assert page.text("#plot-frames").split()[:2] == ["frame", "0"] and page.text("#plot-frames").split()[-1] == "19"
 
 
 def test_layer_that_is_off_is_not_struck_through(view):
     page = view("town", "#show=box")
-    styles = page.script("""return [...document.querySelectorAll("#kinds button")].map(button => {
-        const style = getComputedStyle(button); return [button.getAttribute("aria-pressed"), style.textDecorationLine, style.backgroundColor]; })""")
+    styles = page.script(
+        """return [...document.querySelectorAll("#kinds button")].map(button => {
+        const style = getComputedStyle(button); return [button.getAttribute("aria-pressed"), style.textDecorationLine, style.backgroundColor]; })"""
+    )
     assert {line for _, line, _ in styles} == {"none"}
-    assert not {fill for pressed, _, fill in styles if pressed == "true"} & {fill for pressed, _, fill in styles if pressed == "false"}
+    assert not {fill for pressed, _, fill in styles if pressed == "true"} & {
+        fill for pressed, _, fill in styles if pressed == "false"
+    }
 
 
 def test_picture_uses_the_width_of_the_window(driver, view):

@@ -21,7 +21,16 @@ public sealed class RealStreetsTests
         foreach (Vector2D near in new Vector2D[] { new(0, -1000), new(0, 200), new(1000, -1500), new(2000, 3000), new(-1500, -400) })
         {
             outsideMetres += Drive(
-                new SimulatedGame(new SimulationOptions { Roads = network, Near = near, TrafficDensity = 0, PedestrianDensity = 0 }));
+                new SimulatedGame(
+                    new SimulationOptions
+                    {
+                        Roads = network,
+                        Near = near,
+                        TrafficDensity = 0,
+                        PedestrianDensity = 0,
+                    }
+                )
+            );
         }
 
         Assert.True(outsideMetres > 4000, $"Only {outsideMetres:F0} m driven outside junctions.");

@@ -67,7 +67,14 @@ public class SimulatedGameTests
     [Fact]
     public void Ego_drives_within_its_lane_outside_junctions()
     {
-        SimulatedGame game = new(new SimulationOptions { Seed = 2, TrafficDensity = 0.2, PedestrianDensity = 0 });
+        SimulatedGame game = new(
+            new SimulationOptions
+            {
+                Seed = 2,
+                TrafficDensity = 0.2,
+                PedestrianDensity = 0,
+            }
+        );
         int judged = 0;
         double driven = 0;
         for (int i = 0; i < 1200; i++)
@@ -102,8 +109,9 @@ public class SimulatedGameTests
             game.Tick(1);
             RenderTarget picture = game.Render(size);
             CameraState camera = game.Ports.World.ReadCamera();
-            Dictionary<int, EntityState> entities = game.Ports.World.ReadEntities(camera.Pose.Position, EverythingMetres).ToDictionary(
-                entity => entity.Handle);
+            Dictionary<int, EntityState> entities = game
+                .Ports.World.ReadEntities(camera.Pose.Position, EverythingMetres)
+                .ToDictionary(entity => entity.Handle);
             double halfHeight = Math.Tan(camera.VerticalFovDegrees * Math.PI / 360);
             for (int pixel = 0; pixel < picture.Handles.Length; pixel++)
             {
@@ -143,6 +151,8 @@ public class SimulatedGameTests
     {
         EgoState ego = world.ReadEgo();
         return string.Join(
-            '\n', world.ReadEntities(ego.Pose.Position, EverythingMetres).Select(entity => entity.ToString()).Prepend(ego.ToString()));
+            '\n',
+            world.ReadEntities(ego.Pose.Position, EverythingMetres).Select(entity => entity.ToString()).Prepend(ego.ToString())
+        );
     }
 }

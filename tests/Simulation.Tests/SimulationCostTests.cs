@@ -83,7 +83,13 @@ public class SimulationCostTests
     {
         var game = new SimulatedGame(new SimulationOptions { Seed = 3 });
         GamePorts ports = game.Ports with { Roads = new FixedRoads(game.Roads, "simulation") };
-        var options = new HarvestOptions { Image = new ImageSize(800, 600), MaxFrames = RayFrames, RateHz = 1, Masks = masks };
+        var options = new HarvestOptions
+        {
+            Image = new ImageSize(800, 600),
+            MaxFrames = RayFrames,
+            RateHz = 1,
+            Masks = masks,
+        };
         long rays = 0;
         LabelledTown.Harvest(game, ports, options, (frame, _) => rays += frame.Label.Rays!.Total);
         Assert.InRange(rays, 1, RayFrames * most);

@@ -14,14 +14,18 @@ internal readonly record struct ByteChange(int Kind, int At, int Length, byte Va
     /// <param name="count">The length of a list.</param>
     /// <param name="maxLength">The longest run deleted or repeated, bytes.</param>
     /// <param name="values">The new bytes to choose from.</param>
-    public static Arbitrary<ByteChange[]> Lists(int count, int maxLength, byte[] values) => RandomCases.ArrayOf(
-        Arb.Convert(
-            Arb.Zip(
-                Arb.Zip(RandomCases.Integer(-3, 4), RandomCases.Integer(0, 1_000_000)),
-                Arb.Zip(RandomCases.Integer(1, maxLength), RandomCases.Integer(0, values.Length - 1))),
-            drawn => new ByteChange(drawn.Item1.Item1, drawn.Item1.Item2, drawn.Item2.Item1, values[drawn.Item2.Item2]),
-            change => ((change.Kind, change.At), (change.Length, Math.Max(0, Array.IndexOf(values, change.Value))))),
-        count);
+    public static Arbitrary<ByteChange[]> Lists(int count, int maxLength, byte[] values) =>
+        RandomCases.ArrayOf(
+            Arb.Convert(
+                Arb.Zip(
+                    Arb.Zip(RandomCases.Integer(-3, 4), RandomCases.Integer(0, 1_000_000)),
+                    Arb.Zip(RandomCases.Integer(1, maxLength), RandomCases.Integer(0, values.Length - 1))
+                ),
+                drawn => new ByteChange(drawn.Item1.Item1, drawn.Item1.Item2, drawn.Item2.Item1, values[drawn.Item2.Item2]),
+                change => ((change.Kind, change.At), (change.Length, Math.Max(0, Array.IndexOf(values, change.Value))))
+            ),
+            count
+        );
 
     /// <summary>The bytes after all changes, one after the other.</summary>
     public static byte[] Apply(IEnumerable<ByteChange> changes, byte[] healthy)

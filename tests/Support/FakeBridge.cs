@@ -67,7 +67,5 @@ internal sealed class FakeBridge : IDrivingBridge
         return false;
     }
 
-    public void Dispose()
-    {
-    }
+    public void Dispose() { }
 }

@@ -140,7 +140,8 @@ internal sealed class FakeGame : IWorld, IRayCaster, IScreen, IPause, IClock
             new Pose(new Vector3D(2, (State * MetresPerTick * 1.5) + 12, 0.6), Axes.Identity),
             new Vector3D(-1, -2.3, -0.6),
             new Vector3D(1, 2.3, 0.9),
-            new Vector3D(0, 22, 0));
+            new Vector3D(0, 22, 0)
+        );
         return _read = Entities([car]);
     }
 
@@ -188,8 +189,10 @@ internal sealed class FakeGame : IWorld, IRayCaster, IScreen, IPause, IClock
         RayHit? first = null;
         foreach (EntityState entity in _read)
         {
-            if (Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose).Intersect(ray) is { } span
-                && span.Entry <= Math.Min(maxDistance, first?.Distance ?? maxDistance))
+            if (
+                Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose).Intersect(ray) is { } span
+                && span.Entry <= Math.Min(maxDistance, first?.Distance ?? maxDistance)
+            )
             {
                 first = new RayHit(span.Entry, entity.Handle);
             }

@@ -37,7 +37,8 @@ internal sealed class FakeRoadSource(RoadNetwork network, int ticksUntilLoaded =
             node.Density ?? 0,
             (node.Flags.HasFlag(RoadNodeFlags.Highway) ? 64 : 0)
                 + (node.Flags.HasFlag(RoadNodeFlags.Junction) ? 128 : 0)
-                + (node.Flags.HasFlag(RoadNodeFlags.SwitchedOff) ? 8 : 0));
+                + (node.Flags.HasFlag(RoadNodeFlags.SwitchedOff) ? 8 : 0)
+        );
     }
 
     public SurveyedRoad? ClosestRoad(Vector3D place)
@@ -46,8 +47,12 @@ internal sealed class FakeRoadSource(RoadNetwork network, int ticksUntilLoaded =
         RoadLink link = network.Links.MinBy(link => Distance(place, Stored(network.Nodes[link.From]), Stored(network.Nodes[link.To])))!;
         RoadLink northwards = Stored(network.Nodes[link.From]).Y <= Stored(network.Nodes[link.To]).Y ? link : link.Reversed();
         return new SurveyedRoad(
-            Stored(network.Nodes[northwards.From]), Stored(network.Nodes[northwards.To]), northwards.LanesBackward, northwards.LanesForward,
-            northwards.MedianWidth ?? -1);
+            Stored(network.Nodes[northwards.From]),
+            Stored(network.Nodes[northwards.To]),
+            northwards.LanesBackward,
+            northwards.LanesForward,
+            northwards.MedianWidth ?? -1
+        );
     }
 
     public Vector3D? RoadEdge(Vector3D node, double headingDegrees)
@@ -56,17 +61,21 @@ internal sealed class FakeRoadSource(RoadNetwork network, int ticksUntilLoaded =
         double heading = headingDegrees * Math.PI / 180;
         var asked = new Vector3D(-Math.Sin(heading), Math.Cos(heading), 0);
         int nearest = Enumerable.Range(0, network.Nodes.Count).MinBy(i => (Stored(network.Nodes[i]) - node).LengthSquared);
-        RoadLink leaving = network.LinksOf(nearest)
+        RoadLink leaving = network
+            .LinksOf(nearest)
             .Select(link => network.Links[link].From == nearest ? network.Links[link] : network.Links[link].Reversed())
             .MaxBy(link => Along(link).Dot(asked))!;
         double median = leaving.MedianWidth ?? 0;
         double whole = LaneWidth * (leaving.LanesForward + leaving.LanesBackward);
         Vector3D along = Along(leaving);
-        return ReportedEdge(new RoadSides(
-            Stored(network.Nodes[nearest]),
-            new Vector3D(along.Y, -along.X, 0),
-            leaving.IsOneWay ? whole / 2 : (median / 2) + (leaving.LanesForward * LaneWidth),
-            leaving.IsOneWay ? whole / 2 : (median / 2) + (leaving.LanesBackward * LaneWidth)));
+        return ReportedEdge(
+            new RoadSides(
+                Stored(network.Nodes[nearest]),
+                new Vector3D(along.Y, -along.X, 0),
+                leaving.IsOneWay ? whole / 2 : (median / 2) + (leaving.LanesForward * LaneWidth),
+                leaving.IsOneWay ? whole / 2 : (median / 2) + (leaving.LanesBackward * LaneWidth)
+            )
+        );
     }
 
     private Vector3D Along(RoadLink link)

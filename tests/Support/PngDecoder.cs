@@ -35,7 +35,7 @@ internal sealed class PngDecoder
         byte[] header = [];
         var data = new MemoryStream();
         string type = "";
-        for (int at = 8; type != "IEND";)
+        for (int at = 8; type != "IEND"; )
         {
             int length = (int)BinaryPrimitives.ReadUInt32BigEndian(file.AsSpan(at));
             type = Encoding.ASCII.GetString(file, at + 4, 4);
@@ -50,13 +50,15 @@ internal sealed class PngDecoder
 
         int width = (int)BinaryPrimitives.ReadUInt32BigEndian(header);
         int height = (int)BinaryPrimitives.ReadUInt32BigEndian(header.AsSpan(4));
-        int pixelBytes = header[9] switch
-        {
-            0 =>
-            1,
-            2 => 3,
-            var other => throw new InvalidDataException($"Colour type {other}.")
-        } * header[8] / 8;
+        int pixelBytes =
+            header[9] switch
+            {
+                0 => 1,
+                2 => 3,
+                var other => throw new InvalidDataException($"Colour type {other}."),
+            }
+            * header[8]
+            / 8;
         Assert.Equal([0, 0, 0], header[10..]);
         var inflated = new MemoryStream();
         data.Position = 0;
@@ -99,8 +101,12 @@ internal sealed class PngDecoder
     private static int Paeth(int left, int up, int corner)
     {
         int estimate = left + up - corner;
-        int toLeft = Math.Abs(estimate - left), toUp = Math.Abs(estimate - up), toCorner = Math.Abs(estimate - corner);
-        return toLeft <= toUp && toLeft <= toCorner ? left : toUp <= toCorner ? up : corner;
+        int toLeft = Math.Abs(estimate - left),
+            toUp = Math.Abs(estimate - up),
+            toCorner = Math.Abs(estimate - corner);
+        return toLeft <= toUp && toLeft <= toCorner ? left
+            : toUp <= toCorner ? up
+            : corner;
     }
 
     /// <summary>The standard's annex D, bit by bit.</summary>

@@ -9,6 +9,8 @@ internal static class RepositoryFolder
     private static string Find(string folder) =>
         File.Exists(System.IO.Path.Combine(folder, "GtaDataHarvester.sln"))
             ? folder
-            : Find(System.IO.Path.GetDirectoryName(folder)
-                ?? throw new DirectoryNotFoundException("GtaDataHarvester.sln is in no folder above the tests."));
+            : Find(
+                System.IO.Path.GetDirectoryName(folder)
+                    ?? throw new DirectoryNotFoundException("GtaDataHarvester.sln is in no folder above the tests.")
+            );
 }

@@ -98,9 +98,7 @@ internal sealed class SocketClient : IDisposable
         try
         {
             byte[] rest = new byte[4096];
-            while (Stream.Read(rest) > 0)
-            {
-            }
+            while (Stream.Read(rest) > 0) { }
 
             return true;
         }

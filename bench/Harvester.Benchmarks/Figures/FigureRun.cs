@@ -76,13 +76,17 @@ internal static class FigureRun
             }
         }
 
-        FigureLine.Write("rays.per_second", rays.Count / Stopclock.BestSeconds(() =>
-        {
-            foreach (Ray ray in rays)
-            {
-                game.Ports.Rays.Cast(ray, RayReach, 0);
-            }
-        }));
+        FigureLine.Write(
+            "rays.per_second",
+            rays.Count
+                / Stopclock.BestSeconds(() =>
+                {
+                    foreach (Ray ray in rays)
+                    {
+                        game.Ports.Rays.Cast(ray, RayReach, 0);
+                    }
+                })
+        );
     }
 
     private static void Encoder(string name, string path, Action<Stream> write)

@@ -29,14 +29,40 @@ internal static class LabellingFigures
         var options = new LabellingOptions { Image = Size };
         var camera = new CameraState(new Pose(Vector3D.Zero, Axes.Identity), 50, 0.15, Size.Aspect);
         var ego = new EgoState(1, "ego", new Pose(Vector3D.Zero, Axes.Identity), Vector3D.Zero);
-        EntityState[] entities = [.. Enumerable.Range(0, count).Select(i => new EntityState(
-            i + 2, ObjectClass.Car, "car", new Pose(InView(random), Axes.FromHeading(360 * random.NextDouble())),
-            new Vector3D(-1, -2.2, -0.8), new Vector3D(1, 2.2, 0.8), Vector3D.Zero))];
+        EntityState[] entities =
+        [
+            .. Enumerable
+                .Range(0, count)
+                .Select(i => new EntityState(
+                    i + 2,
+                    ObjectClass.Car,
+                    "car",
+                    new Pose(InView(random), Axes.FromHeading(360 * random.NextDouble())),
+                    new Vector3D(-1, -2.2, -0.8),
+                    new Vector3D(1, 2.2, 0.8),
+                    Vector3D.Zero
+                )),
+        ];
         var environment = new EnvironmentState("clear", TimeSpan.Zero);
         var scene = new RecordedScene(
-            new SceneSnapshot(1, 0, camera, ego, entities, environment), options.Lens, new Dictionary<int, int>(), []);
+            new SceneSnapshot(1, 0, camera, ego, entities, environment),
+            options.Lens,
+            new Dictionary<int, int>(),
+            []
+        );
         var recorded = new FrameLabel(
-            1, 1, 0, 0, 0, "frames/00000001.png", null, CameraLabel.Of(Camera()), EgoLabel.Of(ego), environment, []);
+            1,
+            1,
+            0,
+            0,
+            0,
+            "frames/00000001.png",
+            null,
+            CameraLabel.Of(Camera()),
+            EgoLabel.Of(ego),
+            environment,
+            []
+        );
         var labeller = new FrameRelabeller(options, options, new RecordedIds(), null);
         void Label()
         {
@@ -56,8 +82,12 @@ internal static class LabellingFigures
     private static void Boxes(int count)
     {
         var random = new Random(1);
-        Cuboid[] cuboids = [.. Enumerable.Range(0, count).Select(_ => new Cuboid(
-            InView(random), new Vector3D(1, 2.2, 0.8), Axes.FromHeading(360 * random.NextDouble())))];
+        Cuboid[] cuboids =
+        [
+            .. Enumerable
+                .Range(0, count)
+                .Select(_ => new Cuboid(InView(random), new Vector3D(1, 2.2, 0.8), Axes.FromHeading(360 * random.NextDouble()))),
+        ];
         Camera camera = Camera();
         void Project()
         {

@@ -28,13 +28,18 @@ internal static class RoadFigures
         var matcher = new RoadMatcher(curves, new LaneModel(network));
         var random = new Random(1);
         (Vector3D Position, double Heading)[] places = [.. Enumerable.Range(0, Places).Select(_ => Place(curves, random))];
-        FigureLine.Write("roads.match.microseconds", 1e6 / Places * Stopclock.BestSeconds(() =>
-        {
-            foreach ((Vector3D position, double heading) in places)
-            {
-                matcher.Match(position, heading);
-            }
-        }));
+        FigureLine.Write(
+            "roads.match.microseconds",
+            1e6
+                / Places
+                * Stopclock.BestSeconds(() =>
+                {
+                    foreach ((Vector3D position, double heading) in places)
+                    {
+                        matcher.Match(position, heading);
+                    }
+                })
+        );
     }
 
     private static (Vector3D Position, double Heading) Place(RoadCurves curves, Random random)

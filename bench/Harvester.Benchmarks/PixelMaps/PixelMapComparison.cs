@@ -42,10 +42,13 @@ internal static class PixelMapComparison
 
             var own = new MapScores();
             own.Add(exact, map.Map, map.RaysCast);
-            Console.WriteLine(string.Create(
-                CultureInfo.InvariantCulture,
-                $"{number,5}  {TownScene.ObjectsOf(number),7}  {map.RaysCast,5}  {own.MeanRayFraction,6:P2}  "
-                    + $"{own.Large.DefaultIfEmpty(1).Average(),8:F4}  {own.Large.DefaultIfEmpty(1).Min(),9:F4}  {milliseconds,6:F0}"));
+            Console.WriteLine(
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{number, 5}  {TownScene.ObjectsOf(number), 7}  {map.RaysCast, 5}  {own.MeanRayFraction, 6:P2}  "
+                        + $"{own.Large.DefaultIfEmpty(1).Average(), 8:F4}  {own.Large.DefaultIfEmpty(1).Min(), 9:F4}  {milliseconds, 6:F0}"
+                )
+            );
             scores.Add(exact, map.Map, map.RaysCast);
             rays.Add(map.RaysCast);
             times.Add(milliseconds);
@@ -63,10 +66,14 @@ internal static class PixelMapComparison
         foreach ((string name, double share) in new[] { ("median", 0.5), ("9 of 10", 0.9), ("greatest", 1.0) })
         {
             int at = (int)Math.Ceiling(share * (Scenes - 1));
-            Console.WriteLine(string.Create(
-                CultureInfo.InvariantCulture,
-                $"{name,-9} rays {rays[at],6:F0}: {rays[at] * QuickRay,5:F0} to {rays[at] * SlowRay,5:F0} ms at {QuickRay} to {SlowRay} "
-                    + $"ms each; own time {times[at],4:F0} ms"));
+            Console.WriteLine(
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{name, -9} rays {rays[at], 6:F0}: {rays[at] * QuickRay, 5:F0} to {rays[at] * SlowRay, 5:F0} ms at "
+                        + $"{QuickRay} to {SlowRay} "
+                        + $"ms each; own time {times[at], 4:F0} ms"
+                )
+            );
         }
 
         if (picture is not null)

@@ -15,8 +15,14 @@ internal static class Quadtree
             for (int left = 0; left < image.Size.Width; left += cellSize)
             {
                 Fill(
-                    image, map, leastSize, left, top,
-                    Math.Min(left + cellSize, image.Size.Width - 1), Math.Min(top + cellSize, image.Size.Height - 1));
+                    image,
+                    map,
+                    leastSize,
+                    left,
+                    top,
+                    Math.Min(left + cellSize, image.Size.Width - 1),
+                    Math.Min(top + cellSize, image.Size.Height - 1)
+                );
             }
         }
 
@@ -26,21 +32,24 @@ internal static class Quadtree
     private static void Fill(SampledImage image, InstanceMap map, int leastSize, int left, int top, int right, int bottom)
     {
         int number = image[left, top];
-        bool isUniform = image[right, top] == number && image[left, bottom] == number && image[right, bottom] == number
-            && image.Seeds.All(seed => seed.Column < left
-                || seed.Column > right
-                || seed.Row < top
-                || seed.Row > bottom
-                || image[seed.Column, seed.Row] == number);
+        bool isUniform =
+            image[right, top] == number
+            && image[left, bottom] == number
+            && image[right, bottom] == number
+            && image.Seeds.All(seed =>
+                seed.Column < left || seed.Column > right || seed.Row < top || seed.Row > bottom || image[seed.Column, seed.Row] == number
+            );
         if (isUniform || (right - left <= leastSize && bottom - top <= leastSize))
         {
             for (int row = top; row <= bottom; row++)
             {
                 for (int column = left; column <= right; column++)
                 {
-                    map[column, row] = (ushort)(image.IsKnown(column, row)
-                        ? image[column, row]
-                        : image[column - left < right - column ? left : right, row - top < bottom - row ? top : bottom]);
+                    map[column, row] = (ushort)(
+                        image.IsKnown(column, row)
+                            ? image[column, row]
+                            : image[column - left < right - column ? left : right, row - top < bottom - row ? top : bottom]
+                    );
                 }
             }
 

@@ -103,8 +103,9 @@ internal sealed class SampledImage
         foreach ((double across, double down) in new[] { (0.5, 0.5), (0.4, 0.25), (0.6, 0.75) })
         {
             yield return (
-                Math.Clamp((int)(box.XMin + (box.Width * across)), 0, Size.Width - 1), Math.Clamp(
-                    (int)(box.YMin + (box.Height * down)), 0, Size.Height - 1));
+                Math.Clamp((int)(box.XMin + (box.Width * across)), 0, Size.Width - 1),
+                Math.Clamp((int)(box.YMin + (box.Height * down)), 0, Size.Height - 1)
+            );
         }
     }
 }

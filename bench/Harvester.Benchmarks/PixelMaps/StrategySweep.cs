@@ -19,13 +19,18 @@ internal static class StrategySweep
         .. new[] { 0.5, 1.0, 2.0, 4.0 }.Select(rougher => ($"cells, {rougher} times the error", ByCells(rougher))),
         .. new[] { 6, 8, 10, 14 }.Select(step => ($"uniform grid of {step}", ByPixels((image, _) => image.Nearest(step)))),
         .. new[] { 8, 16, 32, 64 }.Select(size => ($"quadtree, first grid {size}", ByPixels((image, _) => Quadtree.Map(image, size, 1)))),
-        .. new[] { 8, 16, 32 }.Select(
-            size => ($"quadtree down to 2 pixels, first grid {size}", ByPixels((image, _) => Quadtree.Map(image, size, 2)))),
-        .. new[] { 8, 16, 32, 64 }.Select(
-            size => ($"boundary tracing, first grid {size}", ByPixels((image, _) => ContourFollowing.Map(image, size)))),
+        .. new[] { 8, 16, 32 }.Select(size =>
+            ($"quadtree down to 2 pixels, first grid {size}", ByPixels((image, _) => Quadtree.Map(image, size, 2)))
+        ),
+        .. new[] { 8, 16, 32, 64 }.Select(size =>
+            ($"boundary tracing, first grid {size}", ByPixels((image, _) => ContourFollowing.Map(image, size)))
+        ),
         .. new[] { (4, 32), (8, 16), (8, 32), (16, 32), (32, 64) }.Select(step =>
-            ($"hull-guided scanlines, every {step.Item1} rows and {step.Item2} columns", ByPixels(
-                (image, targets) => GuidedScanlines.Map(image, targets, step.Item1, step.Item2)))),
+            (
+                $"hull-guided scanlines, every {step.Item1} rows and {step.Item2} columns",
+                ByPixels((image, targets) => GuidedScanlines.Map(image, targets, step.Item1, step.Item2))
+            )
+        ),
     ];
 
     public static void Run(ImageSize size, int firstSeed)
@@ -50,22 +55,24 @@ internal static class StrategySweep
         }
     }
 
-    private static Func<TownScene, List<MapTarget>, (InstanceMap Map, int Rays)> ByCells(double rougher) => (scene, targets) =>
-    {
-        var options = new PixelMapOptions
+    private static Func<TownScene, List<MapTarget>, (InstanceMap Map, int Rays)> ByCells(double rougher) =>
+        (scene, targets) =>
         {
-            CellErrorFraction = Cells.CellErrorFraction * rougher,
-            StraightCellFraction = Cells.StraightCellFraction * rougher,
-            UnsearchedFraction = Cells.UnsearchedFraction * rougher,
+            var options = new PixelMapOptions
+            {
+                CellErrorFraction = Cells.CellErrorFraction * rougher,
+                StraightCellFraction = Cells.StraightCellFraction * rougher,
+                UnsearchedFraction = Cells.UnsearchedFraction * rougher,
+            };
+            var mapper = new AdaptivePixelMapper(scene.Camera, targets, RayHit.World, scene, options);
+            mapper.Run();
+            AdaptivePixelMap map = mapper.Finish();
+            return (map.Map, map.RaysCast);
         };
-        var mapper = new AdaptivePixelMapper(scene.Camera, targets, RayHit.World, scene, options);
-        mapper.Run();
-        AdaptivePixelMap map = mapper.Finish();
-        return (map.Map, map.RaysCast);
-    };
 
     private static Func<TownScene, List<MapTarget>, (InstanceMap Map, int Rays)> ByPixels(
-        Func<SampledImage, List<MapTarget>, InstanceMap> strategy) =>
+        Func<SampledImage, List<MapTarget>, InstanceMap> strategy
+    ) =>
         (scene, targets) =>
         {
             var image = new SampledImage(scene, targets);

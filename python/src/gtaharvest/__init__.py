@@ -8,20 +8,78 @@ from .arrays import ObjectArrays
 from .camera import Camera, Lens, Projection
 from .drive import DRIVERS, Controls, Drive, DriveTarget, DriveTick, DriveTruth
 from .errors import (
-    LabelError, MissingPictureError, NewerFormatError, NotASessionError, NotInSessionError, PartialSessionError, PictureError,
-    SessionError)
+    LabelError,
+    MissingPictureError,
+    NewerFormatError,
+    NotASessionError,
+    NotInSessionError,
+    PartialSessionError,
+    PictureError,
+    SessionError,
+)
 from .frame import Frame, View
 from .lanes import INDICATOR_NAMES, Indicators, LaneLine, Lanes, VehicleInLane
 from .points import POINT_TYPE
 from .records import (
-    CLASS_NAMES, JOINT_NAMES, SEMANTIC_CLASS_NAMES, Cuboid, Ego, Face, IgnoreRegion, Joint, Light, ObjectLabel, Pair,
-    VehicleLights)
+    CLASS_NAMES,
+    JOINT_NAMES,
+    SEMANTIC_CLASS_NAMES,
+    Cuboid,
+    Ego,
+    Face,
+    IgnoreRegion,
+    Joint,
+    Light,
+    ObjectLabel,
+    Pair,
+    VehicleLights,
+)
 from .selection import Selection
 from .session import FORMAT_VERSION, Session, Track, open_session
 
 __all__ = [
-    "CLASS_NAMES", "Camera", "Controls", "Cuboid", "DRIVERS", "Drive", "DriveTarget", "DriveTick", "DriveTruth", "Ego",
-    "FORMAT_VERSION", "Face", "Frame", "INDICATOR_NAMES", "IgnoreRegion", "Indicators", "JOINT_NAMES", "Joint", "LabelError",
-    "LaneLine", "Lanes", "Lens", "Light", "MissingPictureError", "NewerFormatError", "NotASessionError", "NotInSessionError",
-    "ObjectArrays", "ObjectLabel", "POINT_TYPE", "Pair", "PartialSessionError", "PictureError", "Projection", "SEMANTIC_CLASS_NAMES",
-    "Selection", "Session", "SessionError", "Track", "VehicleInLane", "VehicleLights", "View", "__version__", "open_session"]
+    "CLASS_NAMES",
+    "Camera",
+    "Controls",
+    "Cuboid",
+    "DRIVERS",
+    "Drive",
+    "DriveTarget",
+    "DriveTick",
+    "DriveTruth",
+    "Ego",
+    "FORMAT_VERSION",
+    "Face",
+    "Frame",
+    "INDICATOR_NAMES",
+    "IgnoreRegion",
+    "Indicators",
+    "JOINT_NAMES",
+    "Joint",
+    "LabelError",
+    "LaneLine",
+    "Lanes",
+    "Lens",
+    "Light",
+    "MissingPictureError",
+    "NewerFormatError",
+    "NotASessionError",
+    "NotInSessionError",
+    "ObjectArrays",
+    "ObjectLabel",
+    "POINT_TYPE",
+    "Pair",
+    "PartialSessionError",
+    "PictureError",
+    "Projection",
+    "SEMANTIC_CLASS_NAMES",
+    "Selection",
+    "Session",
+    "SessionError",
+    "Track",
+    "VehicleInLane",
+    "VehicleLights",
+    "View",
+    "__version__",
+    "open_session",
+]

@@ -73,7 +73,10 @@ class ObjectArrays:
             _rows([item.box3d.half_extents for item in objects], 3),
             _rows([item.box3d.right + item.box3d.forward + item.box3d.up for item in objects], 9).reshape(-1, 3, 3),
             _rows([item.velocity for item in objects], 3),
-            joints, pixels, visibility)
+            joints,
+            pixels,
+            visibility,
+        )
 
 
 def _box(box: Optional[Box]) -> Any:

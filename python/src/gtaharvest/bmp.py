@@ -32,6 +32,6 @@ def decode(data: bytes) -> Picture:
     if len(data) < start + stride * size.height:
         raise ValueError("it is cut off")
     rows = np.frombuffer(data, np.uint8, stride * size.height, start).reshape(size.height, stride)
-    picture = rows[:, :size.width * 3].reshape(size.height, size.width, 3)[..., ::-1]
+    picture = rows[:, : size.width * 3].reshape(size.height, size.width, 3)[..., ::-1]
     # A positive height has the lowest row first.
     return np.ascontiguousarray(picture[::-1] if height > 0 else picture)

@@ -117,7 +117,9 @@ class Lens:
             if np.array_equal(following, radius, equal_nan=True):
                 break
             radius = following
-        return radius if math.isinf(end) else np.where(shown < shown_end, radius, end + (shown - shown_end) / _MIN_SLOPE)
+        return (
+            radius if math.isinf(end) else np.where(shown < shown_end, radius, end + (shown - shown_end) / _MIN_SLOPE)
+        )
 
 
 @dataclass(frozen=True)
@@ -162,15 +164,29 @@ class Camera:
         """The camera of a label or of session.json. Raises KeyError, TypeError or ValueError if it is invalid."""
         distortion = camera["distortion"]
         return Camera(
-            vector(camera["position"]), vector(camera["right"]), vector(camera["forward"]), vector(camera["up"]),
-            _field_of_view(camera["verticalFovDegrees"]), _side(camera["width"]), _side(camera["height"]),
-            positive(camera["windowAspect"]), positive(camera["nearClip"]), positive(distortion["focalScale"]),
-            number(camera["cx"]), number(camera["cy"]), Lens(number(distortion["k1"]), number(distortion["k2"])))
+            vector(camera["position"]),
+            vector(camera["right"]),
+            vector(camera["forward"]),
+            vector(camera["up"]),
+            _field_of_view(camera["verticalFovDegrees"]),
+            _side(camera["width"]),
+            _side(camera["height"]),
+            positive(camera["windowAspect"]),
+            positive(camera["nearClip"]),
+            positive(distortion["focalScale"]),
+            number(camera["cx"]),
+            number(camera["cy"]),
+            Lens(number(distortion["k1"]), number(distortion["k2"])),
+        )
 
     @property
     def fx(self) -> float:
         """Horizontal focal length of the saved image, pixels."""
-        return self.focal_scale * self.width / (2 * math.tan(math.radians(self.vertical_fov_degrees) / 2) * self.window_aspect)
+        return (
+            self.focal_scale
+            * self.width
+            / (2 * math.tan(math.radians(self.vertical_fov_degrees) / 2) * self.window_aspect)
+        )
 
     @property
     def fy(self) -> float:

@@ -22,7 +22,7 @@ _MAX_MESSAGE = 200
 
 def one_line(text: object) -> str:
     """Untrusted text for a message: one short line without control characters."""
-    line = "".join(letter if letter.isprintable() else " " for letter in str(text)[:_MAX_MESSAGE * 4])
+    line = "".join(letter if letter.isprintable() else " " for letter in str(text)[: _MAX_MESSAGE * 4])
     line = " ".join(line.split())
     return line if len(line) <= _MAX_MESSAGE else line[:_MAX_MESSAGE] + "..."
 

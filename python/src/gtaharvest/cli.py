@@ -38,18 +38,28 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"gtaharvest {__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     show = commands.add_parser(
-        "show", help="draw the labels of a frame into its image", description="Draws the labels of a frame into its image.",
-        epilog=_EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter)
+        "show",
+        help="draw the labels of a frame into its image",
+        description="Draws the labels of a frame into its image.",
+        epilog=_EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     show.add_argument("session", metavar="SESSION", type=Path, help="folder of the session")
     show.add_argument("--frame", type=int, metavar="N", help="number of the frame; the first by default")
     show.add_argument("--boxes", choices=KINDS, default="cuboid", help="which boxes to draw (default: cuboid)")
     show.add_argument("--no-joints", action="store_true", help="do not draw the joints of people")
-    show.add_argument("--class", dest="classes", action="append", metavar="NAME", help="draw only this class; may be repeated")
-    show.add_argument("--min-visible", type=float, metavar="FRACTION", help="draw only objects of which at least this is visible")
+    show.add_argument(
+        "--class", dest="classes", action="append", metavar="NAME", help="draw only this class; may be repeated"
+    )
+    show.add_argument(
+        "--min-visible", type=float, metavar="FRACTION", help="draw only objects of which at least this is visible"
+    )
     show.add_argument("--max-distance", type=float, metavar="METRES", help="draw only objects up to this distance")
     show.add_argument("--partial", action="store_true", help="also read a session whose recording is unfinished")
     target = show.add_mutually_exclusive_group()
-    target.add_argument("--out", type=Path, metavar="FILE.png", help="the file to write; frame-N.png in the current folder by default")
+    target.add_argument(
+        "--out", type=Path, metavar="FILE.png", help="the file to write; frame-N.png in the current folder by default"
+    )
     target.add_argument("--window", action="store_true", help="open a window instead (needs OpenCV); any key closes it")
     return parser
 

@@ -15,8 +15,17 @@ from .selection import Selection
 Colour = Tuple[int, int, int]
 
 CLASS_COLOURS: Dict[str, Colour] = {
-    "car": (0, 200, 255), "truck": (255, 140, 0), "bus": (255, 220, 0), "motorcycle": (200, 80, 255), "bicycle": (120, 120, 255),
-    "trailer": (180, 120, 60), "pedestrian": (255, 60, 90), "rider": (255, 140, 200), "sign": (60, 230, 90), "trafficLight": (180, 255, 60)}
+    "car": (0, 200, 255),
+    "truck": (255, 140, 0),
+    "bus": (255, 220, 0),
+    "motorcycle": (200, 80, 255),
+    "bicycle": (120, 120, 255),
+    "trailer": (180, 120, 60),
+    "pedestrian": (255, 60, 90),
+    "rider": (255, 140, 200),
+    "sign": (60, 230, 90),
+    "trafficLight": (180, 255, 60),
+}
 """Red, green, blue by class; other classes are white."""
 
 KINDS = ("cuboid", "amodal", "visible", "whole", "3d", "none")
@@ -36,7 +45,11 @@ def annotate(view: View, boxes: str = "cuboid", joints: bool = True, selection: 
     for item in view.select(selection):
         colour = CLASS_COLOURS.get(item.class_name, _WHITE)
         box = {
-            "cuboid": item.box2d, "amodal": item.box2d_amodal, "visible": item.box2d_visible, "whole": item.box2d_whole}.get(boxes)
+            "cuboid": item.box2d,
+            "amodal": item.box2d_amodal,
+            "visible": item.box2d_visible,
+            "whole": item.box2d_whole,
+        }.get(boxes)
         if boxes == "3d":
             draw_cuboid(picture, view.camera, item, colour)
         elif box is not None:
@@ -88,7 +101,7 @@ def draw_line(picture: Picture, pixels: Array, colour: Colour) -> None:
 def draw_point(picture: Picture, pixel: Sequence[float], colour: Colour) -> None:
     """Draws a square of three pixels around a point."""
     column, row = int(np.floor(pixel[0])), int(np.floor(pixel[1]))
-    picture[max(row - 1, 0):max(row + 2, 0), max(column - 1, 0):max(column + 2, 0)] = colour
+    picture[max(row - 1, 0) : max(row + 2, 0), max(column - 1, 0) : max(column + 2, 0)] = colour
 
 
 def _write(picture: Picture, text: str, box: Sequence[float], colour: Colour) -> None:

@@ -49,8 +49,13 @@ class DriveTick:
     def from_json(tick: Mapping[str, Any]) -> DriveTick:
         """The tick of a label."""
         return DriveTick(
-            number(tick["timeSeconds"]), _driver(tick["driver"]), number(tick["speed"]), optional(vector, tick["acceleration"]),
-            optional(vector, tick["angularRate"]), Controls.from_json(tick["applied"]))
+            number(tick["timeSeconds"]),
+            _driver(tick["driver"]),
+            number(tick["speed"]),
+            optional(vector, tick["acceleration"]),
+            optional(vector, tick["angularRate"]),
+            Controls.from_json(tick["applied"]),
+        )
 
 
 @dataclass(frozen=True)
@@ -74,9 +79,17 @@ class DriveTruth:
         if truth is None:
             return None
         return DriveTruth(
-            number(truth["drivenMetres"]), optional(text, truth["collision"]), flag(truth["outsideLanes"]),
-            optional(number, truth["laneOffsetMetres"]), optional(number, truth["laneAngleRadians"]), optional(text, truth["light"]),
-            flag(truth["stopSign"]), integer(truth["redLightsRun"]), integer(truth["stopSignsRun"]), integer(truth["repositioned"]))
+            number(truth["drivenMetres"]),
+            optional(text, truth["collision"]),
+            flag(truth["outsideLanes"]),
+            optional(number, truth["laneOffsetMetres"]),
+            optional(number, truth["laneAngleRadians"]),
+            optional(text, truth["light"]),
+            flag(truth["stopSign"]),
+            integer(truth["redLightsRun"]),
+            integer(truth["stopSignsRun"]),
+            integer(truth["repositioned"]),
+        )
 
 
 @dataclass(frozen=True)
@@ -136,4 +149,5 @@ class Drive:
             angular_rate=optional(vector, drive["angularRate"]),
             bridge_frame=optional(integer, drive["bridgeFrame"]),
             truth=DriveTruth.from_json(drive["truth"]),
-            ticks=each(DriveTick.from_json, drive["ticks"]))
+            ticks=each(DriveTick.from_json, drive["ticks"]),
+        )

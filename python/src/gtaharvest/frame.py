@@ -107,7 +107,9 @@ class View:
         """
         path = self.mask_path
         if path is None:
-            raise MissingPictureError(f"{self._source}: the frame has no mask. Harvest with --masks, or see harvester masks import.")
+            raise MissingPictureError(
+                f"{self._source}: the frame has no mask. Harvest with --masks, or see harvester masks import."
+            )
         return read_mask(path, self.size)
 
     @property
@@ -143,7 +145,9 @@ class View:
         """
         path = self.depth_path(kind)
         if path is None:
-            raise MissingPictureError(f"{self._source}: the frame has no {kind} depth. Harvest with --depth and --masks.")
+            raise MissingPictureError(
+                f"{self._source}: the frame has no {kind} depth. Harvest with --depth and --masks."
+            )
         return read_depth(path, self.size)
 
     @property
@@ -184,7 +188,9 @@ class View:
 
     def __repr__(self) -> str:
         return _shown(
-            lambda: f"View({self.name!r}, frame {self.frame}, {self.size[0]}x{self.size[1]}, {len(self.objects)} objects)", self._source)
+            lambda: f"View({self.name!r}, frame {self.frame}, {self.size[0]}x{self.size[1]}, {len(self.objects)} objects)",
+            self._source,
+        )
 
 
 def _shown(describe: Callable[[], str], source: str) -> str:
@@ -204,9 +210,13 @@ class Frame:
         self._source = source
 
     def __repr__(self) -> str:
-        return _shown(lambda: (
-            f"Frame({self.number}, {self.time_seconds:g} s, {self.weather} {self.time_of_day}, view {self.view_name!r}, "
-            f"{len(self.objects)} objects)"), self._source)
+        return _shown(
+            lambda: (
+                f"Frame({self.number}, {self.time_seconds:g} s, {self.weather} {self.time_of_day}, view {self.view_name!r}, "
+                f"{len(self.objects)} objects)"
+            ),
+            self._source,
+        )
 
     @property
     def number(self) -> int:
@@ -257,7 +267,9 @@ class Frame:
     def lidars(self) -> Dict[str, Path]:
         """The files of the LiDARs by name; empty in all but the first view of a moment."""
         names = checked(
-            self._source, lambda: each(lambda lidar: (text(lidar["sensor"]), text(lidar["file"])), self.raw.get("lidar", [])))
+            self._source,
+            lambda: each(lambda lidar: (text(lidar["sensor"]), text(lidar["file"])), self.raw.get("lidar", [])),
+        )
         return {sensor: self.view.inner(name, _POINTS_ENDINGS) for sensor, name in names}
 
     @functools.cached_property

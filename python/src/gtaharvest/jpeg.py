@@ -48,7 +48,7 @@ def _parsed(data: bytes) -> Tuple[PictureHeader, bytes]:
         if end > len(data):
             raise ValueError("it is cut off")
         if kind == _BASELINE:
-            found.append(_frame(data[at + 4:end]))
+            found.append(_frame(data[at + 4 : end]))
         elif kind not in _TAKEN and kind not in _LEFT_OUT and kind != _SCAN:
             raise ValueError("it is not a baseline JPEG")
         if kind not in _LEFT_OUT:

@@ -27,7 +27,7 @@ class LabelLine(Mapping[str, Any]):
         at = text.find(_LANES)
         head = self._object(text) if at < 0 else self._head(text[:at] + b"}")
         # If these bytes are not at the top level, the text before them is no object.
-        self._rest_text = b"{}" if at < 0 else b"{" + text[at + 1:]
+        self._rest_text = b"{}" if at < 0 else b"{" + text[at + 1 :]
         if head is None:
             head, self._rest_text = self._object(text), b"{}"
         self._first: Dict[str, Any] = head
@@ -60,4 +60,5 @@ class LabelLine(Mapping[str, Any]):
             return parse_object(text)
         except ValueError as problem:
             raise LabelError(
-                f"{self._source}: it is not a JSON object ({one_line(problem)}). Run harvester validate, or harvester repair.") from None
+                f"{self._source}: it is not a JSON object ({one_line(problem)}). Run harvester validate, or harvester repair."
+            ) from None

@@ -11,8 +11,20 @@ from .camera import Array
 from .checks import each, flag, integer, number, numbers, optional, text
 
 INDICATOR_NAMES: Tuple[str, ...] = (
-    "angle", "toMarkingL", "toMarkingM", "toMarkingR", "distL", "distR", "toMarkingLL", "toMarkingML", "toMarkingMR", "toMarkingRR",
-    "distLL", "distMM", "distRR")
+    "angle",
+    "toMarkingL",
+    "toMarkingM",
+    "toMarkingR",
+    "distL",
+    "distR",
+    "toMarkingLL",
+    "toMarkingML",
+    "toMarkingMR",
+    "toMarkingRR",
+    "distLL",
+    "distMM",
+    "distRR",
+)
 """DeepDriving's thirteen indicators, in the order of the arrays."""
 
 
@@ -28,7 +40,8 @@ class Indicators:
         """The record of indicators and their flags."""
         return Indicators(
             np.array([number(values[name]) for name in INDICATOR_NAMES], dtype=np.float64),
-            np.array([flag(valid[name]) for name in INDICATOR_NAMES], dtype=np.bool_))
+            np.array([flag(valid[name]) for name in INDICATOR_NAMES], dtype=np.bool_),
+        )
 
 
 @dataclass(frozen=True)
@@ -45,8 +58,12 @@ class VehicleInLane:
     def from_json(vehicle: Mapping[str, Any]) -> VehicleInLane:
         """The record of an entry of vehicles."""
         return VehicleInLane(
-            integer(vehicle["id"]), integer(vehicle["lane"]), flag(vehicle["oncoming"]), number(vehicle["distanceMetres"]),
-            number(vehicle["bumperDistanceMetres"]))
+            integer(vehicle["id"]),
+            integer(vehicle["lane"]),
+            flag(vehicle["oncoming"]),
+            number(vehicle["distanceMetres"]),
+            number(vehicle["bumperDistanceMetres"]),
+        )
 
 
 @dataclass(frozen=True, repr=False)
@@ -72,9 +89,17 @@ class LaneLine:
     def from_json(line: Mapping[str, Any]) -> LaneLine:
         """The record of an entry of boundaries or markings."""
         return LaneLine(
-            integer(line["index"]), text(line["side"]), _points(line["points"], 3), _points(line["inCamera"], 3),
-            _points(line["pixels"], 2), each(_hidden, line["hidden"]), optional(text, line.get("style")),
-            optional(text, line.get("colour")), optional(number, line.get("widthMetres")), None if line.get("painted") is None else each(flag, line["painted"]))
+            integer(line["index"]),
+            text(line["side"]),
+            _points(line["points"], 3),
+            _points(line["inCamera"], 3),
+            _points(line["pixels"], 2),
+            each(_hidden, line["hidden"]),
+            optional(text, line.get("style")),
+            optional(text, line.get("colour")),
+            optional(number, line.get("widthMetres")),
+            None if line.get("painted") is None else each(flag, line["painted"]),
+        )
 
     def __repr__(self) -> str:
         return f"LaneLine({self.side} {self.index}, {self.style or 'boundary'}, {len(self.points)} points)"
@@ -119,19 +144,32 @@ class Lanes:
         """The record of a label's lanes."""
         markings = lanes["markings"]
         return Lanes(
-            text(lanes["status"]), text(lanes["source"]), number(lanes["confidence"]), flag(lanes["inJunction"]),
-            optional(integer, lanes["laneCount"]), optional(integer, lanes["lane"]), optional(number, lanes["laneWidthMetres"]),
-            optional(text, lanes["laneWidthSource"]), optional(number, lanes["offsetFromLaneCentreMetres"]),
-            number(lanes["lookAheadMetres"]), number(lanes["curvaturePerMetre"]), flag(lanes["fast"]),
+            text(lanes["status"]),
+            text(lanes["source"]),
+            number(lanes["confidence"]),
+            flag(lanes["inJunction"]),
+            optional(integer, lanes["laneCount"]),
+            optional(integer, lanes["lane"]),
+            optional(number, lanes["laneWidthMetres"]),
+            optional(text, lanes["laneWidthSource"]),
+            optional(number, lanes["offsetFromLaneCentreMetres"]),
+            number(lanes["lookAheadMetres"]),
+            number(lanes["curvaturePerMetre"]),
+            flag(lanes["fast"]),
             Indicators.from_json(lanes["indicators"], lanes["valid"]),
             Indicators.from_json(lanes["torcsEquivalent"], lanes["valid"]),
             Indicators.from_json(lanes["atCar"]["indicators"], lanes["atCar"]["valid"]),
             each(VehicleInLane.from_json, lanes["vehicles"]),
             each(LaneLine.from_json, lanes["boundaries"]),
-            None if markings is None else each(LaneLine.from_json, markings))
+            None if markings is None else each(LaneLine.from_json, markings),
+        )
 
     def __repr__(self) -> str:
         place = "" if self.lane is None else f", lane {self.lane} of {self.lane_count}"
-        offset = "" if self.offset_from_lane_centre_metres is None else f", {self.offset_from_lane_centre_metres:+.2f} m from its centre"
+        offset = (
+            ""
+            if self.offset_from_lane_centre_metres is None
+            else f", {self.offset_from_lane_centre_metres:+.2f} m from its centre"
+        )
         markings = "" if self.markings is None else f", {len(self.markings)} markings"
         return f"Lanes({self.status}{place}{offset}, {len(self.vehicles)} vehicles, {len(self.boundaries)} boundaries{markings})"

@@ -22,5 +22,3 @@ class PictureHeader(NamedTuple):
     height: int
     channels: int
     bits: int
-
-

@@ -79,7 +79,9 @@ def _read(path: Path) -> bytes:
     try:
         return read_regular(path, MAX_BYTES)
     except FileNotFoundError:
-        raise MissingPictureError(f"{path}: the picture does not exist. Run harvester validate to list all that is missing.") from None
+        raise MissingPictureError(
+            f"{path}: the picture does not exist. Run harvester validate to list all that is missing."
+        ) from None
     except OSError as problem:
         raise PictureError(f"{path}: the picture cannot be read: {problem.strerror}.") from None
 
@@ -90,7 +92,9 @@ def _header(path: Path, data: bytes, size: Size) -> PictureHeader:
     except ValueError as problem:
         raise PictureError(f"{path}: the picture cannot be decoded: {problem}.") from None
     if header[:2] != size:
-        raise PictureError(f"{path}: the picture has {header.width}x{header.height} pixels; its label says {size[0]}x{size[1]}.")
+        raise PictureError(
+            f"{path}: the picture has {header.width}x{header.height} pixels; its label says {size[0]}x{size[1]}."
+        )
     if max(size) > MAX_SIDE:
         raise PictureError(f"{path}: the picture has {size[0]}x{size[1]} pixels, more than {MAX_SIDE}x{MAX_SIDE}.")
     return header

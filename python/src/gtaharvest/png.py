@@ -24,7 +24,9 @@ def header(data: bytes) -> PictureHeader:
         raise ValueError("it is not a PNG")
     if len(data) < _FIRST_CHUNK_END:
         raise ValueError("it is cut off")
-    size, kind, width, height, bits, colour, packing, filters, interlace = struct.unpack_from(">I4sIIBBBBB", data, len(SIGNATURE))
+    size, kind, width, height, bits, colour, packing, filters, interlace = struct.unpack_from(
+        ">I4sIIBBBBB", data, len(SIGNATURE)
+    )
     if (size, kind) != (_HEADER_BYTES, b"IHDR"):
         raise ValueError("it has no header")
     if colour not in _CHANNELS or bits not in (8, 16) or packing or filters or interlace:
@@ -58,7 +60,9 @@ def decode(data: bytes) -> Picture:
         raise ValueError("it has fewer pixels than its header says")
     flat = unfiltered(np.frombuffer(rows, np.uint8).reshape(form.height, 1 + form.width * step), step)
     picture = flat if form.bits == 8 else flat.reshape(form.height, -1).view(">u2").astype(np.uint16)
-    return picture.reshape((form.height, form.width) if form.channels == 1 else (form.height, form.width, form.channels))
+    return picture.reshape(
+        (form.height, form.width) if form.channels == 1 else (form.height, form.width, form.channels)
+    )
 
 
 def _packed(data: bytes) -> Iterator[memoryview]:
@@ -72,12 +76,12 @@ def _packed(data: bytes) -> Iterator[memoryview]:
         end = at + 12 + size
         if end > len(data):
             raise ValueError("it is cut off")
-        if zlib.crc32(view[at + 4:end - 4]) != struct.unpack_from(">I", data, end - 4)[0]:
+        if zlib.crc32(view[at + 4 : end - 4]) != struct.unpack_from(">I", data, end - 4)[0]:
             raise ValueError("a checksum is wrong")
         if kind == b"IEND":
             return
         if kind == b"IDAT":
-            yield view[at + 8:end - 4]
+            yield view[at + 8 : end - 4]
         at = end
 
 
@@ -94,4 +98,5 @@ def encode(picture: Picture) -> bytes:
     form = struct.pack(">IIBBBBB", width, height, bits, colour, 0, 0, 0)
     return SIGNATURE + b"".join(
         struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-        for kind, body in ((b"IHDR", form), (b"IDAT", zlib.compress(filtered.tobytes(), 6)), (b"IEND", b"")))
+        for kind, body in ((b"IHDR", form), (b"IDAT", zlib.compress(filtered.tobytes(), 6)), (b"IEND", b""))
+    )

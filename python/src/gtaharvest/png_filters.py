@@ -33,7 +33,7 @@ def _undo_sub_and_up(result: Picture, kinds: Picture, step: int) -> None:
     # Sub needs only its own row, so several of its rows are processed at once; Up continues from the row above.
     sub = np.flatnonzero(kinds == _SUB)
     for start in range(0, len(sub), _BLOCK):
-        block = sub[start:start + _BLOCK]
+        block = sub[start : start + _BLOCK]
         sums = np.cumsum(result[block].reshape(len(block), -1, step), axis=1, dtype=np.uint8)
         result[block] = sums.reshape(len(block), -1)
     for number in np.flatnonzero(kinds == _UP):
@@ -60,14 +60,16 @@ def _undo_along_diagonals(result: Picture, kinds: Picture, first: int, step: int
         if above_first is not None and diagonal < width:
             before[0] = above_first[diagonal]
             earlier[0] = above_first[diagonal - 1] if diagonal else 0
-        left, above, corner = before[top + 1:bottom + 1], before[top:bottom], earlier[top:bottom]
+        left, above, corner = before[top + 1 : bottom + 1], before[top:bottom], earlier[top:bottom]
         estimate = left + above - corner
         to_left, to_above, to_corner = abs(estimate - left), abs(estimate - above), abs(estimate - corner)
-        nearest = np.where((to_left <= to_above) & (to_left <= to_corner), left, np.where(to_above <= to_corner, above, corner))
+        nearest = np.where(
+            (to_left <= to_above) & (to_left <= to_corner), left, np.where(to_above <= to_corner, above, corner)
+        )
         rows = slice(top, bottom)
         average = (left + above) >> 1
         predicted = is_sub[rows] * left + is_up[rows] * above + is_average[rows] * average + is_paeth[rows] * nearest
         pixels += predicted.astype(np.uint8)
         earlier, before = before, earlier
         before[:] = 0
-        before[top + 1:bottom + 1] = pixels
+        before[top + 1 : bottom + 1] = pixels

@@ -13,10 +13,17 @@ from .files import read_regular
 
 Points = npt.NDArray[Any]
 
-POINT_TYPE = np.dtype([
-    ("position", "<f4", (3,)), ("intensity", "<f4"), ("column", "<u2"), ("beam", "<u2"), ("object_id", "<u2"), ("class", "u1"),
-    ("flags", "u1"),
-])
+POINT_TYPE = np.dtype(
+    [
+        ("position", "<f4", (3,)),
+        ("intensity", "<f4"),
+        ("column", "<u2"),
+        ("beam", "<u2"),
+        ("object_id", "<u2"),
+        ("class", "u1"),
+        ("flags", "u1"),
+    ]
+)
 """A point: position to the right, ahead and above of the sensor in metres, and what docs/rigs.md says of the other fields."""
 
 
@@ -33,5 +40,7 @@ def read_points(path: Path) -> Points:
     except OSError as problem:
         raise PictureError(f"{path}: the points cannot be read: {problem.strerror}.") from None
     if len(content) % POINT_TYPE.itemsize:
-        raise PictureError(f"{path}: it has {len(content)} bytes, which is no multiple of the {POINT_TYPE.itemsize} of a point.")
+        raise PictureError(
+            f"{path}: it has {len(content)} bytes, which is no multiple of the {POINT_TYPE.itemsize} of a point."
+        )
     return np.frombuffer(content, dtype=POINT_TYPE)

@@ -15,27 +15,77 @@ from .camera import Array, Camera, orthonormal
 from .checks import Box, Vector, box, each, flag, integer, number, optional, text, vector
 
 JOINT_NAMES: Tuple[str, ...] = (
-    "head_top", "head_center", "neck",
-    "right_clavicle", "right_shoulder", "right_elbow", "right_wrist",
-    "left_clavicle", "left_shoulder", "left_elbow", "left_wrist",
-    "spine0", "spine1", "spine2", "spine3", "spine4",
-    "right_hip", "right_knee", "right_ankle",
-    "left_hip", "left_knee", "left_ankle",
+    "head_top",
+    "head_center",
+    "neck",
+    "right_clavicle",
+    "right_shoulder",
+    "right_elbow",
+    "right_wrist",
+    "left_clavicle",
+    "left_shoulder",
+    "left_elbow",
+    "left_wrist",
+    "spine0",
+    "spine1",
+    "spine2",
+    "spine3",
+    "spine4",
+    "right_hip",
+    "right_knee",
+    "right_ankle",
+    "left_hip",
+    "left_knee",
+    "left_ankle",
 )
 """The joints of a person, in the order of the labels (that of the dataset JTA)."""
 
 CLASS_NAMES: Tuple[str, ...] = (
-    "car", "truck", "bus", "motorcycle", "bicycle", "trailer", "pedestrian", "sign", "trafficLight", "other", "rider")
+    "car",
+    "truck",
+    "bus",
+    "motorcycle",
+    "bicycle",
+    "trailer",
+    "pedestrian",
+    "sign",
+    "trafficLight",
+    "other",
+    "rider",
+)
 """The classes of the format, in the order of their numbers."""
 
 SEMANTIC_CLASS_NAMES: Tuple[str, ...] = (
-    "none", "road", "pavement", "laneMarking", "building", "vegetation", "terrain", "sky", "water", "pole", "fence") + CLASS_NAMES
+    "none",
+    "road",
+    "pavement",
+    "laneMarking",
+    "building",
+    "vegetation",
+    "terrain",
+    "sky",
+    "water",
+    "pole",
+    "fence",
+) + CLASS_NAMES
 """The classes of class maps, in the order of their numbers."""
 
 # The corners of a cuboid as signs of (right, forward, up), and its edges as pairs of corners.
 _CORNERS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], dtype=np.float64)
 CUBOID_EDGES: Tuple[Tuple[int, int], ...] = (
-    (0, 1), (2, 3), (4, 5), (6, 7), (0, 2), (1, 3), (4, 6), (5, 7), (0, 4), (1, 5), (2, 6), (3, 7))
+    (0, 1),
+    (2, 3),
+    (4, 5),
+    (6, 7),
+    (0, 2),
+    (1, 3),
+    (4, 6),
+    (5, 7),
+    (0, 4),
+    (1, 5),
+    (2, 6),
+    (3, 7),
+)
 """The twelve edges of a cuboid, as pairs of indices into Cuboid.corners."""
 
 
@@ -53,13 +103,19 @@ class Cuboid:
     def from_json(cuboid: Mapping[str, Any]) -> Cuboid:
         """The cuboid of a label."""
         return Cuboid(
-            vector(cuboid["centre"]), vector(cuboid["halfExtents"]), vector(cuboid["right"]), vector(cuboid["forward"]),
-            vector(cuboid["up"]))
+            vector(cuboid["centre"]),
+            vector(cuboid["halfExtents"]),
+            vector(cuboid["right"]),
+            vector(cuboid["forward"]),
+            vector(cuboid["up"]),
+        )
 
     @property
     def corners(self) -> Array:
         """The eight corners, (8, 3), metres, world."""
-        return np.asarray((_CORNERS * self.half_extents) @ orthonormal(self.right, self.forward) + np.array(self.centre))
+        return np.asarray(
+            (_CORNERS * self.half_extents) @ orthonormal(self.right, self.forward) + np.array(self.centre)
+        )
 
 
 @dataclass(frozen=True)
@@ -87,9 +143,15 @@ class Face:
         """The face of a label."""
         light = space["light"]
         return Face(
-            integer(space["face"]), optional(text, space["mutcd"]), flag(space["facesCamera"]), number(space["facingAngleDegrees"]),
+            integer(space["face"]),
+            optional(text, space["mutcd"]),
+            flag(space["facesCamera"]),
+            number(space["facingAngleDegrees"]),
             text(space["provenance"]),
-            None if light is None else Light(text(light["state"]), text(light["method"]), optional(number, light["litFraction"])))
+            None
+            if light is None
+            else Light(text(light["state"]), text(light["method"]), optional(number, light["litFraction"])),
+        )
 
 
 @dataclass(frozen=True)
@@ -119,7 +181,9 @@ class Joint:
     @staticmethod
     def from_json(joint: Mapping[str, Any]) -> Joint:
         """The record of an entry of joints."""
-        return Joint(text(joint["joint"]), vector(joint["position"]), optional(_pixel, joint["pixel"]), text(joint["visibility"]))
+        return Joint(
+            text(joint["joint"]), vector(joint["position"]), optional(_pixel, joint["pixel"]), text(joint["visibility"])
+        )
 
 
 def _pixel(value: Any) -> Tuple[float, float]:
@@ -183,7 +247,8 @@ class ObjectLabel:
             face=optional(Face.from_json, item["space"]),
             lights=optional(VehicleLights.from_json, item.get("lights")),
             box2d_joints=optional(box, item.get("box2dJoints")),
-            joints=optional(_joints, item.get("joints")))
+            joints=optional(_joints, item.get("joints")),
+        )
 
 
 def _joints(value: Any) -> Tuple[Joint, ...]:
@@ -208,8 +273,12 @@ class Pair:
     def from_json(pair: Mapping[str, Any]) -> Pair:
         """The record of an entry of pairs."""
         return Pair(
-            optional(text, pair["file"]), text(pair["weather"]), text(pair["timeOfDay"]), each(integer, pair["without"]),
-            optional(text, pair.get("dropped")))
+            optional(text, pair["file"]),
+            text(pair["weather"]),
+            text(pair["timeOfDay"]),
+            each(integer, pair["without"]),
+            optional(text, pair.get("dropped")),
+        )
 
 
 @dataclass(frozen=True)
@@ -224,7 +293,9 @@ class IgnoreRegion:
     @staticmethod
     def from_json(region: Mapping[str, Any]) -> IgnoreRegion:
         """The record of an entry of ignoreRegions."""
-        return IgnoreRegion(text(region["reason"]), text(region["class"]), box(region["box2d"]), number(region["distanceMetres"]))
+        return IgnoreRegion(
+            text(region["reason"]), text(region["class"]), box(region["box2d"]), number(region["distanceMetres"])
+        )
 
 
 @dataclass(frozen=True)
@@ -250,13 +321,42 @@ class Ego:
     def from_json(ego: Mapping[str, Any]) -> Ego:
         """The record of a label's ego."""
         right, forward, up = (optional(vector, ego.get(axis)) for axis in ("right", "forward", "up"))
-        height, yaw_rate, acceleration, steering, throttle, brake = (optional(number, ego.get(name)) for name in (
-            "heightAboveGroundMetres", "yawRate", "acceleration", "steering", "throttle", "brake"))
+        height, yaw_rate, acceleration, steering, throttle, brake = (
+            optional(number, ego.get(name))
+            for name in ("heightAboveGroundMetres", "yawRate", "acceleration", "steering", "throttle", "brake")
+        )
         return Ego(
-            vector(ego["position"]), number(ego["headingDegrees"]), vector(ego["velocity"]), text(ego["model"]), right, forward, up,
-            height, yaw_rate, acceleration, steering, throttle, brake, optional(text, ego.get("manoeuvre")))
+            vector(ego["position"]),
+            number(ego["headingDegrees"]),
+            vector(ego["velocity"]),
+            text(ego["model"]),
+            right,
+            forward,
+            up,
+            height,
+            yaw_rate,
+            acceleration,
+            steering,
+            throttle,
+            brake,
+            optional(text, ego.get("manoeuvre")),
+        )
 
 
 __all__ = [
-    "Box", "CLASS_NAMES", "CUBOID_EDGES", "Camera", "Cuboid", "Ego", "Face", "IgnoreRegion", "JOINT_NAMES", "Joint", "Light",
-    "ObjectLabel", "SEMANTIC_CLASS_NAMES", "Vector", "VehicleLights"]
+    "Box",
+    "CLASS_NAMES",
+    "CUBOID_EDGES",
+    "Camera",
+    "Cuboid",
+    "Ego",
+    "Face",
+    "IgnoreRegion",
+    "JOINT_NAMES",
+    "Joint",
+    "Light",
+    "ObjectLabel",
+    "SEMANTIC_CLASS_NAMES",
+    "Vector",
+    "VehicleLights",
+]

@@ -55,10 +55,13 @@ class Selection:
         box = item.box2d
         return (
             (self.classes is None or item.class_name in self.classes)
-            and (self.min_visible_fraction is None
-                 or (item.visible_fraction is not None and item.visible_fraction >= self.min_visible_fraction))
+            and (
+                self.min_visible_fraction is None
+                or (item.visible_fraction is not None and item.visible_fraction >= self.min_visible_fraction)
+            )
             and (self.max_truncated_fraction is None or item.truncated_fraction <= self.max_truncated_fraction)
             and (self.min_distance_metres is None or item.distance_metres >= self.min_distance_metres)
             and (self.max_distance_metres is None or item.distance_metres <= self.max_distance_metres)
             and (self.min_side_pixels is None or min(box[2] - box[0], box[3] - box[1]) >= self.min_side_pixels)
-            and (self.with_parts or item.parent is None))
+            and (self.with_parts or item.parent is None)
+        )

@@ -93,7 +93,10 @@ class Session:
     def view_names(self) -> Tuple[str, ...]:
         """The cameras of the rig, in the order of their frames; ONLY_VIEW in a session with a single camera."""
         return self._of_info(
-            lambda info: each(lambda camera: text(camera["name"]), info["rig"]["cameras"]) if "rig" in info else (ONLY_VIEW,))
+            lambda info: each(lambda camera: text(camera["name"]), info["rig"]["cameras"])
+            if "rig" in info
+            else (ONLY_VIEW,)
+        )
 
     def _of_info(self, read: Callable[[Mapping[str, Any]], _T]) -> _T:
         return checked(str(self.folder / "session.json"), lambda: read(self.info), NotASessionError)
@@ -136,7 +139,11 @@ class Session:
             return self[number]
         found = np.flatnonzero(self._numbers == number)
         if len(found) == 0:
-            has = f"its {len(self)} frames have the numbers {self._numbers.min()} to {self._numbers.max()}" if len(self) else "it has none"
+            has = (
+                f"its {len(self)} frames have the numbers {self._numbers.min()} to {self._numbers.max()}"
+                if len(self)
+                else "it has none"
+            )
             raise NotInSessionError(f"{self.folder}: the session has no frame {number}; {has}.")
         return self[int(found[0])]
 
@@ -214,19 +221,24 @@ def open_session(folder: Union[str, os.PathLike[str]], allow_partial: bool = Fal
     except OSError as problem:
         raise NotASessionError(f"{header}: it cannot be read: {problem.strerror}.") from None
     except ValueError as problem:
-        raise NotASessionError(f"{header}: it is not a JSON object ({one_line(problem)}). Run harvester repair.") from None
+        raise NotASessionError(
+            f"{header}: it is not a JSON object ({one_line(problem)}). Run harvester repair."
+        ) from None
     version = info.get("formatVersion")
     if type(version) is not int:
         raise NotASessionError(f"{header}: it has no formatVersion.")
     if version > FORMAT_VERSION:
         raise NewerFormatError(
-            f"{header}: the session has format version {version}; this gtaharvest reads up to {FORMAT_VERSION}. Install a newer one.")
+            f"{header}: the session has format version {version}; this gtaharvest reads up to {FORMAT_VERSION}. Install a newer one."
+        )
     if not allow_partial and (info.get("state") == "recording" or os.path.lexists(path / _UNFINISHED_MARK)):
         raise PartialSessionError(
-            f"{path}: the recording of the session is unfinished. Finish it with the same command, or open it with allow_partial=True.")
+            f"{path}: the recording of the session is unfinished. Finish it with the same command, or open it with allow_partial=True."
+        )
     if not allow_partial and _ends_in_part_of_a_line(path / "labels.jsonl"):
         raise PartialSessionError(
-            f"{path / 'labels.jsonl'}: its last line is cut off. Run harvester repair, or open the session with allow_partial=True.")
+            f"{path / 'labels.jsonl'}: its last line is cut off. Run harvester repair, or open the session with allow_partial=True."
+        )
     return Session(path, info)
 
 

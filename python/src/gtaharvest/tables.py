@@ -27,26 +27,50 @@ def table_of(frames: Iterable[Frame], selection: Optional[Selection]) -> pandas.
         for view in frame.views.values():
             for item in view.objects:
                 if selection is None or selection.takes(item):
-                    place = {"frame": frame.number, "time_seconds": frame.time_seconds, "view": view.name, "image": view.image_name}
+                    place = {
+                        "frame": frame.number,
+                        "time_seconds": frame.time_seconds,
+                        "view": view.name,
+                        "image": view.image_name,
+                    }
                     rows.append({**place, **_row(item)})
     return pandas.DataFrame(rows)
 
 
 def _row(item: ObjectLabel) -> Dict[str, Any]:
     row: Dict[str, Any] = {
-        "id": item.id, "class_name": item.class_name, "model": item.model, "name": item.name, "parent": item.parent,
-        "has_rider": item.has_rider, "vehicle": item.vehicle}
+        "id": item.id,
+        "class_name": item.class_name,
+        "model": item.model,
+        "name": item.name,
+        "parent": item.parent,
+        "has_rider": item.has_rider,
+        "vehicle": item.vehicle,
+    }
     for name, box in (
-            ("box2d", item.box2d), ("box2d_amodal", item.box2d_amodal), ("box2d_visible", item.box2d_visible),
-            ("box2d_whole", item.box2d_whole)):
+        ("box2d", item.box2d),
+        ("box2d_amodal", item.box2d_amodal),
+        ("box2d_visible", item.box2d_visible),
+        ("box2d_whole", item.box2d_whole),
+    ):
         row.update({f"{name}_{side}": None if box is None else box[i] for i, side in enumerate(_BOX)})
-    row.update({
-        "truncated_fraction": item.truncated_fraction, "occluded_fraction": item.occluded_fraction,
-        "occlusion_method": item.occlusion_method, "visible_fraction": item.visible_fraction,
-        "true_occluded_fraction": item.true_occluded_fraction, "distance_metres": item.distance_metres})
+    row.update(
+        {
+            "truncated_fraction": item.truncated_fraction,
+            "occluded_fraction": item.occluded_fraction,
+            "occlusion_method": item.occlusion_method,
+            "visible_fraction": item.visible_fraction,
+            "true_occluded_fraction": item.true_occluded_fraction,
+            "distance_metres": item.distance_metres,
+        }
+    )
     for name, vector in (
-            ("centre", item.box3d.centre), ("half_extents", item.box3d.half_extents), ("forward", item.box3d.forward),
-            ("up", item.box3d.up), ("velocity", item.velocity)):
+        ("centre", item.box3d.centre),
+        ("half_extents", item.box3d.half_extents),
+        ("forward", item.box3d.forward),
+        ("up", item.box3d.up),
+        ("velocity", item.velocity),
+    ):
         row.update({f"{name}_{axis}": vector[i] for i, axis in enumerate("xyz")})
     row["light_state"] = item.face.light.state if item.face and item.face.light else None
     return row

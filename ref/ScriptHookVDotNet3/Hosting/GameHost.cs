@@ -1,5 +1,3 @@
-using System;
-
 namespace GTA.Hosting;
 
 /// <summary>The game that plays behind the stand-in.</summary>
@@ -11,8 +9,11 @@ internal static class GameHost
     /// <exception cref="InvalidOperationException">There is none: the stand-in is not for use in the real game.</exception>
     public static IGameHost Current
     {
-        get => _current ?? throw new InvalidOperationException(
-            "This ScriptHookVDotNet3.dll is a stand-in for tests. Delete it from the game's folders and install ScriptHookVDotNet.");
+        get =>
+            _current
+            ?? throw new InvalidOperationException(
+                "This ScriptHookVDotNet3.dll is a stand-in for tests. Delete it from the game's folders and install ScriptHookVDotNet."
+            );
         set => _current = value;
     }
 }

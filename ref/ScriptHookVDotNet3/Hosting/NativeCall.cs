@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using GTA.Native;
 
 namespace GTA.Hosting;

@@ -1,5 +1,3 @@
-using System;
-
 namespace GTA.Hosting;
 
 /// <summary>The thread that runs a script's constructor or one of its events. Only this thread may call the API.</summary>

@@ -1,4 +1,3 @@
-using System;
 using GTA.Hosting;
 
 namespace GTA.Native;

@@ -1,5 +1,3 @@
-using System;
-
 namespace GTA.Native;
 
 /// <summary>An argument of a native function: eight bytes.</summary>

@@ -1,4 +1,3 @@
-using System;
 using System.Text;
 using GTA.Hosting;
 using GTA.Math;
@@ -9,13 +8,14 @@ namespace GTA.Native;
 internal static unsafe class NativeValue
 {
     /// <exception cref="InvalidCastException">The value is not null, a string or an <see cref="INativeValue"/>; an int is refused.</exception>
-    public static ulong From(object? value) => value switch
-    {
-        null => 0,
-        string text => (ulong)PinnedStrings.Pin(text).ToInt64(),
-        INativeValue native => native.NativeValue,
-        _ => throw new InvalidCastException($"Unable to cast object of type '{value.GetType()}' to native value"),
-    };
+    public static ulong From(object? value) =>
+        value switch
+        {
+            null => 0,
+            string text => (ulong)PinnedStrings.Pin(text).ToInt64(),
+            INativeValue native => native.NativeValue,
+            _ => throw new InvalidCastException($"Unable to cast object of type '{value.GetType()}' to native value"),
+        };
 
     /// <summary>Reads a value: a bool from eight bytes, an int or a float from four, a vector's components eight bytes apart.</summary>
     /// <exception cref="NotSupportedException">The stand-in does not convert to this type; the real API may.</exception>

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Faults;
 
 namespace Harvester.Capture.Calibration;
@@ -7,9 +6,7 @@ namespace Harvester.Capture.Calibration;
 internal sealed class CalibrationException(CaptureFault fault) : Exception(fault.Message)
 {
     public CalibrationException(string message)
-        : this(new CaptureFault(FaultCode.CalibrationFailed, message))
-    {
-    }
+        : this(new CaptureFault(FaultCode.CalibrationFailed, message)) { }
 
     public CaptureFault Fault { get; } = fault;
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;
 
@@ -30,23 +27,32 @@ internal static class CalibrationJudge
     /// <param name="options">The maximum error, and the size of the markers.</param>
     /// <exception cref="CalibrationException">The lens is rejected.</exception>
     public static ReprojectionError Validate(
-        LensFit fit, CameraIntrinsics camera, IReadOnlyList<Sighting> fitted, IReadOnlyList<Sighting> others, int shown,
-            CalibrationOptions options)
+        LensFit fit,
+        CameraIntrinsics camera,
+        IReadOnlyList<Sighting> fitted,
+        IReadOnlyList<Sighting> others,
+        int shown,
+        CalibrationOptions options
+    )
     {
         double thresholdPixels = options.ThresholdPixels;
         double worst = Math.Max(fit.Error.RmsPixels, fit.UncertaintyPixels);
         if (worst > thresholdPixels)
         {
             string cause = CauseOf(camera, [.. fitted, .. others]);
-            throw new CalibrationException(FormattableString.Invariant(
-                $"The lens is uncertain by {worst:0.###} px, more than the {thresholdPixels:0.###} px allowed: {cause}"));
+            throw new CalibrationException(
+                FormattableString.Invariant(
+                    $"The lens is uncertain by {worst:0.###} px, more than the {thresholdPixels:0.###} px allowed: {cause}"
+                )
+            );
         }
 
         if (2 * others.Count < shown)
         {
             throw new CalibrationException(
                 $"The lens cannot be checked: too few other markers are visible, {others.Count} of {shown}. "
-                + "Give the camera a free view or a smaller field of view, and calibrate again.");
+                    + "Give the camera a free view or a smaller field of view, and calibrate again."
+            );
         }
 
         double noise = Math.Max(MinNoise, fit.Error.RmsPixels / Math.Sqrt(2));
@@ -57,28 +63,31 @@ internal static class CalibrationJudge
             int wrong = Math.Max(others.Count - agreeing.Length, elsewhere);
             throw new CalibrationException(
                 $"The lens misplaces {wrong} of {others.Count} markers that were not used for the fit, "
-                + $"as if markers were confused with each other: {CauseOf(camera, others)}");
+                    + $"as if markers were confused with each other: {CauseOf(camera, others)}"
+            );
         }
 
         var error = ReprojectionError.Of(camera, agreeing);
         return error.RmsPixels <= thresholdPixels
             ? error
-            : throw new CalibrationException(FormattableString.Invariant(
-                $"Markers that were not used for the fit are {error.RmsPixels:0.###} px off, ")
-                + FormattableString.Invariant($"more than the {thresholdPixels:0.###} px allowed: ")
-                + CauseOf(camera, others));
+            : throw new CalibrationException(
+                FormattableString.Invariant($"Markers that were not used for the fit are {error.RmsPixels:0.###} px off, ")
+                    + FormattableString.Invariant($"more than the {thresholdPixels:0.###} px allowed: ")
+                    + CauseOf(camera, others)
+            );
     }
 
     private static double ErrorOf(CameraIntrinsics camera, Sighting sighting) => ReprojectionError.Of(camera, [sighting]).MaxPixels;
 
-    private static string CauseOf(CameraIntrinsics camera, IReadOnlyList<Sighting> sightings) => MisfitFinder.Of(camera, sightings) switch
-    {
-        Misfit.Stretch =>
-            "the picture is stretched along one axis. Check that the game's window has the aspect ratio that the game reports.",
-        Misfit.CameraPosition => "the camera is not where the game reports it. Check that no other mod moves it.",
-        Misfit.CameraRoll => "the roll of the camera is not as the game reports it. Check that no other mod moves it.",
-        Misfit.LensShape => "the distortion cannot be described by k1 and k2. Turn off lens effects of the game or of other mods.",
-        _ =>
-            "the measured positions of the markers are noisy. Calibrate in clear weather with nothing moving in view, or in larger images.",
-    };
+    private static string CauseOf(CameraIntrinsics camera, IReadOnlyList<Sighting> sightings) =>
+        MisfitFinder.Of(camera, sightings) switch
+        {
+            Misfit.Stretch =>
+                "the picture is stretched along one axis. Check that the game's window has the aspect ratio that the game reports.",
+            Misfit.CameraPosition => "the camera is not where the game reports it. Check that no other mod moves it.",
+            Misfit.CameraRoll => "the roll of the camera is not as the game reports it. Check that no other mod moves it.",
+            Misfit.LensShape => "the distortion cannot be described by k1 and k2. Turn off lens effects of the game or of other mods.",
+            _ => "the measured positions of the markers are noisy. Calibrate in clear weather with nothing moving in view, or "
+                + "in larger images.",
+        };
 }

@@ -13,5 +13,11 @@ namespace Harvester.Capture.Calibration;
 /// <param name="Shown">Number of markers shown for the fit.</param>
 /// <param name="Outliers">Number of visible markers that were rejected as outliers.</param>
 public sealed record CalibrationResult(
-    Lens Lens, ReprojectionError Before, ReprojectionError After, ReprojectionError Validation, double UncertaintyPixels, int Shown,
-        int Outliers);
+    Lens Lens,
+    ReprojectionError Before,
+    ReprojectionError After,
+    ReprojectionError Validation,
+    double UncertaintyPixels,
+    int Shown,
+    int Outliers
+);

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Calibration;
@@ -126,7 +124,13 @@ public sealed class CalibrationSession : IDisposable
 
         ThrowIfLate();
         ReprojectionError validation = CalibrationJudge.Validate(
-            fit, _survey.CameraWith(fit.Lens), fitted, _survey.Sightings, _survey.Shown, _options);
+            fit,
+            _survey.CameraWith(fit.Lens),
+            fitted,
+            _survey.Sightings,
+            _survey.Shown,
+            _options
+        );
         Result = new CalibrationResult(fit.Lens, fit.ErrorWithout, fit.Error, validation, fit.UncertaintyPixels, shown, fit.OutlierCount);
     }
 
@@ -134,8 +138,7 @@ public sealed class CalibrationSession : IDisposable
     {
         if (_survey.ExcessiveLagTicks is { } lag)
         {
-            throw new CalibrationException(
-                PictureLag.Refusal(Counted.Of(lag, "tick"), "calibration", _options.MaxPictureLagTicks));
+            throw new CalibrationException(PictureLag.Refusal(Counted.Of(lag, "tick"), "calibration", _options.MaxPictureLagTicks));
         }
     }
 
@@ -145,7 +148,8 @@ public sealed class CalibrationSession : IDisposable
         return fit.Outcome == LensFitOutcome.Fitted
             ? fit
             : throw new CalibrationException(
-                $"The lens cannot be determined from {sightings.Count} of {shown} markers: {CauseOf(sightings)} Calibrate again.");
+                $"The lens cannot be determined from {sightings.Count} of {shown} markers: {CauseOf(sightings)} Calibrate again."
+            );
     }
 
     private string CauseOf(IReadOnlyList<Sighting> sightings) =>

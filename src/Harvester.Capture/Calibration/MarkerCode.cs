@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Capture.Calibration;
 
 /// <summary>
@@ -14,8 +11,10 @@ internal static class MarkerCode
 
     private const int Weight = 3;
 
-    private static readonly int[] Codes = [.. Enumerable.Range(0, 1 << Pictures)
-        .Where(code => Enumerable.Range(0, Pictures).Count(picture => IsIn(code, picture)) == Weight)];
+    private static readonly int[] Codes =
+    [
+        .. Enumerable.Range(0, 1 << Pictures).Where(code => Enumerable.Range(0, Pictures).Count(picture => IsIn(code, picture)) == Weight),
+    ];
 
     /// <summary>The number of distinct markers: 35, the ways to choose three of seven.</summary>
     public static int Capacity => Codes.Length;

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Calibration;
 
@@ -32,9 +30,12 @@ internal sealed class MarkerIdentification(double reachPixels)
 
     /// <summary>The markers that are visible, except those that two spots could be.</summary>
     public IReadOnlyList<Sighting> SightingsOf(MarkerPlan plan, Pose camera) =>
-        [.. _spots.GroupBy(spot => spot.Marker)
-            .Where(group => group.Key >= 0 && group.Key < plan.Markers.Count && group.Count() == 1)
-            .Select(group => new Sighting(camera, plan.Markers[group.Key].CentreOfImage(camera), group.First().Centre))];
+        [
+            .. _spots
+                .GroupBy(spot => spot.Marker)
+                .Where(group => group.Key >= 0 && group.Key < plan.Markers.Count && group.Count() == 1)
+                .Select(group => new Sighting(camera, plan.Markers[group.Key].CentreOfImage(camera), group.First().Centre)),
+        ];
 
     /// <summary>A spot, and the images that show it.</summary>
     private sealed class SeenSpot(int picture, Vector2D centre)

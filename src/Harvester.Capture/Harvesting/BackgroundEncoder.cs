@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Pictures;
 
@@ -39,7 +35,11 @@ internal sealed class BackgroundEncoder(PictureEncoder encoder, PixelBufferPool 
     public Task<byte[]> Encode(PixelBuffer picture)
     {
         Task<byte[]> made = _last.ContinueWith(
-            _ => Encoded(picture), CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default);
+            _ => Encoded(picture),
+            CancellationToken.None,
+            TaskContinuationOptions.None,
+            TaskScheduler.Default
+        );
         _last = made;
         _waiting.Enqueue(made);
         return made;

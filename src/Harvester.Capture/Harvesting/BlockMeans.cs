@@ -1,4 +1,3 @@
-using System;
 using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Harvesting;
@@ -88,7 +87,9 @@ internal sealed class BlockMeans
         for (int column = 0; column < columns; column++)
         {
             int end = ((row * width) + ((column + 1) * width / columns)) * Channels;
-            int red = 0, green = 0, blue = 0;
+            int red = 0,
+                green = 0,
+                blue = 0;
             for (; next < end; next += Channels)
             {
                 red += bytes[next];

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Sessions.Imaging;
 
@@ -56,6 +54,7 @@ internal sealed class BoxChange(PixelBuffer first, PixelBuffer second)
         int at = 3 * pixel;
         return Math.Max(
             Math.Abs(a.Bytes[at] - b.Bytes[at]),
-            Math.Max(Math.Abs(a.Bytes[at + 1] - b.Bytes[at + 1]), Math.Abs(a.Bytes[at + 2] - b.Bytes[at + 2])));
+            Math.Max(Math.Abs(a.Bytes[at + 1] - b.Bytes[at + 1]), Math.Abs(a.Bytes[at + 2] - b.Bytes[at + 2]))
+        );
     }
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Calibration;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Labelling;
@@ -68,8 +65,7 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
 
         if (survey.ExcessiveLagTicks is { } lag)
         {
-            throw new HarvestFaultException(
-                PictureLag.Refusal(Counted.Of(lag, "tick"), "harvest", options.MaxPictureLagTicks));
+            throw new HarvestFaultException(PictureLag.Refusal(Counted.Of(lag, "tick"), "harvest", options.MaxPictureLagTicks));
         }
 
         Judge(survey.CameraWith(options.Lens), survey.Sightings, allowed);
@@ -82,26 +78,33 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
             Warning = new CaptureFault(
                 FaultCode.CameraUnchecked,
                 $"The camera model was not checked: none of {Columns * Rows} markers was visible in {PictureLag.MaxTicks} ticks. "
-                + "Check that the boxes align with the objects.");
+                    + "Check that the boxes align with the objects."
+            );
             return;
         }
 
         if (2 * sightings.Count < Columns * Rows)
         {
-            throw new HarvestFaultException(new CaptureFault(
-                FaultCode.MarkersHidden,
-                $"The camera model cannot be checked: too few markers are visible, {sightings.Count} of {Columns * Rows}. "
-                + "Give the camera a free view, or a smaller field of view."));
+            throw new HarvestFaultException(
+                new CaptureFault(
+                    FaultCode.MarkersHidden,
+                    $"The camera model cannot be checked: too few markers are visible, {sightings.Count} of {Columns * Rows}. "
+                        + "Give the camera a free view, or a smaller field of view."
+                )
+            );
         }
 
         double[] errors = [.. sightings.Select(sighting => ReprojectionError.Of(camera, [sighting]).MaxPixels).OrderBy(error => error)];
         double error = errors[(int)Math.Ceiling(JudgedFraction * errors.Length) - 1];
         if (error > allowed)
         {
-            throw new HarvestFaultException(new CaptureFault(
-                FaultCode.CameraModelOff,
-                FormattableString.Invariant($"The camera model is off by {error:0.0} px, more than the {allowed:0.0} px allowed. ")
-                + "Calibrate the camera first."));
+            throw new HarvestFaultException(
+                new CaptureFault(
+                    FaultCode.CameraModelOff,
+                    FormattableString.Invariant($"The camera model is off by {error:0.0} px, more than the {allowed:0.0} px allowed. ")
+                        + "Calibrate the camera first."
+                )
+            );
         }
 
         ErrorPixels = error;

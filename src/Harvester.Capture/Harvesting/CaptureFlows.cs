@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
@@ -10,8 +8,14 @@ namespace Harvester.Capture.Harvesting;
 
 /// <summary>Creates the flow with which a harvest takes its frames, of a frozen game or of a live one.</summary>
 internal sealed class CaptureFlows(
-    HarvestOptions options, GamePorts game, SceneReader reader, PixelBufferPool pool, TickBudget budget, HarvestCounters counters,
-        PhaseCalls calls)
+    HarvestOptions options,
+    GamePorts game,
+    SceneReader reader,
+    PixelBufferPool pool,
+    TickBudget budget,
+    HarvestCounters counters,
+    PhaseCalls calls
+)
 {
     /// <summary>Creates the flow for a sink.</summary>
     /// <param name="sink">Receives the frames; it gives the numbers of the first frame and object.</param>
@@ -27,8 +31,16 @@ internal sealed class CaptureFlows(
         if (options.Rig is { } rig)
         {
             return new RigFlow(
-                options, game, reader, rig, camera => LabellerOf(OptionsOf(camera), registry, rays, lanes), registry, budget, counters,
-                calls)
+                options,
+                game,
+                reader,
+                rig,
+                camera => LabellerOf(OptionsOf(camera), registry, rays, lanes),
+                registry,
+                budget,
+                counters,
+                calls
+            )
             {
                 TakesNext = () => Takes(sink.FirstFrame + counters.Taken),
             };
@@ -58,14 +70,16 @@ internal sealed class CaptureFlows(
 
     private static Func<PictureLag> Always(PictureLag lag) => () => lag;
 
-    private bool Takes(int frame) =>
-        frame > options.RecordedThrough && options.Shard.Takes(frame / options.ViewsPerMoment);
+    private bool Takes(int frame) => frame > options.RecordedThrough && options.Shard.Takes(frame / options.ViewsPerMoment);
 
     private static HarvestFaultException LagUnknown() =>
-        new(new CaptureFault(
-            FaultCode.LagUnknown,
-            "The picture lag could not be measured, because nothing moved in view while the live harvest started. "
-            + "Drive on and start again, or freeze the game for each frame."));
+        new(
+            new CaptureFault(
+                FaultCode.LagUnknown,
+                "The picture lag could not be measured, because nothing moved in view while the live harvest started. "
+                    + "Drive on and start again, or freeze the game for each frame."
+            )
+        );
 
     private HarvestOptions OptionsOf(RigCamera camera) => options with { Image = camera.Image, Lens = camera.Lens };
 

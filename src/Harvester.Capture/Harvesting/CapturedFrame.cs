@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Labelling;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging;

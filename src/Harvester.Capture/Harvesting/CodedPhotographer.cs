@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
@@ -139,7 +136,12 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
 
     /// <summary>Takes the pictures of a plan, and waits for each.</summary>
     private IEnumerable<HarvestPhase> Photograph(
-        IVisibility visibility, IPicturePlan plan, MapTarget[] hidden, PixelBuffer? picture, int ticks)
+        IVisibility visibility,
+        IPicturePlan plan,
+        MapTarget[] hidden,
+        PixelBuffer? picture,
+        int ticks
+    )
     {
         var pictures = new List<byte[]>();
         for (int number = 0; number < plan.PictureCount && Refusal is null; number++)
@@ -180,8 +182,7 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
     }
 
     /// <summary>Shows the screens of all objects and looks whether the picture changes.</summary>
-    private IEnumerable<HarvestPhase> TryScreens(
-        ISheets sheets, ScreenPlan plan, MapTarget[] targets, PixelBuffer before, int ticks)
+    private IEnumerable<HarvestPhase> TryScreens(ISheets sheets, ScreenPlan plan, MapTarget[] targets, PixelBuffer before, int ticks)
     {
         sheets.Show([.. Enumerable.Range(0, plan.PictureCount).SelectMany(plan.Sheets)]);
         for (int tick = 0; tick < ticks; tick++)
@@ -191,7 +192,10 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
 
         bool isChanged = ChangesBetween(before, Grab(), targets) > (2 * _noise) + ChangedPixels;
         sheets.Clear();
-        _showsScreens = isChanged ? true : ++_screenFailures == MaxFailures ? false : null;
+        _showsScreens =
+            isChanged ? true
+            : ++_screenFailures == MaxFailures ? false
+            : null;
     }
 
     private static CaptureFault Unhidden(string why) => new(FaultCode.NothingHidden, $"Masks come from rays: {why}.");

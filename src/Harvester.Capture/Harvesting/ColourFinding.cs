@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 
 namespace Harvester.Capture.Harvesting;
@@ -26,7 +25,8 @@ public sealed record ColourFinding(ColourState State, double Light, double Middl
     /// <summary>The finding for what was seen of the two greys, red, green and blue.</summary>
     internal static ColourFinding Of(Vector3D light, Vector3D middle)
     {
-        ColourState state = light.X >= ClippedLevel ? ColourState.Clipped
+        ColourState state =
+            light.X >= ClippedLevel ? ColourState.Clipped
             : Math.Max(ErrorOf(light, LightGrey), ErrorOf(middle, MiddleGrey)) > ToleranceLevels ? ColourState.Changed
             : ColourState.Kept;
         return new ColourFinding(state, Mean(light), Mean(middle));

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
@@ -30,16 +27,21 @@ internal sealed class ColourProbe(HarvestOptions options, GamePorts game, PixelB
     public ColourFinding? Finding { get; private set; }
 
     /// <summary>The warning if colours do not come back; otherwise null.</summary>
-    public CaptureFault? Warning => Finding switch
-    {
-        { State: ColourState.Clipped } found => Fault(FormattableString.Invariant(
-            $"Bright colours of pictures are clipped: a grey of 192 comes back as {found.Light:0}, as with HDR or Auto HDR.")
-            + " Switch both off in Windows."),
-        { State: ColourState.Changed } found => Fault(FormattableString.Invariant(
-            $"Colours of pictures are changed: greys of 192 and 128 come back as {found.Light:0} and {found.Middle:0}.")
-            + " Switch off filters, colour profiles and HDR."),
-        _ => null,
-    };
+    public CaptureFault? Warning =>
+        Finding switch
+        {
+            { State: ColourState.Clipped } found => Fault(
+                FormattableString.Invariant(
+                    $"Bright colours of pictures are clipped: a grey of 192 comes back as {found.Light:0}, as with HDR or Auto HDR."
+                ) + " Switch both off in Windows."
+            ),
+            { State: ColourState.Changed } found => Fault(
+                FormattableString.Invariant(
+                    $"Colours of pictures are changed: greys of 192 and 128 come back as {found.Light:0} and {found.Middle:0}."
+                ) + " Switch off filters, colour profiles and HDR."
+            ),
+            _ => null,
+        };
 
     /// <summary>Takes the two pictures, over several ticks. Nothing is drawn any more afterwards.</summary>
     public IEnumerable<HarvestPhase> Run()
@@ -52,8 +54,13 @@ internal sealed class ColourProbe(HarvestOptions options, GamePorts game, PixelB
         var pictures = new List<PixelBuffer>();
         try
         {
-            foreach ((byte left, byte right) in new[]
-                { (ColourFinding.LightGrey, ColourFinding.MiddleGrey), (ColourFinding.MiddleGrey, ColourFinding.LightGrey) })
+            foreach (
+                (byte left, byte right) in new[]
+                {
+                    (ColourFinding.LightGrey, ColourFinding.MiddleGrey),
+                    (ColourFinding.MiddleGrey, ColourFinding.LightGrey),
+                }
+            )
             {
                 card.Show([Patch(0, left), Patch(1, right)]);
                 for (int tick = 0; tick < options.MaxPictureLagTicks + DisplayProbe.ChangeTicks; tick++)
@@ -93,7 +100,8 @@ internal sealed class ColourProbe(HarvestOptions options, GamePorts game, PixelB
         return inner.All(box => Follows(box, first, second))
             ? ColourFinding.Of(
                 (PicturePixels.MeanOf(first, inner[0]) + PicturePixels.MeanOf(second, inner[1])) * 0.5,
-                (PicturePixels.MeanOf(first, inner[1]) + PicturePixels.MeanOf(second, inner[0])) * 0.5)
+                (PicturePixels.MeanOf(first, inner[1]) + PicturePixels.MeanOf(second, inner[0])) * 0.5
+            )
             : null;
     }
 
@@ -105,7 +113,6 @@ internal sealed class ColourProbe(HarvestOptions options, GamePorts game, PixelB
     {
         (int width, int height) = (options.Image.Width, options.Image.Height);
         (double x, double y) = (place.Width * (1 - MeasuredFraction) / 2, place.Height * (1 - MeasuredFraction) / 2);
-        return new Box2D(
-            (place.XMin + x) * width, (place.YMin + y) * height, (place.XMax - x) * width, (place.YMax - y) * height);
+        return new Box2D((place.XMin + x) * width, (place.YMin + y) * height, (place.XMax - x) * width, (place.YMax - y) * height);
     }
 }

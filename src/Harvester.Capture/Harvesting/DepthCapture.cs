@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Files;
@@ -14,8 +13,7 @@ internal sealed class DepthCapture() : CaptureChannel(FrameChannels.Depth)
 
     /// <inheritdoc />
     public override string? ProblemFor(HarvestOptions options, GamePorts game) =>
-        options.Freeze && game.SurfaceRays is not null ? null
-            : "Depth maps need a game that is frozen for each frame and reports normals.";
+        options.Freeze && game.SurfaceRays is not null ? null : "Depth maps need a game that is frozen for each frame and reports normals.";
 
     /// <inheritdoc />
     public override IEnumerable<string> FoldersFor(HarvestOptions options) =>

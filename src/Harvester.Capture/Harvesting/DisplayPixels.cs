@@ -1,4 +1,3 @@
-using System.Linq;
 using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Harvesting;
@@ -21,9 +20,15 @@ internal static class DisplayPixels
     /// <param name="after">The picture without the display, after it was shown.</param>
     public static PictureRegion? Region(PixelBuffer before, PixelBuffer shown, PixelBuffer after)
     {
-        int[] display = [.. PicturePixels.Changed(before, shown, ChangedLevels)
-            .Where(pixel => PicturePixels.Difference(shown, after, pixel) > ChangedLevels
-                && PicturePixels.Difference(before, after, pixel) <= ChangedLevels)];
+        int[] display =
+        [
+            .. PicturePixels
+                .Changed(before, shown, ChangedLevels)
+                .Where(pixel =>
+                    PicturePixels.Difference(shown, after, pixel) > ChangedLevels
+                    && PicturePixels.Difference(before, after, pixel) <= ChangedLevels
+                ),
+        ];
         return display.Length >= MinPixels ? PictureRegion.Of(display, before.Size) : null;
     }
 }

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Imaging;
@@ -18,12 +17,14 @@ internal sealed class DisplayProbe(HarvestOptions options, GamePorts game, Pixel
     public DisplayFinding? Finding { get; private set; }
 
     /// <summary>The warning if the display stays in the pictures; otherwise null.</summary>
-    public CaptureFault? Warning => Finding is { State: DisplayState.Stays }
-        ? new CaptureFault(
-            FaultCode.DisplayStays,
-            "Hiding the game's display changes nothing in pictures of the frozen game, so that radar and HUD may be in them. "
-            + "Switch them off in the game's settings.")
-        : null;
+    public CaptureFault? Warning =>
+        Finding is { State: DisplayState.Stays }
+            ? new CaptureFault(
+                FaultCode.DisplayStays,
+                "Hiding the game's display changes nothing in pictures of the frozen game, so that radar and HUD may be in them. "
+                    + "Switch them off in the game's settings."
+            )
+            : null;
 
     /// <summary>Compares the pictures, over several ticks. The game runs again afterwards, with its display hidden.</summary>
     public IEnumerable<HarvestPhase> Run()
@@ -62,7 +63,8 @@ internal sealed class DisplayProbe(HarvestOptions options, GamePorts game, Pixel
             }
 
             PictureRegion? region = DisplayPixels.Region(pictures[0], pictures[1], pictures[2]);
-            DisplayState state = region is not null ? DisplayState.Hidden
+            DisplayState state =
+                region is not null ? DisplayState.Hidden
                 : hud.IsWanted == true ? DisplayState.Stays
                 : DisplayState.NotSeen;
             Finding = new DisplayFinding(state, region?.ToString());

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Labelling;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
@@ -13,11 +10,14 @@ namespace Harvester.Capture.Harvesting;
 /// has room for.
 /// </summary>
 internal sealed class FrameHarvester(
-    HarvestOptions options, IFrameSink sink, ICaptureFlow flow, HarvestCounters counters, MotionRecorder? motion)
-    : IDisposable
+    HarvestOptions options,
+    IFrameSink sink,
+    ICaptureFlow flow,
+    HarvestCounters counters,
+    MotionRecorder? motion
+) : IDisposable
 {
-    private readonly PictureQueue _drawing = new(
-        options.Pairs.IsAny ? 0 : Math.Max(PictureQueue.UsualCapacity, options.ViewsPerMoment));
+    private readonly PictureQueue _drawing = new(options.Pairs.IsAny ? 0 : Math.Max(PictureQueue.UsualCapacity, options.ViewsPerMoment));
     private CapturedFrame? _ready;
 
     /// <summary>Watches the pictures of a single camera; null for a rig.</summary>
@@ -75,9 +75,7 @@ internal sealed class FrameHarvester(
     {
         try
         {
-            while ((_ready is not null || _drawing.Count > 0) && TryHandOver())
-            {
-            }
+            while ((_ready is not null || _drawing.Count > 0) && TryHandOver()) { }
         }
         finally
         {

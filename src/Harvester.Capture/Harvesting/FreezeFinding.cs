@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Ports;
 
 namespace Harvester.Capture.Harvesting;
@@ -40,10 +39,10 @@ public sealed record FreezeFinding(FreezeMethod Method, bool SawMovement, int? S
         {
             true => ", the camera could be moved",
             false => ", the camera could not be moved",
-            null =>
-            string.Empty
+            null => string.Empty,
         };
-        string picture = PictureChange is { } change ? FormattableString.Invariant($", the image changed by {change:0.00} of 255")
+        string picture = PictureChange is { } change
+            ? FormattableString.Invariant($", the image changed by {change:0.00} of 255")
             : string.Empty;
         return $"{Method}: {world}{movement}{environment}{camera}{picture}";
     }

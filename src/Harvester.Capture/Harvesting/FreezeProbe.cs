@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Imaging;
@@ -16,12 +15,14 @@ internal sealed class FreezeProbe(HarvestOptions options, GamePorts game, SceneR
     public FreezeReport? Report { get; private set; } = options.FreezeBy is null ? options.KnownFreezing : null;
 
     /// <summary>The warning if no method stops the world; otherwise null.</summary>
-    public CaptureFault? Warning => Report is { Used.HoldsWorld: false }
-        ? new CaptureFault(
-            FaultCode.NeverStill,
-            "The world stood still neither while the game was paused nor at a time scale of 0, so most frames will be discarded. "
-            + "Remove mods that move the camera or the traffic.")
-        : null;
+    public CaptureFault? Warning =>
+        Report is { Used.HoldsWorld: false }
+            ? new CaptureFault(
+                FaultCode.NeverStill,
+                "The world stood still neither while the game was paused nor at a time scale of 0, so most frames will be discarded. "
+                    + "Remove mods that move the camera or the traffic."
+            )
+            : null;
 
     /// <summary>Sets the freeze method to the one in the options or, over several ticks, to the better one.</summary>
     public IEnumerable<HarvestPhase> Choose()

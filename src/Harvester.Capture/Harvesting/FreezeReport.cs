@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Ports;
 
 namespace Harvester.Capture.Harvesting;
@@ -52,14 +49,15 @@ public sealed class FreezeReport
     public override string ToString() => $"{string.Join("; ", Findings)}; {Method} is used.";
 
     /// <summary>Greater than 0 if the first method is better.</summary>
-    private static int Compare(FreezeFinding a, FreezeFinding b) => new[]
-    {
-        a.HoldsWorld.CompareTo(b.HoldsWorld),
-        (a.MovesCamera ?? false).CompareTo(b.MovesCamera ?? false),
-        (a.HoldsEnvironment ?? false).CompareTo(b.HoldsEnvironment ?? false),
-        IsCalmer(a, b).CompareTo(IsCalmer(b, a)),
-        (b.SettleTicks ?? 0).CompareTo(a.SettleTicks ?? 0),
-    }.FirstOrDefault(order => order != 0);
+    private static int Compare(FreezeFinding a, FreezeFinding b) =>
+        new[]
+        {
+            a.HoldsWorld.CompareTo(b.HoldsWorld),
+            (a.MovesCamera ?? false).CompareTo(b.MovesCamera ?? false),
+            (a.HoldsEnvironment ?? false).CompareTo(b.HoldsEnvironment ?? false),
+            IsCalmer(a, b).CompareTo(IsCalmer(b, a)),
+            (b.SettleTicks ?? 0).CompareTo(a.SettleTicks ?? 0),
+        }.FirstOrDefault(order => order != 0);
 
     private static bool IsCalmer(FreezeFinding a, FreezeFinding b) =>
         a.PictureChange is { } change && b.PictureChange is { } other && other > CalmPictureChange && change * CalmerFactor < other;

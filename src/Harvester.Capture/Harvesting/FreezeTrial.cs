@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Sessions.Imaging;
@@ -37,12 +35,13 @@ internal sealed class FreezeTrial(HarvestOptions options, GamePorts game, SceneR
     private double _pictureChange = double.NaN;
 
     /// <summary>The finding, after the run.</summary>
-    public FreezeFinding Finding => new(game.Pause.Method, _sawMovement, _settleTicks)
-    {
-        HoldsEnvironment = _holdsEnvironment,
-        MovesCamera = _movesCamera,
-        PictureChange = double.IsNaN(_pictureChange) ? null : _pictureChange,
-    };
+    public FreezeFinding Finding =>
+        new(game.Pause.Method, _sawMovement, _settleTicks)
+        {
+            HoldsEnvironment = _holdsEnvironment,
+            MovesCamera = _movesCamera,
+            PictureChange = double.IsNaN(_pictureChange) ? null : _pictureChange,
+        };
 
     public IEnumerable<HarvestPhase> Run()
     {

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Imaging;
@@ -25,8 +23,8 @@ internal sealed class FrozenFlow(
     HarvestCounters counters,
     PhaseCalls calls,
     CodedPhotographer? photographer,
-    PairPhotographer? pairs)
-    : ICaptureFlow
+    PairPhotographer? pairs
+) : ICaptureFlow
 {
     private readonly FrozenScene _scene = new(options, reader, budget, counters, calls);
 
@@ -71,8 +69,13 @@ internal sealed class FrozenFlow(
 
             if (photographer is not null)
             {
-                foreach (HarvestPhase phase in photographer.Take(
-                    labeller.CameraOf(snapshot), labeller.TargetsOf(snapshot), picture?.WaitForPixels()))
+                foreach (
+                    HarvestPhase phase in photographer.Take(
+                        labeller.CameraOf(snapshot),
+                        labeller.TargetsOf(snapshot),
+                        picture?.WaitForPixels()
+                    )
+                )
                 {
                     yield return phase;
                 }

@@ -1,11 +1,9 @@
-using System.Collections.Generic;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>The scene of a frozen game: waits until it stands still, and reads it again to see that it still does.</summary>
-internal sealed class FrozenScene(
-    HarvestOptions options, SceneReader reader, TickBudget budget, HarvestCounters counters, PhaseCalls calls)
+internal sealed class FrozenScene(HarvestOptions options, SceneReader reader, TickBudget budget, HarvestCounters counters, PhaseCalls calls)
 {
     private readonly SceneComparison _comparison = new(options.StillToleranceMetres);
 

@@ -1,6 +1,3 @@
-using System;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Imaging;
 
@@ -82,7 +79,11 @@ internal sealed class GrabbedPicture : IDisposable
             else
             {
                 _drawing.ContinueWith(
-                    _ => _pool.Return(buffer), CancellationToken.None, TaskContinuationOptions.ExecuteSynchronously, TaskScheduler.Default);
+                    _ => _pool.Return(buffer),
+                    CancellationToken.None,
+                    TaskContinuationOptions.ExecuteSynchronously,
+                    TaskScheduler.Default
+                );
             }
         }
     }

@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Files;
@@ -42,13 +40,21 @@ public sealed record HarvestOptions : LabellingOptions
     } = JpegEncoder.DefaultQuality;
 
     /// <summary>Frames per second of game time; greater than 0. A game that ticks more slowly gives one frame per tick.</summary>
-    public double RateHz { get; init => field = OptionCheck.Positive(value, nameof(RateHz)); } = 10;
+    public double RateHz
+    {
+        get;
+        init => field = OptionCheck.Positive(value, nameof(RateHz));
+    } = 10;
 
     /// <summary>
     /// Fraction of a period by which a frame may be early, 0 to 1: for frames that are not taken in any tick, but at times which someone
     /// else sets.
     /// </summary>
-    public double EarlyFraction { get; init => field = OptionCheck.Fraction(value, nameof(EarlyFraction)); }
+    public double EarlyFraction
+    {
+        get;
+        init => field = OptionCheck.Fraction(value, nameof(EarlyFraction));
+    }
 
     /// <summary>
     /// Whether the game is frozen for each frame, so that image and label show the same moment; otherwise the harvest is live.
@@ -102,7 +108,11 @@ public sealed record HarvestOptions : LabellingOptions
     /// Number of the last frame that the session holds from an earlier run of the same course; -1 (default) for none. Frames up to it are
     /// skipped like those of other shards. Frozen harvests only.
     /// </summary>
-    public int RecordedThrough { get; init => field = OptionCheck.InRange(value, -1, int.MaxValue, nameof(RecordedThrough)); } = -1;
+    public int RecordedThrough
+    {
+        get;
+        init => field = OptionCheck.InRange(value, -1, int.MaxValue, nameof(RecordedThrough));
+    } = -1;
 
     /// <summary>
     /// Number of frames after which the harvest stops by itself, including those of other shards; at least 1; null for no limit.
@@ -141,15 +151,27 @@ public sealed record HarvestOptions : LabellingOptions
     /// Number of readings of the frozen scene, one a tick unless a reading takes several, within which everything must stand still, 1 to
     /// 10,000; otherwise the frame is discarded.
     /// </summary>
-    public int MaxSettleTicks { get; init => field = OptionCheck.InRange(value, 1, 10_000, nameof(MaxSettleTicks)); } = 60;
+    public int MaxSettleTicks
+    {
+        get;
+        init => field = OptionCheck.InRange(value, 1, 10_000, nameof(MaxSettleTicks));
+    } = 60;
 
     /// <summary>
     /// Tolerance of a position that counts as unchanged, metres; 0 or more. 1 mm is a quarter of a pixel at 3 m, 800 x 600 and 50 degrees.
     /// </summary>
-    public double StillToleranceMetres { get; init => field = OptionCheck.AtLeast(value, 0, nameof(StillToleranceMetres)); } = 0.001;
+    public double StillToleranceMetres
+    {
+        get;
+        init => field = OptionCheck.AtLeast(value, 0, nameof(StillToleranceMetres));
+    } = 0.001;
 
     /// <summary>Whether the motion of the ego is recorded at every tick between frames; by default only with a rig.</summary>
-    public bool Motion { get => field || Rig is not null; init; }
+    public bool Motion
+    {
+        get => field || Rig is not null;
+        init;
+    }
 
     /// <summary>When the session's writer waits for the disk; the bytes of the session do not depend on it.</summary>
     public SyncMode Sync { get; init; } = SyncMode.Batch;
@@ -157,10 +179,18 @@ public sealed record HarvestOptions : LabellingOptions
     /// <summary>
     /// Space that stays free on the disk, bytes, 0 or more: the harvest ends before less is left. 0 watches nothing.
     /// </summary>
-    public long MinFreeBytes { get; init => field = (long)OptionCheck.AtLeast(value, 0, nameof(MinFreeBytes)); } = DefaultMinFreeBytes;
+    public long MinFreeBytes
+    {
+        get;
+        init => field = (long)OptionCheck.AtLeast(value, 0, nameof(MinFreeBytes));
+    } = DefaultMinFreeBytes;
 
     /// <summary>Maximum number of frames waiting to be written, 1 to 1,000.</summary>
-    public int QueueCapacity { get; init => field = OptionCheck.InRange(value, 1, 1_000, nameof(QueueCapacity)); } = 16;
+    public int QueueCapacity
+    {
+        get;
+        init => field = OptionCheck.InRange(value, 1, 1_000, nameof(QueueCapacity));
+    } = 16;
 
     /// <summary>Distance of the rig's farthest camera from the origin of the vehicle's model, metres; 0 without a rig.</summary>
     internal double RigReachMetres => Rig?.Cameras.Max(camera => Rig.OnVehicle(camera.Mount).Position.Length) ?? 0;

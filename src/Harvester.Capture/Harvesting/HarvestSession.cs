@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Calibration;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Labelling;
@@ -18,7 +15,8 @@ public sealed class HarvestSession : IDisposable
 {
     private static readonly CaptureFault LagUnchecked = new(
         FaultCode.LagUnchecked,
-        "The picture lag was not checked: neither markers nor movement showed it. Check that the boxes align with moving objects.");
+        "The picture lag was not checked: neither markers nor movement showed it. Check that the boxes align with moving objects."
+    );
 
     private readonly HarvestOptions _options;
     private readonly GamePorts _game;
@@ -64,7 +62,9 @@ public sealed class HarvestSession : IDisposable
         if (options.Rig is not null && (!options.Freeze || options.MaskMethod != MaskMethod.Rays || game.RigCamera is null))
         {
             throw new ArgumentException(
-                "A rig needs a game that is frozen for each moment and lets its camera move, and masks from rays.", nameof(options));
+                "A rig needs a game that is frozen for each moment and lets its camera move, and masks from rays.",
+                nameof(options)
+            );
         }
 
         if (CaptureChannels.ProblemFor(options, game) is { } problem)
@@ -125,8 +125,7 @@ public sealed class HarvestSession : IDisposable
     /// <summary>The current state of the harvest.</summary>
     public HarvestStatus Status => new(_phase, Counters.Captured, Counters.Discarded, FramesPerSecond, Fault);
 
-    private CaptureFault? PictureFault =>
-        _watch?.Warning is { } warning ? new CaptureFault(FaultCode.PicturesSpoiled, warning) : null;
+    private CaptureFault? PictureFault => _watch?.Warning is { } warning ? new CaptureFault(FaultCode.PicturesSpoiled, warning) : null;
 
     private double FramesPerSecond =>
         _endMilliseconds > _startMilliseconds ? Counters.Captured * 1000.0 / (_endMilliseconds - _startMilliseconds) : 0;
@@ -275,9 +274,15 @@ public sealed class HarvestSession : IDisposable
     {
         ReadTime();
         _startMilliseconds = _game.Clock.Milliseconds;
-        _sink.Open(new SessionStart(_options, _gameFrame, _timeSeconds,
-            _game.World.ReadCamera())
-        { CameraErrorPixels = CalibrationErrorPixels, Freezing = Freezing, Display = Display, Colours = Colours });
+        _sink.Open(
+            new SessionStart(_options, _gameFrame, _timeSeconds, _game.World.ReadCamera())
+            {
+                CameraErrorPixels = CalibrationErrorPixels,
+                Freezing = Freezing,
+                Display = Display,
+                Colours = Colours,
+            }
+        );
         _game.Reading?.Begin();
         _opened = true;
     }
@@ -360,14 +365,15 @@ public sealed class HarvestSession : IDisposable
         if (_opened)
         {
             _opened = false;
-            _sink.Close(new SessionEnd(
-                _gameFrame, _timeSeconds, Counters.Captured, [.. Counters.Discards], [.. Counters.SettleTicks], Lag, Fault)
-            {
-                Reading = _game.Reading?.Report,
-                MaskComparison = MaskComparison,
-                PictureWarning = _watch?.Warning,
-                MaskWarning = _flows?.Photographer?.Warning?.Message,
-            });
+            _sink.Close(
+                new SessionEnd(_gameFrame, _timeSeconds, Counters.Captured, [.. Counters.Discards], [.. Counters.SettleTicks], Lag, Fault)
+                {
+                    Reading = _game.Reading?.Report,
+                    MaskComparison = MaskComparison,
+                    PictureWarning = _watch?.Warning,
+                    MaskWarning = _flows?.Photographer?.Warning?.Message,
+                }
+            );
         }
     }
 

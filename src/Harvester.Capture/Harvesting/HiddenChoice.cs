@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
@@ -24,7 +21,12 @@ public sealed class HiddenChoice
         ["sign"] = [ObjectClass.Sign],
         ["vehicle"] =
         [
-            ObjectClass.Car, ObjectClass.Truck, ObjectClass.Bus, ObjectClass.Motorcycle, ObjectClass.Bicycle, ObjectClass.Trailer,
+            ObjectClass.Car,
+            ObjectClass.Truck,
+            ObjectClass.Bus,
+            ObjectClass.Motorcycle,
+            ObjectClass.Bicycle,
+            ObjectClass.Trailer,
         ],
         ["person"] = [ObjectClass.Pedestrian],
     };
@@ -54,14 +56,17 @@ public sealed class HiddenChoice
         }
 
         bool isNearest = text.StartsWith(Nearest, StringComparison.Ordinal);
-        string kind = isNearest ? text.Substring(Nearest.Length) : text switch
-        {
-            "signs" => "sign",
-            "vehicles" => "vehicle",
-            "people" => "person",
-            _ => text,
-        };
-        ObjectClass[] classes = Groups.TryGetValue(kind, out ObjectClass[]? group) ? group
+        string kind = isNearest
+            ? text.Substring(Nearest.Length)
+            : text switch
+            {
+                "signs" => "sign",
+                "vehicles" => "vehicle",
+                "people" => "person",
+                _ => text,
+            };
+        ObjectClass[] classes = Groups.TryGetValue(kind, out ObjectClass[]? group)
+            ? group
             : [.. typeof(ObjectClass).GetEnumValues().Cast<ObjectClass>().Where(each => JsonName.Of(each) == kind)];
         return classes.Length == 0 ? null : new HiddenChoice(text, classes, isNearest, null);
     }

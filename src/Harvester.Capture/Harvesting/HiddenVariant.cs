@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Labelling;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
@@ -13,7 +11,12 @@ namespace Harvester.Capture.Harvesting;
 /// <param name="Ids">Ids of the objects and their parts, in ascending order.</param>
 /// <param name="Boxes">Their boxes in the image, pixels.</param>
 internal sealed record HiddenVariant(
-    int Number, string Name, IReadOnlyList<int> Handles, IReadOnlyList<int> Ids, IReadOnlyList<Box2D> Boxes)
+    int Number,
+    string Name,
+    IReadOnlyList<int> Handles,
+    IReadOnlyList<int> Ids,
+    IReadOnlyList<Box2D> Boxes
+)
 {
     /// <summary>Whether the game let the objects be hidden.</summary>
     public bool IsHidden { get; set; }
@@ -21,20 +24,34 @@ internal sealed record HiddenVariant(
     /// <summary>The variants of a moment, in the order of the choices; a choice that finds no object has none.</summary>
     public static IReadOnlyList<HiddenVariant> Of(FrameDraft draft, IEnumerable<HiddenChoice> choices)
     {
-        Dictionary<int, int> handles = draft.Occlusions.GroupBy(found => found.Id).ToDictionary(
-            found => found.Key, found => found.First().Handle);
+        Dictionary<int, int> handles = draft
+            .Occlusions.GroupBy(found => found.Id)
+            .ToDictionary(found => found.Key, found => found.First().Handle);
         IGrouping<int, ObjectLabel>[] entities =
-            [.. draft.Objects.Where(label => handles.ContainsKey(label.Id)).GroupBy(label => handles[label.Id])];
-        return [.. choices.Select(choice => (choice.Name, Handles: WithRiders(draft, choice.Of(entities).Select(entity => entity.Key))))
-            .Where(variant => variant.Handles.Count > 0)
-            .Select((variant, number) => (variant, number, Labels: entities.Where(entity => variant.Handles.Contains(entity.Key))
-                .SelectMany(entity => entity).ToArray()))
-            .Select(each => new HiddenVariant(
-                each.number + 1,
-                each.variant.Name,
-                each.variant.Handles,
-                [.. each.Labels.Select(label => label.Id).OrderBy(static id => id)],
-                [.. each.Labels.Select(label => label.Box2D)]))];
+        [
+            .. draft.Objects.Where(label => handles.ContainsKey(label.Id)).GroupBy(label => handles[label.Id]),
+        ];
+        return
+        [
+            .. choices
+                .Select(choice => (choice.Name, Handles: WithRiders(draft, choice.Of(entities).Select(entity => entity.Key))))
+                .Where(variant => variant.Handles.Count > 0)
+                .Select(
+                    (variant, number) =>
+                        (
+                            variant,
+                            number,
+                            Labels: entities.Where(entity => variant.Handles.Contains(entity.Key)).SelectMany(entity => entity).ToArray()
+                        )
+                )
+                .Select(each => new HiddenVariant(
+                    each.number + 1,
+                    each.variant.Name,
+                    each.variant.Handles,
+                    [.. each.Labels.Select(label => label.Id).OrderBy(static id => id)],
+                    [.. each.Labels.Select(label => label.Box2D)]
+                )),
+        ];
     }
 
     /// <summary>Some entities and the riders of those that are two-wheelers: nobody rides a vehicle that is not there.</summary>
@@ -44,8 +61,10 @@ internal sealed record HiddenVariant(
         return
         [
             .. chosen,
-            .. draft.Snapshot.Entities.Where(entity => entity.VehicleHandle is { } vehicle && chosen.Contains(vehicle))
-                .Select(entity => entity.Handle).Except(chosen),
+            .. draft
+                .Snapshot.Entities.Where(entity => entity.VehicleHandle is { } vehicle && chosen.Contains(vehicle))
+                .Select(entity => entity.Handle)
+                .Except(chosen),
         ];
     }
 }

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
@@ -59,12 +55,18 @@ internal sealed class LagAlignment
         int creep = (int)MotionPace.Creep;
         int still = (int)MotionPace.Still;
         int full = (int)MotionPace.Full;
-        bool isOrdered = counts[full] > 0 && counts[still] > 0 && means[full] > means[still]
+        bool isOrdered =
+            counts[full] > 0
+            && counts[still] > 0
+            && means[full] > means[still]
             && (counts[creep] == 0 || (means[creep] >= means[still] && means[creep] <= means[full]));
-        return isOrdered ? Enumerable.Range(0, 3).Sum(pace => Math.Max(0, squares[pace] - (sums[pace] * means[pace])))
+        return isOrdered
+            ? Enumerable.Range(0, 3).Sum(pace => Math.Max(0, squares[pace] - (sums[pace] * means[pace])))
             : double.PositiveInfinity;
     }
 
     private static MotionPace PaceOf(double fraction) =>
-        fraction >= FullFraction ? MotionPace.Full : fraction > StillFraction ? MotionPace.Creep : MotionPace.Still;
+        fraction >= FullFraction ? MotionPace.Full
+        : fraction > StillFraction ? MotionPace.Creep
+        : MotionPace.Still;
 }

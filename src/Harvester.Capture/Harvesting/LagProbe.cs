@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Imaging;
@@ -95,8 +93,11 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
         var gate = new StillnessGate(_comparison);
         try
         {
-            for (int tick = 0; tick < RunningTicks + options.MaxSettleTicks + StillTicksToWatch
-                && gate.StillTicks < StillTicksToWatch; tick++)
+            for (
+                int tick = 0;
+                tick < RunningTicks + options.MaxSettleTicks + StillTicksToWatch && gate.StillTicks < StillTicksToWatch;
+                tick++
+            )
             {
                 if (tick == RunningTicks)
                 {

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Scenes;
 
@@ -52,8 +49,12 @@ internal sealed class LagRecord
     {
         int last = _states.Count - 1;
         int firstChange = _states.Count - _changes.Count + 1;
-        if (_changes.Count <= runningTicks + NoiseTicks || firstChange <= maxTicks || _changes.Any(double.IsNaN)
-            || _states[last].GameFrame - _states[0].GameFrame != last)
+        if (
+            _changes.Count <= runningTicks + NoiseTicks
+            || firstChange <= maxTicks
+            || _changes.Any(double.IsNaN)
+            || _states[last].GameFrame - _states[0].GameFrame != last
+        )
         {
             return null;
         }
@@ -73,8 +74,11 @@ internal sealed class LagRecord
         // A change larger than usual, as when a flickering lamp switches, only shows that everything moves.
         changes = [.. changes.Select(change => Math.Min(1, change / running))];
         return Best(
-            new LagAlignment(camera, fullCamera, changes, firstChange), new LagAlignment(entities, fullEntities, changes, firstChange),
-                maxTicks, Spread(changes));
+            new LagAlignment(camera, fullCamera, changes, firstChange),
+            new LagAlignment(entities, fullEntities, changes, firstChange),
+            maxTicks,
+            Spread(changes)
+        );
     }
 
     private static PictureLag? Best(LagAlignment camera, LagAlignment entities, int maxTicks, double spread)

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Imaging;
@@ -13,9 +11,14 @@ namespace Harvester.Capture.Harvesting;
 /// does not reach keep their boxes and have no occlusion.
 /// </summary>
 internal sealed class LiveFlow(
-    GamePorts game, SceneReader reader, FrameLabeller labeller, PixelBufferPool pool, TickBudget budget, HarvestCounters counters,
-        Func<PictureLag> nextLag)
-    : ICaptureFlow
+    GamePorts game,
+    SceneReader reader,
+    FrameLabeller labeller,
+    PixelBufferPool pool,
+    TickBudget budget,
+    HarvestCounters counters,
+    Func<PictureLag> nextLag
+) : ICaptureFlow
 {
     public IReadOnlyList<TakenFrame> Taken { get; private set; } = [];
 

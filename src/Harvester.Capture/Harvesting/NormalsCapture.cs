@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
@@ -19,7 +17,8 @@ internal sealed class NormalsCapture() : CaptureChannel(FrameChannels.Normals)
 
     /// <inheritdoc />
     public override string? ProblemFor(HarvestOptions options, GamePorts game) =>
-        options.Freeze && (game.Surfaces is not null || game.SurfaceRays is not null) ? null
+        options.Freeze && (game.Surfaces is not null || game.SurfaceRays is not null)
+            ? null
             : "Normals need a game that is frozen for each frame and reports normals.";
 
     /// <inheritdoc />

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
@@ -13,7 +12,8 @@ internal sealed class PairCapture() : CaptureChannel(FrameChannels.Pairs)
 
     /// <inheritdoc />
     public override string? ProblemFor(HarvestOptions options, GamePorts game) =>
-        options is { Freeze: true, Rig: null } && game is { Sky: not null, Visibility: not null } ? null
+        options is { Freeze: true, Rig: null } && game is { Sky: not null, Visibility: not null }
+            ? null
             : "Pairs need a game that is frozen for each moment, without a rig, and lets its weather be set and its objects be hidden.";
 
     /// <inheritdoc />

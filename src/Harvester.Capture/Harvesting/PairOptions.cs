@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 
@@ -21,28 +18,40 @@ public sealed record PairOptions
     public IReadOnlyList<string> Weathers
     {
         get;
-        init => field = value.All(WeatherNames.IsKnown) && IsEachOnce(value) ? value
-            : throw new ArgumentOutOfRangeException(nameof(Weathers), "Weathers must be names of the game, each once.");
+        init =>
+            field =
+                value.All(WeatherNames.IsKnown) && IsEachOnce(value)
+                    ? value
+                    : throw new ArgumentOutOfRangeException(nameof(Weathers), "Weathers must be names of the game, each once.");
     } = [];
 
     /// <summary>Hours of the day, 0 to 23, each once; empty for the time of the moment.</summary>
     public IReadOnlyList<int> Hours
     {
         get;
-        init => field = value.All(hour => hour is >= 0 and < HoursOfDay) && IsEachOnce(value) ? value
-            : throw new ArgumentOutOfRangeException(nameof(Hours), "Hours must be from 0 to 23, each once.");
+        init =>
+            field =
+                value.All(hour => hour is >= 0 and < HoursOfDay) && IsEachOnce(value)
+                    ? value
+                    : throw new ArgumentOutOfRangeException(nameof(Hours), "Hours must be from 0 to 23, each once.");
     } = [];
 
     /// <summary>Objects without which each picture is taken once more; a moment without such objects has no such pictures.</summary>
     public IReadOnlyList<HiddenChoice> Without
     {
         get;
-        init => field = IsEachOnce(value.Select(choice => choice.Name)) ? value
-            : throw new ArgumentOutOfRangeException(nameof(Without), "Each choice of objects must be given once.");
+        init =>
+            field = IsEachOnce(value.Select(choice => choice.Name))
+                ? value
+                : throw new ArgumentOutOfRangeException(nameof(Without), "Each choice of objects must be given once.");
     } = [];
 
     /// <summary>Time limit of a picture, ticks, 10 to 10,000: one that still changes then is dropped.</summary>
-    public int MaxTicks { get; init => field = OptionCheck.InRange(value, 10, 10_000, nameof(MaxTicks)); } = 240;
+    public int MaxTicks
+    {
+        get;
+        init => field = OptionCheck.InRange(value, 10, 10_000, nameof(MaxTicks));
+    } = 240;
 
     /// <summary>
     /// Whether every picture takes the time limit, so that the game's ticks depend on the options only. For a game whose course is the same

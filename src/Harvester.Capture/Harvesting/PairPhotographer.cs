@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
@@ -52,10 +49,15 @@ internal sealed class PairPhotographer
     public IReadOnlyList<PairPicture> Taken => [.. _taken.OrderBy(picture => picture.Place)];
 
     /// <summary>How many pictures are missing, and why; null if none is.</summary>
-    public CaptureFault? Warning => _drops.Count == 0 ? null : new CaptureFault(
-        FaultCode.PairsMissing,
-        $"{_drops.Values.Sum()} of {Counted.Of(_asked, "further picture")} of moments are missing: "
-        + string.Join(", ", _drops.Select(drop => $"{drop.Value} {JsonName.Of(drop.Key)}")) + ".");
+    public CaptureFault? Warning =>
+        _drops.Count == 0
+            ? null
+            : new CaptureFault(
+                FaultCode.PairsMissing,
+                $"{_drops.Values.Sum()} of {Counted.Of(_asked, "further picture")} of moments are missing: "
+                    + string.Join(", ", _drops.Select(drop => $"{drop.Value} {JsonName.Of(drop.Key)}"))
+                    + "."
+            );
 
     /// <summary>Takes the pictures of a moment. <see cref="Release"/> must be called afterwards, whatever happens.</summary>
     /// <param name="draft">The labels of the moment.</param>
@@ -68,8 +70,11 @@ internal sealed class PairPhotographer
         _settled.Begin();
         _settled.Observe(picture);
         IReadOnlyList<HiddenVariant> variants = HiddenVariant.Of(draft, _options.Without);
-        foreach (HarvestPhase phase in Hide(draft.Snapshot.Environment, variants, picture)
-            .Concat(ShowSkies(draft.Snapshot.Environment, variants)).Concat(Restore()))
+        foreach (
+            HarvestPhase phase in Hide(draft.Snapshot.Environment, variants, picture)
+                .Concat(ShowSkies(draft.Snapshot.Environment, variants))
+                .Concat(Restore())
+        )
         {
             _ticks++;
             yield return phase;
@@ -200,13 +205,16 @@ internal sealed class PairPhotographer
             yield break;
         }
 
-        foreach (HarvestPhase phase in Watch(
-            () =>
-            {
-                Show(null);
-                _sky.Restore();
-            },
-            _hidingTicks))
+        foreach (
+            HarvestPhase phase in Watch(
+                () =>
+                {
+                    Show(null);
+                    _sky.Restore();
+                },
+                _hidingTicks
+            )
+        )
         {
             yield return phase;
         }
@@ -268,7 +276,8 @@ internal sealed class PairPhotographer
             without is null ? condition.Name : $"{condition.Name}-without-{without.Name}",
             condition.Weather,
             condition.TimeOfDay,
-            without?.Ids ?? [])
+            without?.Ids ?? []
+        )
         {
             Place = (condition.Number * (_options.Without.Count + 1)) + (without?.Number ?? 0),
         };

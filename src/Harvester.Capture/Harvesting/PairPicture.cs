@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Threading.Tasks;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;

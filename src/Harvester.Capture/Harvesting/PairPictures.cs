@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using System.Threading.Tasks;
 using Harvester.Capture.Labelling;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;

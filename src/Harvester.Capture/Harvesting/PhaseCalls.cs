@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Ports;
 
 namespace Harvester.Capture.Harvesting;
@@ -37,6 +34,11 @@ public sealed class PhaseCalls(ICallCounter? calls)
     }
 
     /// <summary>The counts as text, for the log.</summary>
-    public override string ToString() => string.Join(", ", _phases.Select(static phase => FormattableString.Invariant(
-        $"{phase.Key} {phase.Value.Natives} natives {phase.Value.Rays} rays")));
+    public override string ToString() =>
+        string.Join(
+            ", ",
+            _phases.Select(static phase =>
+                FormattableString.Invariant($"{phase.Key} {phase.Value.Natives} natives {phase.Value.Rays} rays")
+            )
+        );
 }

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Harvesting;

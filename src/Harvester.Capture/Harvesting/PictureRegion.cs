@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Capture.Harvesting;
@@ -16,9 +13,14 @@ internal sealed record PictureRegion(int XMin, int YMin, int XMax, int YMax, Ima
     /// <summary>The smallest region with all these pixels.</summary>
     /// <param name="pixels">Indices row by row; at least one.</param>
     /// <param name="image">Size of the picture.</param>
-    public static PictureRegion Of(IReadOnlyCollection<int> pixels, ImageSize image) => new(
-        pixels.Min(pixel => pixel % image.Width), pixels.Min(pixel => pixel / image.Width), pixels.Max(pixel => pixel % image.Width),
-        pixels.Max(pixel => pixel / image.Width), image);
+    public static PictureRegion Of(IReadOnlyCollection<int> pixels, ImageSize image) =>
+        new(
+            pixels.Min(pixel => pixel % image.Width),
+            pixels.Min(pixel => pixel / image.Width),
+            pixels.Max(pixel => pixel % image.Width),
+            pixels.Max(pixel => pixel / image.Width),
+            image
+        );
 
     /// <summary>The part of the picture and its pixels, as text.</summary>
     public override string ToString()
@@ -30,5 +32,7 @@ internal sealed record PictureRegion(int XMin, int YMin, int XMax, int YMax, Ima
     }
 
     private static string Third(double fraction, string first, string second, string third) =>
-        fraction < 1.0 / 3 ? first : fraction < 2.0 / 3 ? second : third;
+        fraction < 1.0 / 3 ? first
+        : fraction < 2.0 / 3 ? second
+        : third;
 }

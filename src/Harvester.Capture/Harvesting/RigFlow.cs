@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
@@ -38,12 +35,20 @@ internal sealed class RigFlow : ICaptureFlow
         ObjectRegistry registry,
         TickBudget budget,
         HarvestCounters counters,
-        PhaseCalls calls)
+        PhaseCalls calls
+    )
     {
         (_options, _game, _rig, _budget, _counters, _calls) = (options, game, rig, budget, counters, calls);
         _scene = new FrozenScene(options, reader, budget, counters, calls);
-        _views = [.. rig.Cameras.Select(camera => new ViewCapture(
-            new RigView(camera, rig.Cameras.Count), rig.OnVehicle(camera.Mount), labellerOf(camera), new PixelBufferPool(camera.Image)))];
+        _views =
+        [
+            .. rig.Cameras.Select(camera => new ViewCapture(
+                new RigView(camera, rig.Cameras.Count),
+                rig.OnVehicle(camera.Mount),
+                labellerOf(camera),
+                new PixelBufferPool(camera.Image)
+            )),
+        ];
         _lidars = [.. rig.Lidars.Select(lidar => new LidarScanner(lidar, rig.OnVehicle(lidar.Mount), options, game, registry))];
     }
 
@@ -190,14 +195,20 @@ internal sealed class RigFlow : ICaptureFlow
         {
             if (ticks > _options.MaxSettleTicks + _options.MaxPictureLagTicks)
             {
-                throw new HarvestFaultException(new CaptureFault(
-                    FaultCode.ViewNotShown,
-                    $"The camera does not come to its place for the view '{view.View.Camera.Name}' while the game is frozen. "
-                    + "Freeze the game another way."));
+                throw new HarvestFaultException(
+                    new CaptureFault(
+                        FaultCode.ViewNotShown,
+                        $"The camera does not come to its place for the view '{view.View.Camera.Name}' while the game is frozen. "
+                            + "Freeze the game another way."
+                    )
+                );
             }
 
             yield return HarvestPhase.Settling;
-            stillSince = !IsAt(view, ego) ? -1 : stillSince < 0 ? _game.World.GameFrame : stillSince;
+            stillSince =
+                !IsAt(view, ego) ? -1
+                : stillSince < 0 ? _game.World.GameFrame
+                : stillSince;
         }
     }
 
@@ -212,8 +223,8 @@ internal sealed class RigFlow : ICaptureFlow
     /// <summary>The moment as one of its cameras sees it: which entities are in range depends on the camera's position.</summary>
     private SceneSnapshot SeenFrom(CameraState camera, SceneSnapshot moment)
     {
-        ILookup<bool, EntityState> byRange = moment.Entities
-            .Where(entity => (entity.Pose.Position - camera.Pose.Position).Length < _options.ReadRangeMetres)
+        ILookup<bool, EntityState> byRange = moment
+            .Entities.Where(entity => (entity.Pose.Position - camera.Pose.Position).Length < _options.ReadRangeMetres)
             .ToLookup(entity => _options.IsInRange(camera, entity));
         return moment with { Camera = camera, Entities = [.. byRange[true]], Distant = [.. byRange[false]] };
     }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
@@ -45,8 +42,7 @@ internal sealed class SceneReader(IWorld world, HarvestOptions options)
     }
 
     /// <summary>The place around which entities are read: the camera, or the vehicle, which stands while a rig's camera moves.</summary>
-    private Vector3D CentreFor(CameraState camera) =>
-        options.Rig is null ? camera.Pose.Position : world.ReadEgo().Pose.Position;
+    private Vector3D CentreFor(CameraState camera) => options.Rig is null ? camera.Pose.Position : world.ReadEgo().Pose.Position;
 
     private SceneSnapshot SnapshotOf(CameraState camera, List<EntityState> entities)
     {

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 
@@ -20,7 +19,8 @@ public sealed record SessionEnd(
     IReadOnlyList<KeyValuePair<string, int>> Discards,
     IReadOnlyList<KeyValuePair<int, int>> SettleTicks,
     PictureLag? Lag,
-    string? Fault)
+    string? Fault
+)
 {
     /// <summary>What could not be read of the game correctly; null for a game that is always read completely.</summary>
     public ReadingReport? Reading { get; init; }

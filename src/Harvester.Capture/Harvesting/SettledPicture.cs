@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Harvesting;
@@ -57,14 +55,21 @@ internal sealed class SettledPicture
         }
 
         BlockDifference[] noise =
-            [.. Enumerable.Range(2, StillTicks - 1).Select(i => BlockMeans.NoiseOf(_pictures[i - 2], _pictures[i - 1], _pictures[i]))];
+        [
+            .. Enumerable.Range(2, StillTicks - 1).Select(i => BlockMeans.NoiseOf(_pictures[i - 2], _pictures[i - 1], _pictures[i])),
+        ];
         double greatestNoise = NoiseFactor * MedianOf(noise.Select(each => each.Greatest));
         double meanNoise = NoiseFactor * MedianOf(noise.Select(each => each.Mean));
-        bool isStill = _pictures.Take(StillTicks).Select(now.DifferenceTo).All(difference =>
-            difference.Greatest <= ToleranceLevels + greatestNoise && difference.Mean <= ToleranceLevels + meanNoise);
+        bool isStill = _pictures
+            .Take(StillTicks)
+            .Select(now.DifferenceTo)
+            .All(difference => difference.Greatest <= ToleranceLevels + greatestNoise && difference.Mean <= ToleranceLevels + meanNoise);
         _pictures.RemoveAt(0);
-        return isStill && (_ticks >= OnsetTicks + _extraTicks
-            || (_before is not null && now.DifferenceTo(_before).Greatest > ChangeLevels + greatestNoise));
+        return isStill
+            && (
+                _ticks >= OnsetTicks + _extraTicks
+                || (_before is not null && now.DifferenceTo(_before).Greatest > ChangeLevels + greatestNoise)
+            );
     }
 
     private static double MedianOf(IEnumerable<double> values)

@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
@@ -26,12 +23,17 @@ internal sealed record SkyCondition(string Name, string? SetWeather, TimeSpan? S
     public static SkyCondition OfMoment(EnvironmentState moment) => new("base", null, null, moment);
 
     /// <summary>All skies that options ask for, hour by hour: what depends on the sun, such as shadows, stays the same meanwhile.</summary>
-    public static IEnumerable<SkyCondition> AllOf(PairOptions options, EnvironmentState moment) => (options.Conditions == 0 ? []
-        : from hour in options.Hours.Count == 0 ? [null] : options.Hours.Select(hour => (int?)hour)
-          from weather in options.Weathers.Count == 0 ? [null] : options.Weathers.Select(weather => (string?)weather)
-          select new SkyCondition(
-              (weather ?? "same") + (hour is { } at ? at.ToString("-00", CultureInfo.InvariantCulture) : ""),
-              weather,
-              hour is { } set ? TimeSpan.FromHours(set) : null,
-              moment)).Select((condition, number) => condition with { Number = number + 1 });
+    public static IEnumerable<SkyCondition> AllOf(PairOptions options, EnvironmentState moment) =>
+        (
+            options.Conditions == 0
+                ? []
+                : from hour in options.Hours.Count == 0 ? [null] : options.Hours.Select(hour => (int?)hour)
+                from weather in options.Weathers.Count == 0 ? [null] : options.Weathers.Select(weather => (string?)weather)
+                select new SkyCondition(
+                    (weather ?? "same") + (hour is { } at ? at.ToString("-00", CultureInfo.InvariantCulture) : ""),
+                    weather,
+                    hour is { } set ? TimeSpan.FromHours(set) : null,
+                    moment
+                )
+        ).Select((condition, number) => condition with { Number = number + 1 });
 }

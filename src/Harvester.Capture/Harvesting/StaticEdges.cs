@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Imaging;
 
@@ -78,7 +76,9 @@ internal sealed class StaticEdges(ImageSize image)
                 for (int channel = 0; channel < PixelBuffer.BytesPerPixel; channel++)
                 {
                     greatest = Math.Max(
-                        greatest, Math.Abs(picture.Bytes[here + channel] - picture.Bytes[here + channel + PixelBuffer.BytesPerPixel]));
+                        greatest,
+                        Math.Abs(picture.Bytes[here + channel] - picture.Bytes[here + channel + PixelBuffer.BytesPerPixel])
+                    );
                 }
 
                 edges[pixel] = greatest > EdgeLevels;

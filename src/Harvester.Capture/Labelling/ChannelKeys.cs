@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Capture.Labelling;
 
 /// <summary>A set of channels by their keys. Two sets with the same keys are equal.</summary>

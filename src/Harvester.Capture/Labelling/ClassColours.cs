@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Semantics;
@@ -70,8 +68,14 @@ internal static class ClassColours
             foreach ((int x, int y) in new[] { (distance, 0), (-distance, 0), (0, distance), (0, -distance) })
             {
                 int at = ((row + y) * map.Image.Width) + column + x;
-                if (column + x >= 0 && column + x < map.Image.Width && row + y >= 0 && row + y < map.Image.Height
-                    && classes[at] != own && IsSurface(classes[at], mask, at))
+                if (
+                    column + x >= 0
+                    && column + x < map.Image.Width
+                    && row + y >= 0
+                    && row + y < map.Image.Height
+                    && classes[at] != own
+                    && IsSurface(classes[at], mask, at)
+                )
                 {
                     return classes[at];
                 }
@@ -82,7 +86,14 @@ internal static class ClassColours
     }
 
     private static ushort NearerOf(
-        ushort[] classes, InstanceMap? mask, InstanceMap map, PixelBuffer picture, (int Column, int Row) place, ushort own, ushort other)
+        ushort[] classes,
+        InstanceMap? mask,
+        InstanceMap map,
+        PixelBuffer picture,
+        (int Column, int Row) place,
+        ushort own,
+        ushort other
+    )
     {
         var ownColour = default(MeanColour);
         var otherColour = default(MeanColour);
@@ -108,9 +119,11 @@ internal static class ClassColours
         }
 
         int pixel = (place.Row * map.Image.Width) + place.Column;
-        return ownColour.SquaredTo(otherColour) >= MinContrast
+        return
+            ownColour.SquaredTo(otherColour) >= MinContrast
             && otherColour.SquaredTo(picture.Bytes, pixel) < Clearly * ownColour.SquaredTo(picture.Bytes, pixel)
-            ? other : own;
+            ? other
+            : own;
     }
 
     private static void FindPaint(InstanceMap map, InstanceMap? mask, PixelBuffer picture)
@@ -123,9 +136,12 @@ internal static class ClassColours
             for (int column = 1; column < map.Image.Width - 1; column++)
             {
                 int at = (row * map.Image.Width) + column;
-                if (before[at] == (ushort)SemanticClass.Road && roads.Near(column, row) is { } road
+                if (
+                    before[at] == (ushort)SemanticClass.Road
+                    && roads.Near(column, row) is { } road
                     && RoadBrightness.Of(picture.Bytes, at) > Math.Max((road * LeastBrightness) + LeastStep, road * factor)
-                    && IsOnRoad(before, mask, map, at))
+                    && IsOnRoad(before, mask, map, at)
+                )
                 {
                     map.Ids[at] = (ushort)SemanticClass.LaneMarking;
                 }
@@ -139,8 +155,10 @@ internal static class ClassColours
         List<double> factors = [];
         for (int at = 0; at < map.Ids.Length; at++)
         {
-            if (map.Ids[at] == (ushort)SemanticClass.LaneMarking
-                && roads.Near(at % map.Image.Width, at / map.Image.Width) is > 0 and { } road)
+            if (
+                map.Ids[at] == (ushort)SemanticClass.LaneMarking
+                && roads.Near(at % map.Image.Width, at / map.Image.Width) is > 0 and { } road
+            )
             {
                 factors.Add(RoadBrightness.Of(picture.Bytes, at) / road);
             }
@@ -163,8 +181,10 @@ internal static class ClassColours
             for (int x = -1; x <= 1; x++)
             {
                 int other = at + (y * map.Image.Width) + x;
-                if (classes[other] is not ((ushort)SemanticClass.Road or (ushort)SemanticClass.LaneMarking)
-                    || (mask is not null && mask.Ids[other] != 0))
+                if (
+                    classes[other] is not ((ushort)SemanticClass.Road or (ushort)SemanticClass.LaneMarking)
+                    || (mask is not null && mask.Ids[other] != 0)
+                )
                 {
                     return false;
                 }

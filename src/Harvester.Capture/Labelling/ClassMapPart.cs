@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;

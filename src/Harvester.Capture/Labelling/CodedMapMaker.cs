@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.PixelMaps.Coded;
@@ -14,7 +11,13 @@ namespace Harvester.Capture.Labelling;
 /// a few rays decide, and show the pixels of those that it does not hide.
 /// </summary>
 internal sealed class CodedMapMaker(
-    LabellingOptions options, Camera camera, IReadOnlyList<MapTarget> targets, int egoHandle, FrameRays rays, CodedPictures pictures)
+    LabellingOptions options,
+    Camera camera,
+    IReadOnlyList<MapTarget> targets,
+    int egoHandle,
+    FrameRays rays,
+    CodedPictures pictures
+)
 {
     /// <summary>Maximum number of rays for the objects that change no photograph.</summary>
     private const int MaxRays = 500;
@@ -39,11 +42,17 @@ internal sealed class CodedMapMaker(
         }
 
         CodedMask mask = decoder.Finish();
-        MapTarget[] missing = [.. targets.Where(target =>
-            !mask.Amodal.TryGetValue(target.Number, out PixelMap? amodal) || amodal.Count == 0)];
+        MapTarget[] missing =
+        [
+            .. targets.Where(target => !mask.Amodal.TryGetValue(target.Number, out PixelMap? amodal) || amodal.Count == 0),
+        ];
         var mapper = new AdaptivePixelMapper(
-            camera, missing, egoHandle, rays,
-            new PixelMapOptions { RayBudget = Math.Min(MaxRays, rays.Left), RayReachMetres = options.RayReachMetres });
+            camera,
+            missing,
+            egoHandle,
+            rays,
+            new PixelMapOptions { RayBudget = Math.Min(MaxRays, rays.Left), RayReachMetres = options.RayReachMetres }
+        );
         while (mayCastRays() && mapper.Step())
         {
             yield return true;
@@ -61,11 +70,11 @@ internal sealed class CodedMapMaker(
             }
         }
 
-        Made = new MadeMap(mask.Map, sights, new PixelMapLabel(1, 0, rest.RaysCast)
-        {
-            Pictures = pictures.Pictures.Count,
-            UndeterminedPixels = mask.Undetermined.Count,
-        })
+        Made = new MadeMap(
+            mask.Map,
+            sights,
+            new PixelMapLabel(1, 0, rest.RaysCast) { Pictures = pictures.Pictures.Count, UndeterminedPixels = mask.Undetermined.Count }
+        )
         {
             Amodal = mask.Amodal,
         };
@@ -82,8 +91,7 @@ internal sealed class CodedMapMaker(
         return counts;
     }
 
-    private static void Draw(
-        InstanceMap map, AdaptivePixelMap rest, MapTarget[] missing, int[] counts, Dictionary<ushort, Sight> sights)
+    private static void Draw(InstanceMap map, AdaptivePixelMap rest, MapTarget[] missing, int[] counts, Dictionary<ushort, Sight> sights)
     {
         foreach (MapTarget target in missing)
         {

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Depth;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Labels;
@@ -39,14 +37,17 @@ internal sealed class DepthLabeller(FrameRays rays) : IChannelLabeller
 
         DepthMap completed = surfaces.Complete();
         bool hasMask = draft.Mask is not null;
-        draft.Add(new DepthMaps(
-            sparse,
-            hasMask ? Units(completed, completed.Metres, DepthUnits.OfDepth) : null,
-            hasMask ? Units(completed, completed.ErrorMetres, DepthUnits.OfError) : null,
-            surfaces.RaysCast)
-        {
-            Estimate = completed,
-        });
+        draft.Add(
+            new DepthMaps(
+                sparse,
+                hasMask ? Units(completed, completed.Metres, DepthUnits.OfDepth) : null,
+                hasMask ? Units(completed, completed.ErrorMetres, DepthUnits.OfError) : null,
+                surfaces.RaysCast
+            )
+            {
+                Estimate = completed,
+            }
+        );
     }
 
     /// <summary>Enters a measured depth; of several in a pixel, the nearest counts.</summary>

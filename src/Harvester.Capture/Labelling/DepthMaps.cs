@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Depth;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Files;
@@ -31,10 +29,12 @@ public sealed class DepthMaps(InstanceMap sparse, InstanceMap? completed, Instan
         [Grey16(sparse), .. completed is { } depths && error is { } errors ? new[] { Grey16(depths), Grey16(errors) } : []];
 
     /// <inheritdoc />
-    public override IChannelLabel LabelIn(FrameKey key) => new DepthLabel(
-        FramePaths.Depth(key.Frame, key.View),
-        completed is null ? null : FramePaths.CompletedDepth(key.Frame, key.View),
-        error is null ? null : FramePaths.DepthError(key.Frame, key.View),
-        raysCast,
-        sparse.Ids.Count(static depth => depth != 0));
+    public override IChannelLabel LabelIn(FrameKey key) =>
+        new DepthLabel(
+            FramePaths.Depth(key.Frame, key.View),
+            completed is null ? null : FramePaths.CompletedDepth(key.Frame, key.View),
+            error is null ? null : FramePaths.DepthError(key.Frame, key.View),
+            raysCast,
+            sparse.Ids.Count(static depth => depth != 0)
+        );
 }

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
@@ -26,13 +24,15 @@ internal sealed class DistantLabeller(LabellingOptions options)
             : [Sight.Undetermined];
 
     /// <summary>The ignore region of a candidate; null if it is not visible.</summary>
-    public static IgnoreRegion? RegionOf(Camera camera, DistantCandidate candidate, Sight sight) => sight == Sight.Unseen
-        ? null
-        : new IgnoreRegion(
-            sight == Sight.Seen ? IgnoreReason.BeyondRange : IgnoreReason.Undetermined,
-            candidate.Entity.Class,
-            candidate.Box,
-            (candidate.Cuboid.Centre - camera.Pose.Position).Length);
+    public static IgnoreRegion? RegionOf(Camera camera, DistantCandidate candidate, Sight sight) =>
+        sight == Sight.Unseen
+            ? null
+            : new IgnoreRegion(
+                sight == Sight.Seen ? IgnoreReason.BeyondRange : IgnoreReason.Undetermined,
+                candidate.Entity.Class,
+                candidate.Box,
+                (candidate.Cuboid.Centre - camera.Pose.Position).Length
+            );
 
     private DistantCandidate? CandidateOf(Camera camera, EntityState entity)
     {

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;
@@ -16,12 +14,18 @@ internal static class DrawnOcclusions
     public static void Add(FrameDraft draft, ImageSize image, IDrawnOcclusion drawn)
     {
         Dictionary<int, int> handles = draft.Ids.ToDictionary(static pair => pair.Value, static pair => pair.Key);
-        int[] asked = [.. draft.Objects.Where(label => label.Parent is null && handles.ContainsKey(label.Id))
-            .Select(label => handles[label.Id])];
+        int[] asked =
+        [
+            .. draft.Objects.Where(label => label.Parent is null && handles.ContainsKey(label.Id)).Select(label => handles[label.Id]),
+        ];
         IReadOnlyDictionary<int, double> hidden = drawn.HiddenFractions(asked, image);
         draft.Update(label =>
             label.Parent is null && handles.TryGetValue(label.Id, out int handle) && hidden.TryGetValue(handle, out double fraction)
-                ? label with { TrueOccludedFraction = fraction }
-                : label);
+                ? label with
+                {
+                    TrueOccludedFraction = fraction,
+                }
+                : label
+        );
     }
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
@@ -79,7 +76,8 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
             RecordedOcclusion.Of(handle, candidate.Face.Number, seen.Id, occlusion, lights?.SetStateOf(handle, snapshot.GameFrame)),
             occlusion,
             LabelOf(camera, snapshot, candidate, occlusion),
-            isParentMarked ? null : ObjectLabeller.RegionOf(camera, seen, occlusion));
+            isParentMarked ? null : ObjectLabeller.RegionOf(camera, seen, occlusion)
+        );
     }
 
     /// <summary>Passes over a snapshot that is not labelled; the ids of its faces are assigned all the same.</summary>
@@ -112,7 +110,10 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
         CuboidProjection projection = CuboidProjector.Project(camera, cuboid, FaceOutline.EdgesOf(face, entity.Pose));
         return projection is { Box: { } box, AmodalBox: not null } && options.IsLargeEnough(box)
             ? new FaceCandidate(
-                face, new LabelCandidate(entity, registry.IdOf(entity, face.Number), cuboid, projection), registry.IdOf(entity))
+                face,
+                new LabelCandidate(entity, registry.IdOf(entity, face.Number), cuboid, projection),
+                registry.IdOf(entity)
+            )
             : null;
     }
 
@@ -135,7 +136,8 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
                 face.MutcdCode.Length == 0 ? null : face.MutcdCode,
                 FacingAngleDegrees(face, seen.Cuboid, entity.Pose, camera.Pose.Position),
                 face.Provenance,
-                face.Class == ObjectClass.TrafficLight ? LightOf(entity, snapshot.GameFrame) : null),
+                face.Class == ObjectClass.TrafficLight ? LightOf(entity, snapshot.GameFrame) : null
+            ),
         };
     }
 

@@ -21,7 +21,10 @@ internal sealed class FaceRays(IRayCaster rays, int parent, Cuboid cuboid, Vecto
     {
         RayHit? first = rays.Cast(ray, maxDistance, ignoredEntity);
         return first is { } hit && hit.Entity == parent && !_face.Contains(ray.At(hit.Distance))
-            ? hit with { Entity = RayHit.World }
+            ? hit with
+            {
+                Entity = RayHit.World,
+            }
             : first;
     }
 }

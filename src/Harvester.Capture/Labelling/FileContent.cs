@@ -1,4 +1,3 @@
-using System.IO;
 using Harvester.Sessions.Imaging.Pictures;
 
 namespace Harvester.Capture.Labelling;

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
@@ -122,30 +119,32 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
     /// <param name="frame">Its number in the session.</param>
     /// <param name="format">The format of the session's images.</param>
     /// <param name="places">The places of the session; null if it visits none.</param>
-    public FrameLabel Label(int frame, ImageFormat format, PlaceSequence? places = null) => new(
-        frame,
-        snapshot.GameFrame,
-        snapshot.TimeSeconds,
-        LagFrames,
-        LagSeconds,
-        FramePaths.Image(frame, format, View?.Camera.Name),
-        Mask is null ? null : FramePaths.Mask(frame, View?.Camera.Name),
-        CameraLabel.Of(camera),
-        EgoLabel.Of(snapshot.Ego),
-        snapshot.Environment,
-        Objects)
-    {
-        Moment = View?.MomentOf(frame),
-        View = View?.Camera.Name,
-        Motion = Motion,
-        Place = places?.PlaceOf(frame),
-        PlaceFrame = frame - places?.FirstFrameOf(places.PlaceOf(frame)),
-        PixelMap = PixelMap,
-        Channels = _parts.Aggregate(ChannelLabels.None, (labels, part) => labels.And(part.LabelIn(KeyOf(frame, format)))),
-        Rays = Rays,
-        IgnoreRegions = IgnoreRegions,
-        Lanes = Lanes,
-    };
+    public FrameLabel Label(int frame, ImageFormat format, PlaceSequence? places = null) =>
+        new(
+            frame,
+            snapshot.GameFrame,
+            snapshot.TimeSeconds,
+            LagFrames,
+            LagSeconds,
+            FramePaths.Image(frame, format, View?.Camera.Name),
+            Mask is null ? null : FramePaths.Mask(frame, View?.Camera.Name),
+            CameraLabel.Of(camera),
+            EgoLabel.Of(snapshot.Ego),
+            snapshot.Environment,
+            Objects
+        )
+        {
+            Moment = View?.MomentOf(frame),
+            View = View?.Camera.Name,
+            Motion = Motion,
+            Place = places?.PlaceOf(frame),
+            PlaceFrame = frame - places?.FirstFrameOf(places.PlaceOf(frame)),
+            PixelMap = PixelMap,
+            Channels = _parts.Aggregate(ChannelLabels.None, (labels, part) => labels.And(part.LabelIn(KeyOf(frame, format)))),
+            Rays = Rays,
+            IgnoreRegions = IgnoreRegions,
+            Lanes = Lanes,
+        };
 
     private void List(ObjectLabel? label, IgnoreRegion? region)
     {

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
@@ -167,8 +164,16 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
             }
             else if (mayCastRays() && rays.Left >= _occlusion.MaxRays)
             {
-                foreach (OcclusionEstimate? step in _occlusion.EstimateInSteps(
-                    camera, candidate.Cuboid, candidate.Projection, candidate.Entity.Handle, egoHandle, rays))
+                foreach (
+                    OcclusionEstimate? step in _occlusion.EstimateInSteps(
+                        camera,
+                        candidate.Cuboid,
+                        candidate.Projection,
+                        candidate.Entity.Handle,
+                        egoHandle,
+                        rays
+                    )
+                )
                 {
                     if (step is null)
                     {
@@ -183,7 +188,8 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
                 RecordedOcclusion.Of(candidate.Entity.Handle, null, candidate.Id, occlusion, null),
                 occlusion,
                 _objects.LabelOf(camera, candidate, occlusion),
-                ObjectLabeller.RegionOf(camera, candidate, occlusion));
+                ObjectLabeller.RegionOf(camera, candidate, occlusion)
+            );
             yield return true;
         }
     }

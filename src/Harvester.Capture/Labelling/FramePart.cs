@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
@@ -23,9 +21,7 @@ public abstract class FramePart
     internal virtual string? FolderIn(FrameKey key) => null;
 
     /// <summary>Takes from the picture of the frame, once it is drawn, what only that shows.</summary>
-    internal virtual void Complete(InstanceMap? mask, PixelBuffer picture)
-    {
-    }
+    internal virtual void Complete(InstanceMap? mask, PixelBuffer picture) { }
 
     /// <summary>A map as 16-bit greyscale.</summary>
     protected static FileContent Grey16(InstanceMap map) => (stream, png) => png.Write(map, stream);

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
@@ -29,16 +27,18 @@ internal sealed class FrameRays(IRayCaster rays, int budget) : IRayCaster
     public int Left => budget - _cast;
 
     /// <summary>The rays of the frame so far, by purpose.</summary>
-    public RayCounts Counts => new(
-        _counts[(int)RayPhase.Map],
-        _counts[(int)RayPhase.Occlusion],
-        _counts[(int)RayPhase.Faces],
-        _counts[(int)RayPhase.IgnoreRegions],
-        _counts[(int)RayPhase.Lanes],
-        _counts[(int)RayPhase.Joints])
-    {
-        Channels = new Dictionary<string, int>(_channels),
-    };
+    public RayCounts Counts =>
+        new(
+            _counts[(int)RayPhase.Map],
+            _counts[(int)RayPhase.Occlusion],
+            _counts[(int)RayPhase.Faces],
+            _counts[(int)RayPhase.IgnoreRegions],
+            _counts[(int)RayPhase.Lanes],
+            _counts[(int)RayPhase.Joints]
+        )
+        {
+            Channels = new Dictionary<string, int>(_channels),
+        };
 
     /// <summary>Begins a frame.</summary>
     public void Begin()
@@ -62,8 +62,7 @@ internal sealed class FrameRays(IRayCaster rays, int budget) : IRayCaster
     /// <summary>Casts a ray that also reports the normal of the surface; zero if the game does not, or nothing is recorded.</summary>
     public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity, out Vector3D normal)
     {
-        bool isSample = Record is null && _channel is null
-            && _phase is (RayPhase.Occlusion or RayPhase.Faces or RayPhase.IgnoreRegions);
+        bool isSample = Record is null && _channel is null && _phase is (RayPhase.Occlusion or RayPhase.Faces or RayPhase.IgnoreRegions);
         if (isSample && _seen.TryAnswer(ray, maxDistance, ignoredEntity, out RayHit? known))
         {
             normal = Vector3D.Zero;

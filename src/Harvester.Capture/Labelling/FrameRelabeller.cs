@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
@@ -89,9 +86,11 @@ public sealed class FrameRelabeller
                         Box2DVisible = keepsMask ? occlusions.LabelOf(label.Id)?.Box2DVisible : null,
                         AmodalMask = keepsMask ? occlusions.LabelOf(label.Id)?.AmodalMask : null,
                         Joints = candidate.Entity.Skeleton is { } skeleton
-                            ? JointLabels.Again(camera, skeleton, occlusions.LabelOf(label.Id)?.Joints) : null,
+                            ? JointLabels.Again(camera, skeleton, occlusions.LabelOf(label.Id)?.Joints)
+                            : null,
                     },
-                ObjectLabeller.RegionOf(camera, candidate, occlusion));
+                ObjectLabeller.RegionOf(camera, candidate, occlusion)
+            );
         }
 
         foreach (FaceCandidate candidate in (_faces?.CandidatesOf(camera, snapshot) ?? []).OfType<FaceCandidate>())
@@ -154,25 +153,27 @@ public sealed class FrameRelabeller
     {
         _registry.Remember(scene);
         _lights.Show(scene);
-        LabellingOptions options = recorded.View is null ? _options : _options with
-        {
-            Image = new ImageSize(recorded.Camera.Width, recorded.Camera.Height),
-            Lens = scene.Lens,
-        };
+        LabellingOptions options = recorded.View is null
+            ? _options
+            : _options with
+            {
+                Image = new ImageSize(recorded.Camera.Width, recorded.Camera.Height),
+                Lens = scene.Lens,
+            };
         camera = options.CameraOf(scene.Snapshot.Camera);
         return scene.Snapshot with
         {
-            Entities =
-            [.. scene.Snapshot.Entities.Where(entity => _options.IsInRange(scene.Snapshot.Camera, entity))]
+            Entities = [.. scene.Snapshot.Entities.Where(entity => _options.IsInRange(scene.Snapshot.Camera, entity))],
         };
     }
 
     private IEnumerable<DistantEntity> DistantIn(RecordedScene scene)
     {
-        Dictionary<int, Sight> sights = scene.Occlusions.Where(found => found.Face is null)
+        Dictionary<int, Sight> sights = scene
+            .Occlusions.Where(found => found.Face is null)
             .ToDictionary(found => found.Handle, found => found.Sight);
-        return scene.Snapshot.Entities
-            .Where(entity => !_options.IsInRange(scene.Snapshot.Camera, entity))
+        return scene
+            .Snapshot.Entities.Where(entity => !_options.IsInRange(scene.Snapshot.Camera, entity))
             .Select(entity => new DistantEntity(entity, sights.TryGetValue(entity.Handle, out Sight sight) ? sight : Sight.NotAsked))
             .Concat(scene.Distant);
     }
@@ -185,7 +186,8 @@ public sealed class FrameRelabeller
         }
 
         LanesLabel? lanes = _lanes.Label(snapshot, camera, static () => false).LastOrDefault();
-        return lanes is null ? null
+        return lanes is null
+            ? null
             : RecordedLanes.Completed(lanes, recorded is null || isLensSame ? recorded : RecordedLanes.SeenBy(camera, recorded));
     }
 }

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Faults;
 
 namespace Harvester.Capture.Labelling;

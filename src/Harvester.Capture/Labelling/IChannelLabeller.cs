@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Capture.Labelling;
 
 /// <summary>Produces the part of one channel in each frame.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
@@ -42,9 +39,11 @@ internal sealed class JointLabeller(LabellingOptions options, FrameRays rays)
         draft.Update(label => found.TryGetValue(label.Id, out JointsLabel? joints) ? label with { Joints = joints } : label);
     }
 
-    private static IEnumerable<Joint> InImage(Camera camera, Skeleton skeleton) => Enumerable.Range(0, Skeleton.Count)
-        .Select(number => (Joint)number)
-        .Where(joint => camera.Project(skeleton[joint]).Outcome == ProjectionOutcome.InImage);
+    private static IEnumerable<Joint> InImage(Camera camera, Skeleton skeleton) =>
+        Enumerable
+            .Range(0, Skeleton.Count)
+            .Select(number => (Joint)number)
+            .Where(joint => camera.Project(skeleton[joint]).Outcome == ProjectionOutcome.InImage);
 
     /// <summary>
     /// Whether a joint is visible. Joints lie inside the body: a ray that meets the person within the depth of the joint below its own

@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;
@@ -17,7 +15,8 @@ internal static class JointLabels
     public static JointsLabel Of(Camera camera, Skeleton skeleton, Func<Joint, JointVisibility> visibilityOf) =>
         new(
             [.. Enumerable.Range(0, Skeleton.Count).Select(number => Of(camera, skeleton, (Joint)number, visibilityOf))],
-            SphereBox.Around(camera, skeleton.Joints, JointSizes.Radii));
+            SphereBox.Around(camera, skeleton.Joints, JointSizes.Radii)
+        );
 
     /// <summary>
     /// The joints of a person as they were seen with another lens, or another range: a joint that was not in the image is undetermined.
@@ -26,8 +25,11 @@ internal static class JointLabels
     /// <param name="skeleton">The joints in the world.</param>
     /// <param name="recorded">The joints of the earlier label; null if the person had none.</param>
     public static JointsLabel Again(Camera camera, Skeleton skeleton, JointsLabel? recorded) =>
-        Of(camera, skeleton, joint => recorded?[joint].Visibility is { } found and not JointVisibility.Outside
-            ? found : JointVisibility.Unknown);
+        Of(
+            camera,
+            skeleton,
+            joint => recorded?[joint].Visibility is { } found and not JointVisibility.Outside ? found : JointVisibility.Unknown
+        );
 
     private static JointLabel Of(Camera camera, Skeleton skeleton, Joint joint, Func<Joint, JointVisibility> visibilityOf)
     {
@@ -35,6 +37,7 @@ internal static class JointLabels
         return new JointLabel(
             skeleton[joint],
             projection.Outcome == ProjectionOutcome.BehindNearPlane ? null : projection.Pixel,
-            projection.Outcome == ProjectionOutcome.InImage ? visibilityOf(joint) : JointVisibility.Outside);
+            projection.Outcome == ProjectionOutcome.InImage ? visibilityOf(joint) : JointVisibility.Outside
+        );
     }
 }

@@ -28,22 +28,23 @@ internal sealed record LabelCandidate(EntityState Entity, ushort Id, Cuboid Cubo
     /// <param name="objectClass">The class of the label.</param>
     /// <param name="occlusion">Its occlusion.</param>
     /// <param name="knownParts">Number of faces known on its model; null for a face and without a table of faces.</param>
-    public ObjectLabel Label(Camera camera, ObjectClass objectClass, OcclusionEstimate occlusion, int? knownParts = null) => new()
-    {
-        Id = Id,
-        Class = objectClass,
-        Model = Entity.Model,
-        KnownParts = knownParts,
-        HasRider = Entity.HasRider,
-        Vehicle = VehicleId,
-        Lights = Entity.Lights,
-        Box2D = Box,
-        Box2DAmodal = Projection.AmodalBox!.Value,
-        TruncatedFraction = Projection.TruncatedFraction,
-        OccludedFraction = occlusion.Method == OcclusionMethod.None ? null : occlusion.OccludedFraction,
-        OcclusionMethod = occlusion.Method,
-        Box3D = Cuboid,
-        DistanceMetres = DistanceFrom(camera),
-        Velocity = Entity.Velocity,
-    };
+    public ObjectLabel Label(Camera camera, ObjectClass objectClass, OcclusionEstimate occlusion, int? knownParts = null) =>
+        new()
+        {
+            Id = Id,
+            Class = objectClass,
+            Model = Entity.Model,
+            KnownParts = knownParts,
+            HasRider = Entity.HasRider,
+            Vehicle = VehicleId,
+            Lights = Entity.Lights,
+            Box2D = Box,
+            Box2DAmodal = Projection.AmodalBox!.Value,
+            TruncatedFraction = Projection.TruncatedFraction,
+            OccludedFraction = occlusion.Method == OcclusionMethod.None ? null : occlusion.OccludedFraction,
+            OcclusionMethod = occlusion.Method,
+            Box3D = Cuboid,
+            DistanceMetres = DistanceFrom(camera),
+            Velocity = Entity.Velocity,
+        };
 }

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
@@ -23,13 +21,21 @@ public record LabellingOptions
     public ImageSize Image { get; init; } = new(800, 600);
 
     /// <summary>Labelling range: maximum distance of an object's origin from the camera, metres; greater than 0.</summary>
-    public double RangeMetres { get; init => field = OptionCheck.Positive(value, nameof(RangeMetres)); } = 150;
+    public double RangeMetres
+    {
+        get;
+        init => field = OptionCheck.Positive(value, nameof(RangeMetres));
+    } = 150;
 
     /// <summary>
     /// Visible objects beyond <see cref="RangeMetres"/> and up to this distance from the camera are marked by ignore regions, metres; 0 or
     /// more. At 300 m a truck has the size of a pedestrian at 150 m.
     /// </summary>
-    public double IgnoreRangeMetres { get; init => field = OptionCheck.AtLeast(value, 0, nameof(IgnoreRangeMetres)); } = 300;
+    public double IgnoreRangeMetres
+    {
+        get;
+        init => field = OptionCheck.AtLeast(value, 0, nameof(IgnoreRangeMetres));
+    } = 300;
 
     /// <summary>The classes to label; null for all.</summary>
     public IReadOnlyCollection<ObjectClass>? Classes { get; init; }
@@ -64,33 +70,61 @@ public record LabellingOptions
     /// regions, lanes, joints and depth maps.
     /// When they are used up, the mask is finished from what is known, and the rest is undetermined.
     /// </summary>
-    public int RayBudget { get; init => field = OptionCheck.InRange(value, 0, MaxRays, nameof(RayBudget)); } = 50_000;
+    public int RayBudget
+    {
+        get;
+        init => field = OptionCheck.InRange(value, 0, MaxRays, nameof(RayBudget));
+    } = 50_000;
 
     /// <summary>
     /// Distance beyond which the game's rays hit no entities, metres; greater than 0. The visibility of entities beyond it is undetermined:
     /// they are marked by ignore regions.
     /// </summary>
-    public double RayReachMetres { get; init => field = OptionCheck.Positive(value, nameof(RayReachMetres)); } = 1_000;
+    public double RayReachMetres
+    {
+        get;
+        init => field = OptionCheck.Positive(value, nameof(RayReachMetres));
+    } = 1_000;
 
     /// <summary>How the game's picture deviates from a pinhole camera's, as found by calibration.</summary>
     public Lens Lens { get; init; } = Lens.Ideal;
 
     /// <summary>Minimum area of an object's box in the image, square pixels; 0 or more. Smaller objects are not labelled.</summary>
-    public double MinBoxAreaPixels { get; init => field = OptionCheck.AtLeast(value, 0, nameof(MinBoxAreaPixels)); } = 16;
+    public double MinBoxAreaPixels
+    {
+        get;
+        init => field = OptionCheck.AtLeast(value, 0, nameof(MinBoxAreaPixels));
+    } = 16;
 
     /// <summary>Minimum width and height of an object's box in the image, pixels; 0 or more. Smaller objects are not labelled.</summary>
-    public double MinBoxSidePixels { get; init => field = OptionCheck.AtLeast(value, 0, nameof(MinBoxSidePixels)); } = 2;
+    public double MinBoxSidePixels
+    {
+        get;
+        init => field = OptionCheck.AtLeast(value, 0, nameof(MinBoxSidePixels));
+    } = 2;
 
     /// <summary>Maximum occluded fraction of a labelled object, 0 to 1; with 1, objects without a visible pixel are labelled too.</summary>
-    public double MaxOccludedFraction { get; init => field = OptionCheck.Fraction(value, nameof(MaxOccludedFraction)); } = 0.99;
+    public double MaxOccludedFraction
+    {
+        get;
+        init => field = OptionCheck.Fraction(value, nameof(MaxOccludedFraction));
+    } = 0.99;
 
     /// <summary>Number of rays through an object's silhouette for its occlusion, 1 to 10,000.</summary>
-    public int OcclusionSamples { get; init => field = OptionCheck.InRange(value, 1, 10_000, nameof(OcclusionSamples)); } = 64;
+    public int OcclusionSamples
+    {
+        get;
+        init => field = OptionCheck.InRange(value, 1, 10_000, nameof(OcclusionSamples));
+    } = 64;
 
     /// <summary>
     /// Maximum real time of labelling in one tick, milliseconds; greater than 0. At least one object is labelled per tick.
     /// </summary>
-    public double TickBudgetMilliseconds { get; init => field = OptionCheck.Positive(value, nameof(TickBudgetMilliseconds)); } = 4;
+    public double TickBudgetMilliseconds
+    {
+        get;
+        init => field = OptionCheck.Positive(value, nameof(TickBudgetMilliseconds));
+    } = 4;
 
     /// <summary>Range in which entities are read, metres.</summary>
     internal double ReadRangeMetres => Math.Max(RangeMetres, IgnoreRangeMetres);
@@ -110,13 +144,14 @@ public record LabellingOptions
     /// Whether an object in the image is listed: a visible one that is not occluded too much, and one whose visibility was not examined,
     /// which is marked as undetermined.
     /// </summary>
-    internal bool IsListed(OcclusionEstimate occlusion) => occlusion.Sight switch
-    {
-        Sight.NotAsked => true,
-        Sight.Seen => occlusion.OccludedFraction <= MaxOccludedFraction,
-        Sight.Unseen => occlusion.Method != OcclusionMethod.None && occlusion.OccludedFraction <= MaxOccludedFraction,
-        _ => false,
-    };
+    internal bool IsListed(OcclusionEstimate occlusion) =>
+        occlusion.Sight switch
+        {
+            Sight.NotAsked => true,
+            Sight.Seen => occlusion.OccludedFraction <= MaxOccludedFraction,
+            Sight.Unseen => occlusion.Method != OcclusionMethod.None && occlusion.OccludedFraction <= MaxOccludedFraction,
+            _ => false,
+        };
 
     /// <summary>Whether a box in the image is large enough to be labelled.</summary>
     internal bool IsLargeEnough(Box2D box) =>

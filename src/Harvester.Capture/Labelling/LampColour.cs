@@ -1,4 +1,3 @@
-using System;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
 
@@ -30,7 +29,9 @@ internal static class LampColour
         }
 
         double sixth = 60.0 / (brightest - darkest);
-        double hue = brightest == red ? (green - blue) * sixth : brightest == green ? 120 + ((blue - red) * sixth)
+        double hue =
+            brightest == red ? (green - blue) * sixth
+            : brightest == green ? 120 + ((blue - red) * sixth)
             : 240 + ((red - green) * sixth);
         return hue switch
         {

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
@@ -51,7 +49,11 @@ internal sealed class LaneLabeller(IRoads roads, IRoadPaint? paint, FrameRays? r
 
         IReadOnlyList<LaneLineView> Project(LaneLine line) =>
             LaneLineProjector.Project(
-                camera, line, snapshot.Ego.Handle, mayCastRays() && rays?.Left >= LaneLineProjector.MaxRays(line) ? rays : null);
+                camera,
+                line,
+                snapshot.Ego.Handle,
+                mayCastRays() && rays?.Left >= LaneLineProjector.MaxRays(line) ? rays : null
+            );
     }
 
     /// <summary>Passes over a snapshot that is not labelled; the road and the ids of vehicles are updated all the same.</summary>

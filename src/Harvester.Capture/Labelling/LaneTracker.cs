@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
@@ -39,7 +36,8 @@ public sealed class LaneTracker(IRoads roads, Func<EntityState, int> idOf)
             ego.Velocity.Length,
             ego.ModelMax.Y - ego.ModelMin.Y,
             VehiclesOf(entities),
-            _previous);
+            _previous
+        );
         _previous = seen.Match.HasRoad ? seen.Match : null;
         return (seen, known.Source);
     }
@@ -48,13 +46,14 @@ public sealed class LaneTracker(IRoads roads, Func<EntityState, int> idOf)
     public void Reset() => _previous = null;
 
     private TrafficVehicle[] VehiclesOf(IReadOnlyList<EntityState> entities) =>
-    [
-        .. entities
-            .Where(static entity => VehicleClasses.AreVehicles(entity.Class))
-            .Select(entity => new TrafficVehicle(
-                idOf(entity),
-                entity.Pose.ToWorld((entity.ModelMin + entity.ModelMax) * 0.5),
-                Angles.HeadingDegrees(entity.Pose.Axes.Forward),
-                entity.ModelMax.Y - entity.ModelMin.Y)),
-    ];
+        [
+            .. entities
+                .Where(static entity => VehicleClasses.AreVehicles(entity.Class))
+                .Select(entity => new TrafficVehicle(
+                    idOf(entity),
+                    entity.Pose.ToWorld((entity.ModelMin + entity.ModelMax) * 0.5),
+                    Angles.HeadingDegrees(entity.Pose.Axes.Forward),
+                    entity.ModelMax.Y - entity.ModelMin.Y
+                )),
+        ];
 }

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 using Harvester.Sessions.Semantics;
 
@@ -20,18 +19,19 @@ internal static class LidarIntensity
     public static double Of(SemanticClass kind, Vector3D direction, Vector3D normal) =>
         Reflectivity(kind) * (normal == Vector3D.Zero ? 1 : Math.Min(1, Math.Abs(direction.Dot(normal))));
 
-    private static double Reflectivity(SemanticClass kind) => kind switch
-    {
-        SemanticClass.Road => 0.15,
-        SemanticClass.LaneMarking => 0.6,
-        SemanticClass.Pavement or SemanticClass.Pedestrian or SemanticClass.Rider => 0.35,
-        SemanticClass.Building => 0.4,
-        SemanticClass.Vegetation => 0.5,
-        SemanticClass.Terrain => 0.25,
-        SemanticClass.Water => 0.02,
-        SemanticClass.Pole => 0.55,
-        SemanticClass.Car or SemanticClass.Truck or SemanticClass.Bus or SemanticClass.Trailer => 0.6,
-        SemanticClass.Sign => 0.95,
-        _ => Usual,
-    };
+    private static double Reflectivity(SemanticClass kind) =>
+        kind switch
+        {
+            SemanticClass.Road => 0.15,
+            SemanticClass.LaneMarking => 0.6,
+            SemanticClass.Pavement or SemanticClass.Pedestrian or SemanticClass.Rider => 0.35,
+            SemanticClass.Building => 0.4,
+            SemanticClass.Vegetation => 0.5,
+            SemanticClass.Terrain => 0.25,
+            SemanticClass.Water => 0.02,
+            SemanticClass.Pole => 0.55,
+            SemanticClass.Car or SemanticClass.Truck or SemanticClass.Bus or SemanticClass.Trailer => 0.6,
+            SemanticClass.Sign => 0.95,
+            _ => Usual,
+        };
 }

@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Harvester.Sessions.Rigs;
 
 namespace Harvester.Capture.Labelling;

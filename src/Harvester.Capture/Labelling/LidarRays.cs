@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Depth;
@@ -56,8 +54,8 @@ internal sealed class LidarRays
     public Vector3D DirectionOf(int column, int beam) => _directions[(column * _lidar.BeamsDegrees.Count) + beam];
 
     /// <summary>The line of sight of a ray in the frame of <see cref="Sensor"/>.</summary>
-    public SightLine LineOf(int column, int beam) => new(
-        Sensor.Axes.ToLocal(SensorAt(column).Axes.ToWorld(DirectionOf(column, beam))), Sensor.ToLocal(SensorAt(column).Position));
+    public SightLine LineOf(int column, int beam) =>
+        new(Sensor.Axes.ToLocal(SensorAt(column).Axes.ToWorld(DirectionOf(column, beam))), Sensor.ToLocal(SensorAt(column).Position));
 
     /// <summary>Casts a ray.</summary>
     public LidarReturn? Cast(int column, int beam)
@@ -69,9 +67,11 @@ internal sealed class LidarRays
         foreach (EntityState entity in _moving)
         {
             Vector3D way = entity.Velocity * TimeOf(column);
-            if (IsNear(ray, entity, way, nearest?.Hit.Distance ?? reach)
+            if (
+                IsNear(ray, entity, way, nearest?.Hit.Distance ?? reach)
                 && First(new Ray(ray.Origin - way, ray.Direction), reach, handle => handle == entity.Handle) is { } met
-                && !(nearest?.Hit.Distance <= met.Hit.Distance))
+                && !(nearest?.Hit.Distance <= met.Hit.Distance)
+            )
             {
                 nearest = met;
             }
@@ -118,7 +118,8 @@ internal sealed class LidarRays
     {
         RaysCast++;
         normal = Vector3D.Zero;
-        return _game.SurfaceRays is { } surfaces ? surfaces.Cast(ray, reach, _egoHandle, out normal)
+        return _game.SurfaceRays is { } surfaces
+            ? surfaces.Cast(ray, reach, _egoHandle, out normal)
             : _game.Rays.Cast(ray, reach, _egoHandle);
     }
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
@@ -39,7 +36,8 @@ internal sealed class LidarScanner(RigLidar lidar, Pose mount, LabellingOptions 
         Pose sensor = moment.Ego.Pose.Compose(mount);
         Dictionary<int, (ushort Id, SemanticClass Class)> entities = moment.Entities.ToDictionary(
             entity => entity.Handle,
-            entity => (HasId(entity, sensor.Position) ? registry.IdOf(entity) : (ushort)0, SemanticClasses.Of(entity.Class)));
+            entity => (HasId(entity, sensor.Position) ? registry.IdOf(entity) : (ushort)0, SemanticClasses.Of(entity.Class))
+        );
         var rays = new LidarRays(lidar, mount, _directions, game, moment);
         LidarReturn?[,]? returns = null;
         foreach (LidarReturn?[,]? made in Returns(rays))
@@ -54,16 +52,23 @@ internal sealed class LidarScanner(RigLidar lidar, Pose mount, LabellingOptions 
         {
             for (int beam = 0; beam < lidar.BeamsDegrees.Count; beam++)
             {
-                if (returns![column, beam] is { } met && noise.Measured(met.Hit.Distance) is var distance
-                    && distance >= lidar.MinRangeMetres && distance <= lidar.RangeMetres && !noise.IsLost())
+                if (
+                    returns![column, beam] is { } met
+                    && noise.Measured(met.Hit.Distance) is var distance
+                    && distance >= lidar.MinRangeMetres
+                    && distance <= lidar.RangeMetres
+                    && !noise.IsLost()
+                )
                 {
                     Vector3D normal = rays.SensorAt(column).Axes.ToLocal(met.Normal);
-                    points.Add(PointOf(met.Hit, rays.DirectionOf(column, beam), distance, normal, entities) with
-                    {
-                        Column = (ushort)column,
-                        Beam = (ushort)beam,
-                        IsInterpolated = met.IsInterpolated,
-                    });
+                    points.Add(
+                        PointOf(met.Hit, rays.DirectionOf(column, beam), distance, normal, entities) with
+                        {
+                            Column = (ushort)column,
+                            Beam = (ushort)beam,
+                            IsInterpolated = met.IsInterpolated,
+                        }
+                    );
                 }
             }
         }
@@ -77,8 +82,10 @@ internal sealed class LidarScanner(RigLidar lidar, Pose mount, LabellingOptions 
     public IEnumerable<Vector3D> ExactPointsOf(LidarSweep sweep, SceneSnapshot moment)
     {
         Pose sensor = moment.Ego.Pose.Compose(mount);
-        return lidar.RangeNoiseMetres > 0 || lidar.MotionDistortion ? []
-            : sweep.Points.Where(static point => !point.IsInterpolated)
+        return lidar.RangeNoiseMetres > 0 || lidar.MotionDistortion
+            ? []
+            : sweep
+                .Points.Where(static point => !point.IsInterpolated)
                 .Select(point => sensor.ToWorld(new Vector3D(point.X, point.Y, point.Z)));
     }
 
@@ -111,14 +118,28 @@ internal sealed class LidarScanner(RigLidar lidar, Pose mount, LabellingOptions 
     }
 
     private LidarPoint PointOf(
-        RayHit hit, Vector3D direction, double distance, Vector3D normal, Dictionary<int, (ushort Id, SemanticClass Class)> entities)
+        RayHit hit,
+        Vector3D direction,
+        double distance,
+        Vector3D normal,
+        Dictionary<int, (ushort Id, SemanticClass Class)> entities
+    )
     {
-        (ushort id, SemanticClass kind) = hit.Entity == RayHit.World ? ((ushort)0, options.Materials.ClassOf(hit.Material, hit.NormalZ))
+        (ushort id, SemanticClass kind) =
+            hit.Entity == RayHit.World ? ((ushort)0, options.Materials.ClassOf(hit.Material, hit.NormalZ))
             : entities.TryGetValue(hit.Entity, out (ushort Id, SemanticClass Class) known) ? known
             : ((ushort)0, SemanticClass.Other);
         Vector3D place = direction * distance;
         return new LidarPoint(
-            (float)place.X, (float)place.Y, (float)place.Z, (float)LidarIntensity.Of(kind, direction, normal), 0, 0, id, kind);
+            (float)place.X,
+            (float)place.Y,
+            (float)place.Z,
+            (float)LidarIntensity.Of(kind, direction, normal),
+            0,
+            0,
+            id,
+            kind
+        );
     }
 
     /// <summary>Whether an object within the labelling range is labelled and may be hit.</summary>
@@ -137,7 +158,10 @@ internal sealed class LidarScanner(RigLidar lidar, Pose mount, LabellingOptions 
             {
                 double elevation = Angles.ToRadians(degrees);
                 yield return new Vector3D(
-                    Math.Cos(elevation) * Math.Sin(azimuth), Math.Cos(elevation) * Math.Cos(azimuth), Math.Sin(elevation));
+                    Math.Cos(elevation) * Math.Sin(azimuth),
+                    Math.Cos(elevation) * Math.Cos(azimuth),
+                    Math.Sin(elevation)
+                );
             }
         }
     }

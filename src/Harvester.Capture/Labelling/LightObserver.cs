@@ -1,4 +1,3 @@
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
@@ -17,8 +14,12 @@ internal sealed class MapLabeller(LabellingOptions options, ObjectLabeller objec
     public MaskComparison? Comparison { get; init; }
 
     /// <summary>The targets of a map: which objects are kept is known only after it, so until then they have consecutive numbers.</summary>
-    public static MapTarget[] TargetsOf(IReadOnlyList<LabelCandidate> candidates) => [.. candidates.Select((candidate, index) =>
-        new MapTarget(candidate.Entity.Handle, (ushort)(index + 1), candidate.Cuboid, candidate.Projection))];
+    public static MapTarget[] TargetsOf(IReadOnlyList<LabelCandidate> candidates) =>
+        [
+            .. candidates.Select(
+                (candidate, index) => new MapTarget(candidate.Entity.Handle, (ushort)(index + 1), candidate.Cuboid, candidate.Projection)
+            ),
+        ];
 
     /// <summary>Labels the objects of a frame, in steps.</summary>
     /// <param name="draft">The frame; receives labels, occlusions and mask. Rays pass through the vehicle that carries its camera.</param>
@@ -26,7 +27,11 @@ internal sealed class MapLabeller(LabellingOptions options, ObjectLabeller objec
     /// <param name="mayCastRays">Called before each ray of the map, and before each object.</param>
     /// <param name="pictures">The photographs for a coded mask; null for a mask from rays.</param>
     public IEnumerable<bool> Label(
-        FrameDraft draft, List<LabelCandidate> candidates, Func<bool> mayCastRays, CodedPictures? pictures = null)
+        FrameDraft draft,
+        List<LabelCandidate> candidates,
+        Func<bool> mayCastRays,
+        CodedPictures? pictures = null
+    )
     {
         Camera camera = draft.Camera;
         int egoHandle = draft.Snapshot.Ego.Handle;
@@ -48,8 +53,12 @@ internal sealed class MapLabeller(LabellingOptions options, ObjectLabeller objec
         if (coded is null || Comparison is not null)
         {
             var mapper = new AdaptivePixelMapper(
-                camera, targets, egoHandle, rays,
-                new PixelMapOptions { RayBudget = rays.Left, RayReachMetres = options.RayReachMetres });
+                camera,
+                targets,
+                egoHandle,
+                rays,
+                new PixelMapOptions { RayBudget = rays.Left, RayReachMetres = options.RayReachMetres }
+            );
             while (mayCastRays() && mapper.Step())
             {
                 yield return true;
@@ -74,16 +83,18 @@ internal sealed class MapLabeller(LabellingOptions options, ObjectLabeller objec
         {
             LabelCandidate candidate = candidates[i];
             ushort number = targets[i].Number;
-            OcclusionEstimate occlusion = mayCastRays() && rays.Left >= options.OcclusionSamples
-                ? estimator.Estimate(targets[i], map.Sights[number])
-                : new OcclusionEstimate { Sight = map.Sights[number] };
+            OcclusionEstimate occlusion =
+                mayCastRays() && rays.Left >= options.OcclusionSamples
+                    ? estimator.Estimate(targets[i], map.Sights[number])
+                    : new OcclusionEstimate { Sight = map.Sights[number] };
             ObjectLabel? label = objects.LabelOf(camera, candidate, occlusion);
             numbers[number] = (ushort)(label?.Id ?? 0);
             draft.Add(
                 RecordedOcclusion.Of(candidate.Entity.Handle, null, candidate.Id, occlusion, null),
                 occlusion,
                 label is null ? null : label with { Box2DVisible = bounds[number], AmodalMask = map.AmodalOf(number) },
-                ObjectLabeller.RegionOf(camera, candidate, occlusion));
+                ObjectLabeller.RegionOf(camera, candidate, occlusion)
+            );
             yield return true;
         }
 

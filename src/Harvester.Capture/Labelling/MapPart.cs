@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Semantics;
@@ -22,6 +21,5 @@ public sealed class MapPart(MapChannel channel, PixelBuffer map, SemanticsMethod
     protected override IReadOnlyList<FileContent> Contents => [(stream, png) => png.Write(map, stream)];
 
     /// <inheritdoc />
-    public override IChannelLabel LabelIn(FrameKey key) =>
-        new MapLabel(channel.Key, channel.PathOf(key.Frame, key.View), method, raysCast);
+    public override IChannelLabel LabelIn(FrameKey key) => new MapLabel(channel.Key, channel.PathOf(key.Frame, key.View), method, raysCast);
 }

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
@@ -38,9 +36,10 @@ internal sealed class ObjectLabeller(LabellingOptions options, ObjectRegistry re
         snapshot.Entities.FirstOrDefault(other => other.Handle == handle) is { } entity ? registry.IdOf(entity) : null;
 
     /// <summary>The label of an entity in the image; null if it is not listed.</summary>
-    public ObjectLabel? LabelOf(Camera camera, LabelCandidate candidate, OcclusionEstimate occlusion) => options.IsListed(occlusion)
-        ? candidate.Label(camera, candidate.Entity.Class, occlusion, options.Faces?.Of(candidate.Entity.Model).Count)
-        : null;
+    public ObjectLabel? LabelOf(Camera camera, LabelCandidate candidate, OcclusionEstimate occlusion) =>
+        options.IsListed(occlusion)
+            ? candidate.Label(camera, candidate.Entity.Class, occlusion, options.Faces?.Of(candidate.Entity.Model).Count)
+            : null;
 
     /// <summary>The ignore region of an entity in the image; null unless its visibility could not be determined.</summary>
     public static IgnoreRegion? RegionOf(Camera camera, LabelCandidate candidate, OcclusionEstimate occlusion) =>

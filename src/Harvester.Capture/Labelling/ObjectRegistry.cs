@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Faults;
 using Harvester.Sessions.Scenes;
 
@@ -35,8 +33,9 @@ internal sealed class ObjectRegistry(int firstId)
         {
             if (_nextId > MaxId)
             {
-                throw new HarvestFaultException(new CaptureFault(
-                    FaultCode.NumbersUsedUp, "This session has used all 65,535 object numbers. Start a new session."));
+                throw new HarvestFaultException(
+                    new CaptureFault(FaultCode.NumbersUsedUp, "This session has used all 65,535 object numbers. Start a new session.")
+                );
             }
 
             id = (ushort)_nextId++;
@@ -47,10 +46,11 @@ internal sealed class ObjectRegistry(int firstId)
     }
 
     /// <summary>The ids of the entities that have one, by handle.</summary>
-    public IReadOnlyDictionary<int, int> IdsOf(IEnumerable<EntityState> entities) => entities
-        .Select(entity => (entity.Handle, Id: Known(entity, null)))
-        .Where(entity => entity.Id is not null)
-        .ToDictionary(entity => entity.Handle, entity => (int)entity.Id!.Value);
+    public IReadOnlyDictionary<int, int> IdsOf(IEnumerable<EntityState> entities) =>
+        entities
+            .Select(entity => (entity.Handle, Id: Known(entity, null)))
+            .Where(entity => entity.Id is not null)
+            .ToDictionary(entity => entity.Handle, entity => (int)entity.Id!.Value);
 
     /// <summary>Takes over the ids of a recorded scene; they take precedence over those of earlier scenes.</summary>
     public void Remember(RecordedScene scene)
@@ -72,7 +72,8 @@ internal sealed class ObjectRegistry(int firstId)
 
     private ushort? Known(EntityState entity, int? face) =>
         _objects.TryGetValue((entity.Handle, face), out (string Model, ObjectClass Class, ushort Id) known)
-        && known.Model == entity.Model && known.Class == entity.Class
+        && known.Model == entity.Model
+        && known.Class == entity.Class
             ? known.Id
             : null;
 }

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.Labelling;
@@ -25,7 +24,11 @@ public sealed record PlaceSequence
     /// Number of views of each moment, which stay at one place; 1 without a rig. With more, the frames that the sequence was made for are
     /// moments.
     /// </summary>
-    public int ViewsPerMoment { get; init => field = OptionCheck.InRange(value, 1, int.MaxValue, nameof(ViewsPerMoment)); } = 1;
+    public int ViewsPerMoment
+    {
+        get;
+        init => field = OptionCheck.InRange(value, 1, int.MaxValue, nameof(ViewsPerMoment));
+    } = 1;
 
     /// <summary>The place of a frame, from 0.</summary>
     /// <param name="frame">Number of the frame in the session.</param>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Capture.Labelling;
 
 /// <summary>What the rays of a frame have hit, for its depth map.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
@@ -25,21 +23,34 @@ internal static class RecordedLanes
 
         return lanes with
         {
-            Boundaries = [.. lanes.Boundaries.Select(line => line with
-            {
-                Points = [.. line.Points.Select(
-                    point => point with { IsHidden = known.TryGetValue(PlaceOf(point), out bool? hidden) ? hidden : null })],
-            })],
+            Boundaries =
+            [
+                .. lanes.Boundaries.Select(line =>
+                    line with
+                    {
+                        Points =
+                        [
+                            .. line.Points.Select(point =>
+                                point with
+                                {
+                                    IsHidden = known.TryGetValue(PlaceOf(point), out bool? hidden) ? hidden : null,
+                                }
+                            ),
+                        ],
+                    }
+                ),
+            ],
             Markings = lanes.Status != LaneStatus.Known || recorded?.Status == LaneStatus.Known ? recorded?.Markings : null,
         };
     }
 
     /// <summary>The recorded lanes as another lens shows their lines; points that it does not show are left out.</summary>
-    public static LanesLabel SeenBy(Camera camera, LanesLabel recorded) => recorded with
-    {
-        Boundaries = SeenBy(camera, recorded.Boundaries)!,
-        Markings = SeenBy(camera, recorded.Markings),
-    };
+    public static LanesLabel SeenBy(Camera camera, LanesLabel recorded) =>
+        recorded with
+        {
+            Boundaries = SeenBy(camera, recorded.Boundaries)!,
+            Markings = SeenBy(camera, recorded.Markings),
+        };
 
     private static List<LaneLineView>? SeenBy(Camera camera, IReadOnlyList<LaneLineView>? lines) =>
         lines?.SelectMany(line => RunsOf(camera, line)).ToList();
@@ -58,7 +69,10 @@ internal static class RecordedLanes
 
             if (run.Count > 1)
             {
-                yield return line with { Points = run };
+                yield return line with
+                {
+                    Points = run,
+                };
             }
 
             run = [];
@@ -66,7 +80,10 @@ internal static class RecordedLanes
 
         if (run.Count > 1)
         {
-            yield return line with { Points = run };
+            yield return line with
+            {
+                Points = run,
+            };
         }
     }
 

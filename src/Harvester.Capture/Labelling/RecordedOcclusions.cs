@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Labels;
@@ -15,8 +13,9 @@ namespace Harvester.Capture.Labelling;
 /// </summary>
 internal sealed class RecordedOcclusions(RecordedScene scene, FrameLabel recorded, LabellingOptions recordedOptions, bool isLensSame)
 {
-    private readonly Dictionary<(int Handle, int? Face), RecordedOcclusion> _found =
-        scene.Occlusions.ToDictionary(found => (found.Handle, found.Face));
+    private readonly Dictionary<(int Handle, int? Face), RecordedOcclusion> _found = scene.Occlusions.ToDictionary(found =>
+        (found.Handle, found.Face)
+    );
 
     private readonly Dictionary<int, ObjectLabel> _labels = recorded.Objects.ToDictionary(label => label.Id);
 
@@ -35,7 +34,8 @@ internal sealed class RecordedOcclusions(RecordedScene scene, FrameLabel recorde
     {
         ModelFace face = candidate.Face;
         ModelFace? before = recordedOptions.Faces?.Of(face.Hash).FirstOrDefault(each => each.Number == face.Number);
-        bool isPlaceSame = before is not null
+        bool isPlaceSame =
+            before is not null
             && (before.FrontUpperLeft, before.BackLowerRight, before.Facing, before.Provenance)
                 == (face.FrontUpperLeft, face.BackLowerRight, face.Facing, face.Provenance);
         ObjectLabel? label = LabelOf(candidate.Seen.Id);
@@ -55,8 +55,8 @@ internal sealed class RecordedOcclusions(RecordedScene scene, FrameLabel recorde
         }
 
         bool isWhole = candidate.Projection.TruncatedFraction == 0 && label?.TruncatedFraction == 0;
-        bool holds = isLensSame || isWhole || found.Sight == Sight.Undetermined
-            || found.OccludedFraction > recordedOptions.MaxOccludedFraction;
+        bool holds =
+            isLensSame || isWhole || found.Sight == Sight.Undetermined || found.OccludedFraction > recordedOptions.MaxOccludedFraction;
         return holds ? found.Estimate
             : found.Sight == Sight.Seen ? new OcclusionEstimate { Sight = Sight.Seen }
             : default;

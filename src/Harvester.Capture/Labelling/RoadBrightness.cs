@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Semantics;
@@ -59,8 +57,11 @@ internal sealed class RoadBrightness
             around.Clear();
             for (int y = Math.Max(0, (block / _across) - RowsAround); y <= Math.Min(down - 1, (block / _across) + RowsAround); y++)
             {
-                for (int x = Math.Max(0, (block % _across) - ColumnsAround);
-                    x <= Math.Min(_across - 1, (block % _across) + ColumnsAround); x++)
+                for (
+                    int x = Math.Max(0, (block % _across) - ColumnsAround);
+                    x <= Math.Min(_across - 1, (block % _across) + ColumnsAround);
+                    x++
+                )
                 {
                     around.AddRange(blocks[(y * _across) + x]);
                 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
@@ -17,8 +14,7 @@ namespace Harvester.Capture.Labelling;
 /// Makes the class map of a frame: objects by the mask, the rest by the materials that rays report, markings by the paint that the game
 /// knows. In a simulated game the renderer may give all classes instead.
 /// </summary>
-internal sealed class SemanticLabeller(LabellingOptions options, FrameRays rays, IRoadPaint? paint, ISurfaceTruth? truth)
-    : IChannelLabeller
+internal sealed class SemanticLabeller(LabellingOptions options, FrameRays rays, IRoadPaint? paint, ISurfaceTruth? truth) : IChannelLabeller
 {
     /// <summary>Maximum rays of a class map, as a fraction of the pixels.</summary>
     private const double MaxRayFraction = 0.02;
@@ -57,8 +53,10 @@ internal sealed class SemanticLabeller(LabellingOptions options, FrameRays rays,
         (InstanceMap map, int interpolated) = mapper.Finish();
         if (paint is not null)
         {
-            new MarkingPainter(camera, map, (ushort)SemanticClass.Road, (ushort)SemanticClass.LaneMarking)
-                .Paint(paint.Near(camera.Pose.Position, PaintRange), PaintEnd);
+            new MarkingPainter(camera, map, (ushort)SemanticClass.Road, (ushort)SemanticClass.LaneMarking).Paint(
+                paint.Near(camera.Pose.Position, PaintRange),
+                PaintEnd
+            );
         }
 
         draft.Add(new ClassMapPart(map, SemanticsMethod.Rays, mapper.RaysCast, interpolated));
@@ -66,9 +64,11 @@ internal sealed class SemanticLabeller(LabellingOptions options, FrameRays rays,
         byte SampleAt(int column, int row)
         {
             RayHit? hit = rays.Cast(camera.RayThrough(column + 0.5, row + 0.5), ExhaustivePixelMapper.RayLength, egoHandle);
-            return (byte)(hit is not { } met ? SemanticClass.Sky
+            return (byte)(
+                hit is not { } met ? SemanticClass.Sky
                 : met.Entity == RayHit.World ? options.Materials.ClassOf(met.Material, met.NormalZ)
-                : ClassOf(entities, met.Entity));
+                : ClassOf(entities, met.Entity)
+            );
         }
     }
 
@@ -92,7 +92,9 @@ internal sealed class SemanticLabeller(LabellingOptions options, FrameRays rays,
         if (draft.Mask is { } mask)
         {
             Dictionary<ushort, byte> classes = draft.Objects.ToDictionary(
-                label => (ushort)label.Id, label => (byte)SemanticClasses.Of(label.Class));
+                label => (ushort)label.Id,
+                label => (byte)SemanticClasses.Of(label.Class)
+            );
             for (int i = 0; i < given.Length; i++)
             {
                 classes.TryGetValue(mask.Ids[i], out given[i]);
@@ -107,10 +109,11 @@ internal sealed class SemanticLabeller(LabellingOptions options, FrameRays rays,
     {
         const double far = 1e5;
         Vector3D forward = camera.Pose.Axes.Forward with { Z = 0 };
-        return forward.Length > 0 && camera.Project(camera.Pose.Position + (forward.Normalized() * far)) is
-        {
-            Outcome: not ProjectionOutcome.BehindNearPlane
-        } seen
-            ? (int)Math.Max(-far, Math.Min(far, seen.V)) : -1;
+        return
+            forward.Length > 0
+            && camera.Project(camera.Pose.Position + (forward.Normalized() * far))
+                is { Outcome: not ProjectionOutcome.BehindNearPlane } seen
+            ? (int)Math.Max(-far, Math.Min(far, seen.V))
+            : -1;
     }
 }

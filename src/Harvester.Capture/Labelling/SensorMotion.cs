@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 
@@ -31,14 +30,16 @@ internal sealed class SensorMotion(EgoState ego, Pose mount)
             double ahead = sine / _yawRate;
             double left = (1 - cosine) / _yawRate;
             way = new Vector3D(
-                (velocity.X * ahead) - (velocity.Y * left), (velocity.Y * ahead) + (velocity.X * left), velocity.Z * seconds);
+                (velocity.X * ahead) - (velocity.Y * left),
+                (velocity.Y * ahead) + (velocity.X * left),
+                velocity.Z * seconds
+            );
         }
 
         Axes axes = ego.Pose.Axes;
         var vehicle = new Pose(ego.Pose.Position + way, Axes.FromVectors(Turned(axes.Right), Turned(axes.Forward), Turned(axes.Up)));
         return vehicle.Compose(mount);
 
-        Vector3D Turned(Vector3D vector) =>
-            new((vector.X * cosine) - (vector.Y * sine), (vector.X * sine) + (vector.Y * cosine), vector.Z);
+        Vector3D Turned(Vector3D vector) => new((vector.X * cosine) - (vector.Y * sine), (vector.X * sine) + (vector.Y * cosine), vector.Z);
     }
 }

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Depth;
@@ -32,8 +30,10 @@ internal static class SweptDepth
             }
 
             int at = ((int)seen.V * maps.Sparse.Image.Width) + (int)seen.U;
-            if (maps.Sparse.Ids[at] == 0
-                && Math.Abs(seen.Depth - estimate.Metres[at]) <= estimate.ErrorMetres[at] + (ToleranceFraction * seen.Depth))
+            if (
+                maps.Sparse.Ids[at] == 0
+                && Math.Abs(seen.Depth - estimate.Metres[at]) <= estimate.ErrorMetres[at] + (ToleranceFraction * seen.Depth)
+            )
             {
                 maps.Sparse.Ids[at] = DepthUnits.OfDepth(seen.Depth);
             }

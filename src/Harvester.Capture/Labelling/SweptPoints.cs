@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Lidar;
@@ -18,6 +16,13 @@ public sealed class SweptPoints(IReadOnlyList<LidarSweep> sweeps) : FramePart
         [.. sweeps.Select(static sweep => new FileContent((stream, _) => LidarFile.Write(stream, sweep.Points)))];
 
     /// <inheritdoc />
-    public override IChannelLabel LabelIn(FrameKey key) => new SweepsLabel([.. sweeps.Select(sweep =>
-        new SweepLabel(sweep.Sensor, FramePaths.Sweep(key.Frame, sweep.Sensor), sweep.Points.Count, sweep.RaysCast))]);
+    public override IChannelLabel LabelIn(FrameKey key) =>
+        new SweepsLabel([
+            .. sweeps.Select(sweep => new SweepLabel(
+                sweep.Sensor,
+                FramePaths.Sweep(key.Frame, sweep.Sensor),
+                sweep.Points.Count,
+                sweep.RaysCast
+            )),
+        ]);
 }

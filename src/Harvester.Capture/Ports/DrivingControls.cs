@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Capture.Ports;
 
 /// <summary>Positions of steering wheel and pedals. Values out of range are clamped.</summary>

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
@@ -21,7 +20,8 @@ public sealed class FixedRoads : IRoads
         string source,
         LookAhead? lookAhead = null,
         double laneWidth = RoadGeometry.LaneWidth,
-        double narrowLaneWidth = RoadGeometry.NarrowLaneWidth)
+        double narrowLaneWidth = RoadGeometry.NarrowLaneWidth
+    )
     {
         if (network is null)
         {

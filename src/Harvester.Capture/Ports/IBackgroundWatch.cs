@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Capture.Ports;
 
 /// <summary>Records or repeats what the game's thread learns about work on other threads.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Capture.Ports;
 
 /// <summary>Draws a card of known colours over the picture, to see whether grabbed pictures have the right values.</summary>

@@ -1,4 +1,3 @@
-using System.Threading.Tasks;
 using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Ports;

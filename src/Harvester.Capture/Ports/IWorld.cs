@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Faults;
 
 namespace Harvester.Capture.Ports;
@@ -15,6 +14,6 @@ public readonly record struct PictureLag(int CameraTicks, int EntityTicks)
     public const int MaxTicks = 60;
 
     /// <summary>The fault of a picture whose lag exceeds the limit.</summary>
-    internal static CaptureFault Refusal(string lag, string what, int allowedTicks) => new(
-        FaultCode.PictureLate, FormattableString.Invariant($"The image is {lag} behind the game; the {what} allows {allowedTicks}."));
+    internal static CaptureFault Refusal(string lag, string what, int allowedTicks) =>
+        new(FaultCode.PictureLate, FormattableString.Invariant($"The image is {lag} behind the game; the {what} allows {allowedTicks}."));
 }

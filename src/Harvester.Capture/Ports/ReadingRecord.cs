@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Capture.Ports;
 
 /// <summary>Records what could not be read of a game correctly. The game's reader fills it; a harvest resets and reports it.</summary>
@@ -9,8 +7,7 @@ public sealed class ReadingRecord
     private readonly HashSet<EntityKind> _listedByNatives = [];
 
     /// <summary>The part that a session records.</summary>
-    public ReadingReport Report =>
-        new(SourceOf(EntityKind.Vehicle), SourceOf(EntityKind.Ped), SourceOf(EntityKind.Prop), _distorted.Count);
+    public ReadingReport Report => new(SourceOf(EntityKind.Vehicle), SourceOf(EntityKind.Ped), SourceOf(EntityKind.Prop), _distorted.Count);
 
     /// <summary>Resets the counters. The sources of the lists are kept.</summary>
     public void Begin() => _distorted.Clear();

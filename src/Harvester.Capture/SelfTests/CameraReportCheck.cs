@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Capture.SelfTests;
 
 /// <summary>
@@ -39,14 +36,20 @@ internal sealed class CameraReportCheck(SelfTestContext context) : SelfCheck(con
 
         int lag = Math.Max(0, seen - reported);
         Context.LagTicks = lag;
-        SelfTestVerdict verdict = lag == 0 ? SelfTestVerdict.Good
-            : lag <= Context.Options.MaxPictureLagTicks ? SelfTestVerdict.Note : SelfTestVerdict.Problem;
+        SelfTestVerdict verdict =
+            lag == 0 ? SelfTestVerdict.Good
+            : lag <= Context.Options.MaxPictureLagTicks ? SelfTestVerdict.Note
+            : SelfTestVerdict.Problem;
         Context.Add(
-            SelfTestChecks.Lag, verdict,
-            $"The picture is {lag} ticks behind the game; harvests allow {Context.Options.MaxPictureLagTicks}.");
+            SelfTestChecks.Lag,
+            verdict,
+            $"The picture is {lag} ticks behind the game; harvests allow {Context.Options.MaxPictureLagTicks}."
+        );
         bool isLate = reported > seen;
         Context.Add(
-            SelfTestChecks.CameraReport, isLate ? SelfTestVerdict.Note : SelfTestVerdict.Good,
-            $"The camera is reported {(isLate ? "a tick after" : "in time for")} the picture that shows it.");
+            SelfTestChecks.CameraReport,
+            isLate ? SelfTestVerdict.Note : SelfTestVerdict.Good,
+            $"The camera is reported {(isLate ? "a tick after" : "in time for")} the picture that shows it."
+        );
     }
 }

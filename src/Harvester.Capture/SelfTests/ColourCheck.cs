@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
@@ -22,8 +19,15 @@ internal sealed class ColourCheck(SelfTestContext context) : SelfCheck(context)
     /// <summary>The colours of the patches; the second card shows each four places farther.</summary>
     private static readonly (byte Red, byte Green, byte Blue)[] Colours =
     [
-        (16, 16, 16), (64, 64, 64), (128, 128, 128), (192, 192, 192), (235, 235, 235),
-        (255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 0, 255),
+        (16, 16, 16),
+        (64, 64, 64),
+        (128, 128, 128),
+        (192, 192, 192),
+        (235, 235, 235),
+        (255, 0, 0),
+        (0, 255, 0),
+        (0, 0, 255),
+        (255, 0, 255),
     ];
 
     private const int SecondCardShift = 4;
@@ -84,13 +88,15 @@ internal sealed class ColourCheck(SelfTestContext context) : SelfCheck(context)
     }
 
     private static ColourPatch[] Card(int shift) =>
-    [
-        .. Enumerable.Range(0, Columns * Rows).Select(number =>
-        {
-            (byte red, byte green, byte blue) = Colours[(number + shift) % Colours.Length];
-            return new ColourPatch(Place(number), red, green, blue);
-        }),
-    ];
+        [
+            .. Enumerable
+                .Range(0, Columns * Rows)
+                .Select(number =>
+                {
+                    (byte red, byte green, byte blue) = Colours[(number + shift) % Colours.Length];
+                    return new ColourPatch(Place(number), red, green, blue);
+                }),
+        ];
 
     /// <summary>The inner part of a patch in a picture, pixels.</summary>
     private Box2D Within(int number, double fraction)
@@ -111,7 +117,8 @@ internal sealed class ColourCheck(SelfTestContext context) : SelfCheck(context)
 
     private void Judge(PixelBuffer first, PixelBuffer second, PixelBuffer again)
     {
-        int card = PicturePixels.Changed(first, second, FollowingLevels)
+        int card = PicturePixels
+            .Changed(first, second, FollowingLevels)
             .Count(pixel => PicturePixels.Difference(first, again, pixel) <= SameLevels);
         if (Enumerable.Range(0, Colours.Length).All(number => Follows(Within(number, FollowingFraction), first, second)))
         {
@@ -124,30 +131,38 @@ internal sealed class ColourCheck(SelfTestContext context) : SelfCheck(context)
         {
             Context.Add(SelfTestChecks.Window, SelfTestVerdict.Good, $"Pictures show the game's window.");
             Context.Add(
-                SelfTestChecks.Scale, SelfTestVerdict.Problem,
+                SelfTestChecks.Scale,
+                SelfTestVerdict.Problem,
                 $"Colours appear in other places than they were drawn in: ",
-                "pictures show a part of the window, because Windows scales it.");
+                "pictures show a part of the window, because Windows scales it."
+            );
             Context.AddUntested(Checks, "pictures do not show the whole window.");
         }
         else
         {
             Context.Add(
-                SelfTestChecks.Window, SelfTestVerdict.Problem,
-                $"Colours drawn in the game do not appear in pictures: another window is grabbed, or none.");
+                SelfTestChecks.Window,
+                SelfTestVerdict.Problem,
+                $"Colours drawn in the game do not appear in pictures: another window is grabbed, or none."
+            );
             Context.AddUntested(Checks, "pictures do not show the game's window.");
         }
     }
 
     private void JudgeColours(PixelBuffer picture)
     {
-        Vector3D[] seen = [.. Enumerable.Range(0, Colours.Length)
-            .Select(number => PicturePixels.MeanOf(picture, Within(number, MeasuredFraction)))];
+        Vector3D[] seen =
+        [
+            .. Enumerable.Range(0, Colours.Length).Select(number => PicturePixels.MeanOf(picture, Within(number, MeasuredFraction))),
+        ];
         double error = seen.Zip(Colours, (mean, sent) => Greatest(mean - new Vector3D(sent.Red, sent.Green, sent.Blue))).Max();
         if (seen[LightGrey].X >= ColourFinding.ClippedLevel)
         {
             Context.Add(
-                SelfTestChecks.Exposure, SelfTestVerdict.Problem,
-                $"Bright colours are clipped: the grey of 192 comes back as {seen[LightGrey].X:0}, as with HDR or Auto HDR.");
+                SelfTestChecks.Exposure,
+                SelfTestVerdict.Problem,
+                $"Bright colours are clipped: the grey of 192 comes back as {seen[LightGrey].X:0}, as with HDR or Auto HDR."
+            );
             Context.AddUntested(Checks, "bright colours are clipped.");
             return;
         }
@@ -156,9 +171,11 @@ internal sealed class ColourCheck(SelfTestContext context) : SelfCheck(context)
         if (error > ColourFinding.ToleranceLevels)
         {
             Context.Add(
-                SelfTestChecks.Tones, SelfTestVerdict.Problem,
+                SelfTestChecks.Tones,
+                SelfTestVerdict.Problem,
                 $"Colours are off by up to {error:0} of 255; the grey of 128 comes back as {seen[MiddleGrey].X:0}. ",
-                "A colour profile, a filter or the brightness of the display changes them.");
+                "A colour profile, a filter or the brightness of the display changes them."
+            );
         }
         else
         {

@@ -1,6 +1,4 @@
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Geometry;
 using Harvester.Sessions.Imaging;
@@ -58,8 +56,10 @@ internal sealed class DisplayCheck(SelfTestContext context) : SelfCheck(context)
         if (edges.Region is { } region)
         {
             Context.Add(
-                SelfTestChecks.Display, SelfTestVerdict.Problem,
-                $"Something is drawn over the picture ({region}): close the other program, or switch the other mod's display off.");
+                SelfTestChecks.Display,
+                SelfTestVerdict.Problem,
+                $"Something is drawn over the picture ({region}): close the other program, or switch the other mod's display off."
+            );
         }
         else
         {

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Scenes;
@@ -22,9 +20,16 @@ internal sealed class FreezeCheck(SelfTestContext context, FreezeMethod method) 
 
     public override string Title => method == FreezeMethod.Paused ? "freezing by the game's pause" : "freezing by a time scale of 0";
 
-    public override IReadOnlyList<string> Checks => method == FreezeMethod.Paused
-        ? [SelfTestChecks.FreezePaused, SelfTestChecks.EntitiesPaused, SelfTestChecks.SkyPaused, SelfTestChecks.CameraPaused]
-        : [SelfTestChecks.FreezeTimeScale, SelfTestChecks.EntitiesTimeScale, SelfTestChecks.SkyTimeScale, SelfTestChecks.CameraTimeScale];
+    public override IReadOnlyList<string> Checks =>
+        method == FreezeMethod.Paused
+            ? [SelfTestChecks.FreezePaused, SelfTestChecks.EntitiesPaused, SelfTestChecks.SkyPaused, SelfTestChecks.CameraPaused]
+            :
+            [
+                SelfTestChecks.FreezeTimeScale,
+                SelfTestChecks.EntitiesTimeScale,
+                SelfTestChecks.SkyTimeScale,
+                SelfTestChecks.CameraTimeScale,
+            ];
 
     private string World => Checks[0];
 
@@ -78,16 +83,20 @@ internal sealed class FreezeCheck(SelfTestContext context, FreezeMethod method) 
 
             movesCamera = shift.ReportedTicks is not null && (shift.SeenTicks is not null || !Context.ArePicturesUsable);
             Context.Add(
-                Camera, movesCamera.Value ? SelfTestVerdict.Good : SelfTestVerdict.Problem,
-                $"The camera can{(movesCamera.Value ? string.Empty : "not")} be moved while the world is frozen by {method}.");
+                Camera,
+                movesCamera.Value ? SelfTestVerdict.Good : SelfTestVerdict.Problem,
+                $"The camera can{(movesCamera.Value ? string.Empty : "not")} be moved while the world is frozen by {method}."
+            );
         }
 
         Context.AddUntested(Checks, holds ? "the camera cannot be moved on a vehicle." : "the world did not stand still.");
-        Context.Freezes.Add(new FreezeFinding(method, sawMovement, holds && sameEntities ? moved : null)
-        {
-            HoldsEnvironment = holds ? sameSky : null,
-            MovesCamera = movesCamera,
-        });
+        Context.Freezes.Add(
+            new FreezeFinding(method, sawMovement, holds && sameEntities ? moved : null)
+            {
+                HoldsEnvironment = holds ? sameSky : null,
+                MovesCamera = movesCamera,
+            }
+        );
     }
 
     private void Tell(bool holds, bool sawMovement, int moved, bool sameEntities, bool sameSky)
@@ -100,14 +109,20 @@ internal sealed class FreezeCheck(SelfTestContext context, FreezeMethod method) 
 
         string doubt = sawMovement ? string.Empty : " Nothing had moved before, so this proves little: repeat the test in traffic.";
         Context.Add(
-            World, moved <= PromptTicks ? SelfTestVerdict.Good : SelfTestVerdict.Note,
-            $"{method} stops the world after {moved} ticks.{doubt}");
+            World,
+            moved <= PromptTicks ? SelfTestVerdict.Good : SelfTestVerdict.Note,
+            $"{method} stops the world after {moved} ticks.{doubt}"
+        );
         Context.Add(
-            Entities, sameEntities ? SelfTestVerdict.Good : SelfTestVerdict.Problem,
-            $"{(sameEntities ? "The same entities exist" : "Entities appear and disappear")} while the world is frozen by {method}.");
+            Entities,
+            sameEntities ? SelfTestVerdict.Good : SelfTestVerdict.Problem,
+            $"{(sameEntities ? "The same entities exist" : "Entities appear and disappear")} while the world is frozen by {method}."
+        );
         Context.Add(
-            Sky, sameSky ? SelfTestVerdict.Good : SelfTestVerdict.Problem,
-            $"Weather and time of day {(sameSky ? "stand still" : "go on")} while the world is frozen by {method}.");
+            Sky,
+            sameSky ? SelfTestVerdict.Good : SelfTestVerdict.Problem,
+            $"Weather and time of day {(sameSky ? "stand still" : "go on")} while the world is frozen by {method}."
+        );
     }
 
     /// <summary>Both readings with the entities that both have.</summary>
@@ -118,6 +133,9 @@ internal sealed class FreezeCheck(SelfTestContext context, FreezeMethod method) 
         return (With(before), With(after));
 
         SceneSnapshot With(SceneSnapshot scene) =>
-            scene with { Entities = [.. scene.Entities.Where(entity => shared.Contains(entity.Handle))] };
+            scene with
+            {
+                Entities = [.. scene.Entities.Where(entity => shared.Contains(entity.Handle))],
+            };
     }
 }

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
@@ -95,14 +93,18 @@ internal sealed class HidingCheck(SelfTestContext context) : SelfCheck(context)
     private void Judge(int asked, List<int> delays)
     {
         Context.Add(
-            SelfTestChecks.Hiding, delays.Count == asked ? SelfTestVerdict.Good : SelfTestVerdict.Problem,
-            $"{delays.Count} of {asked} objects disappear from the picture of the frozen world when they are hidden.");
+            SelfTestChecks.Hiding,
+            delays.Count == asked ? SelfTestVerdict.Good : SelfTestVerdict.Problem,
+            $"{delays.Count} of {asked} objects disappear from the picture of the frozen world when they are hidden."
+        );
         if (delays.Count > 0)
         {
             int delay = delays.Max();
             Context.Add(
-                SelfTestChecks.HidingDelay, delay <= PromptTicks ? SelfTestVerdict.Good : SelfTestVerdict.Note,
-                $"A hidden object is gone from the picture after {delay} ticks.");
+                SelfTestChecks.HidingDelay,
+                delay <= PromptTicks ? SelfTestVerdict.Good : SelfTestVerdict.Note,
+                $"A hidden object is gone from the picture after {delay} ticks."
+            );
         }
 
         Context.AddUntested(Checks, "no object disappeared.");
@@ -115,14 +117,14 @@ internal sealed class HidingCheck(SelfTestContext context) : SelfCheck(context)
         CameraState state = scene.Camera;
         var camera = new Camera(
             state.Pose,
-            new CameraIntrinsics(
-                state.VerticalFovDegrees, Context.Options.Image, state.WindowAspect, state.NearClip, Context.Options.Lens));
+            new CameraIntrinsics(state.VerticalFovDegrees, Context.Options.Image, state.WindowAspect, state.NearClip, Context.Options.Lens)
+        );
         return from entity in scene.Entities
-               where entity.Handle != scene.Ego.Handle
-               orderby (entity.Pose.Position - state.Pose.Position).Length
-               let box = CuboidProjector.Project(camera, Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose)).Box
-               where box is { } shown && shown.Area >= MinBoxPixels && IsHit(camera, shown, entity.Handle, scene.Ego.Handle)
-               select (entity.Handle, box!.Value);
+            where entity.Handle != scene.Ego.Handle
+            orderby (entity.Pose.Position - state.Pose.Position).Length
+            let box = CuboidProjector.Project(camera, Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose)).Box
+            where box is { } shown && shown.Area >= MinBoxPixels && IsHit(camera, shown, entity.Handle, scene.Ego.Handle)
+            select (entity.Handle, box!.Value);
     }
 
     private bool IsHit(Camera camera, Box2D box, int entity, int ego)

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Capture.Harvesting;
 using Harvester.Sessions.Imaging;
 
@@ -40,14 +38,15 @@ internal sealed class HudCheck(SelfTestContext context) : SelfCheck(context)
         Context.Keep("hud-hidden", pictures[2]);
         if (DisplayPixels.Region(pictures[0], pictures[1], pictures[2]) is { } region)
         {
-            Context.Add(
-                SelfTestChecks.Hud, SelfTestVerdict.Good, $"The game's display is hidden while the world is frozen ({region}).");
+            Context.Add(SelfTestChecks.Hud, SelfTestVerdict.Good, $"The game's display is hidden while the world is frozen ({region}).");
         }
         else if (hud.IsWanted == true)
         {
             Context.Add(
-                SelfTestChecks.Hud, SelfTestVerdict.Problem,
-                $"The game's display stays in the picture while the world is frozen. Switch radar and HUD off in the game's settings.");
+                SelfTestChecks.Hud,
+                SelfTestVerdict.Problem,
+                $"The game's display stays in the picture while the world is frozen. Switch radar and HUD off in the game's settings."
+            );
         }
         else
         {

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Calibration;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
@@ -37,7 +34,9 @@ internal sealed class LensCheck(SelfTestContext context) : SelfCheck(context), I
 
         Game.Pause.Method = best.Method;
         _session = new CalibrationSession(
-            new CalibrationOptions { Image = Context.Options.Image, MaxPictureLagTicks = Context.PictureTicks }, Game);
+            new CalibrationOptions { Image = Context.Options.Image, MaxPictureLagTicks = Context.PictureTicks },
+            Game
+        );
         while (_session.Step() == CalibrationPhase.Settling)
         {
             yield return SelfTestPhase.Running;
@@ -52,8 +51,10 @@ internal sealed class LensCheck(SelfTestContext context) : SelfCheck(context), I
         bool isRight = error <= AllowedPixels;
         Context.MeasuredLens = isRight ? null : result.Lens;
         Context.Add(
-            SelfTestChecks.Lens, isRight ? SelfTestVerdict.Good : SelfTestVerdict.Note,
-            $"The lens in use is off by up to {error:0.00} px, the measured one by {result.Validation.RmsPixels:0.00} px.");
+            SelfTestChecks.Lens,
+            isRight ? SelfTestVerdict.Good : SelfTestVerdict.Note,
+            $"The lens in use is off by up to {error:0.00} px, the measured one by {result.Validation.RmsPixels:0.00} px."
+        );
     }
 
     /// <summary>
@@ -66,17 +67,20 @@ internal sealed class LensCheck(SelfTestContext context) : SelfCheck(context), I
         ImageSize image = Context.Options.Image;
         Camera fitted = CameraWith(state, measured);
         Camera used = CameraWith(state, Context.Options.Lens);
-        return Enumerable.Range(0, GridSize * GridSize).Max(number =>
-        {
-            var pixel = new Vector2D(
-                image.Width * ((number % GridSize) + 0.5) / GridSize, image.Height * ((number / GridSize) + 0.5) / GridSize);
-            return (used.Project(fitted.Unproject(pixel.X, pixel.Y, 1)).Pixel - pixel).Length;
-        });
+        return Enumerable
+            .Range(0, GridSize * GridSize)
+            .Max(number =>
+            {
+                var pixel = new Vector2D(
+                    image.Width * ((number % GridSize) + 0.5) / GridSize,
+                    image.Height * ((number / GridSize) + 0.5) / GridSize
+                );
+                return (used.Project(fitted.Unproject(pixel.X, pixel.Y, 1)).Pixel - pixel).Length;
+            });
     }
 
-    private Camera CameraWith(CameraState state, Lens lens) => new(
-        state.Pose,
-        new CameraIntrinsics(state.VerticalFovDegrees, Context.Options.Image, state.WindowAspect, state.NearClip, lens));
+    private Camera CameraWith(CameraState state, Lens lens) =>
+        new(state.Pose, new CameraIntrinsics(state.VerticalFovDegrees, Context.Options.Image, state.WindowAspect, state.NearClip, lens));
 
     public void Dispose() => Release();
 

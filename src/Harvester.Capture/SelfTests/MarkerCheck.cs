@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Calibration;
 using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;
@@ -47,13 +44,17 @@ internal sealed class MarkerCheck(SelfTestContext context) : SelfCheck(context)
         CameraState state = Game.World.ReadCamera();
         var camera = new Camera(
             state.Pose,
-            new CameraIntrinsics(
-                state.VerticalFovDegrees, Context.Options.Image, state.WindowAspect, state.NearClip, Context.Options.Lens));
+            new CameraIntrinsics(state.VerticalFovDegrees, Context.Options.Image, state.WindowAspect, state.NearClip, Context.Options.Lens)
+        );
         IReadOnlyList<PlannedMarker> all = MarkerPlan.Across(camera, Columns, Rows, Radius, Depths).Markers;
         PixelBuffer without = Context.Grab();
         var found = new List<int>();
         PlannedMarker[][] shown =
-            [[.. all.Where((_, number) => number % 2 == 0)], [.. all.Where((_, number) => number % 2 == 1)], [.. all]];
+        [
+            [.. all.Where((_, number) => number % 2 == 0)],
+            [.. all.Where((_, number) => number % 2 == 1)],
+            [.. all],
+        ];
         foreach (PlannedMarker[] part in shown)
         {
             markers.Show(part);
@@ -74,16 +75,20 @@ internal sealed class MarkerCheck(SelfTestContext context) : SelfCheck(context)
         if (apart < MinMarkers)
         {
             Context.Add(
-                SelfTestChecks.Markers, SelfTestVerdict.Problem,
+                SelfTestChecks.Markers,
+                SelfTestVerdict.Problem,
                 $"Only {apart} of {all.Count} markers are visible: ",
-                "something is right in front of the camera, or this game does not draw them.");
+                "something is right in front of the camera, or this game does not draw them."
+            );
         }
         else
         {
             bool areAll = found[2] >= MinFraction * apart;
             Context.Add(
-                SelfTestChecks.Markers, areAll ? SelfTestVerdict.Good : SelfTestVerdict.Problem,
-                $"Of {all.Count} markers drawn at once, {found[2]} are visible; drawn in two halves, {apart}.");
+                SelfTestChecks.Markers,
+                areAll ? SelfTestVerdict.Good : SelfTestVerdict.Problem,
+                $"Of {all.Count} markers drawn at once, {found[2]} are visible; drawn in two halves, {apart}."
+            );
         }
     }
 

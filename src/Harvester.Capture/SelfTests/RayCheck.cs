@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Scenes;
@@ -37,8 +34,8 @@ internal sealed class RayCheck(SelfTestContext context) : SelfCheck(context)
         CameraState state = scene.Camera;
         var camera = new Camera(
             state.Pose,
-            new CameraIntrinsics(
-                state.VerticalFovDegrees, Context.Options.Image, state.WindowAspect, state.NearClip, Context.Options.Lens));
+            new CameraIntrinsics(state.VerticalFovDegrees, Context.Options.Image, state.WindowAspect, state.NearClip, Context.Options.Lens)
+        );
         var hits = new List<RayHit>();
         double milliseconds = 0;
         for (int row = 0; row < Rows; row++)
@@ -59,9 +56,11 @@ internal sealed class RayCheck(SelfTestContext context) : SelfCheck(context)
         }
 
         Context.Add(
-            SelfTestChecks.Cost, SelfTestVerdict.Good,
+            SelfTestChecks.Cost,
+            SelfTestVerdict.Good,
             $"A reading of {scene.Entities.Count} entities takes {readNatives} natives and {readMilliseconds:0.0} ms; ",
-            FormattableString.Invariant($"a ray takes {milliseconds / (Columns * Rows):0.000} ms."));
+            FormattableString.Invariant($"a ray takes {milliseconds / (Columns * Rows):0.000} ms.")
+        );
         Judge(hits);
         Context.AddUntested(Checks, "too few rays hit anything.");
     }
@@ -73,8 +72,10 @@ internal sealed class RayCheck(SelfTestContext context) : SelfCheck(context)
             int known = hits.Count(hit => hit.Material != 0);
             int kinds = hits.Where(hit => hit.Material != 0).Select(hit => hit.Material).Distinct().Count();
             Context.Add(
-                SelfTestChecks.Materials, 2 * known >= hits.Count ? SelfTestVerdict.Good : SelfTestVerdict.Problem,
-                $"{known} of {hits.Count} rays report a material, of {kinds} kinds.");
+                SelfTestChecks.Materials,
+                2 * known >= hits.Count ? SelfTestVerdict.Good : SelfTestVerdict.Problem,
+                $"{known} of {hits.Count} rays report a material, of {kinds} kinds."
+            );
         }
     }
 }

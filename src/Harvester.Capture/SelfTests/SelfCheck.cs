@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Capture.Ports;
 
 namespace Harvester.Capture.SelfTests;
@@ -20,9 +19,7 @@ internal abstract class SelfCheck(SelfTestContext context)
     public abstract IEnumerable<SelfTestPhase> Run();
 
     /// <summary>Gives back what the check took of the game, whatever happened.</summary>
-    public virtual void Release()
-    {
-    }
+    public virtual void Release() { }
 
     protected static IEnumerable<SelfTestPhase> Wait(int ticks)
     {

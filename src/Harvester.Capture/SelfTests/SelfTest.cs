@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Threading;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
@@ -29,12 +25,22 @@ public sealed class SelfTest : IDisposable
     {
         _pauseTicks = pauseTicks;
         _context = new SelfTestContext(
-            options ?? throw new ArgumentNullException(nameof(options)), game ?? throw new ArgumentNullException(nameof(game)));
+            options ?? throw new ArgumentNullException(nameof(options)),
+            game ?? throw new ArgumentNullException(nameof(game))
+        );
         _checks =
         [
-            new ColourCheck(_context), new FreezeCheck(_context, FreezeMethod.Paused), new FreezeCheck(_context, FreezeMethod.TimeScale),
-            new CameraReportCheck(_context), new HudCheck(_context), new DisplayCheck(_context), new StillPictureCheck(_context),
-            new MarkerCheck(_context), new LensCheck(_context), new HidingCheck(_context), new ShapeCheck(_context),
+            new ColourCheck(_context),
+            new FreezeCheck(_context, FreezeMethod.Paused),
+            new FreezeCheck(_context, FreezeMethod.TimeScale),
+            new CameraReportCheck(_context),
+            new HudCheck(_context),
+            new DisplayCheck(_context),
+            new StillPictureCheck(_context),
+            new MarkerCheck(_context),
+            new LensCheck(_context),
+            new HidingCheck(_context),
+            new ShapeCheck(_context),
             new RayCheck(_context),
         ];
         _run = Run().GetEnumerator();
@@ -47,8 +53,11 @@ public sealed class SelfTest : IDisposable
     public bool IsPictureNear { get; private set; } = true;
 
     /// <summary>What it does now, for the screen.</summary>
-    public string Progress => FormattableString.Invariant(
-        $"Self-test {Math.Min(_current + 1, _checks.Length)} of {_checks.Length}: {_checks[Math.Min(_current, _checks.Length - 1)].Title}");
+    public string Progress =>
+        FormattableString.Invariant(
+            $"Self-test {Math.Min(_current + 1, _checks.Length)} of {_checks.Length}: "
+                + $"{_checks[Math.Min(_current, _checks.Length - 1)].Title}"
+        );
 
     /// <summary>The results, in the order of <see cref="SelfTestChecks.All"/>; complete at the end.</summary>
     public IReadOnlyList<SelfTestLine> Lines =>
@@ -89,8 +98,7 @@ public sealed class SelfTest : IDisposable
         }
     }
 
-    private static bool IsSound(FreezeFinding finding) =>
-        finding is { HoldsWorld: true, HoldsEnvironment: true, MovesCamera: not false };
+    private static bool IsSound(FreezeFinding finding) => finding is { HoldsWorld: true, HoldsEnvironment: true, MovesCamera: not false };
 
     private IEnumerable<SelfTestPhase> Run()
     {

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Capture.SelfTests;
 
 /// <summary>The names of the checks, as in selftest.json.</summary>
@@ -89,8 +87,32 @@ public static class SelfTestChecks
     /// <summary>All checks, in the order of the result.</summary>
     public static IReadOnlyList<string> All { get; } =
     [
-        Window, Scale, Exposure, Tones, FreezePaused, EntitiesPaused, SkyPaused, CameraPaused, FreezeTimeScale, EntitiesTimeScale,
-        SkyTimeScale, CameraTimeScale, Lag, CameraReport, Hud, Display, Noise, Textures, LevelOfDetail, Markers, Lens, Hiding, HidingDelay,
-        Rays, Dimensions, Materials, Cost,
+        Window,
+        Scale,
+        Exposure,
+        Tones,
+        FreezePaused,
+        EntitiesPaused,
+        SkyPaused,
+        CameraPaused,
+        FreezeTimeScale,
+        EntitiesTimeScale,
+        SkyTimeScale,
+        CameraTimeScale,
+        Lag,
+        CameraReport,
+        Hud,
+        Display,
+        Noise,
+        Textures,
+        LevelOfDetail,
+        Markers,
+        Lens,
+        Hiding,
+        HidingDelay,
+        Rays,
+        Dimensions,
+        Materials,
+        Cost,
     ];
 }

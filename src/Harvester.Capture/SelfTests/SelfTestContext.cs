@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
@@ -67,7 +65,8 @@ internal sealed class SelfTestContext(HarvestOptions options, GamePorts game)
     {
         var picture = new PixelBuffer(Options.Image);
         return Game.Screen.Grab(picture) is { Refusal: { } refusal }
-            ? throw new SelfTestException($"the picture of the game cannot be grabbed ({refusal}).") : picture;
+            ? throw new SelfTestException($"the picture of the game cannot be grabbed ({refusal}).")
+            : picture;
     }
 
     public void Keep(string name, PixelBuffer picture) => _pictures.Add(new SelfTestPicture(name, picture));

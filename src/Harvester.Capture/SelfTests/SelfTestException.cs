@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Capture.SelfTests;
 
 /// <summary>A check of the self-test cannot be made. The message completes the sentence "This was not tested: ".</summary>

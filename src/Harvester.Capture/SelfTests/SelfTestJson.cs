@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.SelfTests;
@@ -22,18 +20,27 @@ public static class SelfTestJson
     {
         var json = new JsonText(indented: true);
         json.BeginObject()
-            .Key("formatVersion").Integer(FormatVersion)
-            .Key("kind").String("selfTest")
-            .Key("tool").String(tool)
-            .Key("game").String(game)
-            .Key("isComplete").Boolean(test.Phase == SelfTestPhase.Done)
-            .Key("checks").BeginArray();
+            .Key("formatVersion")
+            .Integer(FormatVersion)
+            .Key("kind")
+            .String("selfTest")
+            .Key("tool")
+            .String(tool)
+            .Key("game")
+            .String(game)
+            .Key("isComplete")
+            .Boolean(test.Phase == SelfTestPhase.Done)
+            .Key("checks")
+            .BeginArray();
         foreach (SelfTestLine line in test.Lines)
         {
             json.BeginObject()
-                .Key("check").String(line.Check)
-                .Key("verdict").String(JsonName.Of(line.Verdict))
-                .Key("finding").String(line.Sentence)
+                .Key("check")
+                .String(line.Check)
+                .Key("verdict")
+                .String(JsonName.Of(line.Verdict))
+                .Key("finding")
+                .String(line.Sentence)
                 .EndObject();
         }
 

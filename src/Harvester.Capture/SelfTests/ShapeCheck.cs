@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
 
@@ -66,7 +63,8 @@ internal sealed class ShapeCheck(SelfTestContext context) : SelfCheck(context), 
                 Lens = Context.MeasuredLens ?? Context.Options.Lens,
             },
             Game,
-            _sink);
+            _sink
+        );
         while (!_session.Step().IsOver)
         {
             yield return SelfTestPhase.Running;
@@ -93,24 +91,34 @@ internal sealed class ShapeCheck(SelfTestContext context) : SelfCheck(context), 
             double mean = classes.Sum(each => each.MeanIou * each.Objects) / classes.Sum(each => each.Objects);
             string each = string.Join(", ", classes.Select(one => FormattableString.Invariant($"{one.Class} {one.MeanIou:0.00}")));
             Context.Add(
-                SelfTestChecks.Rays, mean >= MinIou ? SelfTestVerdict.Good : SelfTestVerdict.Note,
-                $"Masks from rays and from photographs agree by {mean:0.00} (IoU; {each}).");
+                SelfTestChecks.Rays,
+                mean >= MinIou ? SelfTestVerdict.Good : SelfTestVerdict.Note,
+                $"Masks from rays and from photographs agree by {mean:0.00} (IoU; {each})."
+            );
         }
     }
 
     private void JudgeExtents(IReadOnlyList<CapturedFrame> frames)
     {
-        double[] filled = [.. frames.SelectMany(frame => frame.Label.Objects)
-            .Where(item => item is { Parent: null, TruncatedFraction: 0, OccludedFraction: <= MaxHidden, Box2DVisible: not null }
-                && item.Box2DAmodal.Height >= MinHeightPixels)
-            .Select(item => item.Box2DVisible!.Value.Height / item.Box2DAmodal.Height)
-            .OrderBy(value => value)];
+        double[] filled =
+        [
+            .. frames
+                .SelectMany(frame => frame.Label.Objects)
+                .Where(item =>
+                    item is { Parent: null, TruncatedFraction: 0, OccludedFraction: <= MaxHidden, Box2DVisible: not null }
+                    && item.Box2DAmodal.Height >= MinHeightPixels
+                )
+                .Select(item => item.Box2DVisible!.Value.Height / item.Box2DAmodal.Height)
+                .OrderBy(value => value),
+        ];
         if (filled.Length > 0)
         {
             double median = filled[filled.Length / 2];
             Context.Add(
-                SelfTestChecks.Dimensions, median >= MinFilled ? SelfTestVerdict.Good : SelfTestVerdict.Problem,
-                $"The drawn shapes of {filled.Length} objects fill {100 * median:0} % of the height of their cuboids' boxes.");
+                SelfTestChecks.Dimensions,
+                median >= MinFilled ? SelfTestVerdict.Good : SelfTestVerdict.Problem,
+                $"The drawn shapes of {filled.Length} objects fill {100 * median:0} % of the height of their cuboids' boxes."
+            );
         }
     }
 
@@ -124,9 +132,7 @@ internal sealed class ShapeCheck(SelfTestContext context) : SelfCheck(context), 
 
         public int FirstObjectId => 1;
 
-        public void Open(SessionStart start)
-        {
-        }
+        public void Open(SessionStart start) { }
 
         public bool TryEnqueue(CapturedFrame frame)
         {
@@ -134,9 +140,7 @@ internal sealed class ShapeCheck(SelfTestContext context) : SelfCheck(context), 
             return true;
         }
 
-        public void Close(SessionEnd end)
-        {
-        }
+        public void Close(SessionEnd end) { }
 
         public void Dispose() => Frames.ForEach(frame => frame.Dispose());
     }

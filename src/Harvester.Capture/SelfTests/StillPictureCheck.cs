@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Sessions.Imaging;
 
@@ -66,19 +63,25 @@ internal sealed class StillPictureCheck(SelfTestContext context) : SelfCheck(con
     {
         double noise = differences.OrderBy(value => value).ElementAt(differences.Count / 2);
         Context.Add(
-            SelfTestChecks.Noise, noise > NoiseLevels ? SelfTestVerdict.Note : SelfTestVerdict.Good,
-            $"The quieter pixels of two equal photographs differ by {noise:0.0} of 255.");
+            SelfTestChecks.Noise,
+            noise > NoiseLevels ? SelfTestVerdict.Note : SelfTestVerdict.Good,
+            $"The quieter pixels of two equal photographs differ by {noise:0.0} of 255."
+        );
         List<int>[] clear = [.. changed.Where(pixels => pixels.Count >= MinPixels)];
         bool isLasting = 2 * clear.Length > changed.Count;
         Context.Add(
-            SelfTestChecks.Textures, isLasting ? SelfTestVerdict.Note : SelfTestVerdict.Good,
-            $"{(isLasting ? "Parts" : "No parts")} of the picture keep changing while the world is frozen.");
+            SelfTestChecks.Textures,
+            isLasting ? SelfTestVerdict.Note : SelfTestVerdict.Good,
+            $"{(isLasting ? "Parts" : "No parts")} of the picture keep changing while the world is frozen."
+        );
         bool isOnce = clear.Length > 0 && !isLasting;
         string where = isOnce ? $" ({PictureRegion.Of(clear[0], Context.Options.Image)})" : string.Empty;
         Context.Add(
-            SelfTestChecks.LevelOfDetail, isOnce ? SelfTestVerdict.Problem : SelfTestVerdict.Good,
+            SelfTestChecks.LevelOfDetail,
+            isOnce ? SelfTestVerdict.Problem : SelfTestVerdict.Good,
             $"{(isOnce ? "A part" : "No part")} of the picture changes once while the world is frozen, ",
-            $"as when the level of detail changes{where}.");
+            $"as when the level of detail changes{where}."
+        );
     }
 
     /// <summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Threading;
-using System.Threading.Tasks;
-
 namespace Harvester.Capture.Storage;
 
 /// <summary>
@@ -14,21 +10,23 @@ internal sealed class DiskQueue
 
     public bool IsBusy => !_last.IsCompleted;
 
-    public void Add(Action write) => _last = _last.ContinueWith(
-        _ =>
-        {
-            try
+    public void Add(Action write) =>
+        _last = _last.ContinueWith(
+            _ =>
             {
-                write();
-            }
+                try
+                {
+                    write();
+                }
 #pragma warning disable CA1031 // Any failure is reported on the game's thread.
-            catch (Exception exception)
+                catch (Exception exception)
 #pragma warning restore CA1031
-            {
-                Interlocked.CompareExchange(ref _failure, exception, null);
-            }
-        },
-        TaskScheduler.Default);
+                {
+                    Interlocked.CompareExchange(ref _failure, exception, null);
+                }
+            },
+            TaskScheduler.Default
+        );
 
     /// <summary>The first failure since the last call; null if there was none.</summary>
     public Exception? TakeFailure() => Interlocked.Exchange(ref _failure, null);

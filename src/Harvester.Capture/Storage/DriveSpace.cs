@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-
 namespace Harvester.Capture.Storage;
 
 /// <summary>Free space as the operating system reports it, quotas included. Network folders without a drive letter have none.</summary>

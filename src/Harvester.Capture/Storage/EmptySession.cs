@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Capture.Storage;
@@ -20,7 +16,8 @@ internal static class EmptySession
         try
         {
             var own = new HashSet<string>(
-                texts.Concat([SessionDirectory.Header, Manifest.FileName]).Select(name => Path.GetFullPath(Path.Combine(folder, name))));
+                texts.Concat([SessionDirectory.Header, Manifest.FileName]).Select(name => Path.GetFullPath(Path.Combine(folder, name)))
+            );
             var folders = new List<DirectoryInfo> { new(folder) };
             var files = new List<FileInfo>();
             for (int i = 0; i < folders.Count; i++)

@@ -1,8 +1,5 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
 using System.Text;
-using System.Threading;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
 using Harvester.Sessions.Files;
@@ -21,8 +18,7 @@ namespace Harvester.Capture.Storage;
 /// <param name="pictures">Encodes images.</param>
 /// <param name="keepsManifest">Whether the session has a manifest.</param>
 /// <param name="viewsPerMoment">Number of frames of a moment, whose lines are written together.</param>
-internal sealed class FrameStore(
-    ISessionFiles files, SyncMode mode, PictureEncoder pictures, bool keepsManifest, int viewsPerMoment)
+internal sealed class FrameStore(ISessionFiles files, SyncMode mode, PictureEncoder pictures, bool keepsManifest, int viewsPerMoment)
 {
     private readonly PngEncoder _png = new();
     private readonly List<string> _manifestLines = [];
@@ -38,8 +34,10 @@ internal sealed class FrameStore(
     public int LastCommitted { get; private set; } = -1;
 
     /// <summary>How long to wait for another frame before the lines held back are due; infinite when none are.</summary>
-    public TimeSpan Patience => _labelLines.Count < viewsPerMoment ? Timeout.InfiniteTimeSpan
-        : _age.Elapsed < SyncBatch.MaxAge ? SyncBatch.MaxAge - _age.Elapsed : TimeSpan.Zero;
+    public TimeSpan Patience =>
+        _labelLines.Count < viewsPerMoment ? Timeout.InfiniteTimeSpan
+        : _age.Elapsed < SyncBatch.MaxAge ? SyncBatch.MaxAge - _age.Elapsed
+        : TimeSpan.Zero;
 
     private bool IsDurable => mode != SyncMode.Never;
 

@@ -1,5 +1,3 @@
-using System.IO;
-
 namespace Harvester.Capture.Storage;
 
 /// <summary>Less space is free on a disk than is to stay free. What was written before is whole, and can be continued.</summary>
@@ -8,7 +6,5 @@ public sealed class LowSpaceException : IOException
     /// <summary>Creates the exception.</summary>
     /// <param name="message">How much is free, and where.</param>
     public LowSpaceException(string message)
-        : base(message)
-    {
-    }
+        : base(message) { }
 }

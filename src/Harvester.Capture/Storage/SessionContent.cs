@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-using System.Linq;
 using System.Text;
 using Harvester.Capture.Labelling;
 using Harvester.Sessions.Files;
@@ -49,7 +46,8 @@ internal sealed record SessionContent(string? Header, int Frames, int LastFrame,
             frames,
             lastFrame,
             maxId,
-            File.Exists(Path.Combine(directory, Manifest.FileName)));
+            File.Exists(Path.Combine(directory, Manifest.FileName))
+        );
     }
 
     /// <summary>Whether a session with this header can be resumed under another one: both are equal up to the start of a run.</summary>
@@ -79,10 +77,24 @@ internal sealed record SessionContent(string? Header, int Frames, int LastFrame,
                 }
                 else
                 {
-                    ReadIf(json, field == "objects", () => json.List(() => json.Object(name => ReadIf(
+                    ReadIf(
                         json,
-                        name == "id",
-                        () => maxId = Math.Max(maxId, WholeNumber(json, ObjectRegistry.MaxId, "an object number out of range"))))));
+                        field == "objects",
+                        () =>
+                            json.List(() =>
+                                json.Object(name =>
+                                    ReadIf(
+                                        json,
+                                        name == "id",
+                                        () =>
+                                            maxId = Math.Max(
+                                                maxId,
+                                                WholeNumber(json, ObjectRegistry.MaxId, "an object number out of range")
+                                            )
+                                    )
+                                )
+                            )
+                    );
                 }
             });
         }

@@ -1,6 +1,4 @@
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
 using Harvester.Sessions.Imaging;
@@ -24,11 +22,16 @@ internal static class SessionJson
     {
         HarvestOptions options = record.Start.Options;
         JsonText json = Begun(record.Origin, options);
-        json.Key("start").BeginObject()
-            .Key("gameFrame").Integer(record.Start.GameFrame)
-            .Key("timeSeconds").Number(record.Start.TimeSeconds, LabelDecimals.Seconds)
-            .Key("recordedUtc").String(record.Origin.RecordedUtc)
-            .Key("cameraErrorPixels").Number(record.Start.CameraErrorPixels, LabelDecimals.Pixels);
+        json.Key("start")
+            .BeginObject()
+            .Key("gameFrame")
+            .Integer(record.Start.GameFrame)
+            .Key("timeSeconds")
+            .Number(record.Start.TimeSeconds, LabelDecimals.Seconds)
+            .Key("recordedUtc")
+            .String(record.Origin.RecordedUtc)
+            .Key("cameraErrorPixels")
+            .Number(record.Start.CameraErrorPixels, LabelDecimals.Pixels);
         if (record.Start.Freezing is { } freezing)
         {
             Append(json.Key("freezing"), freezing);
@@ -36,18 +39,25 @@ internal static class SessionJson
 
         if (record.Start.Display is { } display)
         {
-            json.Key("display").BeginObject()
-                .Key("state").String(JsonName.Of(display.State))
-                .Key("region").String(display.Region)
+            json.Key("display")
+                .BeginObject()
+                .Key("state")
+                .String(JsonName.Of(display.State))
+                .Key("region")
+                .String(display.Region)
                 .EndObject();
         }
 
         if (record.Start.Colours is { } colours)
         {
-            json.Key("colours").BeginObject()
-                .Key("state").String(JsonName.Of(colours.State))
-                .Key("grey192").Number(colours.Light, 1)
-                .Key("grey128").Number(colours.Middle, 1)
+            json.Key("colours")
+                .BeginObject()
+                .Key("state")
+                .String(JsonName.Of(colours.State))
+                .Key("grey192")
+                .Number(colours.Light, 1)
+                .Key("grey128")
+                .Number(colours.Middle, 1)
                 .EndObject();
         }
 
@@ -64,23 +74,34 @@ internal static class SessionJson
     {
         var json = new JsonText(indented: true);
         json.BeginObject()
-            .Key("formatVersion").Integer(FormatVersion)
-            .Key("tool").String(origin.Tool)
-            .Key("captureVersion").String(typeof(SessionJson).Assembly.GetName().Version!.ToString(3))
-            .Key("game").String(origin.Game)
-            .Key("seed").Integer(origin.Seed)
-            .Key("settings").BeginObject();
+            .Key("formatVersion")
+            .Integer(FormatVersion)
+            .Key("tool")
+            .String(origin.Tool)
+            .Key("captureVersion")
+            .String(typeof(SessionJson).Assembly.GetName().Version!.ToString(3))
+            .Key("game")
+            .String(origin.Game)
+            .Key("seed")
+            .Integer(origin.Seed)
+            .Key("settings")
+            .BeginObject();
         foreach (KeyValuePair<string, string> setting in origin.Settings)
         {
             json.Key(setting.Key).String(setting.Value);
         }
 
         json.EndObject()
-            .Key("image").BeginObject()
-            .Key("width").Integer(options.Image.Width)
-            .Key("height").Integer(options.Image.Height)
-            .Key("format").String(JsonName.Of(options.Format))
-            .Key("quality").Integer(options.Format == ImageFormat.Jpeg ? options.JpegQuality : null)
+            .Key("image")
+            .BeginObject()
+            .Key("width")
+            .Integer(options.Image.Width)
+            .Key("height")
+            .Integer(options.Image.Height)
+            .Key("format")
+            .String(JsonName.Of(options.Format))
+            .Key("quality")
+            .Integer(options.Format == ImageFormat.Jpeg ? options.JpegQuality : null)
             .EndObject();
         if (options.Rig is { } rig)
         {
@@ -106,12 +127,18 @@ internal static class SessionJson
     private static void Append(JsonText json, HarvestOptions options)
     {
         json.BeginObject()
-            .Key("rateHz").Number(options.RateHz, LabelDecimals.Seconds)
-            .Key("rangeMetres").Number(options.RangeMetres, LabelDecimals.Metres)
-            .Key("ignoreRangeMetres").Number(options.IgnoreRangeMetres, LabelDecimals.Metres)
-            .Key("freeze").Boolean(options.Freeze)
-            .Key("freezeBy").String(options.FreezeBy is { } method ? JsonName.Of(method) : "auto")
-            .Key("masks").Boolean(options.Masks);
+            .Key("rateHz")
+            .Number(options.RateHz, LabelDecimals.Seconds)
+            .Key("rangeMetres")
+            .Number(options.RangeMetres, LabelDecimals.Metres)
+            .Key("ignoreRangeMetres")
+            .Number(options.IgnoreRangeMetres, LabelDecimals.Metres)
+            .Key("freeze")
+            .Boolean(options.Freeze)
+            .Key("freezeBy")
+            .String(options.FreezeBy is { } method ? JsonName.Of(method) : "auto")
+            .Key("masks")
+            .Boolean(options.Masks);
         if (options is { Masks: true, MaskMethod: not MaskMethod.Rays })
         {
             json.Key("maskMethod").String(JsonName.Of(options.MaskMethod));
@@ -127,17 +154,28 @@ internal static class SessionJson
             json.Key("motion").Boolean(true);
         }
 
-        json.Key("semantics").String(options.Semantics is { } semantics ? JsonName.Of(semantics) : null)
-            .Key("scenes").Boolean(options.Scenes)
-            .Key("rayBudget").Integer(options.RayBudget)
-            .Key("rayReachMetres").Number(options.RayReachMetres, LabelDecimals.Metres)
-            .Key("minBoxAreaPixels").Number(options.MinBoxAreaPixels, LabelDecimals.Pixels)
-            .Key("minBoxSidePixels").Number(options.MinBoxSidePixels, LabelDecimals.Pixels)
-            .Key("maxOccludedFraction").Number(options.MaxOccludedFraction, LabelDecimals.Fraction)
-            .Key("occlusionSamples").Integer(options.OcclusionSamples)
-            .Key("maxPictureLagTicks").Integer(options.MaxPictureLagTicks)
-            .Key("maxSettleTicks").Integer(options.MaxSettleTicks)
-            .Key("stillToleranceMetres").Number(options.StillToleranceMetres, LabelDecimals.Seconds);
+        json.Key("semantics")
+            .String(options.Semantics is { } semantics ? JsonName.Of(semantics) : null)
+            .Key("scenes")
+            .Boolean(options.Scenes)
+            .Key("rayBudget")
+            .Integer(options.RayBudget)
+            .Key("rayReachMetres")
+            .Number(options.RayReachMetres, LabelDecimals.Metres)
+            .Key("minBoxAreaPixels")
+            .Number(options.MinBoxAreaPixels, LabelDecimals.Pixels)
+            .Key("minBoxSidePixels")
+            .Number(options.MinBoxSidePixels, LabelDecimals.Pixels)
+            .Key("maxOccludedFraction")
+            .Number(options.MaxOccludedFraction, LabelDecimals.Fraction)
+            .Key("occlusionSamples")
+            .Integer(options.OcclusionSamples)
+            .Key("maxPictureLagTicks")
+            .Integer(options.MaxPictureLagTicks)
+            .Key("maxSettleTicks")
+            .Integer(options.MaxSettleTicks)
+            .Key("stillToleranceMetres")
+            .Number(options.StillToleranceMetres, LabelDecimals.Seconds);
         if (options.Pairs.IsAny)
         {
             Append(json.Key("pairs"), options.Pairs);
@@ -191,12 +229,18 @@ internal static class SessionJson
         foreach (FreezeFinding finding in freezing.Findings)
         {
             json.BeginObject()
-                .Key("method").String(JsonName.Of(finding.Method))
-                .Key("sawMovement").Boolean(finding.SawMovement)
-                .Key("settleTicks").Integer(finding.SettleTicks)
-                .Key("holdsEnvironment").Boolean(finding.HoldsEnvironment)
-                .Key("movesCamera").Boolean(finding.MovesCamera)
-                .Key("pictureChange").Number(finding.PictureChange, LabelDecimals.Fraction)
+                .Key("method")
+                .String(JsonName.Of(finding.Method))
+                .Key("sawMovement")
+                .Boolean(finding.SawMovement)
+                .Key("settleTicks")
+                .Integer(finding.SettleTicks)
+                .Key("holdsEnvironment")
+                .Boolean(finding.HoldsEnvironment)
+                .Key("movesCamera")
+                .Boolean(finding.MovesCamera)
+                .Key("pictureChange")
+                .Number(finding.PictureChange, LabelDecimals.Fraction)
                 .EndObject();
         }
 
@@ -206,9 +250,12 @@ internal static class SessionJson
     /// <summary>The field of an object that holds each box, by the names of harvester export --boxes.</summary>
     private static void AppendBoxes(JsonText json) =>
         json.BeginObject()
-            .Key("visible").String("box2dVisible")
-            .Key("amodal").String("box2dAmodal")
-            .Key("cuboid").String("box2d")
+            .Key("visible")
+            .String("box2dVisible")
+            .Key("amodal")
+            .String("box2dAmodal")
+            .Key("cuboid")
+            .String("box2d")
             .EndObject();
 
     private static void AppendEnd(JsonText json, SessionRecord record)
@@ -219,21 +266,27 @@ internal static class SessionJson
             return;
         }
 
-        json.Key("state").String(end.Fault is null ? "complete" : "faulted")
-            .Key("fault").String(PathlessText.Of(end.Fault));
+        json.Key("state").String(end.Fault is null ? "complete" : "faulted").Key("fault").String(PathlessText.Of(end.Fault));
         if (record.HasManifest)
         {
             json.Key("manifest").Boolean(true);
         }
 
-        json.Key("end").BeginObject()
-            .Key("gameFrame").Integer(end.GameFrame)
-            .Key("timeSeconds").Number(end.TimeSeconds, LabelDecimals.Seconds)
+        json.Key("end")
+            .BeginObject()
+            .Key("gameFrame")
+            .Integer(end.GameFrame)
+            .Key("timeSeconds")
+            .Number(end.TimeSeconds, LabelDecimals.Seconds)
             .EndObject()
-            .Key("counters").BeginObject()
-            .Key("captured").Integer(record.FramesWritten)
-            .Key("discarded").Integer(end.Discards.Sum(static discard => discard.Value))
-            .Key("discards").BeginObject();
+            .Key("counters")
+            .BeginObject()
+            .Key("captured")
+            .Integer(record.FramesWritten)
+            .Key("discarded")
+            .Integer(end.Discards.Sum(static discard => discard.Value))
+            .Key("discards")
+            .BeginObject();
         foreach (KeyValuePair<string, int> discard in end.Discards)
         {
             json.Key(discard.Key).Integer(discard.Value);
@@ -248,9 +301,12 @@ internal static class SessionJson
         json.EndObject().EndObject();
         if (end.Lag is { } lag)
         {
-            json.Key("pictureLag").BeginObject()
-                .Key("cameraTicks").Integer(lag.CameraTicks)
-                .Key("entityTicks").Integer(lag.EntityTicks)
+            json.Key("pictureLag")
+                .BeginObject()
+                .Key("cameraTicks")
+                .Integer(lag.CameraTicks)
+                .Key("entityTicks")
+                .Integer(lag.EntityTicks)
                 .EndObject();
         }
 
@@ -266,11 +322,16 @@ internal static class SessionJson
 
         if (end.Reading is { } reading)
         {
-            json.Key("reading").BeginObject()
-                .Key("vehicles").String(JsonName.Of(reading.Vehicles))
-                .Key("peds").String(JsonName.Of(reading.Peds))
-                .Key("props").String(JsonName.Of(reading.Props))
-                .Key("distortedEntities").Integer(reading.DistortedEntities)
+            json.Key("reading")
+                .BeginObject()
+                .Key("vehicles")
+                .String(JsonName.Of(reading.Vehicles))
+                .Key("peds")
+                .String(JsonName.Of(reading.Peds))
+                .Key("props")
+                .String(JsonName.Of(reading.Props))
+                .Key("distortedEntities")
+                .Integer(reading.DistortedEntities)
                 .EndObject();
         }
     }
@@ -280,15 +341,21 @@ internal static class SessionJson
         json.BeginObject().Key("warning").String(end.MaskWarning);
         if (end.MaskComparison is { } comparison)
         {
-            json.Key("objectPixels").Integer(comparison.ObjectPixels)
-                .Key("differentPixels").Integer(comparison.DifferentPixels)
-                .Key("agreement").BeginArray();
+            json.Key("objectPixels")
+                .Integer(comparison.ObjectPixels)
+                .Key("differentPixels")
+                .Integer(comparison.DifferentPixels)
+                .Key("agreement")
+                .BeginArray();
             foreach (MaskAgreement each in comparison.Classes)
             {
                 json.BeginObject()
-                    .Key("class").String(JsonName.Of(each.Class))
-                    .Key("objects").Integer(each.Objects)
-                    .Key("meanIou").Number(each.MeanIou, LabelDecimals.Fraction)
+                    .Key("class")
+                    .String(JsonName.Of(each.Class))
+                    .Key("objects")
+                    .Integer(each.Objects)
+                    .Key("meanIou")
+                    .Number(each.MeanIou, LabelDecimals.Fraction)
                     .EndObject();
             }
 

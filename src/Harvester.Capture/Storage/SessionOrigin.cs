@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Capture.Storage;
 
 /// <summary>Where a session comes from. The same origin and the same game give the same session, byte for byte.</summary>

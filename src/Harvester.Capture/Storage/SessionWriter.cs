@@ -1,9 +1,4 @@
-using System;
 using System.Collections.Concurrent;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Faces;
@@ -47,12 +42,16 @@ public sealed class SessionWriter : IFrameSink
     /// </exception>
     /// <exception cref="UnauthorizedAccessException">The directory is not writable.</exception>
     public SessionWriter(string directory, SessionOrigin origin, bool resume = false, int viewsPerMoment = 1)
-        : this(directory, origin, resume, new SessionDirectory(directory), viewsPerMoment)
-    {
-    }
+        : this(directory, origin, resume, new SessionDirectory(directory), viewsPerMoment) { }
 
     internal SessionWriter(
-        string directory, SessionOrigin origin, bool resume, ISessionFiles files, int viewsPerMoment = 1, IFreeSpace? disk = null)
+        string directory,
+        SessionOrigin origin,
+        bool resume,
+        ISessionFiles files,
+        int viewsPerMoment = 1,
+        IFreeSpace? disk = null
+    )
     {
         _disk = disk;
         Folder = directory;
@@ -126,8 +125,9 @@ public sealed class SessionWriter : IFrameSink
     /// <param name="origin">The origin.</param>
     /// <param name="options">The options.</param>
     public static bool IsOf(string text, SessionOrigin origin, HarvestOptions options) =>
-        text is null ? throw new ArgumentNullException(nameof(text))
-        : text.StartsWith(SessionJson.Settings(origin, options) + SessionJson.RunsBegin, StringComparison.Ordinal);
+        text is null
+            ? throw new ArgumentNullException(nameof(text))
+            : text.StartsWith(SessionJson.Settings(origin, options) + SessionJson.RunsBegin, StringComparison.Ordinal);
 
     /// <summary>Has a text written beside the scenes when the session is opened.</summary>
     /// <param name="name">Its path within the session, with forward slashes.</param>
@@ -143,7 +143,8 @@ public sealed class SessionWriter : IFrameSink
             start.Options.Sync,
             new PictureEncoder(start.Options.Format, start.Options.JpegQuality),
             KeepsManifest,
-            start.Options.ViewsPerMoment);
+            start.Options.ViewsPerMoment
+        );
         _space = new SpaceWatch(Folder, start.Options.MinFreeBytes, _disk);
         // The pictures of one moment may take more memory than all other frames in the queue.
         _queue = new BlockingCollection<CapturedFrame>(start.Options.Pairs.IsAny ? 1 : start.Options.QueueCapacity);
@@ -316,10 +317,12 @@ public sealed class SessionWriter : IFrameSink
             // The frames before the one that failed may still find room.
             _ = FailureOf(_store!.Commit);
             _isSpaceLow |= failure is LowSpaceException;
-            _fault ??= failure is LowSpaceException
-                ? $"{failure.Message} The session so far is valid, with {Counted.Of(FramesWritten, "frame")}. Free some space and continue."
-                : $"The session in '{Folder}' cannot be written: {failure.Message.TrimEnd('.')}. "
-                    + $"The session so far is valid, with {Counted.Of(FramesWritten, "frame")}. Check the disk and harvest again.";
+            _fault ??=
+                failure is LowSpaceException
+                    ? $"{failure.Message} The session so far is valid, with {Counted.Of(FramesWritten, "frame")}. Free some "
+                        + $"space and continue."
+                    : $"The session in '{Folder}' cannot be written: {failure.Message.TrimEnd('.')}. "
+                        + $"The session so far is valid, with {Counted.Of(FramesWritten, "frame")}. Check the disk and harvest again.";
         }
     }
 

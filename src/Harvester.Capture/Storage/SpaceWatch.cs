@@ -1,4 +1,3 @@
-using System;
 using System.Diagnostics;
 
 namespace Harvester.Capture.Storage;
@@ -27,8 +26,11 @@ public sealed class SpaceWatch(string folder, long minFreeBytes, IFreeSpace? dis
         _age.Restart();
         if (_disk.BytesFor(folder) is { } free && free < minFreeBytes)
         {
-            throw new LowSpaceException(FormattableString.Invariant(
-                $"The disk of '{folder}' has {free / 1e9:0.###} GB free; {minFreeBytes / 1e9:0.###} GB must stay free."));
+            throw new LowSpaceException(
+                FormattableString.Invariant(
+                    $"The disk of '{folder}' has {free / 1e9:0.###} GB free; {minFreeBytes / 1e9:0.###} GB must stay free."
+                )
+            );
         }
     }
 }

@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.IO;
 using System.Net;
 using Harvester.Cli.Driving;
 using Harvester.Cli.Terminals;
@@ -11,8 +10,11 @@ namespace Harvester.Cli.Arguments;
 /// <summary>The options of the bridge that serve opens: a folder, or the address of a socket.</summary>
 internal sealed class BridgeOptions
 {
-    private readonly Option<string?> _folder =
-        new("--folder") { Description = "Exchange files in this folder instead of listening on a socket", HelpName = "DIR" };
+    private readonly Option<string?> _folder = new("--folder")
+    {
+        Description = "Exchange files in this folder instead of listening on a socket",
+        HelpName = "DIR",
+    };
     private readonly Option<string> _address = new("--address")
     {
         Description = "IP address to listen on; any but a loopback address requires --token",
@@ -20,8 +22,13 @@ internal sealed class BridgeOptions
         DefaultValueFactory = _ => IPAddress.Loopback.ToString(),
     };
 
-    private readonly Option<int> _port =
-        ValueParsers.Integer("--port", "N", "Port to listen on; 0 for any free port", 0, IPEndPoint.MaxPort);
+    private readonly Option<int> _port = ValueParsers.Integer(
+        "--port",
+        "N",
+        "Port to listen on; 0 for any free port",
+        0,
+        IPEndPoint.MaxPort
+    );
     private readonly Option<string?> _token = new("--token") { Description = "Secret that a client must send", HelpName = "WORD" };
 
     public BridgeOptions()
@@ -67,7 +74,8 @@ internal sealed class BridgeOptions
             new IPEndPoint(parsedAddress, parsed.GetValue(_port)),
             parsed.GetValue(_token),
             driving.Picture,
-            canRestart: driving.IsLockStep);
+            canRestart: driving.IsLockStep
+        );
         place = bridge.EndPoint.ToString();
         return bridge;
     }

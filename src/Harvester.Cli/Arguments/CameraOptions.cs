@@ -7,12 +7,18 @@ namespace Harvester.Cli.Arguments;
 internal static class CameraOptions
 {
     /// <summary>Vertical field of view.</summary>
-    public static Option<double> Fov() => ValueParsers.Number(
-        "--fov", "F", "Vertical field of view, degrees", value => value is > 0 and < 180, "degrees greater than 0 and less than 180");
+    public static Option<double> Fov() =>
+        ValueParsers.Number(
+            "--fov",
+            "F",
+            "Vertical field of view, degrees",
+            value => value is > 0 and < 180,
+            "degrees greater than 0 and less than 180"
+        );
 
     /// <summary>Vertical field of view of a simulated game's images.</summary>
-    public static Option<double> FovOfHarvest() => ValueParsers.Number(
-        "--fov", "F", "Vertical field of view, degrees", value => value is >= 1 and <= 170, "degrees from 1 to 170");
+    public static Option<double> FovOfHarvest() =>
+        ValueParsers.Number("--fov", "F", "Vertical field of view, degrees", value => value is >= 1 and <= 170, "degrees from 1 to 170");
 
     /// <summary>Size of the image.</summary>
     public static Option<ImageSize> Size() =>

@@ -1,6 +1,4 @@
-using System.Collections.Generic;
 using System.CommandLine;
-using System.Linq;
 using Harvester.Capture.Labelling;
 using Harvester.Sessions.Labels;
 
@@ -10,7 +8,9 @@ namespace Harvester.Cli.Arguments;
 internal sealed class ChannelOptions
 {
     private readonly List<(string Key, Option<bool> Option)> _options =
-        [.. Switched.Select(channel => (channel.Key, OptionOf(channel.Switch!)))];
+    [
+        .. Switched.Select(channel => (channel.Key, OptionOf(channel.Switch!))),
+    ];
 
     private static IEnumerable<FrameChannel> Switched => FrameChannels.All.Where(channel => channel.Switch is not null);
 
@@ -20,6 +20,5 @@ internal sealed class ChannelOptions
     public void AddTo(Command command) => _options.ForEach(each => command.Options.Add(each.Option));
 
     /// <summary>The keys of the channels that are on.</summary>
-    public ChannelKeys Keys(ParseResult parsed) =>
-        new(_options.Where(each => parsed.GetValue(each.Option)).Select(each => each.Key));
+    public ChannelKeys Keys(ParseResult parsed) => new(_options.Where(each => parsed.GetValue(each.Option)).Select(each => each.Key));
 }

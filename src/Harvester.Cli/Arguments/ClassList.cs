@@ -1,6 +1,4 @@
-using System.Collections.Generic;
 using System.CommandLine;
-using System.Linq;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Json;
 using Harvester.Sessions.Scenes;
@@ -14,11 +12,8 @@ internal static class ClassList
 
     /// <summary>Creates the option.</summary>
     /// <param name="purpose">The verb of the description, such as "Label".</param>
-    public static Option<string?> Option(string purpose) => new("--classes")
-    {
-        Description = $"{purpose} only these classes, separated by commas: {Names}",
-        HelpName = "A,B",
-    };
+    public static Option<string?> Option(string purpose) =>
+        new("--classes") { Description = $"{purpose} only these classes, separated by commas: {Names}", HelpName = "A,B" };
 
     /// <summary>Parses a list; null if the option is not given.</summary>
     /// <exception cref="UsageException">A name is not that of a class.</exception>
@@ -27,5 +22,5 @@ internal static class ClassList
 
     private static ObjectClass ParseOne(string name) =>
         ValueParsers.ParseChoice<ObjectClass>(name)
-            ?? throw new UsageException($"--classes takes a comma-separated list of {Names}, not '{name}'.");
+        ?? throw new UsageException($"--classes takes a comma-separated list of {Names}, not '{name}'.");
 }

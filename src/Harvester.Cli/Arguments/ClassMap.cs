@@ -1,6 +1,4 @@
-using System.Collections.Generic;
 using System.CommandLine;
-using System.Linq;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Json;
@@ -12,11 +10,12 @@ namespace Harvester.Cli.Arguments;
 internal static class ClassMap
 {
     /// <summary>Creates the option.</summary>
-    public static Option<string?> Option() => new("--map")
-    {
-        Description = "Names of classes in the dataset, e.g. bus=Car,truck=Car; classes with the same name are merged",
-        HelpName = "CLASS=NAME,...",
-    };
+    public static Option<string?> Option() =>
+        new("--map")
+        {
+            Description = "Names of classes in the dataset, e.g. bus=Car,truck=Car; classes with the same name are merged",
+            HelpName = "CLASS=NAME,...",
+        };
 
     /// <summary>Parses the option; empty if it is not given.</summary>
     /// <exception cref="UsageException">The text is not such a list, or the format does not allow a name.</exception>
@@ -29,8 +28,10 @@ internal static class ClassMap
             if (words.Length != 2 || ValueParsers.ParseChoice<ObjectClass>(words[0]) is not { } kind || !IsName(words[1]))
             {
                 string classes = string.Join(", ", JsonNames.All<ObjectClass>());
-                throw new UsageException($"--map takes classes with names, e.g. bus=Car,truck=Car, not '{entry}'. "
-                    + $"The classes are {classes}. Names consist of letters, digits, spaces, - and _.");
+                throw new UsageException(
+                    $"--map takes classes with names, e.g. bus=Car,truck=Car, not '{entry}'. "
+                        + $"The classes are {classes}. Names consist of letters, digits, spaces, - and _."
+                );
             }
 
             if (format.Names is { } known && !known.Contains(words[1]))

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using System.CommandLine;
 using Harvester.Cli.Terminals;
 using Harvester.Driving.Controllers;
@@ -31,14 +30,15 @@ internal sealed class ControllerOptions
 
     /// <summary>The plan that the options describe.</summary>
     /// <exception cref="UsageException">There is no controller of that name.</exception>
-    public ControllerPlan Parse(ParseResult parsed) => new()
-    {
-        Kind = parsed.GetRequiredValue(_controller) switch
+    public ControllerPlan Parse(ParseResult parsed) =>
+        new()
         {
-            "stanley" => ControllerKind.Stanley,
-            "deepdriving" => ControllerKind.DeepDriving,
-            string other => throw new UsageException($"--controller takes stanley or deepdriving, not '{other}'."),
-        },
-        BrakesInEmergency = parsed.GetValue(_emergencyBrake),
-    };
+            Kind = parsed.GetRequiredValue(_controller) switch
+            {
+                "stanley" => ControllerKind.Stanley,
+                "deepdriving" => ControllerKind.DeepDriving,
+                string other => throw new UsageException($"--controller takes stanley or deepdriving, not '{other}'."),
+            },
+            BrakesInEmergency = parsed.GetValue(_emergencyBrake),
+        };
 }

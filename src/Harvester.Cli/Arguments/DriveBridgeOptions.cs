@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.CommandLine;
-using System.IO;
-using System.Linq;
 using System.Net;
 using Harvester.Cli.Driving;
 using Harvester.Cli.Terminals;
@@ -14,15 +10,15 @@ internal sealed class DriveBridgeOptions
 {
     private Option<string> Bridge { get; } =
         Word("--bridge", "B", "Connection between game and controller: direct, folder or socket", "direct");
-    private Option<string> Role { get; } =
-        Word("--role", "R", "Side of the bridge that this process runs: game, client or both", "both");
+    private Option<string> Role { get; } = Word("--role", "R", "Side of the bridge that this process runs: game, client or both", "both");
     private Option<DirectoryInfo?> Folder { get; } =
         new("--folder") { Description = "Shared folder of a folder bridge [default: bridge in the folder of --out]", HelpName = "DIR" };
-    private Option<string?> At { get; } = new("--at")
-    {
-        Description = "Address of a socket bridge: the game listens there, the client connects to it [default: 127.0.0.1:4567]",
-        HelpName = "ADDRESS:PORT",
-    };
+    private Option<string?> At { get; } =
+        new("--at")
+        {
+            Description = "Address of a socket bridge: the game listens there, the client connects to it [default: 127.0.0.1:4567]",
+            HelpName = "ADDRESS:PORT",
+        };
 
     private Option<string?> Token { get; } =
         new("--token") { Description = "Secret that a client on another machine must send", HelpName = "WORD" };
@@ -61,8 +57,8 @@ internal sealed class DriveBridgeOptions
             throw new UsageException($"{stray.Name} needs --bridge folder or --bridge socket.");
         }
 
-        string? folder = parsed.GetValue(Folder)?.FullName
-            ?? (outFolder is null ? null : Path.Combine(outFolder, BridgeFolder.DefaultName));
+        string? folder =
+            parsed.GetValue(Folder)?.FullName ?? (outFolder is null ? null : Path.Combine(outFolder, BridgeFolder.DefaultName));
         if (kind == BridgeName.Folder && folder is null)
         {
             throw new UsageException("--bridge folder needs --folder.");
@@ -74,23 +70,38 @@ internal sealed class DriveBridgeOptions
         }
 
         return new BridgePlan(
-            kind, role, folder ?? "", parsed.GetValue(At) is { } at ? ParsePlace(at)
-                : null, parsed.GetValue(Token), TimeSpan.FromSeconds(parsed.GetValue(Patience)));
+            kind,
+            role,
+            folder ?? "",
+            parsed.GetValue(At) is { } at ? ParsePlace(at) : null,
+            parsed.GetValue(Token),
+            TimeSpan.FromSeconds(parsed.GetValue(Patience))
+        );
     }
 
-    private static IPEndPoint ParsePlace(string text) => IPEndPoint.TryParse(text, out IPEndPoint? place) && place.Port > 0
-        ? place
-        : throw new UsageException($"--at takes an IP address with a port, e.g. 127.0.0.1:4567, not '{text}'.");
+    private static IPEndPoint ParsePlace(string text) =>
+        IPEndPoint.TryParse(text, out IPEndPoint? place) && place.Port > 0
+            ? place
+            : throw new UsageException($"--at takes an IP address with a port, e.g. 127.0.0.1:4567, not '{text}'.");
 
     private static Option<double> Patient()
     {
         Option<double> patience = ValueParsers.Number(
-            "--patience", "S", "Time to wait for the other side, seconds of real time", value =>
-                value is > 0 and <= 86_400, "a number greater than 0 and at most 86400");
+            "--patience",
+            "S",
+            "Time to wait for the other side, seconds of real time",
+            value => value is > 0 and <= 86_400,
+            "a number greater than 0 and at most 86400"
+        );
         patience.DefaultValueFactory = _ => 60;
         return patience;
     }
 
     private static Option<string> Word(string name, string form, string description, string value) =>
-        new(name) { Description = description, HelpName = form, DefaultValueFactory = _ => value };
+        new(name)
+        {
+            Description = description,
+            HelpName = form,
+            DefaultValueFactory = _ => value,
+        };
 }

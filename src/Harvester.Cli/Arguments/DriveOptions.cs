@@ -1,9 +1,5 @@
-using System;
-using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using Harvester.Cli.Driving;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Roads;
@@ -19,72 +15,96 @@ internal sealed class DriveOptions
 {
     private ControllerOptions Controller { get; } = new("Controller that drives", "stanley");
 
-    private Option<int> Seed { get; } = WithDefault(
-        ValueParsers.Integer("--seed", "N", "Random seed", 0, int.MaxValue), 1);
+    private Option<int> Seed { get; } = WithDefault(ValueParsers.Integer("--seed", "N", "Random seed", 0, int.MaxValue), 1);
 
-    private Option<SeedRange?> Seeds { get; } = ValueParsers.Optional<SeedRange>(
-        "--seeds",
-        "A-B",
-        "Drive with each of these seeds instead of one, from each start: a town and traffic for each",
-        SeedRange.Parse,
-        "two seeds, the smaller one first, at most 1000 in all, e.g. 701-720");
+    private Option<SeedRange?> Seeds { get; } =
+        ValueParsers.Optional<SeedRange>(
+            "--seeds",
+            "A-B",
+            "Drive with each of these seeds instead of one, from each start: a town and traffic for each",
+            SeedRange.Parse,
+            "two seeds, the smaller one first, at most 1000 in all, e.g. 701-720"
+        );
 
-    private Option<FileInfo?> Roads { get; } = new("--roads")
-    {
-        Description = "Road network to drive on, a file or folder [default: a town generated from the seed]",
-        HelpName = "FILE",
-    };
+    private Option<FileInfo?> Roads { get; } =
+        new("--roads")
+        {
+            Description = "Road network to drive on, a file or folder [default: a town generated from the seed]",
+            HelpName = "FILE",
+        };
 
-    private Option<string[]> Near { get; } = new("--near")
-    {
-        Description = "Start position, metres; repeatable, for several drives in a row [default: the middle of the road network]",
-        HelpName = "X,Y",
-        DefaultValueFactory = _ => [],
-    };
+    private Option<string[]> Near { get; } =
+        new("--near")
+        {
+            Description = "Start position, metres; repeatable, for several drives in a row [default: the middle of the road network]",
+            HelpName = "X,Y",
+            DefaultValueFactory = _ => [],
+        };
 
-    private Option<int?> Places { get; } = ValueParsers.Optional<int>(
-        "--places",
-        "N",
-        "Start at N places drawn from the seed, uniformly along the roads of --roads, instead of --near",
-        text => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int n) && n is > 0 and <= 1000 ? n : null,
-        "a whole number from 1 to 1000");
+    private Option<int?> Places { get; } =
+        ValueParsers.Optional<int>(
+            "--places",
+            "N",
+            "Start at N places drawn from the seed, uniformly along the roads of --roads, instead of --near",
+            text => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int n) && n is > 0 and <= 1000 ? n : null,
+            "a whole number from 1 to 1000"
+        );
 
-    private Option<int> Jobs { get; } = WithDefault(
-        ValueParsers.Integer("--jobs", "N", "Number of drives at the same time; changes nothing in the result", 1, 256), 1);
+    private Option<int> Jobs { get; } =
+        WithDefault(ValueParsers.Integer("--jobs", "N", "Number of drives at the same time; changes nothing in the result", 1, 256), 1);
 
-    private Option<double> Distance { get; } = WithDefault(
-        Positive("--distance", "M", "Distance to drive from each start, metres"), 1000);
-    private Option<double> Duration { get; } = WithDefault(
-        Positive("--duration", "S", "Time limit for each start, seconds of game time"), 3600);
+    private Option<double> Distance { get; } = WithDefault(Positive("--distance", "M", "Distance to drive from each start, metres"), 1000);
+    private Option<double> Duration { get; } =
+        WithDefault(Positive("--duration", "S", "Time limit for each start, seconds of game time"), 3600);
 
-    private Option<double> Traffic { get; } = WithDefault(
-        ValueParsers.Number("--traffic", "F", "Factor on the number of vehicles", value => value is >= 0 and <= 4, "a number from 0 to 4"),
-            1);
+    private Option<double> Traffic { get; } =
+        WithDefault(
+            ValueParsers.Number(
+                "--traffic",
+                "F",
+                "Factor on the number of vehicles",
+                value => value is >= 0 and <= 4,
+                "a number from 0 to 4"
+            ),
+            1
+        );
 
-    private Option<double?> Speed { get; } = ValueParsers.Optional<double>(
-        "--speed",
-        "M/S",
-        "Speed on a free straight road, metres per second [default: stanley 14, deepdriving 20]",
-        text => ValueParsers.Number(text) is { } value && value is > 0 and <= 40 ? value : null,
-        "a number greater than 0 and at most 40");
+    private Option<double?> Speed { get; } =
+        ValueParsers.Optional<double>(
+            "--speed",
+            "M/S",
+            "Speed on a free straight road, metres per second [default: stanley 14, deepdriving 20]",
+            text => ValueParsers.Number(text) is { } value && value is > 0 and <= 40 ? value : null,
+            "a number greater than 0 and at most 40"
+        );
 
-    private Option<bool> Noise { get; } = new("--noise")
-    {
-        Description = "Add noise to the indicators: the errors published for DeepDriving's network (0.03 rad, 0.2 m, and 3 m on distances "
-            + "to vehicles)",
-    };
+    private Option<bool> Noise { get; } =
+        new("--noise")
+        {
+            Description =
+                "Add noise to the indicators: the errors published for DeepDriving's network (0.03 rad, 0.2 m, and 3 m on distances "
+                + "to vehicles)",
+        };
 
-    private Option<double> LookAhead { get; } = WithDefault(
-        ValueParsers.Number("--look-ahead", "M", "Look-ahead distance for the angle, metres", value =>
-            value is > 0 and <= 40, "a number greater than 0 and at most 40"),
-        new ControllerPlan { Kind = ControllerKind.Stanley }.LookAheadMetres);
+    private Option<double> LookAhead { get; } =
+        WithDefault(
+            ValueParsers.Number(
+                "--look-ahead",
+                "M",
+                "Look-ahead distance for the angle, metres",
+                value => value is > 0 and <= 40,
+                "a number greater than 0 and at most 40"
+            ),
+            new ControllerPlan { Kind = ControllerKind.Stanley }.LookAheadMetres
+        );
 
     private MomentOptions Moment { get; } = new();
 
-    private Option<bool> Perturb { get; } = new("--perturb")
-    {
-        Description = "Push the steering aside now and then, seeded; recorded is what the controller answers, without the push",
-    };
+    private Option<bool> Perturb { get; } =
+        new("--perturb")
+        {
+            Description = "Push the steering aside now and then, seeded; recorded is what the controller answers, without the push",
+        };
 
     /// <summary>Adds the options to a command.</summary>
     public void AddTo(Command command)
@@ -189,9 +209,10 @@ internal sealed class DriveOptions
         bool IsGiven(Option option) => parsed.GetResult(option) is { Implicit: false };
     }
 
-    private static Vector2D ParsePlace(string text) => ValueParsers.Numbers(text, 2) is { } n
-        ? new Vector2D(n[0], n[1])
-        : throw new UsageException($"--near takes two numbers, e.g. 0,-1000, not '{text}'.");
+    private static Vector2D ParsePlace(string text) =>
+        ValueParsers.Numbers(text, 2) is { } n
+            ? new Vector2D(n[0], n[1])
+            : throw new UsageException($"--near takes two numbers, e.g. 0,-1000, not '{text}'.");
 
     private static Option<double> Positive(string name, string form, string description) =>
         ValueParsers.Number(name, form, description, value => value is > 0 and <= 1_000_000, "a number greater than 0 and at most 1000000");

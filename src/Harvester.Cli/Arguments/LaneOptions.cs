@@ -24,8 +24,10 @@ internal static class LaneOptions
 
     /// <summary>The distance ahead of the car at which the indicators are measured.</summary>
     public static Option<LookAhead> LookAhead() =>
-        WithDefault(ValueParsers.Parsed(LookAheadName, LookAheadForm, LookAheadPurpose, Parse, LookAheadRange),
-            Geometry.Lanes.LookAhead.Thesis);
+        WithDefault(
+            ValueParsers.Parsed(LookAheadName, LookAheadForm, LookAheadPurpose, Parse, LookAheadRange),
+            Geometry.Lanes.LookAhead.Thesis
+        );
 
     /// <summary>As <see cref="LookAhead"/>, without a default.</summary>
     public static Option<LookAhead?> OptionalLookAhead() =>
@@ -55,8 +57,11 @@ internal static class LaneOptions
     {
         // At 1 m/s, the distance in metres equals the time in seconds.
         const double speed = 1;
-        return Geometry.Lanes.LookAhead.Parse(text) is { } lookAhead
-            && lookAhead.DistanceAt(speed) <= (text.EndsWith('s') ? MaxSeconds : MaxMetres) ? lookAhead : null;
+        return
+            Geometry.Lanes.LookAhead.Parse(text) is { } lookAhead
+            && lookAhead.DistanceAt(speed) <= (text.EndsWith('s') ? MaxSeconds : MaxMetres)
+            ? lookAhead
+            : null;
     }
 
     private static Option<T> WithDefault<T>(Option<T> option, T value)

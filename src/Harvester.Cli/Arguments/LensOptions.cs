@@ -1,6 +1,4 @@
 using System.CommandLine;
-using System.IO;
-using System.Linq;
 using Harvester.Cli.Relabelling;
 using Harvester.Cli.Terminals;
 using Harvester.Geometry;
@@ -14,14 +12,20 @@ internal sealed class LensOptions
     private const string CoefficientForm = "a number from -1 to 1";
 
     private readonly Option<double> _focalScale = ValueParsers.Number(
-        "--focal-scale", "N", "Factor on the focal length", value => value is > 0 and <= 100, "a number greater than 0 and at most 100");
+        "--focal-scale",
+        "N",
+        "Factor on the focal length",
+        value => value is > 0 and <= 100,
+        "a number greater than 0 and at most 100"
+    );
 
     private readonly Option<Vector2D?> _centre = ValueParsers.Optional<Vector2D>(
         "--centre-offset",
         "X,Y",
         "Shift of the principal point right and down, as fractions of width and height [default: 0,0]",
         text => ValueParsers.Numbers(text, 2) is [>= -1 and <= 1, >= -1 and <= 1] n ? new Vector2D(n[0], n[1]) : null,
-        "two numbers from -1 to 1, e.g. 0.01,-0.005");
+        "two numbers from -1 to 1, e.g. 0.01,-0.005"
+    );
 
     private readonly Option<double> _k1 = Coefficient("--k1", "Radial distortion, coefficient of r^2");
     private readonly Option<double> _k2 = Coefficient("--k2", "Radial distortion, coefficient of r^4");

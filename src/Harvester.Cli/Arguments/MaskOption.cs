@@ -35,14 +35,17 @@ internal static class MaskOption
     /// <param name="option">The option.</param>
     /// <param name="isWhole">Whether the command harvests the whole session: masks of both methods are compared in all of it.</param>
     /// <exception cref="UsageException">The value is not a method, or cannot be used for a part of a harvest.</exception>
-    public static MaskMethod? Parse(ParseResult parsed, Option<string?> option, bool isWhole) => parsed.GetResult(option) is null ? null
-        : parsed.GetValue(option)?.ToLowerInvariant() switch
-        {
-            null or Rays => MaskMethod.Rays,
-            Coded => MaskMethod.Coded,
-            Both when isWhole => MaskMethod.Both,
-            Both => throw new UsageException(
-                "--masks both compares the masks of a whole harvest; use it without --shard and --resume."),
-            { } other => throw new UsageException($"--masks takes {Rays}, {Coded} or {Both}, not '{other}'."),
-        };
+    public static MaskMethod? Parse(ParseResult parsed, Option<string?> option, bool isWhole) =>
+        parsed.GetResult(option) is null
+            ? null
+            : parsed.GetValue(option)?.ToLowerInvariant() switch
+            {
+                null or Rays => MaskMethod.Rays,
+                Coded => MaskMethod.Coded,
+                Both when isWhole => MaskMethod.Both,
+                Both => throw new UsageException(
+                    "--masks both compares the masks of a whole harvest; use it without --shard and --resume."
+                ),
+                { } other => throw new UsageException($"--masks takes {Rays}, {Coded} or {Both}, not '{other}'."),
+            };
 }

@@ -1,6 +1,4 @@
-using System;
 using System.CommandLine;
-using System.Linq;
 using Harvester.Capture.Harvesting;
 
 namespace Harvester.Cli.Arguments;
@@ -16,13 +14,17 @@ internal static class MinFreeOption
     private static readonly (string Unit, double Bytes)[] Units = [("KB", 1e3), ("MB", 1e6), ("GB", 1e9), ("TB", 1e12)];
 
     /// <summary>Creates the option.</summary>
-    public static Option<long?> Create() => ValueParsers.Optional<long>(
-        Name, "SIZE", "Stop in good order before less than this is free on the disk; 0 does not watch it [default: 1GB]", BytesOf,
-        "0, or a number with KB, MB, GB or TB, e.g. 500MB");
+    public static Option<long?> Create() =>
+        ValueParsers.Optional<long>(
+            Name,
+            "SIZE",
+            "Stop in good order before less than this is free on the disk; 0 does not watch it [default: 1GB]",
+            BytesOf,
+            "0, or a number with KB, MB, GB or TB, e.g. 500MB"
+        );
 
     /// <summary>The space that stays free, bytes; 0 to watch nothing.</summary>
-    public static long BytesIn(ParseResult parsed, Option<long?> option) =>
-        parsed.GetValue(option) ?? HarvestOptions.DefaultMinFreeBytes;
+    public static long BytesIn(ParseResult parsed, Option<long?> option) => parsed.GetValue(option) ?? HarvestOptions.DefaultMinFreeBytes;
 
     private static long? BytesOf(string text)
     {

@@ -1,4 +1,3 @@
-using System;
 using System.CommandLine;
 using System.Globalization;
 using Harvester.Cli.Terminals;
@@ -22,10 +21,20 @@ internal sealed class MomentOptions
     };
 
     private readonly Option<TimeSpan?> _time = ValueParsers.Optional<TimeSpan>(
-        "--time", "HH:MM", "Time of day at the start [default: 12:00]", ParseTime, "a time of day, e.g. 18:30");
+        "--time",
+        "HH:MM",
+        "Time of day at the start [default: 12:00]",
+        ParseTime,
+        "a time of day, e.g. 18:30"
+    );
 
     private readonly Option<int?> _date = ValueParsers.Optional<int>(
-        "--date", "MM-DD", "Day of the year, for the height of the sun [default: 05-01]", ParseDate, "a day of the year, e.g. 12-21");
+        "--date",
+        "MM-DD",
+        "Day of the year, for the height of the sun [default: 05-01]",
+        ParseDate,
+        "a day of the year, e.g. 12-21"
+    );
 
     /// <summary>Adds the options to a command.</summary>
     public void AddTo(Command command)
@@ -54,8 +63,7 @@ internal sealed class MomentOptions
         TimeSpan.TryParseExact(text, [@"hh\:mm", @"h\:mm"], CultureInfo.InvariantCulture, out TimeSpan time) ? time : null;
 
     private static int? ParseDate(string text) =>
-        DateTime.TryParseExact(
-            $"{CommonYear}-{text}", "yyyy-MM-dd", CultureInfo.InvariantCulture, DateTimeStyles.None, out DateTime date)
+        DateTime.TryParseExact($"{CommonYear}-{text}", "yyyy-MM-dd", CultureInfo.InvariantCulture, DateTimeStyles.None, out DateTime date)
             ? date.DayOfYear
             : null;
 }

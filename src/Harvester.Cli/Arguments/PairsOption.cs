@@ -1,8 +1,5 @@
-using System;
-using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
-using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Cli.Terminals;
 using Harvester.Sessions.Scenes;
@@ -43,8 +40,13 @@ internal sealed class PairsOption
         HelpName = "A,B",
     };
 
-    private readonly Option<int> _ticks =
-        ValueParsers.Integer("--pair-ticks", "N", "Time limit for a further picture to stop changing, ticks (1/60 s)", 10, 10_000);
+    private readonly Option<int> _ticks = ValueParsers.Integer(
+        "--pair-ticks",
+        "N",
+        "Time limit for a further picture to stop changing, ticks (1/60 s)",
+        10,
+        10_000
+    );
 
     public PairsOption() => _ticks.DefaultValueFactory = _ => new PairOptions().MaxTicks;
 
@@ -69,10 +71,12 @@ internal sealed class PairsOption
             MaxTicks = parsed.GetValue(_ticks),
             TakesAllTicks = true,
         };
-        return options.Pictures <= PairOptions.MaxPictures ? options
+        return options.Pictures <= PairOptions.MaxPictures
+            ? options
             : throw new UsageException(
                 $"The --pair options ask for {options.Pictures} pictures of each frame, more than {PairOptions.MaxPictures}. "
-                + "Give fewer values.");
+                    + "Give fewer values."
+            );
     }
 
     private static IEnumerable<T> List<T>(string option, string? text, IReadOnlyList<T> all, Func<string, T> parse)
@@ -93,14 +97,17 @@ internal sealed class PairsOption
             : parts.Select(parse);
     }
 
-    private static string Weather(string text) => WeatherNames.Find(text)
+    private static string Weather(string text) =>
+        WeatherNames.Find(text)
         ?? throw new UsageException($"--pair-weathers takes {string.Join(", ", WeatherNames.All)}, or {All}, not '{text}'.");
 
     private static int Hour(string text) =>
-        int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int hour) && hour < HoursOfDay
-            && text == hour.ToString(CultureInfo.InvariantCulture) ? hour
+        int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int hour)
+        && hour < HoursOfDay
+        && text == hour.ToString(CultureInfo.InvariantCulture)
+            ? hour
             : throw new UsageException($"--pair-hours takes whole hours from 0 to 23, or {All}, not '{text}'.");
 
-    private static HiddenChoice Choice(string text) => HiddenChoice.Parse(text)
-        ?? throw new UsageException($"--pair-without takes {HiddenChoice.Form}, not '{text}'.");
+    private static HiddenChoice Choice(string text) =>
+        HiddenChoice.Parse(text) ?? throw new UsageException($"--pair-without takes {HiddenChoice.Form}, not '{text}'.");
 }

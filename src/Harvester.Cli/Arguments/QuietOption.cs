@@ -1,6 +1,4 @@
 using System.CommandLine;
-using System.IO;
-using System.Linq;
 using Harvester.Cli.Terminals;
 
 namespace Harvester.Cli.Arguments;
@@ -10,18 +8,36 @@ internal static class QuietOption
 {
     private static readonly string[] PrintingCommands =
     [
-        "validate", "doctor", "view", "calibrate", "stats", "project", "boxes", "lanes", "info", "compare", "check", "list", "show", "play",
+        "validate",
+        "doctor",
+        "view",
+        "calibrate",
+        "stats",
+        "project",
+        "boxes",
+        "lanes",
+        "info",
+        "compare",
+        "check",
+        "list",
+        "show",
+        "play",
     ];
 
-    public static Option<bool> Create() => new("--quiet", "-q")
-    {
-        Description = "Omit progress and summaries; errors and warnings still go to standard error",
-        Recursive = true,
-    };
+    public static Option<bool> Create() =>
+        new("--quiet", "-q")
+        {
+            Description = "Omit progress and summaries; errors and warnings still go to standard error",
+            Recursive = true,
+        };
 
     /// <summary>The terminal for a command line: without standard output if the command is to be quiet.</summary>
     public static Terminal TerminalFor(ParseResult parsed, Option<bool> quiet, Terminal terminal) =>
         parsed.GetValue(quiet) && !PrintingCommands.Contains(parsed.CommandResult.Command.Name)
-            ? terminal with { Out = TextWriter.Null, IsInteractive = false }
+            ? terminal with
+            {
+                Out = TextWriter.Null,
+                IsInteractive = false,
+            }
             : terminal;
 }

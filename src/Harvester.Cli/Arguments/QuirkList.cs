@@ -35,11 +35,8 @@ internal static class QuirkList
     private const int MaxTicks = 60;
     private const double MaxLevels = 20;
 
-    public static Option<string?> Option() => new("--quirks")
-    {
-        Description = "Imitate faults of the real game, see below; separated by commas",
-        HelpName = "A,B",
-    };
+    public static Option<string?> Option() =>
+        new("--quirks") { Description = "Imitate faults of the real game, see below; separated by commas", HelpName = "A,B" };
 
     /// <exception cref="UsageException">An entry of the list is not a quirk.</exception>
     public static GameQuirks Parse(string? list)
@@ -47,7 +44,8 @@ internal static class QuirkList
         GameQuirks quirks = new();
         foreach (string part in list?.Split(',') ?? [])
         {
-            quirks = With(quirks, part.Trim())
+            quirks =
+                With(quirks, part.Trim())
                 ?? throw new UsageException($"--quirks takes a comma-separated list of {Form}, not '{part.Trim()}'.");
         }
 
@@ -82,7 +80,11 @@ internal static class QuirkList
         return parts switch
         {
             [_] => With(quirks.Paused, name, value) is { } paused && With(quirks.TimeScale, name, value) is { } timeScale
-                ? quirks with { Paused = paused, TimeScale = timeScale }
+                ? quirks with
+                {
+                    Paused = paused,
+                    TimeScale = timeScale,
+                }
                 : null,
             ["paused", var quirk] => With(quirks.Paused, quirk, value) is { } changed ? quirks with { Paused = changed } : null,
             ["timeScale", var quirk] => With(quirks.TimeScale, quirk, value) is { } changed ? quirks with { TimeScale = changed } : null,
@@ -90,24 +92,27 @@ internal static class QuirkList
         };
     }
 
-    private static FreezeQuirks? With(FreezeQuirks quirks, string name, string? value) => (name, value) switch
-    {
-        ("creep", not null) => Ticks(value) is { } creep ? quirks with { CreepTicks = creep } : null,
-        ("restless", null) => quirks with { NeverStands = true },
-        ("heldCamera", null) => quirks with { HoldsCamera = true },
-        ("weather", null) => quirks with { LetsWeatherGoOn = true },
-        ("visibility", null) => quirks with { ChangesVisibility = true },
-        _ => null,
-    };
+    private static FreezeQuirks? With(FreezeQuirks quirks, string name, string? value) =>
+        (name, value) switch
+        {
+            ("creep", not null) => Ticks(value) is { } creep ? quirks with { CreepTicks = creep } : null,
+            ("restless", null) => quirks with { NeverStands = true },
+            ("heldCamera", null) => quirks with { HoldsCamera = true },
+            ("weather", null) => quirks with { LetsWeatherGoOn = true },
+            ("visibility", null) => quirks with { ChangesVisibility = true },
+            _ => null,
+        };
 
     private static int? Ticks(string text) =>
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int ticks) && ticks <= MaxTicks ? ticks : null;
 
     private static double? Levels(string text) =>
         double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double levels) && levels <= MaxLevels
-            ? levels : null;
+            ? levels
+            : null;
 
     private static double? Fraction(string text) =>
         double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double fraction) && fraction <= 1
-            ? fraction : null;
+            ? fraction
+            : null;
 }

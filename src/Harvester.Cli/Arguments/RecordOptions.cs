@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.CommandLine;
-using System.Linq;
 using Harvester.Cli.Driving;
 using Harvester.Cli.Terminals;
 using Harvester.Geometry.Cameras;
@@ -17,7 +14,12 @@ internal sealed class RecordOptions
 
     private readonly Option<string?> _folder;
     private readonly Option<double> _every = ValueParsers.Number(
-        "--record-every", "S", "Game time from one recorded frame to the next, seconds", IsPeriod, "a multiple of 0.1, at most 60");
+        "--record-every",
+        "S",
+        "Game time from one recorded frame to the next, seconds",
+        IsPeriod,
+        "a multiple of 0.1, at most 60"
+    );
 
     private readonly Option<long?> _minFree = MinFreeOption.Create();
 
@@ -59,6 +61,7 @@ internal sealed class RecordOptions
     }
 
     private static bool IsPeriod(double seconds) =>
-        seconds is > 0 and <= 60 && Math.Abs(Math.Round(seconds / PeriodSeconds) - (seconds / PeriodSeconds)) < Rounding
-            && seconds > PeriodSeconds / 2;
+        seconds is > 0 and <= 60
+        && Math.Abs(Math.Round(seconds / PeriodSeconds) - (seconds / PeriodSeconds)) < Rounding
+        && seconds > PeriodSeconds / 2;
 }

@@ -1,4 +1,3 @@
-using System.Threading;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
@@ -35,7 +34,8 @@ internal static class RecordedSessions
     }
 
     /// <summary>A note if the last line of a session is unfinished; otherwise null.</summary>
-    public static string? NoteOf(SessionReader session) => session.HasUnfinishedLine
-        ? $"the unfinished last line of {SessionReader.LabelsFile} is ignored; the recording was interrupted."
-        : null;
+    public static string? NoteOf(SessionReader session) =>
+        session.HasUnfinishedLine
+            ? $"the unfinished last line of {SessionReader.LabelsFile} is ignored; the recording was interrupted."
+            : null;
 }

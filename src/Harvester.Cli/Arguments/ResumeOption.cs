@@ -10,10 +10,7 @@ internal static class ResumeOption
     public const string Name = "--resume";
 
     /// <summary>Creates the option.</summary>
-    public static Option<bool> Create() => new(Name)
-    {
-        Description = "Continue an unfinished run of the same command, or start one",
-    };
+    public static Option<bool> Create() => new(Name) { Description = "Continue an unfinished run of the same command, or start one" };
 
     /// <summary>Refuses --resume beside --overwrite.</summary>
     /// <exception cref="UsageException">Both are given.</exception>

@@ -1,8 +1,5 @@
-using System;
 using System.CommandLine;
 using System.CommandLine.Parsing;
-using System.IO;
-using System.Linq;
 using Harvester.Capture.Labelling;
 using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
@@ -15,7 +12,15 @@ namespace Harvester.Cli.Arguments;
 internal sealed class RigOption
 {
     private static readonly string[] OfSingleCamera =
-        ["--size", "--fov", "--focal-scale", "--centre-offset", "--k1", "--k2", "--calibration"];
+    [
+        "--size",
+        "--fov",
+        "--focal-scale",
+        "--centre-offset",
+        "--k1",
+        "--k2",
+        "--calibration",
+    ];
 
     private readonly Option<FileInfo?> _file = new("--rig")
     {
@@ -39,7 +44,8 @@ internal sealed class RigOption
         if (OfSingleCamera.FirstOrDefault(name => parsed.GetResult(name) is OptionResult { Implicit: false }) is { } contradicted)
         {
             throw new UsageException(
-                $"{contradicted} cannot be used with --rig, which gives each camera its size, field of view and lens.");
+                $"{contradicted} cannot be used with --rig, which gives each camera its size, field of view and lens."
+            );
         }
 
         if (plan.Options.MaskMethod != MaskMethod.Rays)
@@ -94,7 +100,8 @@ internal sealed class RigOption
             throw new DatasetFormatException($"'{path}' is not a rig: {e.Message.TrimEnd('.')}.", e);
         }
 
-        return RigBudget.ProblemOf(rig, RigBudget.SecondsPerMoment(rig, masks, depth)) is { } problem ? throw new UsageException(problem)
+        return RigBudget.ProblemOf(rig, RigBudget.SecondsPerMoment(rig, masks, depth)) is { } problem
+            ? throw new UsageException(problem)
             : rig;
     }
 }

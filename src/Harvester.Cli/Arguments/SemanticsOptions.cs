@@ -1,6 +1,4 @@
-using System;
 using System.CommandLine;
-using System.IO;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Semantics;
@@ -10,17 +8,19 @@ namespace Harvester.Cli.Arguments;
 /// <summary>The options for class maps.</summary>
 internal sealed class SemanticsOptions
 {
-    private Option<string?> Source { get; } = new("--semantics")
-    {
-        Description = "Also write class maps, and masks: rays, from what rays report; exact, from what the simulation drew",
-        HelpName = "SOURCE",
-    };
+    private Option<string?> Source { get; } =
+        new("--semantics")
+        {
+            Description = "Also write class maps, and masks: rays, from what rays report; exact, from what the simulation drew",
+            HelpName = "SOURCE",
+        };
 
-    private Option<FileInfo?> Table { get; } = new("--materials")
-    {
-        Description = "With --semantics rays, the table of the classes of materials [default: the built-in table]",
-        HelpName = "FILE",
-    };
+    private Option<FileInfo?> Table { get; } =
+        new("--materials")
+        {
+            Description = "With --semantics rays, the table of the classes of materials [default: the built-in table]",
+            HelpName = "FILE",
+        };
 
     /// <summary>Adds the options to a command.</summary>
     public void AddTo(Command command)

@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.IO;
 
 namespace Harvester.Cli.Arguments;
 
@@ -8,9 +7,10 @@ internal static class SpacesOption
 {
     /// <summary>Creates the option.</summary>
     /// <param name="overridden">The table over which it takes precedence, such as "the recorded table".</param>
-    public static Option<FileSystemInfo?> Create(string overridden) => new("--spaces")
-    {
-        Description = $"Table of sign faces and traffic light heads, or the folder of a survey; takes precedence over {overridden}",
-        HelpName = "FILE|DIR",
-    };
+    public static Option<FileSystemInfo?> Create(string overridden) =>
+        new("--spaces")
+        {
+            Description = $"Table of sign faces and traffic light heads, or the folder of a survey; takes precedence over {overridden}",
+            HelpName = "FILE|DIR",
+        };
 }

@@ -1,8 +1,6 @@
-using System;
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
-using System.Linq;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
@@ -15,13 +13,23 @@ internal static class ValueParsers
 {
     /// <summary>An option of three numbers, such as -75.3,-820.1,26.</summary>
     public static Option<Vector3D> Vector(string name, string form, string description) =>
-        Parsed<Vector3D>(name, form, description, text =>
-            Numbers(text, 3) is { } n ? new Vector3D(n[0], n[1], n[2]) : null, "three numbers, e.g. 10,-20.5,3");
+        Parsed<Vector3D>(
+            name,
+            form,
+            description,
+            text => Numbers(text, 3) is { } n ? new Vector3D(n[0], n[1], n[2]) : null,
+            "three numbers, e.g. 10,-20.5,3"
+        );
 
     /// <summary>An option of two numbers, such as 0,-1000.</summary>
     public static Option<Vector2D?> Point(string name, string form, string description) =>
-        Optional<Vector2D>(name, form, description, text =>
-            Numbers(text, 2) is { } n ? new Vector2D(n[0], n[1]) : null, "two numbers, e.g. 0,-1000");
+        Optional<Vector2D>(
+            name,
+            form,
+            description,
+            text => Numbers(text, 2) is { } n ? new Vector2D(n[0], n[1]) : null,
+            "two numbers, e.g. 0,-1000"
+        );
 
     /// <summary>An option of an image's size, such as 800x600.</summary>
     /// <param name="name">Name of the option.</param>
@@ -30,14 +38,19 @@ internal static class ValueParsers
     /// <param name="maxSide">Largest width and height, pixels.</param>
     public static Option<ImageSize> Size(string name, string description, ImageSize min, int maxSide)
     {
-        string allowed = min.Width == min.Height
-            ? FormattableString.Invariant($"width and height in pixels, {min.Width} to {maxSide} each, e.g. 800x600")
-            : FormattableString.Invariant($"width and height in pixels, {min.Width}x{min.Height} to {maxSide}x{maxSide}, e.g. 800x600");
+        string allowed =
+            min.Width == min.Height
+                ? FormattableString.Invariant($"width and height in pixels, {min.Width} to {maxSide} each, e.g. 800x600")
+                : FormattableString.Invariant($"width and height in pixels, {min.Width}x{min.Height} to {maxSide}x{maxSide}, e.g. 800x600");
         return Parsed(name, "WxH", description, Parse, allowed);
 
         ImageSize? Parse(string text) =>
-            ParseSize(text) is { } size && size.Width >= min.Width && size.Height >= min.Height
-                && Math.Max(size.Width, size.Height) <= maxSide ? size : null;
+            ParseSize(text) is { } size
+            && size.Width >= min.Width
+            && size.Height >= min.Height
+            && Math.Max(size.Width, size.Height) <= maxSide
+                ? size
+                : null;
     }
 
     /// <summary>An option of a number within a range.</summary>
@@ -58,13 +71,11 @@ internal static class ValueParsers
 
     /// <summary>An option whose value is the name of an enum's member, in any case.</summary>
     public static Option<T> Choice<T>(string name, string description)
-        where T : struct, Enum =>
-        Parsed<T>(name, string.Join('|', JsonNames.All<T>()), description, ParseChoice<T>, Alternatives<T>());
+        where T : struct, Enum => Parsed<T>(name, string.Join('|', JsonNames.All<T>()), description, ParseChoice<T>, Alternatives<T>());
 
     /// <summary>As <see cref="Choice"/>, for an option that may be left out.</summary>
     public static Option<T?> OptionalChoice<T>(string name, string description)
-        where T : struct, Enum =>
-        Optional<T>(name, string.Join('|', JsonNames.All<T>()), description, ParseChoice<T>, Alternatives<T>());
+        where T : struct, Enum => Optional<T>(name, string.Join('|', JsonNames.All<T>()), description, ParseChoice<T>, Alternatives<T>());
 
     /// <summary>A finite number in the invariant culture, or null.</summary>
     public static double? Number(string text) =>
@@ -133,6 +144,7 @@ internal static class ValueParsers
     }
 
     private static int? Side(string text) =>
-        int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int side) && side is >= 1 and <= ushort.MaxValue ? side
+        int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int side) && side is >= 1 and <= ushort.MaxValue
+            ? side
             : null;
 }

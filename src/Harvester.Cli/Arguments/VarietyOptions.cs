@@ -1,4 +1,3 @@
-using System;
 using System.CommandLine;
 using System.Globalization;
 using Harvester.Capture.Labelling;
@@ -30,7 +29,8 @@ internal sealed class VarietyOptions
         "N",
         "Number of places to visit, all over the road network [default: 10; fewer for less than 100 frames; 1 with --near]",
         text => ValueParsers.Number(text) is >= 1 and <= MostPlaces and var places && places == Math.Floor(places) ? (int)places : null,
-        $"a whole number from 1 to {MostPlaces}");
+        $"a whole number from 1 to {MostPlaces}"
+    );
 
     /// <summary>Adds the options to a command.</summary>
     public void AddTo(Command command)
@@ -50,19 +50,21 @@ internal sealed class VarietyOptions
     {
         int usual = isNear ? 1 : Math.Clamp(frames / UsualFramesOfPlace, 1, UsualPlaces);
         int places = parsed.GetValue(_places) ?? usual;
-        return places <= frames ? new PlaceSequence(frames, places)
+        return places <= frames
+            ? new PlaceSequence(frames, places)
             : throw new UsageException($"--places {places} needs at least as many --frames, not {frames}.");
     }
 
     /// <summary>Options of a simulation with the given factors; all others have their defaults.</summary>
-    public SimulationOptions Parse(ParseResult parsed) => new()
-    {
-        Wander = parsed.GetValue(_wander),
-        LaneChanges = parsed.GetValue(_laneChanges),
-        TrafficDensity = parsed.GetValue(_traffic),
-        PedestrianDensity = parsed.GetValue(_pedestrians),
-        ParkedDensity = parsed.GetValue(_parked),
-    };
+    public SimulationOptions Parse(ParseResult parsed) =>
+        new()
+        {
+            Wander = parsed.GetValue(_wander),
+            LaneChanges = parsed.GetValue(_laneChanges),
+            TrafficDensity = parsed.GetValue(_traffic),
+            PedestrianDensity = parsed.GetValue(_pedestrians),
+            ParkedDensity = parsed.GetValue(_parked),
+        };
 
     private static Option<double> Factor(string name, string what, double most)
     {
@@ -71,7 +73,8 @@ internal sealed class VarietyOptions
             "F",
             $"Factor on {what}; 0 for none",
             value => value >= 0 && value <= most,
-            string.Create(CultureInfo.InvariantCulture, $"a number from 0 to {most}"));
+            string.Create(CultureInfo.InvariantCulture, $"a number from 0 to {most}")
+        );
         option.DefaultValueFactory = _ => 1;
         return option;
     }

@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
@@ -42,14 +39,29 @@ internal static class BoxSceneReader
         scene.AllowOnly("camera", "cuboids");
         return new BoxScene(
             ReadCamera(scene.Fields("camera")),
-            [.. scene.List("cuboids").Select(cuboid => (cuboid.OptionalText("name"), ReadCuboid(cuboid)))]);
+            [.. scene.List("cuboids").Select(cuboid => (cuboid.OptionalText("name"), ReadCuboid(cuboid)))]
+        );
     }
 
     private static Camera ReadCamera(JsonFields camera)
     {
         camera.AllowOnly(
-            "position", "right", "forward", "up", "rotation", "verticalFovDegrees", "width", "height", "windowAspect", "nearClip",
-            "fx", "fy", "cx", "cy", "distortion");
+            "position",
+            "right",
+            "forward",
+            "up",
+            "rotation",
+            "verticalFovDegrees",
+            "width",
+            "height",
+            "windowAspect",
+            "nearClip",
+            "fx",
+            "fy",
+            "cx",
+            "cy",
+            "distortion"
+        );
         Camera made = camera.Checked(() =>
         {
             var size = new ImageSize(camera.Integer("width"), camera.Integer("height"));
@@ -58,7 +70,8 @@ internal static class BoxSceneReader
                 size,
                 camera.OptionalNumber("windowAspect") ?? size.Aspect,
                 camera.OptionalNumber("nearClip") ?? DefaultNearClip,
-                ReadLens(camera, size));
+                ReadLens(camera, size)
+            );
             return new Camera(new Pose(camera.Vector("position"), ReadAxes(camera)), intrinsics);
         });
         RequireFocalLength(camera, "fx", made.Intrinsics.Fx);
@@ -84,18 +97,24 @@ internal static class BoxSceneReader
     {
         if (camera.OptionalNumber(name) is { } given && Math.Abs(given - expected) > FocalLengthTolerancePixels)
         {
-            throw new DatasetFormatException(FormattableString.Invariant(
-                $"camera.{name} is {given}, but the other fields give {expected}. Correct or remove it."));
+            throw new DatasetFormatException(
+                FormattableString.Invariant($"camera.{name} is {given}, but the other fields give {expected}. Correct or remove it.")
+            );
         }
     }
 
     private static Cuboid ReadCuboid(JsonFields cuboid)
     {
         cuboid.AllowOnly("name", "centre", "halfExtents", "position", "modelMin", "modelMax", "right", "forward", "up", "rotation");
-        return cuboid.Checked(() => cuboid.Has("centre")
-            ? new Cuboid(cuboid.Vector("centre"), cuboid.Vector("halfExtents"), ReadAxes(cuboid))
-            : Cuboid.FromModel(
-                cuboid.Vector("modelMin"), cuboid.Vector("modelMax"), new Pose(cuboid.Vector("position"), ReadAxes(cuboid))));
+        return cuboid.Checked(() =>
+            cuboid.Has("centre")
+                ? new Cuboid(cuboid.Vector("centre"), cuboid.Vector("halfExtents"), ReadAxes(cuboid))
+                : Cuboid.FromModel(
+                    cuboid.Vector("modelMin"),
+                    cuboid.Vector("modelMax"),
+                    new Pose(cuboid.Vector("position"), ReadAxes(cuboid))
+                )
+        );
     }
 
     private static Axes ReadAxes(JsonFields fields)

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 
 namespace Harvester.Cli.Boxes;
@@ -18,8 +15,12 @@ internal static class PolygonSamples
     /// <param name="count">Number of points.</param>
     public static IEnumerable<Vector2D> Of(IReadOnlyList<Vector2D> corners, int count)
     {
-        double[] areas = [.. Enumerable.Range(1, Math.Max(0, corners.Count - 2)).Select(i => Math.Abs(
-            (corners[i] - corners[0]).Cross(corners[i + 1] - corners[0])) / 2)];
+        double[] areas =
+        [
+            .. Enumerable
+                .Range(1, Math.Max(0, corners.Count - 2))
+                .Select(i => Math.Abs((corners[i] - corners[0]).Cross(corners[i + 1] - corners[0])) / 2),
+        ];
         double total = areas.Sum();
         for (int i = 1; i <= count && total > 0; i++)
         {
@@ -36,7 +37,8 @@ internal static class PolygonSamples
                 corners[triangle + 1],
                 corners[triangle + 2],
                 Math.Min(1, place / areas[triangle]),
-                Fraction(0.5 + (i / (PlasticNumber * PlasticNumber))));
+                Fraction(0.5 + (i / (PlasticNumber * PlasticNumber)))
+            );
         }
     }
 

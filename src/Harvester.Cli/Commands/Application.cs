@@ -1,11 +1,6 @@
-using System;
 using System.CommandLine;
 using System.CommandLine.Completions;
 using System.CommandLine.Parsing;
-using System.IO;
-using System.Linq;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Capture.Storage;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Commands.Faces;
@@ -117,7 +112,6 @@ internal static class Application
 
     private static async Task<int> RunAsync(ParseResult parsed, Terminal terminal, CancellationToken cancellation)
     {
-
         var configuration = new InvocationConfiguration
         {
             Output = terminal.Out,
@@ -148,7 +142,10 @@ internal static class Application
         catch (LowSpaceException e)
         {
             return Fail(
-                terminal, ExitCode.InputOutput, $"{e.Message} What was written is whole. Free some space. {HarvestAdvice.OnLowSpace}");
+                terminal,
+                ExitCode.InputOutput,
+                $"{e.Message} What was written is whole. Free some space. {HarvestAdvice.OnLowSpace}"
+            );
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
@@ -213,10 +210,15 @@ internal static class Application
     /// A misspelt option that the parser took for the value of an argument; null if there is none. After a --, anything is a value.
     /// </summary>
     private static string? StrayOption(ParseResult parsed, string[] arguments) =>
-        IsCompletion(parsed) ? null
-        : parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(argument => argument.Tokens).Select(token => token.Value)
-            .FirstOrDefault(word => word.StartsWith("--", StringComparison.Ordinal)
-                && arguments.TakeWhile(each => each != "--").Contains(word));
+        IsCompletion(parsed)
+            ? null
+            : parsed
+                .CommandResult.Children.OfType<ArgumentResult>()
+                .SelectMany(argument => argument.Tokens)
+                .Select(token => token.Value)
+                .FirstOrDefault(word =>
+                    word.StartsWith("--", StringComparison.Ordinal) && arguments.TakeWhile(each => each != "--").Contains(word)
+                );
 
     private static string Unrecognised(string word, ParseResult parsed)
     {
@@ -242,8 +244,10 @@ internal static class Application
 
     /// <summary>The value of --out; null without it.</summary>
     private static string? OutputOf(ParseResult parsed) =>
-        parsed.CommandResult.Children.OfType<OptionResult>()
-            .FirstOrDefault(option => option.Option.Name == "--out") is { Tokens: [{ Value: var place }, ..] } ? place : null;
+        parsed.CommandResult.Children.OfType<OptionResult>().FirstOrDefault(option => option.Option.Name == "--out")
+            is { Tokens: [{ Value: var place }, ..] }
+            ? place
+            : null;
 
     private static string HelpOf(CommandResult command) => $"harvester {PathOf(command)}--help";
 

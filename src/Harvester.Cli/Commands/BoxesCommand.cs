@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.IO;
 using Harvester.Cli.Boxes;
 using Harvester.Cli.Terminals;
 

@@ -1,6 +1,4 @@
-using System;
 using System.CommandLine;
-using System.IO;
 using Harvester.Capture.Calibration;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
@@ -35,17 +33,31 @@ internal static class CalibrateCommand
         Option<int> seed = ValueParsers.Integer("--seed", "N", "Random seed of the simulated town [default: 0]", 0, int.MaxValue);
         Option<double> fov = CameraOptions.Fov();
         fov.DefaultValueFactory = _ => new SimulationOptions().VerticalFovDegrees;
-        Option<ImageSize> size =
-            ValueParsers.Size("--size", "Width and height of the images, pixels", new ImageSize(MinWidth, MinHeight), MaxSide);
+        Option<ImageSize> size = ValueParsers.Size(
+            "--size",
+            "Width and height of the images, pixels",
+            new ImageSize(MinWidth, MinHeight),
+            MaxSide
+        );
         size.DefaultValueFactory = _ => new CalibrationOptions().Image;
         var lens = new LensOptions();
-        Option<double> threshold =
-            ValueParsers.Number("--threshold", "PX", "Maximum error, pixels", value => value > 0, "a number greater than 0");
+        Option<double> threshold = ValueParsers.Number(
+            "--threshold",
+            "PX",
+            "Maximum error, pixels",
+            value => value > 0,
+            "a number greater than 0"
+        );
         threshold.DefaultValueFactory = _ => new CalibrationOptions().ThresholdPixels;
         var command = new Command(
-            "calibrate", "Measure the lens of the simulated game from markers in its images, as the mod does in GTA V.")
+            "calibrate",
+            "Measure the lens of the simulated game from markers in its images, as the mod does in GTA V."
+        )
         {
-            seed, fov, size, threshold,
+            seed,
+            fov,
+            size,
+            threshold,
         };
         lens.AddNumbersTo(command);
         HelpWithNotes.AddTo(command, Notes);
@@ -53,13 +65,15 @@ internal static class CalibrateCommand
         {
             ImageSize image = parsed.GetValue(size);
             Lens injected = lens.Parse(parsed);
-            var game = new SimulatedGame(new SimulationOptions
-            {
-                Seed = parsed.GetValue(seed),
-                VerticalFovDegrees = parsed.GetValue(fov),
-                WindowAspect = image.Aspect,
-                Lens = new RenderLens(injected.FocalScale, injected.CentreOffsetX, injected.CentreOffsetY, injected.K1, injected.K2),
-            });
+            var game = new SimulatedGame(
+                new SimulationOptions
+                {
+                    Seed = parsed.GetValue(seed),
+                    VerticalFovDegrees = parsed.GetValue(fov),
+                    WindowAspect = image.Aspect,
+                    Lens = new RenderLens(injected.FocalScale, injected.CentreOffsetX, injected.CentreOffsetY, injected.K1, injected.K2),
+                }
+            );
             return Run(game, new CalibrationOptions { Image = image, ThresholdPixels = parsed.GetValue(threshold) }, terminal);
         });
         return command;
@@ -91,7 +105,8 @@ internal static class CalibrateCommand
         WriteLine($"; after:  {result.After.RmsPixels:0.000} px RMS, {result.After.MaxPixels:0.000} px max");
         ReprojectionError check = result.Validation;
         WriteLine(
-            $"; check:  {check.RmsPixels:0.000} px RMS, {check.MaxPixels:0.000} px max, on {check.Count} markers not used for the fit");
+            $"; check:  {check.RmsPixels:0.000} px RMS, {check.MaxPixels:0.000} px max, on {check.Count} markers not used for the fit"
+        );
         WriteLine($"; uncertainty at the corners: {result.UncertaintyPixels:0.000} px (95 % confidence)");
         WriteLine($"FocalScale = {lens.FocalScale:0.000000}");
         WriteLine($"CentreOffsetX = {WithoutMinusZero(lens.CentreOffsetX):0.000000}");

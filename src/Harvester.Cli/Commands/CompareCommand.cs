@@ -1,9 +1,4 @@
-using System;
 using System.CommandLine;
-using System.IO;
-using System.Linq;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Comparison;
@@ -51,51 +46,52 @@ internal static class CompareCommand
             HelpName = "FILE",
         };
         var json = new Option<string?>("--json") { Description = "Also write the figures as JSON", HelpName = "FILE" };
-        var command = new Command("compare", "Compare the distributions of two datasets.")
-        {
-            first, second, kitti, nuScenes, output, json,
-        };
+        var command = new Command("compare", "Compare the distributions of two datasets.") { first, second, kitti, nuScenes, output, json };
         HelpWithNotes.AddTo(command, Notes);
-        command.SetAction((parsed, cancellation) =>
-        {
-            string?[] others = [parsed.GetValue(second), parsed.GetValue(kitti), parsed.GetValue(nuScenes)];
-            if (others.Count(other => other is not null) != 1)
+        command.SetAction(
+            (parsed, cancellation) =>
             {
-                throw new UsageException("Name one dataset to compare with: a second session, --kitti DIR or --nuscenes DIR.");
-            }
+                string?[] others = [parsed.GetValue(second), parsed.GetValue(kitti), parsed.GetValue(nuScenes)];
+                if (others.Count(other => other is not null) != 1)
+                {
+                    throw new UsageException("Name one dataset to compare with: a second session, --kitti DIR or --nuscenes DIR.");
+                }
 
-            string page = parsed.GetValue(output) ?? DefaultPage;
-            string? figures = parsed.GetValue(json);
-            FileExtension.Check("--out", page, ".html", ".htm");
-            if (figures is not null)
-            {
-                FileExtension.Check("--json", figures, ".json");
-            }
+                string page = parsed.GetValue(output) ?? DefaultPage;
+                string? figures = parsed.GetValue(json);
+                FileExtension.Check("--out", page, ".html", ".htm");
+                if (figures is not null)
+                {
+                    FileExtension.Check("--json", figures, ".json");
+                }
 
-            SessionReader session = RecordedSessions.Open(terminal, parsed.GetRequiredValue(first), cancellation);
-            SessionReader? other = others[0] is { } folder ? RecordedSessions.Open(terminal, folder, cancellation) : null;
-            foreach (string file in new[] { page, figures }.OfType<string>())
-            {
-                CheckIsNoInput(file, session, other, others[1] ?? others[2]);
-            }
+                SessionReader session = RecordedSessions.Open(terminal, parsed.GetRequiredValue(first), cancellation);
+                SessionReader? other = others[0] is { } folder ? RecordedSessions.Open(terminal, folder, cancellation) : null;
+                foreach (string file in new[] { page, figures }.OfType<string>())
+                {
+                    CheckIsNoInput(file, session, other, others[1] ?? others[2]);
+                }
 
-            IComparedDataset one = other is not null ? ComparedSession.InItsTerms(session)
-                : others[1] is not null ? ComparedSession.InKittiTerms(session)
-                : ComparedSession.InNuScenesTerms(session);
-            IComparedDataset two = other is not null ? ComparedSession.InItsTerms(other)
-                : others[1] is { } labels ? ComparedKitti.Open(labels)
-                : ComparedNuScenes.Open(others[2]!);
-            var comparison = new DatasetComparison(Read(terminal, one, cancellation), Read(terminal, two, cancellation));
-            OutputFile.Write(page, stream => ComparisonPage.Write(stream, comparison));
-            if (figures is not null)
-            {
-                OutputFile.Write(figures, stream => ComparisonJson.Write(stream, comparison));
-            }
+                IComparedDataset one =
+                    other is not null ? ComparedSession.InItsTerms(session)
+                    : others[1] is not null ? ComparedSession.InKittiTerms(session)
+                    : ComparedSession.InNuScenesTerms(session);
+                IComparedDataset two =
+                    other is not null ? ComparedSession.InItsTerms(other)
+                    : others[1] is { } labels ? ComparedKitti.Open(labels)
+                    : ComparedNuScenes.Open(others[2]!);
+                var comparison = new DatasetComparison(Read(terminal, one, cancellation), Read(terminal, two, cancellation));
+                OutputFile.Write(page, stream => ComparisonPage.Write(stream, comparison));
+                if (figures is not null)
+                {
+                    OutputFile.Write(figures, stream => ComparisonJson.Write(stream, comparison));
+                }
 
-            Print(terminal, comparison);
-            terminal.Out.WriteLine(page);
-            return Task.FromResult(ExitCode.Done);
-        });
+                Print(terminal, comparison);
+                terminal.Out.WriteLine(page);
+                return Task.FromResult(ExitCode.Done);
+            }
+        );
         return command;
     }
 
@@ -128,8 +124,11 @@ internal static class CompareCommand
         {
             table.AddRow(
                 quantity.Unit.Length == 0 ? quantity.Title : $"{quantity.Title}, {quantity.Unit}",
-                Text(comparison.First.Of(quantity).Quantile(0.5)), Text(comparison.Second.Of(quantity).Quantile(0.5)),
-                Text(comparison.WassersteinOf(quantity)), Text(comparison.JensenShannonOf(quantity)));
+                Text(comparison.First.Of(quantity).Quantile(0.5)),
+                Text(comparison.Second.Of(quantity).Quantile(0.5)),
+                Text(comparison.WassersteinOf(quantity)),
+                Text(comparison.JensenShannonOf(quantity))
+            );
         }
 
         AddCounts(table, "Classes", comparison.First.Classes, comparison.Second.Classes);
@@ -144,7 +143,9 @@ internal static class CompareCommand
 
     private static void CheckIsNoInput(string file, SessionReader session, SessionReader? other, string? folder)
     {
-        bool isInFolder = folder is not null && File.Exists(file)
+        bool isInFolder =
+            folder is not null
+            && File.Exists(file)
             && InnerPath.Resolve(file).StartsWith(InnerPath.Resolve(folder) + Path.DirectorySeparatorChar, StringComparison.Ordinal);
         if (session.Holds(file) || other?.Holds(file) == true || isInFolder)
         {

@@ -1,11 +1,5 @@
-using System;
-using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
-using System.IO;
-using System.Linq;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Harvesting;
 using Harvester.Cli.Sheets;
@@ -39,24 +33,28 @@ internal sealed class ContactSheetCommand
         + "  harvester contact-sheet --out streets.png --roads data/example-roads.csv --places 4\n"
         + "  harvester contact-sheet --out drive.png --roads data/example-roads.csv --at=-250,120 --seconds 1 --seconds 5 --seconds 10";
 
-    private Option<string> Out { get; } = new("--out") { Description = "PNG file to write", HelpName = "FILE", Required = true };
-    private Option<FileInfo?> Roads { get; } = new("--roads")
-    {
-        Description = "Road network, a file or folder [default: a town generated from the seed]",
-        HelpName = "FILE",
-    };
+    private Option<string> Out { get; } =
+        new("--out")
+        {
+            Description = "PNG file to write",
+            HelpName = "FILE",
+            Required = true,
+        };
+    private Option<FileInfo?> Roads { get; } =
+        new("--roads") { Description = "Road network, a file or folder [default: a town generated from the seed]", HelpName = "FILE" };
 
-    private Option<FileInfo[]> Props { get; } = new("--props")
-    {
-        Description = "Traffic lights and street lamps from this file instead of generated ones; repeatable",
-        HelpName = "FILE",
-        DefaultValueFactory = _ => [],
-    };
+    private Option<FileInfo[]> Props { get; } =
+        new("--props")
+        {
+            Description = "Traffic lights and street lamps from this file instead of generated ones; repeatable",
+            HelpName = "FILE",
+            DefaultValueFactory = _ => [],
+        };
 
     private Option<string[]> At { get; } = Repeatable("--at", "X,Y", "A place, metres; repeatable");
     private Option<FileInfo?> List { get; } = new("--list") { Description = "File with places, see below", HelpName = "FILE" };
-    private Option<int> Places { get; } = WithDefault(
-        ValueParsers.Integer("--places", "N", "Add N places all over the road network, chosen by the seed", 0, MaxPlaces), 0);
+    private Option<int> Places { get; } =
+        WithDefault(ValueParsers.Integer("--places", "N", "Add N places all over the road network, chosen by the seed", 0, MaxPlaces), 0);
 
     private Option<string[]> Weathers { get; } =
         Repeatable("--weather", "W", $"Weather: {string.Join(", ", WeatherNames.All)}; repeatable [default: clear]");
@@ -76,11 +74,24 @@ internal sealed class ContactSheetCommand
     {
         var command = new Command("contact-sheet", "Show what a harvest sees at several places, weathers and hours, as one picture.")
         {
-            Out, Roads, Props, At, List, Places, Weathers, Times, Seconds, Seed, Size, Fov, Detail,
+            Out,
+            Roads,
+            Props,
+            At,
+            List,
+            Places,
+            Weathers,
+            Times,
+            Seconds,
+            Seed,
+            Size,
+            Fov,
+            Detail,
         };
         HelpWithNotes.AddTo(command, Notes);
-        command.SetAction((parsed, cancellation) =>
-            Task.FromResult(Run(terminal, PlanOf(parsed), parsed.GetRequiredValue(Out), cancellation)));
+        command.SetAction(
+            (parsed, cancellation) => Task.FromResult(Run(terminal, PlanOf(parsed), parsed.GetRequiredValue(Out), cancellation))
+        );
         return command;
     }
 
@@ -104,15 +115,22 @@ internal sealed class ContactSheetCommand
         AtomicFile.Write(file, stream => new PngEncoder().Write(sheet.Picture, stream));
         terminal.Out.WriteLine(
             $"{file}: {Counted.Of(tiles, "tile")} of {Counted.Of(plan.Places.Count, "place")}, "
-            + $"{layout.Sheet.Width} x {layout.Sheet.Height} pixels");
+                + $"{layout.Sheet.Width} x {layout.Sheet.Height} pixels"
+        );
         return ExitCode.Done;
     }
 
     private SheetPlan PlanOf(ParseResult parsed)
     {
         FileExtension.Check("--out", parsed.GetRequiredValue(Out), ".png");
-        string[] weathers = [.. ValuesOf(parsed, Weathers, "clear").Select(name => WeatherNames.Find(name)
-            ?? throw new UsageException($"--weather takes one of {string.Join(", ", WeatherNames.All)}, not '{name}'."))];
+        string[] weathers =
+        [
+            .. ValuesOf(parsed, Weathers, "clear")
+                .Select(name =>
+                    WeatherNames.Find(name)
+                    ?? throw new UsageException($"--weather takes one of {string.Join(", ", WeatherNames.All)}, not '{name}'.")
+                ),
+        ];
 
         int seed = parsed.GetValue(Seed);
         int spread = parsed.GetValue(Places);
@@ -145,21 +163,28 @@ internal sealed class ContactSheetCommand
     private static string[] ValuesOf(ParseResult parsed, Option<string[]> option, string otherwise) =>
         parsed.GetRequiredValue(option) is { Length: > 0 } values ? values : [otherwise];
 
-    private static SheetPlace PlaceAt(string text) => ValueParsers.Numbers(text, 2) is { } at
-        ? new SheetPlace("", new Geometry.Vector2D(at[0], at[1]))
-        : throw new UsageException($"--at takes two numbers, e.g. 0,-1000, not '{text}'.");
+    private static SheetPlace PlaceAt(string text) =>
+        ValueParsers.Numbers(text, 2) is { } at
+            ? new SheetPlace("", new Geometry.Vector2D(at[0], at[1]))
+            : throw new UsageException($"--at takes two numbers, e.g. 0,-1000, not '{text}'.");
 
     private static TimeSpan TimeAt(string text) =>
         TimeSpan.TryParseExact(text, [@"hh\:mm", @"h\:mm"], CultureInfo.InvariantCulture, out TimeSpan time)
             ? time
             : throw new UsageException($"--time takes a time of day, e.g. 18:30, not '{text}'.");
 
-    private static double SecondsOf(string text) => ValueParsers.Number(text) is { } seconds and >= 0 and <= MaxSeconds
-        ? seconds
-        : throw new UsageException($"--seconds takes a number from 0 to {MaxSeconds}, not '{text}'.");
+    private static double SecondsOf(string text) =>
+        ValueParsers.Number(text) is { } seconds and >= 0 and <= MaxSeconds
+            ? seconds
+            : throw new UsageException($"--seconds takes a number from 0 to {MaxSeconds}, not '{text}'.");
 
     private static Option<string[]> Repeatable(string name, string form, string description) =>
-        new(name) { Description = description, HelpName = form, DefaultValueFactory = _ => [] };
+        new(name)
+        {
+            Description = description,
+            HelpName = form,
+            DefaultValueFactory = _ => [],
+        };
 
     private static Option<T> WithDefault<T>(Option<T> option, T value)
     {

@@ -1,6 +1,4 @@
 using System.CommandLine;
-using System.Linq;
-using System.Threading.Tasks;
 using Harvester.Capture.SelfTests;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Diagnosis;
@@ -23,8 +21,7 @@ internal sealed class DoctorCommand
 
     private Argument<string> Place { get; } =
         new("LOG|FOLDER") { Description = "A log, the folder of the game or its scripts folder, a session, or a self-test" };
-    private Option<bool> AllRuns { get; } =
-        new("--all-runs") { Description = "Read all runs in the mod's log, not only the last one" };
+    private Option<bool> AllRuns { get; } = new("--all-runs") { Description = "Read all runs in the mod's log, not only the last one" };
 
     public static Command Create(Terminal terminal) => new DoctorCommand().Build(terminal);
 
@@ -32,7 +29,8 @@ internal sealed class DoctorCommand
     {
         var command = new Command("doctor", "Read the logs of the mod, a session or a self-test, and name the likely cause of a problem.")
         {
-            Place, AllRuns,
+            Place,
+            AllRuns,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, _) => Task.FromResult(Run(terminal, parsed.GetRequiredValue(Place), parsed.GetValue(AllRuns))));
@@ -44,10 +42,10 @@ internal sealed class DoctorCommand
         terminal.Out.WriteLine(Terminal.OneLine($"Self-test of {test.Tool} in {test.Game}"));
         foreach (SelfTestLine line in test.Lines)
         {
-            terminal.Out.WriteLine(Terminal.OneLine($"{JsonName.Of(line.Verdict),-8} {line.Check,-17} {line.Sentence}"));
+            terminal.Out.WriteLine(Terminal.OneLine($"{JsonName.Of(line.Verdict), -8} {line.Check, -17} {line.Sentence}"));
             if (line.Verdict == SelfTestVerdict.Note)
             {
-                terminal.Out.WriteLine($"{string.Empty,26} {Diagnosis.AdviceFor(line.Check)}");
+                terminal.Out.WriteLine($"{string.Empty, 26} {Diagnosis.AdviceFor(line.Check)}");
             }
         }
 

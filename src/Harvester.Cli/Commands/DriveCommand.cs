@@ -1,10 +1,5 @@
-using System;
 using System.CommandLine;
-using System.IO;
-using System.Linq;
 using System.Runtime.ExceptionServices;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Driving;
 using Harvester.Cli.Terminals;
@@ -36,8 +31,7 @@ internal sealed class DriveCommand
         + "  harvester drive --seeds 701-720 --jobs 2 --distance 2000 --out drive\n"
         + "  harvester drive --roads data/example-roads.csv --places 20 --duration 900 --out drive";
 
-    private Option<string?> Out { get; } =
-        new("--out") { Description = "Folder to write drive.json and report.html to", HelpName = "DIR" };
+    private Option<string?> Out { get; } = new("--out") { Description = "Folder to write drive.json and report.html to", HelpName = "DIR" };
     private Option<bool> Overwrite { get; } = new("--overwrite") { Description = "Replace an existing drive in the folder" };
     private DriveOptions Drive { get; } = new();
     private RecordOptions Record { get; } = new("the drive as a session in this folder; one for each start if there are several");
@@ -49,10 +43,7 @@ internal sealed class DriveCommand
 
     private Command Build(Terminal terminal)
     {
-        var command = new Command("drive", "Drive the simulated car by the lane indicators and evaluate the drive.")
-        {
-            Out, Overwrite,
-        };
+        var command = new Command("drive", "Drive the simulated car by the lane indicators and evaluate the drive.") { Out, Overwrite };
         Drive.AddTo(command);
         foreach (Option option in Record.All.Append(Size).Concat(Bridge.All))
         {
@@ -70,7 +61,11 @@ internal sealed class DriveCommand
         BridgePlan bridge = Bridge.Parse(parsed, folder);
         DrivePlan plan = Drive.Parse(parsed) with { Bridge = bridge.Kind == BridgeName.Direct ? null : bridge };
         RecordPlan? recorded = Record.Parse(
-            parsed, parsed.GetValue(Size), plan.Episodes.Count > 1, [.. Drive.RecordedSettings(parsed, plan)]);
+            parsed,
+            parsed.GetValue(Size),
+            plan.Episodes.Count > 1,
+            [.. Drive.RecordedSettings(parsed, plan)]
+        );
         CheckRecording(parsed, plan, bridge, recorded);
         plan = plan with { PictureSize = recorded?.Size };
         if (bridge.Role == DriveRole.Client)
@@ -89,7 +84,8 @@ internal sealed class DriveCommand
         string recordingCommand = CommandText.WithOutput(parsed, folder);
         NotedDrive? noted = recorded is null ? null : new NotedDrive(recorded.Folder, recordingCommand, folder);
         bool isRepeated = noted?.IsThere() ?? false;
-        using DriveRecording? recording = recorded is null ? null
+        using DriveRecording? recording = recorded is null
+            ? null
             : new DriveRecording(terminal, recorded, recordingCommand, parsed.GetValue(Overwrite));
         var output = new DriveFolder(folder, CommandText.Of(parsed), parsed.GetValue(Overwrite), isRepeated);
         int metres = (int)Math.Ceiling(plan.Metres * plan.Episodes.Count);
@@ -105,7 +101,10 @@ internal sealed class DriveCommand
         }
 
         DriveRecord record = DriveRecord.Of(
-            Drive.Settings(parsed, plan), drives.Episodes, isWhole: fault is null && !cancellation.IsCancellationRequested);
+            Drive.Settings(parsed, plan),
+            drives.Episodes,
+            isWhole: fault is null && !cancellation.IsCancellationRequested
+        );
         string? former = Write(output, record, noted, unrecorded);
         if (former is not null)
         {
@@ -114,7 +113,7 @@ internal sealed class DriveCommand
 
         foreach ((string name, string value) in record.Figures.Rows().Concat(record.Summary.Rows()))
         {
-            terminal.Out.WriteLine($"{name + ":",-27}{value}");
+            terminal.Out.WriteLine($"{name + ":", -27}{value}");
         }
 
         if (!record.IsWhole)
@@ -192,12 +191,16 @@ internal sealed class DriveCommand
 
     private static int RunClient(Terminal terminal, DrivePlan plan, BridgePlan bridge, CancellationToken cancellation)
     {
-        ClientDriver driver = new RemoteDrives(bridge, terminal.Out)
-            .RunClient(() => new SimulatedDrives(plan, terminal.Out).ControllerOf(plan.Seed), plan.Seconds, cancellation);
+        ClientDriver driver = new RemoteDrives(bridge, terminal.Out).RunClient(
+            () => new SimulatedDrives(plan, terminal.Out).ControllerOf(plan.Seed),
+            plan.Seconds,
+            cancellation
+        );
         string ending = driver.IsEndedByGame ? "; the game has closed the bridge" : "";
         string answered = Counted.Of(driver.Frames, "frame");
         terminal.Out.WriteLine(
-            FormattableString.Invariant($"{answered} answered, {driver.Metres:0} m driven in {driver.Seconds:0} s{ending}"));
+            FormattableString.Invariant($"{answered} answered, {driver.Metres:0} m driven in {driver.Seconds:0} s{ending}")
+        );
         return cancellation.IsCancellationRequested ? ExitCode.Cancelled : ExitCode.Done;
     }
 

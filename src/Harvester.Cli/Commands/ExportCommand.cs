@@ -1,11 +1,5 @@
-using System;
-using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
-using System.IO;
-using System.Linq;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Exports;
@@ -24,7 +18,7 @@ internal sealed class ExportCommand
 {
     private static readonly string Notes =
         "Formats (docs/exports has a page on each):\n"
-        + string.Concat(DatasetFormats.All.Select(format => $"  {format.Name,-16}{format.Description}\n"))
+        + string.Concat(DatasetFormats.All.Select(format => $"  {format.Name, -16}{format.Description}\n"))
         + "\nParts are the faces of signs and the heads of traffic lights:\n"
         + "  faces   faces and heads, without their posts\n"
         + "  none    whole signs and lights, with their posts\n"
@@ -45,61 +39,80 @@ internal sealed class ExportCommand
         + "  harvester export out --format yolo --out yolo --boxes cuboid --subclasses mutcd,light\n"
         + "  harvester export out --format yolo --out yolo --shard 2/8";
 
-    private Argument<string[]> Sessions { get; } = new("SESSION")
-    {
-        Description = "Folders of sessions",
-        Arity = ArgumentArity.OneOrMore,
-    };
+    private Argument<string[]> Sessions { get; } = new("SESSION") { Description = "Folders of sessions", Arity = ArgumentArity.OneOrMore };
 
-    private Option<string> Format { get; } = new("--format")
-    {
-        Description = "Dataset format: " + string.Join(", ", DatasetFormats.All.Select(format => format.Name)),
-        HelpName = "F",
-        Required = true,
-    };
+    private Option<string> Format { get; } =
+        new("--format")
+        {
+            Description = "Dataset format: " + string.Join(", ", DatasetFormats.All.Select(format => format.Name)),
+            HelpName = "F",
+            Required = true,
+        };
 
     private Option<string> Out { get; } =
-        new("--out") { Description = "Folder to write the dataset to", HelpName = "DIR", Required = true };
-    private Option<bool> Resume { get; } = new(ResumeOption.Name)
-    {
-        Description = "Continue an unfinished export (the default for exports)",
-    };
+        new("--out")
+        {
+            Description = "Folder to write the dataset to",
+            HelpName = "DIR",
+            Required = true,
+        };
+    private Option<bool> Resume { get; } =
+        new(ResumeOption.Name) { Description = "Continue an unfinished export (the default for exports)" };
 
-    private Option<string> Splits { get; } = new("--split")
-    {
-        Description = "Splits and their fractions, e.g. train:0.8,val:0.2",
-        HelpName = "NAME:FRACTION,...",
-        DefaultValueFactory = _ => "train:1",
-    };
+    private Option<string> Splits { get; } =
+        new("--split")
+        {
+            Description = "Splits and their fractions, e.g. train:0.8,val:0.2",
+            HelpName = "NAME:FRACTION,...",
+            DefaultValueFactory = _ => "train:1",
+        };
 
     private Option<int> Seed { get; } =
         ValueParsers.Integer("--seed", "N", "Random seed of the assignment of places to splits [default: 0]", 0, int.MaxValue);
-    private Option<int> Block { get; } = ValueParsers.Integer(
-        "--split-block", "N", "Assign blocks of N consecutive frames to splits, and not whole places", 1, int.MaxValue);
+    private Option<int> Block { get; } =
+        ValueParsers.Integer(
+            "--split-block",
+            "N",
+            "Assign blocks of N consecutive frames to splits, and not whole places",
+            1,
+            int.MaxValue
+        );
 
     private Option<string?> Classes { get; } = ClassList.Option("Export");
-    private Option<double> MinVisible { get; } = ValueParsers.Number(
-        "--min-visible", "FRACTION", "Export objects with at least this fraction visible, 0 to 1 [default: 0]", value =>
-            value is >= 0 and <= 1, "a number from 0 to 1");
+    private Option<double> MinVisible { get; } =
+        ValueParsers.Number(
+            "--min-visible",
+            "FRACTION",
+            "Export objects with at least this fraction visible, 0 to 1 [default: 0]",
+            value => value is >= 0 and <= 1,
+            "a number from 0 to 1"
+        );
 
-    private Option<PartSelection?> Parts { get; } = ValueParsers.OptionalChoice<PartSelection>(
-        "--parts", "How signs and traffic lights are exported, see below [default: faces; all in webdataset and csv]");
+    private Option<PartSelection?> Parts { get; } =
+        ValueParsers.OptionalChoice<PartSelection>(
+            "--parts",
+            "How signs and traffic lights are exported, see below [default: faces; all in webdataset and csv]"
+        );
 
-    private Option<BoxKind?> Boxes { get; } = ValueParsers.OptionalChoice<BoxKind>(
-        "--boxes", "2D boxes to export, see below [default: visible where there are masks, else cuboid]");
+    private Option<BoxKind?> Boxes { get; } =
+        ValueParsers.OptionalChoice<BoxKind>(
+            "--boxes",
+            "2D boxes to export, see below [default: visible where there are masks, else cuboid]"
+        );
 
     private Option<string?> Map { get; } = ClassMap.Option();
 
-    private Option<string?> SubclassesOf { get; } = new("--subclasses")
-    {
-        Description = "Split signs into classes by MUTCD code (mutcd), traffic lights by state (light), or both",
-        HelpName = "mutcd,light",
-    };
+    private Option<string?> SubclassesOf { get; } =
+        new("--subclasses")
+        {
+            Description = "Split signs into classes by MUTCD code (mutcd), traffic lights by state (light), or both",
+            HelpName = "mutcd,light",
+        };
 
     private Option<SegmentationKind> Segmentation { get; } =
         ValueParsers.Choice<SegmentationKind>("--segmentation", "How coco encodes masks [default: rle]");
-    private Option<LaneSelection> Lanes { get; } = ValueParsers.Choice<LaneSelection>(
-        "--lanes", "Lane lines of a frame in tusimple: the five nearest, or all [default: nearest]");
+    private Option<LaneSelection> Lanes { get; } =
+        ValueParsers.Choice<LaneSelection>("--lanes", "Lane lines of a frame in tusimple: the five nearest, or all [default: nearest]");
     private Option<ImageTransfer> Images { get; } = TransferOption.Create("images");
 
     private Option<ImageFormat?> ImageFormat { get; } =
@@ -108,18 +121,18 @@ internal sealed class ExportCommand
 
     /// <summary>Options that have an effect in some formats only; with any other format they are an error.</summary>
     private (Option Option, Func<DatasetFormat, bool> IsOf)[] OptionsOfFormats =>
-    [
-        (Segmentation, format => format.HasSegmentations),
-        (Lanes, format => format.HasLaneSelection),
-        (Classes, format => format.HasObjects),
-        (MinVisible, format => format.HasObjects),
-        (Parts, format => format.HasParts),
-        (Boxes, format => format.HasBoxes),
-        (Map, format => format.HasNames),
-        (SubclassesOf, format => format.HasSubclasses),
-        (Images, format => format.KeepsImages),
-        (Block, format => !format.KeepsSequences),
-    ];
+        [
+            (Segmentation, format => format.HasSegmentations),
+            (Lanes, format => format.HasLaneSelection),
+            (Classes, format => format.HasObjects),
+            (MinVisible, format => format.HasObjects),
+            (Parts, format => format.HasParts),
+            (Boxes, format => format.HasBoxes),
+            (Map, format => format.HasNames),
+            (SubclassesOf, format => format.HasSubclasses),
+            (Images, format => format.KeepsImages),
+            (Block, format => !format.KeepsSequences),
+        ];
 
     private Option<Shard> ShardOf { get; } = ShardOption.Create();
     private Option<SyncMode> Sync { get; } = SyncOption.Create();
@@ -131,8 +144,27 @@ internal sealed class ExportCommand
     {
         var command = new Command("export", "Export sessions to a dataset format.")
         {
-            Sessions, Format, Out, Resume, Splits, Seed, Block, Classes, Map, SubclassesOf, MinVisible, Parts, Boxes, Segmentation, Lanes,
-                Images, ImageFormat, Quality, ShardOf, Sync, MinFree,
+            Sessions,
+            Format,
+            Out,
+            Resume,
+            Splits,
+            Seed,
+            Block,
+            Classes,
+            Map,
+            SubclassesOf,
+            MinVisible,
+            Parts,
+            Boxes,
+            Segmentation,
+            Lanes,
+            Images,
+            ImageFormat,
+            Quality,
+            ShardOf,
+            Sync,
+            MinFree,
         };
         HelpWithNotes.AddTo(command, Notes, OptionGroups.OfExport);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
@@ -154,9 +186,11 @@ internal sealed class ExportCommand
             Resumes = parsed.GetValue(Resume),
         };
         ExportResult result = new JobProgress(terminal, frames).Run(report => exporter.Run(report, cancellation));
-        terminal.Out.WriteLine(result.IsFinished
-            ? ExportSummary.Of(folder, result)
-            : $"{folder}: shard {shard} of {plan.Format.Name}, {Counted.Of(result.Frames, "frame")}. {ShardOption.NextStep}");
+        terminal.Out.WriteLine(
+            result.IsFinished
+                ? ExportSummary.Of(folder, result)
+                : $"{folder}: shard {shard} of {plan.Format.Name}, {Counted.Of(result.Frames, "frame")}. {ShardOption.NextStep}"
+        );
         if (!plan.Format.HasPoints && plan.Sessions.Any(session => session.ReadInfo().Rig is { Lidars.Count: > 0 }))
         {
             string others = string.Join(", ", DatasetFormats.All.Where(format => format.HasPoints).Select(format => format.Name));
@@ -165,8 +199,10 @@ internal sealed class ExportCommand
 
         if (exporter.SeparatedNeighbours > 0)
         {
-            terminal.WriteError($"{Counted.Of(exporter.SeparatedNeighbours, "frame")} and the frame before, which look alike, are in "
-                + "different splits. To keep places whole, omit --split-block.");
+            terminal.WriteError(
+                $"{Counted.Of(exporter.SeparatedNeighbours, "frame")} and the frame before, which look alike, are in "
+                    + "different splits. To keep places whole, omit --split-block."
+            );
         }
 
         return ExitCode.Done;
@@ -175,8 +211,11 @@ internal sealed class ExportCommand
     private ExportPlan PlanOf(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
     {
         string name = parsed.GetRequiredValue(Format);
-        DatasetFormat format = DatasetFormats.Find(name) ?? throw new UsageException(
-            $"--format takes one of {string.Join(", ", DatasetFormats.All.Select(each => each.Name))}, not '{name}'.");
+        DatasetFormat format =
+            DatasetFormats.Find(name)
+            ?? throw new UsageException(
+                $"--format takes one of {string.Join(", ", DatasetFormats.All.Select(each => each.Name))}, not '{name}'."
+            );
         CheckOptions(parsed, format);
         SplitPlan splits = SplitsOf(parsed);
         if (format.ProblemOf(splits.Splits) is { } problem)
@@ -185,8 +224,12 @@ internal sealed class ExportCommand
         }
 
         string[] sessions = parsed.GetRequiredValue(Sessions);
-        if (sessions.GroupBy(folder => Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder)))
-            .FirstOrDefault(same => same.Count() > 1) is { } twice)
+        if (
+            sessions
+                .GroupBy(folder => Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder)))
+                .FirstOrDefault(same => same.Count() > 1) is
+            { } twice
+        )
         {
             throw new UsageException($"'{twice.First()}' is given twice. Name each session once.");
         }
@@ -227,9 +270,10 @@ internal sealed class ExportCommand
         var subclasses = Subclasses.None;
         foreach (string name in text.Split(',', StringSplitOptions.RemoveEmptyEntries))
         {
-            subclasses |= ValueParsers.ParseChoice<Subclasses>(name) is { } one && one != Subclasses.None
-                ? one
-                : throw new UsageException($"--subclasses takes mutcd, light or mutcd,light, not '{text}'.");
+            subclasses |=
+                ValueParsers.ParseChoice<Subclasses>(name) is { } one && one != Subclasses.None
+                    ? one
+                    : throw new UsageException($"--subclasses takes mutcd, light or mutcd,light, not '{text}'.");
         }
 
         return subclasses;
@@ -242,8 +286,11 @@ internal sealed class ExportCommand
         try
         {
             return splits.All(split => split is not null)
-                ? new SplitPlan([.. splits.Select(split => split!.Value)], parsed.GetValue(Seed),
-                    parsed.GetResult(Block) is null ? null : parsed.GetValue(Block))
+                ? new SplitPlan(
+                    [.. splits.Select(split => split!.Value)],
+                    parsed.GetValue(Seed),
+                    parsed.GetResult(Block) is null ? null : parsed.GetValue(Block)
+                )
                 : throw new UsageException($"--split takes names with fractions, e.g. train:0.8,val:0.2, not '{text}'.");
         }
         catch (ArgumentException e)

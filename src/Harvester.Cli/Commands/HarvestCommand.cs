@@ -1,9 +1,4 @@
-using System;
 using System.CommandLine;
-using System.IO;
-using System.Linq;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
@@ -34,9 +29,12 @@ internal sealed class HarvestCommand
         + "frame and leaves a valid session. The same command with --resume continues after the last frame, whatever stopped it, and ends\n"
         + "with the same bytes as if it had not been stopped; without --resume it starts over. A shard is a session with every N-th\n"
         + "frame of the full run, under the same frame numbers and without a report; harvester merge combines all shards.\n\n"
-        + MaskOption.Notes + "\n\n"
-        + PairsOption.Notes + "\n\n"
-        + QuirkList.Notes + "\n\n"
+        + MaskOption.Notes
+        + "\n\n"
+        + PairsOption.Notes
+        + "\n\n"
+        + QuirkList.Notes
+        + "\n\n"
         + "Examples:\n"
         + "  harvester harvest --out out\n"
         + "  harvester harvest --out rain --frames 500 --seed 7 --weather rain --time 18:30 --masks\n"
@@ -48,12 +46,15 @@ internal sealed class HarvestCommand
         + "  harvester harvest --out part-2 --frames 5000 --shard 2/8";
 
     private Option<string> Out { get; } =
-        new("--out") { Description = "Folder to write the session to", HelpName = "DIR", Required = true };
+        new("--out")
+        {
+            Description = "Folder to write the session to",
+            HelpName = "DIR",
+            Required = true,
+        };
     private Option<bool> Overwrite { get; } = new("--overwrite") { Description = "Replace an existing session in the folder" };
-    private Option<bool> Resume { get; } = new("--resume")
-    {
-        Description = "Continue an unfinished session of the same command, or start one",
-    };
+    private Option<bool> Resume { get; } =
+        new("--resume") { Description = "Continue an unfinished session of the same command, or start one" };
     private Option<int> Frames { get; } = WithDefault(ValueParsers.Integer("--frames", "N", "Number of frames", 1, MaxFrames), 100);
     private Option<int> Seed { get; } = WithDefault(ValueParsers.Integer("--seed", "N", "Random seed", 0, int.MaxValue), 1);
 
@@ -61,23 +62,32 @@ internal sealed class HarvestCommand
     private Option<ImageFormat?> Format { get; } = ImageFormatOption.Format("Image format: png, bmp or jpg (lossy) [default: png]");
     private Option<int?> Quality { get; } = ImageFormatOption.Quality();
     private Option<double> Fov { get; } = WithDefault(CameraOptions.FovOfHarvest(), 50);
-    private Option<double> Hz { get; } = WithDefault(
-        ValueParsers.Number(
-            "--hz", "N", "Frames per second of game time", value =>
-                value is > 0 and <= SimulatedHarvest.TicksPerSecond, "a number greater than 0 and at most 60"), 10);
+    private Option<double> Hz { get; } =
+        WithDefault(
+            ValueParsers.Number(
+                "--hz",
+                "N",
+                "Frames per second of game time",
+                value => value is > 0 and <= SimulatedHarvest.TicksPerSecond,
+                "a number greater than 0 and at most 60"
+            ),
+            10
+        );
 
-    private Option<FileInfo?> Roads { get; } = new("--roads")
-    {
-        Description = "Road network to drive on, a file or folder [default: a town generated from the seed]",
-        HelpName = "FILE",
-    };
+    private Option<FileInfo?> Roads { get; } =
+        new("--roads")
+        {
+            Description = "Road network to drive on, a file or folder [default: a town generated from the seed]",
+            HelpName = "FILE",
+        };
 
-    private Option<FileInfo[]> Props { get; } = new("--props")
-    {
-        Description = "Traffic lights and street lamps from this file instead of generated ones; repeatable",
-        HelpName = "FILE",
-        DefaultValueFactory = _ => [],
-    };
+    private Option<FileInfo[]> Props { get; } =
+        new("--props")
+        {
+            Description = "Traffic lights and street lamps from this file instead of generated ones; repeatable",
+            HelpName = "FILE",
+            DefaultValueFactory = _ => [],
+        };
 
     private Option<FileSystemInfo?> Faces { get; } = SpacesOption.Create("the built-in table");
 
@@ -91,37 +101,52 @@ internal sealed class HarvestCommand
 
     private ChannelOptions Channels { get; } = new();
 
-    private Option<bool> TrueOcclusion { get; } = new("--true-occlusion")
-    {
-        Description = "Also label how much of each object the renderer hides, exactly; slower",
-    };
+    private Option<bool> TrueOcclusion { get; } =
+        new("--true-occlusion") { Description = "Also label how much of each object the renderer hides, exactly; slower" };
 
-    private Option<int> Rays { get; } = WithDefault(
-        ValueParsers.Integer("--rays", "N", "Rays per frame, spent on masks first, then on objects, faces and lanes", 0,
-            LabellingOptions.MaxRays),
-        new HarvestOptions().RayBudget);
+    private Option<int> Rays { get; } =
+        WithDefault(
+            ValueParsers.Integer(
+                "--rays",
+                "N",
+                "Rays per frame, spent on masks first, then on objects, faces and lanes",
+                0,
+                LabellingOptions.MaxRays
+            ),
+            new HarvestOptions().RayBudget
+        );
 
-    private Option<double> RayReach { get; } = WithDefault(
-        ValueParsers.Number(
-            "--ray-reach", "M", "Distance to which rays hit objects reliably, metres; objects beyond it become ignore regions",
-            IsDistance, DistanceForm),
-        new HarvestOptions().RayReachMetres);
+    private Option<double> RayReach { get; } =
+        WithDefault(
+            ValueParsers.Number(
+                "--ray-reach",
+                "M",
+                "Distance to which rays hit objects reliably, metres; objects beyond it become ignore regions",
+                IsDistance,
+                DistanceForm
+            ),
+            new HarvestOptions().RayReachMetres
+        );
 
-    private Option<bool> Motion { get; } = new("--motion")
-    {
-        Description = "Record the motion of the vehicle at every tick between frames; always recorded with --rig",
-    };
+    private Option<bool> Motion { get; } =
+        new("--motion") { Description = "Record the motion of the vehicle at every tick between frames; always recorded with --rig" };
 
     private Option<bool> NoScenes { get; } =
         new("--no-scenes") { Description = "Do not write scenes; the session cannot be relabelled then" };
-    private Option<double> Range { get; } = WithDefault(
-        ValueParsers.Number("--range", "M", "Label objects up to this distance, metres", IsDistance, DistanceForm), 80);
+    private Option<double> Range { get; } =
+        WithDefault(ValueParsers.Number("--range", "M", "Label objects up to this distance, metres", IsDistance, DistanceForm), 80);
 
-    private Option<double> IgnoreRange { get; } = WithDefault(
-        ValueParsers.Number(
-            "--ignore-range", "M", "Mark visible objects between --range and this distance as ignore regions, metres; 0 marks none",
-            value => value is >= 0 and <= MaxRange, "a number from 0 to 100000"),
-        new HarvestOptions().IgnoreRangeMetres);
+    private Option<double> IgnoreRange { get; } =
+        WithDefault(
+            ValueParsers.Number(
+                "--ignore-range",
+                "M",
+                "Mark visible objects between --range and this distance as ignore regions, metres; 0 marks none",
+                value => value is >= 0 and <= MaxRange,
+                "a number from 0 to 100000"
+            ),
+            new HarvestOptions().IgnoreRangeMetres
+        );
 
     private Option<LookAhead> LaneLookAhead { get; } = LaneOptions.LookAhead();
     private Option<double> LaneWidth { get; } = LaneOptions.LaneWidth();
@@ -132,18 +157,23 @@ internal sealed class HarvestCommand
     private Option<string> DetailOf { get; } = DetailOption.Create();
     private Option<string> FreezeBy { get; } = FreezeOption.Create();
 
-    private Option<int> MaxPictureLag { get; } = WithDefault(
-        ValueParsers.Integer("--max-picture-lag", "TICKS", "Maximum picture lag, ticks (1/60 s)", 0, PictureLag.MaxTicks),
-        new HarvestOptions().MaxPictureLagTicks);
+    private Option<int> MaxPictureLag { get; } =
+        WithDefault(
+            ValueParsers.Integer("--max-picture-lag", "TICKS", "Maximum picture lag, ticks (1/60 s)", 0, PictureLag.MaxTicks),
+            new HarvestOptions().MaxPictureLagTicks
+        );
 
-    private Option<double> MaxCameraError { get; } = WithDefault(
-        ValueParsers.Number(
-            "--max-camera-error",
-            "PX",
-            "Maximum error of the camera model, pixels; 0 skips the check",
-            value => value >= 0,
-            "a number, 0 or greater"),
-        1);
+    private Option<double> MaxCameraError { get; } =
+        WithDefault(
+            ValueParsers.Number(
+                "--max-camera-error",
+                "PX",
+                "Maximum error of the camera model, pixels; 0 skips the check",
+                value => value >= 0,
+                "a number, 0 or greater"
+            ),
+            1
+        );
 
     private LensOptions LensOf { get; } = new();
     private RigOption RigOf { get; } = new();
@@ -159,9 +189,41 @@ internal sealed class HarvestCommand
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Resume, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, Masks, TrueOcclusion,
-                Rays, RayReach, NoScenes, Motion, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, DetailOf, Quirks,
-                    FreezeBy, MaxPictureLag, MaxCameraError, ShardOf, Sync, MinFree, NoReport,
+            Out,
+            Overwrite,
+            Resume,
+            Frames,
+            Seed,
+            Size,
+            Format,
+            Quality,
+            Fov,
+            Hz,
+            Roads,
+            Props,
+            Faces,
+            Near,
+            Masks,
+            TrueOcclusion,
+            Rays,
+            RayReach,
+            NoScenes,
+            Motion,
+            Range,
+            IgnoreRange,
+            LaneLookAhead,
+            LaneWidth,
+            NarrowLaneWidth,
+            Classes,
+            DetailOf,
+            Quirks,
+            FreezeBy,
+            MaxPictureLag,
+            MaxCameraError,
+            ShardOf,
+            Sync,
+            MinFree,
+            NoReport,
         };
         Semantics.AddTo(command);
         Channels.AddTo(command);
@@ -171,9 +233,12 @@ internal sealed class HarvestCommand
         RigOf.AddTo(command);
         PairsOf.AddTo(command);
         HelpWithNotes.AddTo(command, Notes, OptionGroups.OfHarvest);
-        command.SetAction((parsed, cancellation) =>
-            Task.FromResult(Run(
-                terminal, RigOf.AppliedTo(parsed, PlanOf(parsed)), CommandText.Of(parsed), !parsed.GetValue(NoReport), cancellation)));
+        command.SetAction(
+            (parsed, cancellation) =>
+                Task.FromResult(
+                    Run(terminal, RigOf.AppliedTo(parsed, PlanOf(parsed)), CommandText.Of(parsed), !parsed.GetValue(NoReport), cancellation)
+                )
+        );
         return command;
     }
 
@@ -188,7 +253,14 @@ internal sealed class HarvestCommand
         }
 
         using var output = new SessionOutput(
-            terminal, plan.Folder, command, plan.Overwrite, keepsFrames: true, plan.Resume, minFreeBytes: plan.Options.MinFreeBytes);
+            terminal,
+            plan.Folder,
+            command,
+            plan.Overwrite,
+            keepsFrames: true,
+            plan.Resume,
+            minFreeBytes: plan.Options.MinFreeBytes
+        );
         terminal.Out.WriteLine($"Harvesting {plan.Description}, seed {plan.Seed}, to {plan.Folder}");
         terminal.Out.Flush();
         SimulatedHarvest harvest = SimulatedHarvest.Build(plan, terminal.WriteError);
@@ -201,10 +273,12 @@ internal sealed class HarvestCommand
 
         if (outcome.Fault is { } fault)
         {
-            terminal.WriteError(output.KeepsFormer
-                ? $"{fault.Replace(written, plan.Folder, StringComparison.Ordinal)} The former session is unchanged; the new "
-                    + "frames are deleted."
-                : fault);
+            terminal.WriteError(
+                output.KeepsFormer
+                    ? $"{fault.Replace(written, plan.Folder, StringComparison.Ordinal)} The former session is unchanged; the new "
+                        + "frames are deleted."
+                    : fault
+            );
             return outcome.ExitCode;
         }
 
@@ -212,7 +286,8 @@ internal sealed class HarvestCommand
         {
             terminal.WriteError(
                 $"Stopped after {outcome.Frames} of {Counted.Of(plan.Frames, "frame")}, which are deleted; the session in "
-                + $"'{plan.Folder}' is unchanged.");
+                    + $"'{plan.Folder}' is unchanged."
+            );
             return outcome.ExitCode;
         }
 
@@ -240,7 +315,8 @@ internal sealed class HarvestCommand
         {
             terminal.WriteError(
                 $"Stopped after {outcome.Frames} of {Counted.Of(plan.Frames, "frame")}; the session is valid. To continue, give the same "
-                + "command with --resume; without it, the command starts over.");
+                    + "command with --resume; without it, the command starts over."
+            );
         }
 
         return outcome.ExitCode;

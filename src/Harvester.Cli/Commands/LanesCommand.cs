@@ -1,7 +1,4 @@
-using System.Collections.Generic;
 using System.CommandLine;
-using System.IO;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
@@ -27,27 +24,49 @@ internal sealed class LanesCommand
     private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true, NewLine = "\n" };
 
     private Option<FileInfo> Roads { get; } =
-        new("--roads") { Description = "Road network: any file that harvester roads import reads", HelpName = "FILE", Required = true };
-    private Option<Vector3D> Position { get; } = Required(ValueParsers.Vector(
-        "--position", "X,Y,Z", "Centre of the car's box in the world, metres; with --box-centre, the car's origin (ego.position)"));
-    private Option<double> Heading { get; } = Required(
-        ValueParsers.Number("--heading", "DEG", "Heading of the car, degrees counter-clockwise from north", _ => true, "a number"));
+        new("--roads")
+        {
+            Description = "Road network: any file that harvester roads import reads",
+            HelpName = "FILE",
+            Required = true,
+        };
+    private Option<Vector3D> Position { get; } =
+        Required(
+            ValueParsers.Vector(
+                "--position",
+                "X,Y,Z",
+                "Centre of the car's box in the world, metres; with --box-centre, the car's origin (ego.position)"
+            )
+        );
+    private Option<double> Heading { get; } =
+        Required(
+            ValueParsers.Number("--heading", "DEG", "Heading of the car, degrees counter-clockwise from north", _ => true, "a number")
+        );
 
-    private Option<Vector3D?> BoxCentre { get; } = ValueParsers.Optional<Vector3D>(
-        "--box-centre",
-        "R,F,U",
-        "Offset of the box's centre from the car's origin, metres right, forward and up: (modelMin + modelMax) / 2 of ego in a scene "
-            + "[default: 0,0,0]",
-        text => ValueParsers.Numbers(text, 3) is { } n ? new Vector3D(n[0], n[1], n[2]) : null,
-        "three numbers");
+    private Option<Vector3D?> BoxCentre { get; } =
+        ValueParsers.Optional<Vector3D>(
+            "--box-centre",
+            "R,F,U",
+            "Offset of the box's centre from the car's origin, metres right, forward and up: (modelMin + modelMax) / 2 of ego in a scene "
+                + "[default: 0,0,0]",
+            text => ValueParsers.Numbers(text, 3) is { } n ? new Vector3D(n[0], n[1], n[2]) : null,
+            "three numbers"
+        );
 
-    private Option<FileInfo?> Vehicles { get; } =
-        new("--vehicles") { Description = "Other vehicles, see below", HelpName = "FILE" };
+    private Option<FileInfo?> Vehicles { get; } = new("--vehicles") { Description = "Other vehicles, see below", HelpName = "FILE" };
     private Option<double> Length { get; } = WithDefault(Metres("--length", "Length of the car, metres"), 4.5);
     private Option<LookAhead> LaneLookAhead { get; } = LaneOptions.LookAhead();
-    private Option<double> Speed { get; } = WithDefault(
-        ValueParsers.Number("--speed", "V", "Speed of the car, metres per second, for a look-ahead in seconds", value =>
-            value is >= 0 and <= 100, "a number from 0 to 100"), 10);
+    private Option<double> Speed { get; } =
+        WithDefault(
+            ValueParsers.Number(
+                "--speed",
+                "V",
+                "Speed of the car, metres per second, for a look-ahead in seconds",
+                value => value is >= 0 and <= 100,
+                "a number from 0 to 100"
+            ),
+            10
+        );
 
     private Option<double> LaneWidth { get; } = LaneOptions.LaneWidth();
     private Option<double> NarrowLaneWidth { get; } = LaneOptions.NarrowLaneWidth();
@@ -58,20 +77,36 @@ internal sealed class LanesCommand
     {
         var command = new Command("lanes", "Print the 13 lane indicators of a car at a position, as JSON.")
         {
-            Roads, Position, Heading, BoxCentre, Vehicles, Length, LaneLookAhead, Speed, LaneWidth, NarrowLaneWidth,
+            Roads,
+            Position,
+            Heading,
+            BoxCentre,
+            Vehicles,
+            Length,
+            LaneLookAhead,
+            Speed,
+            LaneWidth,
+            NarrowLaneWidth,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(parsed =>
         {
             RoadNetwork network = RoadImporter.Import(parsed.GetRequiredValue(Roads).FullName).Network;
             var observer = new LaneObserver(
-                new RoadCurves(network), new LaneModel(network, parsed.GetValue(LaneWidth), parsed.GetValue(NarrowLaneWidth)),
-                    parsed.GetValue(LaneLookAhead));
+                new RoadCurves(network),
+                new LaneModel(network, parsed.GetValue(LaneWidth), parsed.GetValue(NarrowLaneWidth)),
+                parsed.GetValue(LaneLookAhead)
+            );
             double heading = parsed.GetRequiredValue(Heading);
             var car = new Pose(parsed.GetRequiredValue(Position), Axes.FromHeading(heading));
             LaneObservation seen = observer.Observe(
-                car.ToWorld(parsed.GetValue(BoxCentre) ?? Vector3D.Zero), heading, parsed.GetValue(Speed), parsed.GetValue(Length),
-                    ReadVehicles(parsed.GetValue(Vehicles)), null);
+                car.ToWorld(parsed.GetValue(BoxCentre) ?? Vector3D.Zero),
+                heading,
+                parsed.GetValue(Speed),
+                parsed.GetValue(Length),
+                ReadVehicles(parsed.GetValue(Vehicles)),
+                null
+            );
             terminal.Out.WriteLine(TextOf(seen));
             return ExitCode.Done;
         });
@@ -106,17 +141,25 @@ internal sealed class LanesCommand
                 continue;
             }
 
-            double[] numbers = ValueParsers.Numbers(line, 4) ?? ValueParsers.Numbers(line, 5)
+            double[] numbers =
+                ValueParsers.Numbers(line, 4)
+                ?? ValueParsers.Numbers(line, 5)
                 ?? throw new DatasetFormatException(
-                    $"{file.Name}, line {index + 1}: expected x,y,z,heading or x,y,z,heading,length, found '{line.Trim()}'.");
+                    $"{file.Name}, line {index + 1}: expected x,y,z,heading or x,y,z,heading,length, found '{line.Trim()}'."
+                );
             if (vehicles.Count == maxVehicles)
             {
                 throw new DatasetFormatException($"{file.Name}, line {index + 1}: more than {maxVehicles} vehicles, the limit.");
             }
 
-            vehicles.Add(new TrafficVehicle(
-                vehicles.Count + 1, new Vector3D(numbers[0], numbers[1], numbers[2]), numbers[3], numbers.Length > 4 ? numbers[4]
-                    : usualLength));
+            vehicles.Add(
+                new TrafficVehicle(
+                    vehicles.Count + 1,
+                    new Vector3D(numbers[0], numbers[1], numbers[2]),
+                    numbers[3],
+                    numbers.Length > 4 ? numbers[4] : usualLength
+                )
+            );
         }
 
         return [.. vehicles];

@@ -1,7 +1,4 @@
 using System.CommandLine;
-using System.IO;
-using System.Linq;
-using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Exports.Assembly;
@@ -31,34 +28,53 @@ internal static class MergeCommand
         var shards = new Argument<string[]>("SHARD")
         {
             Description = "Folders with the shards of one harvest, relabel or export",
-            Arity = ArgumentArity.OneOrMore
+            Arity = ArgumentArity.OneOrMore,
         };
-        var output = new Option<string>("--out") { Description = "Folder to write the result to", HelpName = "DIR", Required = true };
+        var output = new Option<string>("--out")
+        {
+            Description = "Folder to write the result to",
+            HelpName = "DIR",
+            Required = true,
+        };
         Option<ImageTransfer> images = TransferOption.Create("files");
         Option<SyncMode> sync = SyncOption.Create();
         Option<long?> minFree = MinFreeOption.Create();
         Option<bool> resume = ResumeOption.Create();
         Option<bool> noReport = ReportOption.Create();
-        var command = new Command("merge", "Merge the shards of parallel runs into one session or dataset.") { shards, output, resume,
-            images, sync, minFree, noReport };
+        var command = new Command("merge", "Merge the shards of parallel runs into one session or dataset.")
+        {
+            shards,
+            output,
+            resume,
+            images,
+            sync,
+            minFree,
+            noReport,
+        };
         HelpWithNotes.AddTo(command, Notes);
-        command.SetAction((parsed, cancellation) => Task.FromResult(Run(
-            terminal,
-            parsed.GetRequiredValue(shards),
-            parsed.GetRequiredValue(output),
-            CommandText.Of(parsed),
-            !parsed.GetValue(noReport),
-            new MergeOptions(
-                parsed.GetValue(images),
-                parsed.GetValue(sync),
-                parsed.GetValue(resume),
-                MinFreeOption.BytesIn(parsed, minFree),
-                cancellation))));
+        command.SetAction(
+            (parsed, cancellation) =>
+                Task.FromResult(
+                    Run(
+                        terminal,
+                        parsed.GetRequiredValue(shards),
+                        parsed.GetRequiredValue(output),
+                        CommandText.Of(parsed),
+                        !parsed.GetValue(noReport),
+                        new MergeOptions(
+                            parsed.GetValue(images),
+                            parsed.GetValue(sync),
+                            parsed.GetValue(resume),
+                            MinFreeOption.BytesIn(parsed, minFree),
+                            cancellation
+                        )
+                    )
+                )
+        );
         return command;
     }
 
-    private static int Run(
-        Terminal terminal, string[] shards, string folder, string command, bool withReport, MergeOptions options)
+    private static int Run(Terminal terminal, string[] shards, string folder, string command, bool withReport, MergeOptions options)
     {
         if (shards.FirstOrDefault(shard => !Directory.Exists(shard)) is { } absent)
         {
@@ -80,7 +96,14 @@ internal static class MergeCommand
         }
 
         using var session = new SessionOutput(
-            terminal, folder, command, overwrite: null, keepsFrames: false, options.Resume, minFreeBytes: options.MinFreeBytes);
+            terminal,
+            folder,
+            command,
+            overwrite: null,
+            keepsFrames: false,
+            options.Resume,
+            minFreeBytes: options.MinFreeBytes
+        );
         string written = session.Begin();
         int frames = session.Writing(() => SessionMerger.Merge(shards, written, options));
         if (withReport)

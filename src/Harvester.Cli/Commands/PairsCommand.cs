@@ -1,7 +1,4 @@
-using System;
 using System.CommandLine;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
@@ -25,9 +22,13 @@ internal sealed class PairsCommand
         + "  harvester pairs out --out trials --format webdataset";
 
     private Option<string> Out { get; } =
-        new("--out") { Description = "Folder to write to, new or empty", HelpName = "DIR", Required = true };
-    private Option<PairFormat> Format { get; } =
-        ValueParsers.Choice<PairFormat>("--format", "csv or webdataset [default: csv]");
+        new("--out")
+        {
+            Description = "Folder to write to, new or empty",
+            HelpName = "DIR",
+            Required = true,
+        };
+    private Option<PairFormat> Format { get; } = ValueParsers.Choice<PairFormat>("--format", "csv or webdataset [default: csv]");
     private Option<ImageTransfer> Images { get; } = TransferOption.Create("images");
     private Option<bool> Resume { get; } = ResumeOption.Create();
     private Option<SyncMode> Sync { get; } = SyncOption.Create();
@@ -39,11 +40,15 @@ internal sealed class PairsCommand
         Argument<string> session = SessionArgument.Create();
         var command = new Command("pairs", "Export the pictures of moments in several weathers, at several hours and without objects.")
         {
-            session, Out, Format, Images, Sync, Resume,
+            session,
+            Out,
+            Format,
+            Images,
+            Sync,
+            Resume,
         };
         HelpWithNotes.AddTo(command, Notes);
-        command.SetAction((parsed, cancellation) =>
-            Task.FromResult(Run(terminal, parsed.GetRequiredValue(session), parsed, cancellation)));
+        command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed.GetRequiredValue(session), parsed, cancellation)));
         return command;
     }
 
@@ -63,8 +68,10 @@ internal sealed class PairsCommand
         };
         if (resumes && FinishedResult.Of(target, () => exporter.Finished(target)) is { } finished)
         {
-            terminal.Out.WriteLine($"{target}: {Counted.Of(finished.Groups, "group")}, "
-                + $"{Counted.Of(finished.Images, "picture")}; the export is finished already.");
+            terminal.Out.WriteLine(
+                $"{target}: {Counted.Of(finished.Groups, "group")}, "
+                    + $"{Counted.Of(finished.Images, "picture")}; the export is finished already."
+            );
             return ExitCode.Done;
         }
 

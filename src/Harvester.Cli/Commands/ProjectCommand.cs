@@ -1,7 +1,5 @@
-using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
-using System.IO;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
@@ -29,21 +27,41 @@ internal static class ProjectCommand
     public static Command Create(Terminal terminal)
     {
         Option<Vector3D> position = Required(ValueParsers.Vector("--position", "X,Y,Z", "Position of the camera in the world, metres"));
-        Option<Vector3D> rotation = Required(ValueParsers.Vector(
-            "--rotation", "PITCH,ROLL,YAW", "Rotation of the camera, degrees; the matrix is Rz(yaw) Rx(pitch) Ry(roll), as in the game"));
+        Option<Vector3D> rotation = Required(
+            ValueParsers.Vector(
+                "--rotation",
+                "PITCH,ROLL,YAW",
+                "Rotation of the camera, degrees; the matrix is Rz(yaw) Rx(pitch) Ry(roll), as in the game"
+            )
+        );
         Option<double> fov = Required(CameraOptions.Fov());
         Option<ImageSize> size = Required(CameraOptions.Size());
         Option<double?> aspect = ValueParsers.Optional(
-            "--aspect", "A", "Aspect ratio of the game's window, width / height [default: that of --size]",
-                Positive, "a number greater than 0");
+            "--aspect",
+            "A",
+            "Aspect ratio of the game's window, width / height [default: that of --size]",
+            Positive,
+            "a number greater than 0"
+        );
         Option<double> near = ValueParsers.Number(
-            "--near", "N", "Distance of the near plane, metres", value => value > 0, "a number greater than 0");
+            "--near",
+            "N",
+            "Distance of the near plane, metres",
+            value => value > 0,
+            "a number greater than 0"
+        );
         near.DefaultValueFactory = _ => DefaultNearClip;
         var points = new Option<FileInfo?>("--points") { Description = "File with points [default: standard input]", HelpName = "FILE" };
 
         var command = new Command("project", "Project points of the world into an image: CSV in, CSV out.")
         {
-            position, rotation, fov, size, aspect, near, points,
+            position,
+            rotation,
+            fov,
+            size,
+            aspect,
+            near,
+            points,
         };
         var lens = new LensOptions();
         lens.AddTo(command);
@@ -53,8 +71,16 @@ internal static class ProjectCommand
             ImageSize image = parsed.GetValue(size);
             Vector3D angles = parsed.GetValue(rotation);
             var pose = new Pose(parsed.GetValue(position), Axes.FromEuler(new EulerAngles(angles.X, angles.Y, angles.Z)));
-            var camera = new Camera(pose, new CameraIntrinsics(
-                parsed.GetValue(fov), image, parsed.GetValue(aspect) ?? image.Aspect, parsed.GetValue(near), lens.Parse(parsed)));
+            var camera = new Camera(
+                pose,
+                new CameraIntrinsics(
+                    parsed.GetValue(fov),
+                    image,
+                    parsed.GetValue(aspect) ?? image.Aspect,
+                    parsed.GetValue(near),
+                    lens.Parse(parsed)
+                )
+            );
 
             FileInfo? file = parsed.GetValue(points);
             string source = file?.Name ?? "standard input";
@@ -88,7 +114,8 @@ internal static class ProjectCommand
                 continue;
             }
 
-            double[] point = ValueParsers.Numbers(line, 3)
+            double[] point =
+                ValueParsers.Numbers(line, 3)
                 ?? throw new DatasetFormatException($"{source}, line {number}: expected x,y,z, found '{line.Trim()}'.");
             yield return new Vector3D(point[0], point[1], point[2]);
         }

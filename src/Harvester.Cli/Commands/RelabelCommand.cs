@@ -1,8 +1,4 @@
-using System;
 using System.CommandLine;
-using System.IO;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Faces;
 using Harvester.Cli.Relabelling;
@@ -32,21 +28,41 @@ internal sealed class RelabelCommand
 
     private Argument<string> Session { get; } = SessionArgument.Create();
     private Option<string> Out { get; } =
-        new("--out") { Description = "Folder to write the new session to", HelpName = "DIR", Required = true };
+        new("--out")
+        {
+            Description = "Folder to write the new session to",
+            HelpName = "DIR",
+            Required = true,
+        };
     private Option<bool> Overwrite { get; } = new("--overwrite") { Description = "Replace an existing session in the folder" };
     private Option<bool> Resume { get; } = ResumeOption.Create();
     private Option<double?> Range { get; } =
         Number("--range", "M", "Label objects up to this distance, metres", value => value > 0, "a number greater than 0");
     private Option<string?> Classes { get; } = ClassList.Option("Label");
     private Option<double?> MinArea { get; } =
-        Number("--min-box-area", "PX2", "Label objects whose 2D box has at least this area, square pixels", value =>
-            value >= 0, "a number, 0 or greater");
+        Number(
+            "--min-box-area",
+            "PX2",
+            "Label objects whose 2D box has at least this area, square pixels",
+            value => value >= 0,
+            "a number, 0 or greater"
+        );
     private Option<double?> MinSide { get; } =
-        Number("--min-box-side", "PX", "Label objects whose 2D box is at least this wide and high, pixels", value =>
-            value >= 0, "a number, 0 or greater");
+        Number(
+            "--min-box-side",
+            "PX",
+            "Label objects whose 2D box is at least this wide and high, pixels",
+            value => value >= 0,
+            "a number, 0 or greater"
+        );
     private Option<double?> MaxOccluded { get; } =
-        Number("--max-occluded", "FRACTION", "Label objects with at most this fraction hidden, 0 to 1", value =>
-            value is >= 0 and <= 1, "a number from 0 to 1");
+        Number(
+            "--max-occluded",
+            "FRACTION",
+            "Label objects with at most this fraction hidden, 0 to 1",
+            value => value is >= 0 and <= 1,
+            "a number from 0 to 1"
+        );
     private Option<FileInfo?> Calibration { get; } =
         File("--calibration", "Lens to label with: a file with the output of harvester calibrate, or the mod's ini file");
     private Option<FileSystemInfo?> Faces { get; } = SpacesOption.Create("the recorded table");
@@ -66,8 +82,26 @@ internal sealed class RelabelCommand
     {
         var command = new Command("relabel", "Recompute the labels of a session with other options, without the game.")
         {
-            Session, Out, Overwrite, Resume, Range, Classes, MinArea, MinSide, MaxOccluded, Calibration, Faces, Roads, LaneLookAhead,
-                LaneWidth, NarrowLaneWidth, Images, ShardOf, Sync, MinFree, NoReport,
+            Session,
+            Out,
+            Overwrite,
+            Resume,
+            Range,
+            Classes,
+            MinArea,
+            MinSide,
+            MaxOccluded,
+            Calibration,
+            Faces,
+            Roads,
+            LaneLookAhead,
+            LaneWidth,
+            NarrowLaneWidth,
+            Images,
+            ShardOf,
+            Sync,
+            MinFree,
+            NoReport,
         };
         HelpWithNotes.AddTo(command, Notes, OptionGroups.OfRelabel);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
@@ -94,11 +128,18 @@ internal sealed class RelabelCommand
         }
 
         using var output = new SessionOutput(
-            terminal, folder, CommandText.Of(parsed), parsed.GetValue(Overwrite), keepsFrames: false, resumes,
-            minFreeBytes: MinFreeOption.BytesIn(parsed, MinFree));
+            terminal,
+            folder,
+            CommandText.Of(parsed),
+            parsed.GetValue(Overwrite),
+            keepsFrames: false,
+            resumes,
+            minFreeBytes: MinFreeOption.BytesIn(parsed, MinFree)
+        );
         string written = output.Begin();
-        int frames = new JobProgress(terminal, session.CountLines() / changes.Shard.Count)
-            .Run(report => output.Writing(() => relabeller.Run(written, report, cancellation)));
+        int frames = new JobProgress(terminal, session.CountLines() / changes.Shard.Count).Run(report =>
+            output.Writing(() => relabeller.Run(written, report, cancellation))
+        );
         bool isShard = changes.Shard.Count > 1;
         if (!isShard && !parsed.GetValue(NoReport))
         {
@@ -106,37 +147,47 @@ internal sealed class RelabelCommand
         }
 
         output.Complete();
-        terminal.Out.WriteLine(isShard
-            ? $"{folder}: shard {changes.Shard}, {Counted.Of(frames, "frame")}. {ShardOption.NextStep}"
-            : $"{folder}: {Counted.Of(frames, "frame")}");
+        terminal.Out.WriteLine(
+            isShard
+                ? $"{folder}: shard {changes.Shard}, {Counted.Of(frames, "frame")}. {ShardOption.NextStep}"
+                : $"{folder}: {Counted.Of(frames, "frame")}"
+        );
         return ExitCode.Done;
     }
 
-    private RelabelOptions ChangesOf(Terminal terminal, ParseResult parsed) => new()
-    {
-        RangeMetres = parsed.GetValue(Range),
-        Classes = ClassList.Parse(parsed.GetValue(Classes)),
-        MinBoxAreaPixels = parsed.GetValue(MinArea),
-        MinBoxSidePixels = parsed.GetValue(MinSide),
-        MaxOccludedFraction = parsed.GetValue(MaxOccluded),
-        Lens = parsed.GetValue(Calibration) is { } calibration ? LensFile.Read(calibration.FullName) : null,
-        Faces = parsed.GetValue(Faces) is { } faces ? FaceFile.AsWritten(FaceFile.ReadValid(faces.FullName, terminal.WriteError)) : null,
-        FacesName = parsed.GetValue(Faces)?.Name,
-        Roads = parsed.GetValue(Roads) is { } roads ? RoadImporter.Import(roads.FullName).Network : null,
-        RoadsName = parsed.GetValue(Roads)?.Name,
-        LookAhead = parsed.GetValue(LaneLookAhead),
-        LaneWidthMetres = parsed.GetValue(LaneWidth),
-        NarrowLaneWidthMetres = parsed.GetValue(NarrowLaneWidth),
-        Images = parsed.GetValue(Images),
-        Resume = parsed.GetValue(Resume),
-        Shard = parsed.GetValue(ShardOf),
-        Sync = parsed.GetValue(Sync),
-        MinFreeBytes = MinFreeOption.BytesIn(parsed, MinFree),
-    };
+    private RelabelOptions ChangesOf(Terminal terminal, ParseResult parsed) =>
+        new()
+        {
+            RangeMetres = parsed.GetValue(Range),
+            Classes = ClassList.Parse(parsed.GetValue(Classes)),
+            MinBoxAreaPixels = parsed.GetValue(MinArea),
+            MinBoxSidePixels = parsed.GetValue(MinSide),
+            MaxOccludedFraction = parsed.GetValue(MaxOccluded),
+            Lens = parsed.GetValue(Calibration) is { } calibration ? LensFile.Read(calibration.FullName) : null,
+            Faces = parsed.GetValue(Faces) is { } faces
+                ? FaceFile.AsWritten(FaceFile.ReadValid(faces.FullName, terminal.WriteError))
+                : null,
+            FacesName = parsed.GetValue(Faces)?.Name,
+            Roads = parsed.GetValue(Roads) is { } roads ? RoadImporter.Import(roads.FullName).Network : null,
+            RoadsName = parsed.GetValue(Roads)?.Name,
+            LookAhead = parsed.GetValue(LaneLookAhead),
+            LaneWidthMetres = parsed.GetValue(LaneWidth),
+            NarrowLaneWidthMetres = parsed.GetValue(NarrowLaneWidth),
+            Images = parsed.GetValue(Images),
+            Resume = parsed.GetValue(Resume),
+            Shard = parsed.GetValue(ShardOf),
+            Sync = parsed.GetValue(Sync),
+            MinFreeBytes = MinFreeOption.BytesIn(parsed, MinFree),
+        };
 
     private static Option<double?> Number(string name, string form, string description, Func<double, bool> isAllowed, string allowed) =>
         ValueParsers.Optional<double>(
-            name, form, description, text => ValueParsers.Number(text) is { } value && isAllowed(value) ? value : null, allowed);
+            name,
+            form,
+            description,
+            text => ValueParsers.Number(text) is { } value && isAllowed(value) ? value : null,
+            allowed
+        );
 
     private static Option<FileInfo?> File(string name, string description) => new(name) { Description = description, HelpName = "FILE" };
 }

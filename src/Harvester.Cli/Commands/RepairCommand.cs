@@ -1,7 +1,4 @@
 using System.CommandLine;
-using System.IO;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
@@ -34,8 +31,7 @@ internal sealed class RepairCommand
         Argument<string> session = SessionArgument.Create();
         var command = new Command("repair", "Recover all whole frames of a damaged session.") { session, Out, Images, Sync };
         HelpWithNotes.AddTo(command, Notes);
-        command.SetAction((parsed, cancellation) =>
-            Task.FromResult(Run(terminal, parsed.GetRequiredValue(session), parsed, cancellation)));
+        command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed.GetRequiredValue(session), parsed, cancellation)));
         return command;
     }
 

@@ -1,8 +1,5 @@
-using System;
 using System.CommandLine;
 using System.Globalization;
-using System.IO;
-using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Detections;
@@ -47,7 +44,12 @@ internal static class ReportCommand
         Option<int> frames = ValueParsers.Integer("--frames", "N", "Maximum number of frames to show, evenly spaced", 1, MaxFrames);
         frames.DefaultValueFactory = _ => new ReportLimits().Frames;
         Option<int?> still = ValueParsers.Optional<int>(
-            "--still", "FRAME", "Draw this frame with its boxes as a PNG image instead of a page", FrameNumber, "a frame number, e.g. 12");
+            "--still",
+            "FRAME",
+            "Draw this frame with its boxes as a PNG image instead of a page",
+            FrameNumber,
+            "a frame number, e.g. 12"
+        );
         var link = new Option<bool>("--link")
         {
             Description = "Link the images instead of embedding them; the page is small and works only next to its session",
@@ -62,71 +64,85 @@ internal static class ReportCommand
             HelpName = "FILE|DIR",
         };
         Option<double?> minScore = ValueParsers.Optional<double>(
-            "--min-score", "N", "Count and draw predictions with this score or a higher one; precision and recall use all [default: 0.5]",
-            text => ValueParsers.Number(text) is { } score && Math.Abs(score) <= MaxScore ? score : null, "a number, e.g. 0.5");
+            "--min-score",
+            "N",
+            "Count and draw predictions with this score or a higher one; precision and recall use all [default: 0.5]",
+            text => ValueParsers.Number(text) is { } score && Math.Abs(score) <= MaxScore ? score : null,
+            "a number, e.g. 0.5"
+        );
         var command = new Command("report", "Show a session as one self-contained HTML page.")
         {
-            folder, output, frames, still, posts, link, predictions, minScore,
+            folder,
+            output,
+            frames,
+            still,
+            posts,
+            link,
+            predictions,
+            minScore,
         };
         HelpWithNotes.AddTo(command, Notes);
-        command.SetAction((parsed, cancellation) =>
-        {
-            string session = parsed.GetRequiredValue(folder);
-            SessionReader reader = RecordedSessions.Open(terminal, session, cancellation);
-            if (parsed.GetValue(still) is { } frame)
+        command.SetAction(
+            (parsed, cancellation) =>
             {
-                Option[] ofPages = [frames, link, predictions, minScore];
-                if (Array.Find(ofPages, option => parsed.GetResult(option) is { Implicit: false }) is { } idle)
+                string session = parsed.GetRequiredValue(folder);
+                SessionReader reader = RecordedSessions.Open(terminal, session, cancellation);
+                if (parsed.GetValue(still) is { } frame)
                 {
-                    throw new UsageException($"{idle.Name} has no effect with --still.");
+                    Option[] ofPages = [frames, link, predictions, minScore];
+                    if (Array.Find(ofPages, option => parsed.GetResult(option) is { Implicit: false }) is { } idle)
+                    {
+                        throw new UsageException($"{idle.Name} has no effect with --still.");
+                    }
+
+                    string picture = parsed.GetValue(output) ?? $"frame-{frame}.png";
+                    FileExtension.Check("--out", picture, ".png");
+                    if (reader.Holds(picture))
+                    {
+                        throw new UsageException($"--out '{picture}' would replace a file of the session. Name another file.");
+                    }
+
+                    StillWriter.Write(reader, frame, picture, parsed.GetValue(posts));
+                    terminal.Out.WriteLine(picture);
+                    return Task.FromResult(ExitCode.Done);
                 }
 
-                string picture = parsed.GetValue(output) ?? $"frame-{frame}.png";
-                FileExtension.Check("--out", picture, ".png");
-                if (reader.Holds(picture))
+                string page = parsed.GetValue(output) ?? Path.Combine(session, ReportWriter.FileName);
+                FileExtension.Check("--out", page, ".html", ".htm");
+                if (reader.Holds(page))
                 {
-                    throw new UsageException($"--out '{picture}' would replace a file of the session. Name another file.");
+                    throw new UsageException($"--out '{page}' would replace a file of the session. Name another file.");
                 }
 
-                StillWriter.Write(reader, frame, picture, parsed.GetValue(posts));
-                terminal.Out.WriteLine(picture);
+                var limits = new ReportLimits(parsed.GetValue(frames))
+                {
+                    LinksImages = parsed.GetValue(link),
+                    ShowsPosts = parsed.GetValue(posts),
+                };
+                PredictionEvaluation? evaluation = null;
+                if (parsed.GetValue(predictions) is { } predicted)
+                {
+                    double score = parsed.GetValue(minScore) ?? DefaultMinScore;
+                    evaluation = new JobProgress(terminal, reader.CountLines()).Run(progress =>
+                        PredictionEvaluation.Of(reader, predicted, score, progress, cancellation)
+                    );
+                }
+                else if (parsed.GetResult(minScore) is { Implicit: false })
+                {
+                    throw new UsageException("--min-score has no effect without --predictions.");
+                }
+
+                using FolderLock? held = OutputFile.Lock(page);
+                int shown = new ReportWriter(reader, limits, evaluation).Write(page);
+                terminal.Out.WriteLine($"{page}: {Counted.Of(shown, "frame")} shown");
+                if (evaluation is not null)
+                {
+                    terminal.Out.WriteLine(Summary(evaluation));
+                }
+
                 return Task.FromResult(ExitCode.Done);
             }
-
-            string page = parsed.GetValue(output) ?? Path.Combine(session, ReportWriter.FileName);
-            FileExtension.Check("--out", page, ".html", ".htm");
-            if (reader.Holds(page))
-            {
-                throw new UsageException($"--out '{page}' would replace a file of the session. Name another file.");
-            }
-
-            var limits = new ReportLimits(parsed.GetValue(frames))
-            {
-                LinksImages = parsed.GetValue(link),
-                ShowsPosts = parsed.GetValue(posts),
-            };
-            PredictionEvaluation? evaluation = null;
-            if (parsed.GetValue(predictions) is { } predicted)
-            {
-                double score = parsed.GetValue(minScore) ?? DefaultMinScore;
-                evaluation = new JobProgress(terminal, reader.CountLines()).Run(
-                    progress => PredictionEvaluation.Of(reader, predicted, score, progress, cancellation));
-            }
-            else if (parsed.GetResult(minScore) is { Implicit: false })
-            {
-                throw new UsageException("--min-score has no effect without --predictions.");
-            }
-
-            using FolderLock? held = OutputFile.Lock(page);
-            int shown = new ReportWriter(reader, limits, evaluation).Write(page);
-            terminal.Out.WriteLine($"{page}: {Counted.Of(shown, "frame")} shown");
-            if (evaluation is not null)
-            {
-                terminal.Out.WriteLine(Summary(evaluation));
-            }
-
-            return Task.FromResult(ExitCode.Done);
-        });
+        );
         return command;
     }
 
@@ -140,8 +156,7 @@ internal static class ReportCommand
             + Counted.Of(all.FalsePositives, "false positive")
             + string.Create(CultureInfo.InvariantCulture, $" at a score of {evaluation.MinScore} or more");
 
-        string Figure(Func<ClassTally, double?> of) =>
-            evaluation.MeanOf(of)?.ToString("0.000", CultureInfo.InvariantCulture) ?? "none";
+        string Figure(Func<ClassTally, double?> of) => evaluation.MeanOf(of)?.ToString("0.000", CultureInfo.InvariantCulture) ?? "none";
     }
 
     private static int? FrameNumber(string text) =>

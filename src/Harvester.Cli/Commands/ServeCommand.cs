@@ -1,11 +1,5 @@
-using System;
-using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
-using System.IO;
-using System.Linq;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Capture.Ports;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Driving;
@@ -40,57 +34,87 @@ internal sealed class ServeCommand
 
     private BridgeOptions Bridge { get; } = new();
     private Option<int> Seed { get; } = WithDefault(ValueParsers.Integer("--seed", "N", "Random seed", 0, int.MaxValue), 1);
-    private Option<FileInfo?> Roads { get; } = new("--roads")
-    {
-        Description = "Road network to drive on, a file or folder [default: a town generated from the seed]",
-        HelpName = "FILE",
-    };
+    private Option<FileInfo?> Roads { get; } =
+        new("--roads")
+        {
+            Description = "Road network to drive on, a file or folder [default: a town generated from the seed]",
+            HelpName = "FILE",
+        };
 
-    private Option<Vector2D?> Near { get; } = ValueParsers.Point(
-        "--near",
-        "X,Y",
-        "Start position of the first game, metres; a restart takes its start from its seed [default: the middle of the road network]");
-    private Option<double> Traffic { get; } = WithDefault(
-        ValueParsers.Number("--traffic", "F", "Factor on the number of vehicles and pedestrians", value =>
-            value is >= 0 and <= 10, "a number from 0 to 10"), 1);
+    private Option<Vector2D?> Near { get; } =
+        ValueParsers.Point(
+            "--near",
+            "X,Y",
+            "Start position of the first game, metres; a restart takes its start from its seed [default: the middle of the road network]"
+        );
+    private Option<double> Traffic { get; } =
+        WithDefault(
+            ValueParsers.Number(
+                "--traffic",
+                "F",
+                "Factor on the number of vehicles and pedestrians",
+                value => value is >= 0 and <= 10,
+                "a number from 0 to 10"
+            ),
+            1
+        );
 
-    private Option<double?> TrafficRadius { get; } = ValueParsers.Optional<double>(
-        "--traffic-radius", "M", "Move vehicles and pedestrians only within this distance of the car, metres, to save time [default: all]",
-        text => ValueParsers.Number(text) is >= 50 and <= 10_000 and var metres ? metres : null, "a number from 50 to 10000");
+    private Option<double?> TrafficRadius { get; } =
+        ValueParsers.Optional<double>(
+            "--traffic-radius",
+            "M",
+            "Move vehicles and pedestrians only within this distance of the car, metres, to save time [default: all]",
+            text => ValueParsers.Number(text) is >= 50 and <= 10_000 and var metres ? metres : null,
+            "a number from 50 to 10000"
+        );
 
-    private Option<string> WeatherName { get; } = new("--weather")
-    {
-        Description = "Weather: " + string.Join(", ", WeatherNames.All),
-        HelpName = "W",
-        DefaultValueFactory = _ => "clear",
-    };
+    private Option<string> WeatherName { get; } =
+        new("--weather")
+        {
+            Description = "Weather: " + string.Join(", ", WeatherNames.All),
+            HelpName = "W",
+            DefaultValueFactory = _ => "clear",
+        };
 
     private Option<ImageSize> Size { get; } = WithDefault(CameraOptions.SizeOfHarvest(), new DrivingOptions().Picture);
-    private Option<double> Hz { get; } = WithDefault(
-        ValueParsers.Number(
-            "--hz", "N", "Frames per second of game time", value =>
-                value is > 0 and <= SimulatedHarvest.TicksPerSecond, "a number greater than 0 and at most 60"), 10);
+    private Option<double> Hz { get; } =
+        WithDefault(
+            ValueParsers.Number(
+                "--hz",
+                "N",
+                "Frames per second of game time",
+                value => value is > 0 and <= SimulatedHarvest.TicksPerSecond,
+                "a number greater than 0 and at most 60"
+            ),
+            10
+        );
 
-    private Option<double?> Duration { get; } = ValueParsers.Optional<double>(
-        "--duration", "S", "Stop after this much game time, seconds [default: serve until Ctrl+C]", text =>
-            ValueParsers.Number(text) is > 0 and var seconds ? seconds : null, "a number greater than 0");
+    private Option<double?> Duration { get; } =
+        ValueParsers.Optional<double>(
+            "--duration",
+            "S",
+            "Stop after this much game time, seconds [default: serve until Ctrl+C]",
+            text => ValueParsers.Number(text) is > 0 and var seconds ? seconds : null,
+            "a number greater than 0"
+        );
 
     private ControllerOptions Controller { get; } = new("Controller that drives when the program sends indicators", "deepdriving");
 
-    private Option<bool> Unassisted { get; } = new("--unassisted")
-    {
-        Description = "Let the program drive through junctions too, where the indicators are undefined [default: the built-in driver does]",
-    };
+    private Option<bool> Unassisted { get; } =
+        new("--unassisted")
+        {
+            Description =
+                "Let the program drive through junctions too, where the indicators are undefined [default: the built-in driver does]",
+        };
 
-    private Option<bool> LockStep { get; } = new("--lockstep")
-    {
-        Description = "Advance the world only by the steps that the program requests, and let it restart the game with other seeds",
-    };
+    private Option<bool> LockStep { get; } =
+        new("--lockstep")
+        {
+            Description = "Advance the world only by the steps that the program requests, and let it restart the game with other seeds",
+        };
 
-    private Option<bool> Once { get; } = new("--once")
-    {
-        Description = "Stop when the first program has disconnected, or if none connects within a minute",
-    };
+    private Option<bool> Once { get; } =
+        new("--once") { Description = "Stop when the first program has disconnected, or if none connects within a minute" };
 
     private RecordOptions Record { get; } = new("the drive as a session in this folder; with --lockstep, one for each restart");
     private Option<bool> Overwrite { get; } = new("--overwrite") { Description = "Replace an existing session in the folder of --record" };
@@ -101,8 +125,7 @@ internal sealed class ServeCommand
     {
         var command = new Command("serve", "Serve the simulated game to a driving program over the live bridge.");
         Bridge.AddTo(command);
-        Option[] own =
-            [Seed, Roads, Near, Traffic, TrafficRadius, WeatherName, Size, Hz, Duration, Unassisted, LockStep, Once];
+        Option[] own = [Seed, Roads, Near, Traffic, TrafficRadius, WeatherName, Size, Hz, Duration, Unassisted, LockStep, Once];
         foreach (Option option in own.Concat(Controller.All).Concat(Record.All).Append(Overwrite))
         {
             command.Options.Add(option);
@@ -157,7 +180,8 @@ internal sealed class ServeCommand
         }
 
         terminal.Out.WriteLine(
-            FormattableString.Invariant($"{Counted.Of(served.Frames, "frame")}, {served.Metres:0} m driven in {served.Seconds:0.0} s"));
+            FormattableString.Invariant($"{Counted.Of(served.Frames, "frame")}, {served.Metres:0} m driven in {served.Seconds:0.0} s")
+        );
         recording?.Finish();
         if (served.Fault is { } fault)
         {
@@ -177,12 +201,13 @@ internal sealed class ServeCommand
     }
 
     /// <summary>The world of a restart: its seed decides traffic, people, route and start, in the town of the command line.</summary>
-    private static SimulationOptions Restarted(SimulationOptions world, RestartMessage restart) => world with
-    {
-        Seed = restart.Town ?? world.Seed,
-        TrafficSeed = restart.Seed,
-        StartSeed = restart.Seed,
-    };
+    private static SimulationOptions Restarted(SimulationOptions world, RestartMessage restart) =>
+        world with
+        {
+            Seed = restart.Town ?? world.Seed,
+            TrafficSeed = restart.Seed,
+            StartSeed = restart.Seed,
+        };
 
     /// <summary>The setting that tells a restart's town, which has a seed of its own.</summary>
     private static IEnumerable<KeyValuePair<string, string>> TownOf(SimulationOptions world)

@@ -1,9 +1,5 @@
-using System;
-using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
-using System.Linq;
-using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Sessions;
@@ -32,17 +28,21 @@ internal static class StatsCommand
         var sessions = new Argument<string[]>("SESSION") { Description = "Folders of recorded sessions", Arity = ArgumentArity.OneOrMore };
         var command = new Command("stats", "Show statistics of sessions.") { sessions };
         HelpWithNotes.AddTo(command, Notes);
-        command.SetAction((parsed, cancellation) =>
-        {
-            SessionReader[] readers =
-                [.. parsed.GetRequiredValue(sessions).Select(folder => RecordedSessions.Open(terminal, folder, cancellation))];
-            foreach (string line in Lines(SessionStatistics.Of(readers.Select(reader => reader.ReadLabels()))))
+        command.SetAction(
+            (parsed, cancellation) =>
             {
-                terminal.Out.WriteLine(line);
-            }
+                SessionReader[] readers =
+                [
+                    .. parsed.GetRequiredValue(sessions).Select(folder => RecordedSessions.Open(terminal, folder, cancellation)),
+                ];
+                foreach (string line in Lines(SessionStatistics.Of(readers.Select(reader => reader.ReadLabels()))))
+                {
+                    terminal.Out.WriteLine(line);
+                }
 
-            return Task.FromResult(ExitCode.Done);
-        });
+                return Task.FromResult(ExitCode.Done);
+            }
+        );
         return command;
     }
 
@@ -89,8 +89,12 @@ internal static class StatsCommand
         LaneVariety lanes = statistics.Lanes;
         if (lanes.Frames > 0)
         {
-            yield return Listed("active indicators, of frames whose road has them", IndicatorTable.All.Select((indicator, i) =>
-                Text($"{indicator.Name}: {100 * lanes.ActiveFraction(i):0.0} % of {lanes.FramesWith(i)}")));
+            yield return Listed(
+                "active indicators, of frames whose road has them",
+                IndicatorTable.All.Select(
+                    (indicator, i) => Text($"{indicator.Name}: {100 * lanes.ActiveFraction(i):0.0} % of {lanes.FramesWith(i)}")
+                )
+            );
             yield return Text($"lateral offset, m: standard deviation {lanes.OffsetDeviationMetres:0.00}, ")
                 + Text($"{lanes.MinOffsetMetres:0.00} to {lanes.MaxOffsetMetres:0.00}");
         }
@@ -108,14 +112,19 @@ internal static class StatsCommand
         figures.Parts == 0 ? "" : Text($" (of which faces or heads: {figures.Parts})");
 
     /// <summary>The bins that are not empty.</summary>
-    private static string Bins(string name, Histogram histogram) => Listed(
-        name, histogram.Counts.Select((count, bin) => (count, bin)).Where(pair => pair.count > 0)
-            .Select(pair => $"{RangeOf(histogram, pair.bin)} {pair.count}"));
+    private static string Bins(string name, Histogram histogram) =>
+        Listed(
+            name,
+            histogram
+                .Counts.Select((count, bin) => (count, bin))
+                .Where(pair => pair.count > 0)
+                .Select(pair => $"{RangeOf(histogram, pair.bin)} {pair.count}")
+        );
 
     private static string RangeOf(Histogram histogram, int bin) =>
         (bin + 1 < histogram.Starts.Count ? histogram.Starts[bin + 1] : histogram.End) is { } end
-        ? Text($"{histogram.Starts[bin]:0.##}-{end:0.##}:")
-        : Text($"{histogram.Starts[bin]:0.##} or more:");
+            ? Text($"{histogram.Starts[bin]:0.##}-{end:0.##}:")
+            : Text($"{histogram.Starts[bin]:0.##} or more:");
 
     private static string Listed(string name, IEnumerable<string> items) => $"{name}: {(items.Any() ? string.Join(", ", items) : "none")}";
 

@@ -1,8 +1,4 @@
-using System;
 using System.CommandLine;
-using System.IO;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Supervising;
 using Harvester.Cli.Terminals;
@@ -24,18 +20,16 @@ internal sealed class SuperviseCommand
         + "  harvester supervise --heartbeat night -- harvester plan run plan.json --out night\n"
         + "  harvester supervise --heartbeat out --timeout 120 --restart-argument none --launcher -- PlayGTAV.exe";
 
-    private Argument<string[]> Program { get; } = new("COMMAND")
-    {
-        Description = "The command and its arguments, after --",
-        Arity = ArgumentArity.OneOrMore,
-    };
+    private Argument<string[]> Program { get; } =
+        new("COMMAND") { Description = "The command and its arguments, after --", Arity = ArgumentArity.OneOrMore };
 
-    private Option<string> HeartbeatPath { get; } = new("--heartbeat")
-    {
-        Description = "The heartbeat file, or the output folder that has heartbeat.json",
-        HelpName = "PATH",
-        Required = true,
-    };
+    private Option<string> HeartbeatPath { get; } =
+        new("--heartbeat")
+        {
+            Description = "The heartbeat file, or the output folder that has heartbeat.json",
+            HelpName = "PATH",
+            Required = true,
+        };
 
     private Option<double> Timeout { get; } = Seconds("--timeout", "Time without a new heartbeat after which it hangs, seconds", 60);
     private Option<double> StartTimeout { get; } = Seconds("--start-timeout", "Time it may take until it is running, seconds", 600);
@@ -46,22 +40,25 @@ internal sealed class SuperviseCommand
     private Option<int> MaxRestarts { get; } =
         ValueParsers.Integer("--max-restarts", "N", "Restarts in a row without progress before it gives up", 0, 1_000_000);
 
-    private Option<string> RestartArgument { get; } = new("--restart-argument")
-    {
-        Description = "Argument to add when it is started again; none adds nothing",
-        HelpName = "ARG",
-        DefaultValueFactory = _ => ResumeOption.Name,
-    };
+    private Option<string> RestartArgument { get; } =
+        new("--restart-argument")
+        {
+            Description = "Argument to add when it is started again; none adds nothing",
+            HelpName = "ARG",
+            DefaultValueFactory = _ => ResumeOption.Name,
+        };
 
-    private Option<bool> AnyProcess { get; } = new("--any-process")
-    {
-        Description = "Do not check the process of a heartbeat: under Wine and in containers it has another number",
-    };
+    private Option<bool> AnyProcess { get; } =
+        new("--any-process")
+        {
+            Description = "Do not check the process of a heartbeat: under Wine and in containers it has another number",
+        };
 
-    private Option<bool> Launcher { get; } = new("--launcher")
-    {
-        Description = "The command only starts the program and may end before its first heartbeat, as game launchers do",
-    };
+    private Option<bool> Launcher { get; } =
+        new("--launcher")
+        {
+            Description = "The command only starts the program and may end before its first heartbeat, as game launchers do",
+        };
 
     public static Command Create(Terminal terminal) => new SuperviseCommand().Build(terminal);
 
@@ -69,9 +66,20 @@ internal sealed class SuperviseCommand
     {
         MaxRestarts.DefaultValueFactory = _ => 5;
         var command = new Command(
-            "supervise", "Keep a game or a long command going: restart it when it hangs, crashes or reports a false state.")
+            "supervise",
+            "Keep a game or a long command going: restart it when it hangs, crashes or reports a false state."
+        )
         {
-            Program, HeartbeatPath, Timeout, StartTimeout, Stall, Delay, MaxRestarts, RestartArgument, AnyProcess, Launcher,
+            Program,
+            HeartbeatPath,
+            Timeout,
+            StartTimeout,
+            Stall,
+            Delay,
+            MaxRestarts,
+            RestartArgument,
+            AnyProcess,
+            Launcher,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
@@ -103,7 +111,12 @@ internal sealed class SuperviseCommand
     private static Option<double> Seconds(string name, string description, double standard)
     {
         Option<double> option = ValueParsers.Number(
-            name, "S", description, value => value is > 0 and <= MaxSeconds, "a number greater than 0 and at most 1000000");
+            name,
+            "S",
+            description,
+            value => value is > 0 and <= MaxSeconds,
+            "a number greater than 0 and at most 1000000"
+        );
         option.DefaultValueFactory = _ => standard;
         return option;
     }

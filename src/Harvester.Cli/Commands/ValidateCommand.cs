@@ -1,9 +1,4 @@
-using System.Collections.Generic;
 using System.CommandLine;
-using System.IO;
-using System.Linq;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Exports.Validation;
@@ -45,73 +40,82 @@ internal static class ValidateCommand
         var schema = new Option<bool>("--schema") { Description = "Also compare a session with the published JSON Schemas" };
         var command = new Command("validate", "Check a session or an exported dataset and list every problem.") { folder, quick, schema };
         HelpWithNotes.AddTo(command, Notes);
-        command.SetAction((parsed, cancellation) =>
-        {
-            string session = parsed.GetRequiredValue(folder);
-            if (DatasetValidator.IsDataset(session))
+        command.SetAction(
+            (parsed, cancellation) =>
             {
-                return Task.FromResult(ValidateDataset(terminal, session, cancellation));
-            }
+                string session = parsed.GetRequiredValue(folder);
+                if (DatasetValidator.IsDataset(session))
+                {
+                    return Task.FromResult(ValidateDataset(terminal, session, cancellation));
+                }
 
-            if (DatasetValidator.IsUnfinished(session))
-            {
-                throw new DatasetFormatException(
-                    $"'{session}' is an unfinished export. Run the same export command again to continue, or merge its shards.");
-            }
+                if (DatasetValidator.IsUnfinished(session))
+                {
+                    throw new DatasetFormatException(
+                        $"'{session}' is an unfinished export. Run the same export command again to continue, or merge its shards."
+                    );
+                }
 
-            var reader = new SessionReader(session);
-            SessionValidation validation = SessionValidator.Validate(reader, parsed.GetValue(quick), cancellation);
-            IReadOnlyList<SessionProblem> differences = parsed.GetValue(schema) ? SchemaValidator.Problems(reader, cancellation) : [];
-            foreach (SessionProblem problem in validation.Problems.Concat(differences))
-            {
-                terminal.WriteQuoting(problem.ToString());
-            }
+                var reader = new SessionReader(session);
+                SessionValidation validation = SessionValidator.Validate(reader, parsed.GetValue(quick), cancellation);
+                IReadOnlyList<SessionProblem> differences = parsed.GetValue(schema) ? SchemaValidator.Problems(reader, cancellation) : [];
+                foreach (SessionProblem problem in validation.Problems.Concat(differences))
+                {
+                    terminal.WriteQuoting(problem.ToString());
+                }
 
-            if (RecordedSessions.NoteOf(reader) is { } note)
-            {
-                terminal.Out.WriteLine($"Note: {note}");
-            }
+                if (RecordedSessions.NoteOf(reader) is { } note)
+                {
+                    terminal.Out.WriteLine($"Note: {note}");
+                }
 
-            if (validation is { HasManifest: false, Frames: > 0, Info: not { HasManifest: true } })
-            {
-                terminal.Out.WriteLine(
-                    $"Note: the session has no {Manifest.FileName}, so damage that leaves its files readable is not found.");
-            }
+                if (validation is { HasManifest: false, Frames: > 0, Info: not { HasManifest: true } })
+                {
+                    terminal.Out.WriteLine(
+                        $"Note: the session has no {Manifest.FileName}, so damage that leaves its files readable is not found."
+                    );
+                }
 
-            if (validation.Info is { CapturedFrames: null })
-            {
-                terminal.Out.WriteLine(
-                    "Note: the recording was cut off before session.json was complete; the frames recorded until then are included.");
-            }
-            else if (File.Exists(Path.Combine(session, UnfinishedMark.FileName)))
-            {
-                terminal.Out.WriteLine(
-                    $"Note: the session has the file {UnfinishedMark.FileName}: it is being written, or the command was stopped.");
-            }
+                if (validation.Info is { CapturedFrames: null })
+                {
+                    terminal.Out.WriteLine(
+                        "Note: the recording was cut off before session.json was complete; the frames recorded until then are included."
+                    );
+                }
+                else if (File.Exists(Path.Combine(session, UnfinishedMark.FileName)))
+                {
+                    terminal.Out.WriteLine(
+                        $"Note: the session has the file {UnfinishedMark.FileName}: it is being written, or the command was stopped."
+                    );
+                }
 
-            if (validation.Undetermined > 0)
-            {
-                string labels = Counted.Of(validation.Objects, "label");
-                terminal.Out.WriteLine($"Warning: the visibility of {validation.Undetermined} of {labels} is unknown "
-                    + "(occlusionMethod none); filters by visibility leave them out.");
-            }
+                if (validation.Undetermined > 0)
+                {
+                    string labels = Counted.Of(validation.Objects, "label");
+                    terminal.Out.WriteLine(
+                        $"Warning: the visibility of {validation.Undetermined} of {labels} is unknown "
+                            + "(occlusionMethod none); filters by visibility leave them out."
+                    );
+                }
 
-            if (validation.UndeterminedRegions > 0)
-            {
-                string objects = Counted.Of(validation.UndeterminedRegions, "object");
-                terminal.Out.WriteLine(
-                    $"Warning: the visibility of {objects} could not be determined; they have ignore regions instead of labels.");
-            }
+                if (validation.UndeterminedRegions > 0)
+                {
+                    string objects = Counted.Of(validation.UndeterminedRegions, "object");
+                    terminal.Out.WriteLine(
+                        $"Warning: the visibility of {objects} could not be determined; they have ignore regions instead of labels."
+                    );
+                }
 
-            foreach (string open in validation.Info?.Unchecked ?? [])
-            {
-                terminal.WriteQuoting($"Note: {open}");
-            }
+                foreach (string open in validation.Info?.Unchecked ?? [])
+                {
+                    terminal.WriteQuoting($"Note: {open}");
+                }
 
-            string counts = $"{Counted.Of(validation.Frames, "frame")}, {Counted.Of(validation.Objects, "label")}";
-            terminal.Out.WriteLine($"{session}: {counts}, {Verdict(validation.Problems.Count + differences.Count)}");
-            return Task.FromResult(validation.IsGood && differences.Count == 0 ? ExitCode.Done : ExitCode.BadData);
-        });
+                string counts = $"{Counted.Of(validation.Frames, "frame")}, {Counted.Of(validation.Objects, "label")}";
+                terminal.Out.WriteLine($"{session}: {counts}, {Verdict(validation.Problems.Count + differences.Count)}");
+                return Task.FromResult(validation.IsGood && differences.Count == 0 ? ExitCode.Done : ExitCode.BadData);
+            }
+        );
         return command;
     }
 
@@ -125,15 +129,16 @@ internal static class ValidateCommand
 
         if (!validation.HasManifest && validation.Problems.All(problem => problem.File != Manifest.FileName))
         {
-            terminal.Out.WriteLine(
-                $"Note: the dataset has no {Manifest.FileName}, so damage that leaves its files readable is not found.");
+            terminal.Out.WriteLine($"Note: the dataset has no {Manifest.FileName}, so damage that leaves its files readable is not found.");
         }
 
         if (validation.OtherFiles.Count > 0)
         {
             string others = Counted.Of(validation.OtherFiles.Count, "file");
-            terminal.WriteQuoting($"Note: {others} in the folder not listed in {Manifest.FileName}, e.g. '{validation.OtherFiles[0]}'; "
-                + "readers of the format ignore such files.");
+            terminal.WriteQuoting(
+                $"Note: {others} in the folder not listed in {Manifest.FileName}, e.g. '{validation.OtherFiles[0]}'; "
+                    + "readers of the format ignore such files."
+            );
         }
 
         string frames = Counted.Of(validation.Frames, "frame");

@@ -1,8 +1,5 @@
-using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Cli.Viewing;
@@ -34,18 +31,25 @@ internal static class ViewCommand
             Arity = ArgumentArity.OneOrMore,
         };
         Option<int?> port = ValueParsers.Optional<int>(
-            "--port", "N", "Port to serve on [default: a free one]", PortOf, "a port from 0 to 65535; 0 is a free one");
+            "--port",
+            "N",
+            "Port to serve on [default: a free one]",
+            PortOf,
+            "a port from 0 to 65535; 0 is a free one"
+        );
         var noOpen = new Option<bool>("--no-open")
         {
             Description = "Do not open the page in a browser; without a terminal it is not opened either",
         };
         var command = new Command("view", "Show sessions of any size in a browser.") { sessions, port, noOpen };
         HelpWithNotes.AddTo(command, Notes);
-        command.SetAction((parsed, cancellation) =>
-        {
-            bool isOpened = terminal.IsInteractive && !parsed.GetValue(noOpen);
-            return ServeAsync(terminal, parsed.GetRequiredValue(sessions), parsed.GetValue(port) ?? 0, isOpened, cancellation);
-        });
+        command.SetAction(
+            (parsed, cancellation) =>
+            {
+                bool isOpened = terminal.IsInteractive && !parsed.GetValue(noOpen);
+                return ServeAsync(terminal, parsed.GetRequiredValue(sessions), parsed.GetValue(port) ?? 0, isOpened, cancellation);
+            }
+        );
         return command;
     }
 
@@ -64,8 +68,7 @@ internal static class ViewCommand
     private static int? PortOf(string text) =>
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int port) && port <= MaxPort ? port : null;
 
-    private static async Task<int> ServeAsync(
-        Terminal terminal, string[] sessions, int port, bool isOpened, CancellationToken cancellation)
+    private static async Task<int> ServeAsync(Terminal terminal, string[] sessions, int port, bool isOpened, CancellationToken cancellation)
     {
         var views = new List<SessionView>();
         try

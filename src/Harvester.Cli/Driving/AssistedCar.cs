@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;

@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sharding;
@@ -26,7 +23,14 @@ internal static class BridgeFolder
     // Files that game and client write, under these names or temporary names derived from them; docs/bridge.md. Images do not identify a
     // bridge, because other tools use the same names.
     private static readonly string[] Signs =
-        [BridgeProtocol.HelloFile, "state.txt", "indicators.txt", "controls.txt", "command.json", "alive.txt"];
+    [
+        BridgeProtocol.HelloFile,
+        "state.txt",
+        "indicators.txt",
+        "controls.txt",
+        "command.json",
+        "alive.txt",
+    ];
 
     /// <summary>Whether a name in the folder of a drive is that of the shared folder in its default place, or of its lock.</summary>
     public static bool IsDefault(string name) => name == DefaultName || name.StartsWith(DefaultLock, StringComparison.Ordinal);
@@ -46,14 +50,21 @@ internal static class BridgeFolder
             return;
         }
 
-        string[] found = [.. Directory.EnumerateFileSystemEntries(folder).Select(entry => Path.GetFileName(entry))
-            .Where(name => !name.StartsWith('.')).Order(StringComparer.Ordinal)];
+        string[] found =
+        [
+            .. Directory
+                .EnumerateFileSystemEntries(folder)
+                .Select(entry => Path.GetFileName(entry))
+                .Where(name => !name.StartsWith('.'))
+                .Order(StringComparer.Ordinal),
+        ];
         bool isOther = SessionMerger.IsSession(folder) || DatasetValidator.IsDataset(folder) || found.Contains(DriveRecord.FileName);
         if (found.Length > 0 && (isOther || !found.Any(IsSign)))
         {
             string foreign = found.FirstOrDefault(name => !IsSign(name) && !name.StartsWith(Picture, StringComparison.Ordinal)) ?? found[0];
             throw new OccupiedFolderException(
-                $"'{folder}' has files that are not a bridge's, e.g. '{foreign}'. Name another folder with --folder.");
+                $"'{folder}' has files that are not a bridge's, e.g. '{foreign}'. Name another folder with --folder."
+            );
         }
     }
 

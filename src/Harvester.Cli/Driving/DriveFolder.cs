@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-using System.Linq;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Evaluation.Reports;
@@ -34,17 +31,20 @@ internal sealed class DriveFolder
         if (found.FirstOrDefault(name => !BridgeFolder.IsDefault(name) && !IsOwn(name)) is { } other)
         {
             throw new OccupiedFolderException(
-                $"'{folder}' has files that are not a drive's, e.g. '{other}'. Name another folder with --out.");
+                $"'{folder}' has files that are not a drive's, e.g. '{other}'. Name another folder with --out."
+            );
         }
 
         string? unfinished = UnfinishedMark.CommandIn(folder);
         Replaces = unfinished != command && found.Intersect(Files).Any();
         if (Replaces && !overwrite && !isRepeated)
         {
-            throw new OccupiedFolderException(unfinished is null
-                ? $"'{folder}' already has a drive. Name another folder with --out, or replace it with --overwrite."
-                : $"'{folder}' has the unfinished result of '{OutputFolder.Shown(unfinished)}'. Run that command again, "
-                    + "name another folder with --out, or replace it with --overwrite.");
+            throw new OccupiedFolderException(
+                unfinished is null
+                    ? $"'{folder}' already has a drive. Name another folder with --out, or replace it with --overwrite."
+                    : $"'{folder}' has the unfinished result of '{OutputFolder.Shown(unfinished)}'. Run that command again, "
+                        + "name another folder with --out, or replace it with --overwrite."
+            );
         }
     }
 

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Cli.Terminals;
@@ -38,7 +35,14 @@ internal sealed class DriveRecording : IDisposable
         else
         {
             _single = new SessionOutput(
-                terminal, plan.Folder, command, overwrite, keepsFrames: true, option: "--record", minFreeBytes: plan.MinFreeBytes);
+                terminal,
+                plan.Folder,
+                command,
+                overwrite,
+                keepsFrames: true,
+                option: "--record",
+                minFreeBytes: plan.MinFreeBytes
+            );
         }
     }
 

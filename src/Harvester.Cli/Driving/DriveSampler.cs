@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Evaluation.Figures;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Game;
@@ -40,26 +38,36 @@ internal sealed class DriveSampler
         double distance = before is null ? 0 : (body.Centre - before.Position).Length;
         bool isTeleported = before is null || Relocation.Is(distance, before.Speed, ego.Velocity.Length, time - before.TimeSeconds);
         _metres += isTeleported ? 0 : distance;
-        _samples.Add(new DriveSample
-        {
-            TimeSeconds = time,
-            Position = body.Centre,
-            Speed = ego.Velocity.Length,
-            IsByController = isByController,
-            IsTeleported = isTeleported,
-            Lane = TrueLane.Of(_game.Truth, ego).Placement,
-            Touching = [.. _game.Ports.World.ReadEntities(ego.Pose.Position, ContactRange)
-                .Where(entity => VehicleClasses.AreVehicles(entity.Class)
-                    && body.Overlaps(GroundBox.Of(entity.Pose, entity.ModelMin, entity.ModelMax)))
-                .Select(entity => entity.Handle)],
-            Counters = CountersOf(_game.Conduct),
-        });
+        _samples.Add(
+            new DriveSample
+            {
+                TimeSeconds = time,
+                Position = body.Centre,
+                Speed = ego.Velocity.Length,
+                IsByController = isByController,
+                IsTeleported = isTeleported,
+                Lane = TrueLane.Of(_game.Truth, ego).Placement,
+                Touching =
+                [
+                    .. _game
+                        .Ports.World.ReadEntities(ego.Pose.Position, ContactRange)
+                        .Where(entity =>
+                            VehicleClasses.AreVehicles(entity.Class)
+                            && body.Overlaps(GroundBox.Of(entity.Pose, entity.ModelMin, entity.ModelMax))
+                        )
+                        .Select(entity => entity.Handle),
+                ],
+                Counters = CountersOf(_game.Conduct),
+            }
+        );
     }
 
-    private static DriveCounters CountersOf(EgoConduct conduct) => new(
-        conduct.Collisions[(int)EgoContact.Vehicle],
-        conduct.Collisions[(int)EgoContact.Parked],
-        conduct.Collisions[(int)EgoContact.Pedestrian],
-        conduct.RedLightsRun,
-        conduct.StopSignsRun);
+    private static DriveCounters CountersOf(EgoConduct conduct) =>
+        new(
+            conduct.Collisions[(int)EgoContact.Vehicle],
+            conduct.Collisions[(int)EgoContact.Parked],
+            conduct.Collisions[(int)EgoContact.Pedestrian],
+            conduct.RedLightsRun,
+            conduct.StopSignsRun
+        );
 }

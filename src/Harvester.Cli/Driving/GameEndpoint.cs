@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Bridge;
 using Harvester.Driving.Controllers;
@@ -27,7 +26,13 @@ internal sealed class GameEndpoint : IDisposable
     /// <param name="newController">Creates the controller for indicators that a client sends.</param>
     /// <param name="isAssisted">Whether the built-in driver drives through junctions and gives way.</param>
     public GameEndpoint(
-        SimulatedGame game, IRoads roads, DrivingOptions options, IDrivingBridge bridge, Func<IController> newController, bool isAssisted)
+        SimulatedGame game,
+        IRoads roads,
+        DrivingOptions options,
+        IDrivingBridge bridge,
+        Func<IController> newController,
+        bool isAssisted
+    )
     {
         (_game, _bridge) = (game, bridge);
         _assisted = isAssisted ? new AssistedCar(game, roads, () => _session!.IsClientAlive) : null;
@@ -35,7 +40,15 @@ internal sealed class GameEndpoint : IDisposable
 
         // The image of the simulated game never lags.
         _session = new DrivingSession(
-            options with { SettleTicks = 0 }, ports, bridge, newController, () => TruthReader.Of(game, !IsByClient));
+            options with
+            {
+                SettleTicks = 0,
+            },
+            ports,
+            bridge,
+            newController,
+            () => TruthReader.Of(game, !IsByClient)
+        );
         _ = game.Conduct;
         _before = (game.Ports.World.ReadEgo(), game.Ports.World.TimeSeconds);
     }
@@ -108,7 +121,11 @@ internal sealed class GameEndpoint : IDisposable
         _game.Tick(seconds);
         if (_game.Ports.World.TimeSeconds != _before.Seconds)
         {
-            Recording?.Tick(!IsByClient ? DriverKind.BuiltIn : Status.IsClientAlive ? DriverKind.Client : DriverKind.None);
+            Recording?.Tick(
+                !IsByClient ? DriverKind.BuiltIn
+                : Status.IsClientAlive ? DriverKind.Client
+                : DriverKind.None
+            );
         }
 
         EgoState now = _game.Ports.World.ReadEgo();

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
@@ -22,8 +19,13 @@ namespace Harvester.Cli.Driving;
 /// <param name="newOutput">Makes room for the session.</param>
 /// <param name="release">Takes the room back, null if there was none, and whether the session is whole.</param>
 internal sealed class GameRecording(
-    SimulatedGame game, IRoads roads, RecordPlan plan, SessionOrigin origin, Func<SessionOutput> newOutput,
-    Action<GameRecording, SessionOutput?, bool> release) : IDisposable
+    SimulatedGame game,
+    IRoads roads,
+    RecordPlan plan,
+    SessionOrigin origin,
+    Func<SessionOutput> newOutput,
+    Action<GameRecording, SessionOutput?, bool> release
+) : IDisposable
 {
     /// <summary>Label range of a harvest, metres.</summary>
     private const double RangeMetres = 80;
@@ -145,7 +147,15 @@ internal sealed class GameRecording(
             Faces = Faces.FaceFile.AsWritten(ModelFaces.Table),
         };
         _recorder = new DriveRecorder(
-            options, game.Ports with { Roads = roads, Car = null }, _writer, () => TruthReader.Of(game, IsByBuiltInDriver()));
+            options,
+            game.Ports with
+            {
+                Roads = roads,
+                Car = null,
+            },
+            _writer,
+            () => TruthReader.Of(game, IsByBuiltInDriver())
+        );
         _ = game.Conduct;
     }
 }

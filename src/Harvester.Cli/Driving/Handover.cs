@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry.Lanes;
 
 namespace Harvester.Cli.Driving;
@@ -36,7 +35,10 @@ internal sealed class Handover
     /// <param name="needsOwnDriver">Whether no indicator shows what the car has to do, as in junctions.</param>
     public bool Decide(LaneObservation? seen, bool needsOwnDriver)
     {
-        IsToController = seen is { Status: LaneStatus.Known } && !needsOwnDriver && !AreLanesShifted(seen)
+        IsToController =
+            seen is { Status: LaneStatus.Known }
+            && !needsOwnDriver
+            && !AreLanesShifted(seen)
             && (IsToController || (IsInLane(seen.IndicatorsAtCar) && !IsBendAhead(seen)));
         return IsToController;
     }

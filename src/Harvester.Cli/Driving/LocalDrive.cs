@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Threading;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Controllers;
@@ -47,8 +44,11 @@ internal sealed class LocalDrive(SimulatedGame game, IRoads roads, Func<IControl
         DrivingControls controls = DrivingControls.Stop;
         bool isByController = false;
         Recording?.IsByBuiltInDriver = () => !isByController;
-        for (int tick = 0; _sampler.Metres < metres && game.Ports.World.TimeSeconds < seconds
-            && !cancellation.IsCancellationRequested; tick++)
+        for (
+            int tick = 0;
+            _sampler.Metres < metres && game.Ports.World.TimeSeconds < seconds && !cancellation.IsCancellationRequested;
+            tick++
+        )
         {
             if (tick % TicksPerControl == 0)
             {
@@ -96,7 +96,8 @@ internal sealed class LocalDrive(SimulatedGame game, IRoads roads, Func<IControl
             indicators,
             seen?.Section is { } section ? TorcsEquivalent.Of(indicators, section, seen.IndicatorsAtCar.Angle) : indicators,
             seen?.IsFast ?? false,
-            ego.Velocity.Length)
+            ego.Velocity.Length
+        )
         {
             HeadingRadians = Angles.ToRadians(Angles.HeadingDegrees(ego.Pose.Axes.Forward)),
             PedalsInForce = DrivingState.PedalsOf(ego),

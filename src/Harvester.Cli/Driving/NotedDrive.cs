@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-using System.Linq;
 using Harvester.Evaluation.Scores;
 using Harvester.Sessions.Files;
 

@@ -1,7 +1,4 @@
-using System;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Text.RegularExpressions;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
@@ -71,7 +68,8 @@ internal sealed partial class NumberedSessions : IDisposable
         if (_replacement?.Complete() is { } former)
         {
             _terminal.WriteError(
-                $"The former sessions are replaced, but their files in '{former}' cannot be deleted. Delete them yourself.");
+                $"The former sessions are replaced, but their files in '{former}' cannot be deleted. Delete them yourself."
+            );
         }
         else if (_replacement is null && _written is not null)
         {
@@ -98,7 +96,8 @@ internal sealed partial class NumberedSessions : IDisposable
         {
             throw new OccupiedFolderException(
                 $"'{_folder}' has something other than recorded sessions, e.g. '{Path.GetFileName(other)}'. "
-                + "Name another folder with --record.");
+                    + "Name another folder with --record."
+            );
         }
 
         string? unfinished = UnfinishedMark.CommandIn(_folder);
@@ -107,10 +106,12 @@ internal sealed partial class NumberedSessions : IDisposable
             return unfinished != _command;
         }
 
-        throw new OccupiedFolderException(unfinished is null
-            ? $"'{_folder}' already has sessions. Name another folder with --record, or replace them with --overwrite."
-            : $"'{_folder}' has the unfinished result of '{OutputFolder.Shown(unfinished)}'. Run that command again, "
-                + "name another folder with --record, or replace it with --overwrite.");
+        throw new OccupiedFolderException(
+            unfinished is null
+                ? $"'{_folder}' already has sessions. Name another folder with --record, or replace them with --overwrite."
+                : $"'{_folder}' has the unfinished result of '{OutputFolder.Shown(unfinished)}'. Run that command again, "
+                    + "name another folder with --record, or replace it with --overwrite."
+        );
     }
 
     /// <summary>
@@ -129,9 +130,7 @@ internal sealed partial class NumberedSessions : IDisposable
             {
                 File.Delete(file);
             }
-            catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-            {
-            }
+            catch (Exception e) when (e is IOException or UnauthorizedAccessException) { }
         }
     }
 

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Capture.Harvesting;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Imaging;

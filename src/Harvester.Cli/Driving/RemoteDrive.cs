@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
-using System.IO;
-using System.Threading;
 using Harvester.Capture.Ports;
 using Harvester.Cli.Terminals;
 using Harvester.Driving.Bridge;
@@ -20,7 +16,12 @@ namespace Harvester.Cli.Driving;
 /// <param name="newController">Creates the controller for indicators that a client sends.</param>
 /// <param name="patience">Real time that it waits for a client to drive.</param>
 internal sealed class RemoteDrive(
-    SimulatedGame game, IRoads roads, IDrivingBridge bridge, Func<IController> newController, TimeSpan patience)
+    SimulatedGame game,
+    IRoads roads,
+    IDrivingBridge bridge,
+    Func<IController> newController,
+    TimeSpan patience
+)
 {
     private const double TickSeconds = 0.05;
     private const int TicksPerSample = 2;
@@ -51,10 +52,7 @@ internal sealed class RemoteDrive(
     public void Run(double metres, double seconds, bool isRealTime, CancellationToken cancellation)
     {
         var options = new DrivingOptions { WaitsForAnswers = Recording is not null };
-        using GameEndpoint bridged = new(game, roads, options, bridge, newController, isAssisted: true)
-        {
-            Recording = Recording,
-        };
+        using GameEndpoint bridged = new(game, roads, options, bridge, newController, isAssisted: true) { Recording = Recording };
         _silence.Restart();
         WaitForClient(bridged, cancellation);
         WallPace pace = new(TickSeconds, TimeProvider.System);

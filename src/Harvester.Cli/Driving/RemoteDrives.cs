@@ -1,9 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.Net;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Capture.Ports;
 using Harvester.Cli.Terminals;
 using Harvester.Driving.Bridge;
@@ -46,7 +41,8 @@ internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
         double metres,
         double seconds,
         List<DriveSample> samples,
-        CancellationToken cancellation)
+        CancellationToken cancellation
+    )
     {
         bool isAlone = plan.Role == DriveRole.Both;
         using IDrivingBridge bridge = Open(isAlone);
@@ -72,8 +68,14 @@ internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
         return driver;
     }
 
-    private void Run(RemoteDrive drive, IDrivingBridge bridge, Func<IController> newController, double metres, double seconds,
-        CancellationToken cancellation)
+    private void Run(
+        RemoteDrive drive,
+        IDrivingBridge bridge,
+        Func<IController> newController,
+        double metres,
+        double seconds,
+        CancellationToken cancellation
+    )
     {
         if (plan.Role != DriveRole.Both)
         {
@@ -85,8 +87,10 @@ internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
 
         using IBridgeLink link = Connect((bridge as SocketBridge)?.EndPoint);
         using var ending = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
-        Task client = Task.Run(() =>
-            RunClientToItsEnd(new ClientDriver(link, newController, plan.Patience, TimeProvider.System), ending), CancellationToken.None);
+        Task client = Task.Run(
+            () => RunClientToItsEnd(new ClientDriver(link, newController, plan.Patience, TimeProvider.System), ending),
+            CancellationToken.None
+        );
         try
         {
             drive.Run(metres, seconds, isRealTime: false, ending.Token);
@@ -135,7 +139,8 @@ internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
     private IBridgeLink Connect(IPEndPoint? known)
     {
         IPEndPoint at = known ?? plan.At ?? BridgePlan.DefaultAddress;
-        return plan.Kind == BridgeName.Folder ? new FolderLink(plan.Folder)
+        return plan.Kind == BridgeName.Folder
+            ? new FolderLink(plan.Folder)
             : new SocketLink(at.Address.ToString(), at.Port, plan.Token, plan.Patience);
     }
 }

@@ -1,10 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Runtime.ExceptionServices;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Capture.Ports;
 using Harvester.Cli.Terminals;
 using Harvester.Driving.Controllers;
@@ -54,24 +48,29 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
     {
         var faults = new ExceptionDispatchInfo?[_plans.Count];
         var options = new ParallelOptions { MaxDegreeOfParallelism = plan.Bridge is null && Recording is null ? plan.Jobs : 1 };
-        Parallel.For(0, _plans.Count, options, (i, loop) =>
-        {
-            if (cancellation.IsCancellationRequested)
+        Parallel.For(
+            0,
+            _plans.Count,
+            options,
+            (i, loop) =>
             {
-                loop.Break();
-                return;
-            }
+                if (cancellation.IsCancellationRequested)
+                {
+                    loop.Break();
+                    return;
+                }
 
-            try
-            {
-                Drive(i, report, cancellation);
+                try
+                {
+                    Drive(i, report, cancellation);
+                }
+                catch (Exception e) when (e is IOException or UnauthorizedAccessException or GameFaultException or UsageException)
+                {
+                    faults[i] = ExceptionDispatchInfo.Capture(e);
+                    loop.Break();
+                }
             }
-            catch (Exception e) when (e is IOException or UnauthorizedAccessException or GameFaultException or UsageException)
-            {
-                faults[i] = ExceptionDispatchInfo.Capture(e);
-                loop.Break();
-            }
-        });
+        );
         faults.FirstOrDefault(fault => fault is not null)?.Throw();
     }
 
@@ -92,8 +91,7 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
     {
         (int seed, Vector2D? start) = _plans[index];
         SimulatedGame game = Build(start, seed);
-        IRoads roads = _roads?.Value
-            ?? new FixedRoads(game.Roads, "simulation", LookAhead.OfMetres(plan.Controller.LookAheadMetres));
+        IRoads roads = _roads?.Value ?? new FixedRoads(game.Roads, "simulation", LookAhead.OfMetres(plan.Controller.LookAheadMetres));
         using GameRecording? recording = Recording?.Of(game, roads, seed);
         List<DriveSample> samples = [];
         bool isStopped = true;
@@ -103,7 +101,15 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
             if (plan.Bridge is { } bridge)
             {
                 new RemoteDrives(bridge, messages) { Recording = recording }.Run(
-                    game, roads, () => ControllerOf(seed), () => ControllerAtCar(seed), plan.Metres, plan.Seconds, samples, cancellation);
+                    game,
+                    roads,
+                    () => ControllerOf(seed),
+                    () => ControllerAtCar(seed),
+                    plan.Metres,
+                    plan.Seconds,
+                    samples,
+                    cancellation
+                );
             }
             else
             {
@@ -145,18 +151,20 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
     {
         try
         {
-            return new SimulatedGame(new SimulationOptions
-            {
-                Seed = seed,
-                Roads = plan.Roads,
-                Near = start,
-                WindowAspect = plan.PictureSize?.Aspect ?? (plan.Bridge is null ? 1 : new DrivingOptions().Picture.Aspect),
-                TrafficDensity = plan.TrafficDensity,
-                Weather = plan.Weather,
-                TimeOfDay = plan.TimeOfDay,
-                DayOfYear = plan.DayOfYear,
-                PedestrianDensity = 0,
-            });
+            return new SimulatedGame(
+                new SimulationOptions
+                {
+                    Seed = seed,
+                    Roads = plan.Roads,
+                    Near = start,
+                    WindowAspect = plan.PictureSize?.Aspect ?? (plan.Bridge is null ? 1 : new DrivingOptions().Picture.Aspect),
+                    TrafficDensity = plan.TrafficDensity,
+                    Weather = plan.Weather,
+                    TimeOfDay = plan.TimeOfDay,
+                    DayOfYear = plan.DayOfYear,
+                    PedestrianDensity = 0,
+                }
+            );
         }
         catch (ArgumentException e)
         {

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Evaluation.Figures;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
@@ -28,8 +27,10 @@ internal readonly record struct TrueLane(LanePlacement? Placement, double? Angle
                     at.Lanes,
                     at.LaneWidth,
                     at.RightOfLaneCentre,
-                    (halfWidth * Math.Cos(at.AngleToRoad)) + (halfLength * Math.Abs(Math.Sin(at.AngleToRoad)))),
-                at.AngleToRoad),
+                    (halfWidth * Math.Cos(at.AngleToRoad)) + (halfLength * Math.Abs(Math.Sin(at.AngleToRoad)))
+                ),
+                at.AngleToRoad
+            ),
             null => new TrueLane(new LanePlacement(-1, null, 0, 0, 0, halfWidth), null),
         };
     }

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Bridge;
 using Harvester.Evaluation.Figures;
@@ -45,27 +44,30 @@ internal static class TruthReader
         };
     }
 
-    private static string NameOf(EgoContact contact) => contact switch
-    {
-        EgoContact.Vehicle => "vehicle",
-        EgoContact.Parked => "parked",
-        EgoContact.Pedestrian => "pedestrian",
-        _ => throw new ArgumentOutOfRangeException(nameof(contact)),
-    };
+    private static string NameOf(EgoContact contact) =>
+        contact switch
+        {
+            EgoContact.Vehicle => "vehicle",
+            EgoContact.Parked => "parked",
+            EgoContact.Pedestrian => "pedestrian",
+            _ => throw new ArgumentOutOfRangeException(nameof(contact)),
+        };
 
-    private static string NameOf(RouteTurn turn) => turn switch
-    {
-        RouteTurn.Left => "left",
-        RouteTurn.Straight => "straight",
-        RouteTurn.Right => "right",
-        _ => throw new ArgumentOutOfRangeException(nameof(turn)),
-    };
+    private static string NameOf(RouteTurn turn) =>
+        turn switch
+        {
+            RouteTurn.Left => "left",
+            RouteTurn.Straight => "straight",
+            RouteTurn.Right => "right",
+            _ => throw new ArgumentOutOfRangeException(nameof(turn)),
+        };
 
-    private static string? NameOf(LightState light) => light switch
-    {
-        LightState.Green => "green",
-        LightState.Amber => "amber",
-        LightState.Red => "red",
-        _ => null,
-    };
+    private static string? NameOf(LightState light) =>
+        light switch
+        {
+            LightState.Green => "green",
+            LightState.Amber => "amber",
+            LightState.Red => "red",
+            _ => null,
+        };
 }

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Datasets.Files;
 
 namespace Harvester.Cli.Faces;
@@ -22,8 +21,12 @@ internal sealed class EmbeddedPictures
     {
         byte[] picture = InputFile.ReadAllBytes(InnerPath.Of(folder, name), MaxPictureBytes);
         _bytes += picture.Length;
-        return _bytes <= MaxBytes ? picture
-            : throw new DatasetFormatException(FormattableString.Invariant(
-                $"'{folder}': the images have more than {MaxBytes >> 20} MiB in all. Make them smaller, or split the table."));
+        return _bytes <= MaxBytes
+            ? picture
+            : throw new DatasetFormatException(
+                FormattableString.Invariant(
+                    $"'{folder}': the images have more than {MaxBytes >> 20} MiB in all. Make them smaller, or split the table."
+                )
+            );
     }
 }

@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Faces;
 using Harvester.Surveys.Faces;
@@ -29,7 +26,8 @@ internal static class FaceFile
         return content.Table.Faces.Any() || IsTable(content, table)
             ? content
             : throw new DatasetFormatException(
-                $"'{table}' is not a table of faces: it has neither its header nor a valid row. data/README.md describes the format.");
+                $"'{table}' is not a table of faces: it has neither its header nor a valid row. data/README.md describes the format."
+            );
     }
 
     /// <summary>A table as it is read back after writing, with corners rounded to the millimetre.</summary>
@@ -53,7 +51,8 @@ internal static class FaceFile
         if (valid == 0)
         {
             throw new DatasetFormatException(
-                $"{path}: all {invalid} rows are invalid. The first: {content.Problems[0]} See 'harvester spaces check'.");
+                $"{path}: all {invalid} rows are invalid. The first: {content.Problems[0]} See 'harvester spaces check'."
+            );
         }
 
         foreach (FaceTableProblem problem in content.Problems.Take(MaxReportedProblems))
@@ -68,10 +67,11 @@ internal static class FaceFile
     /// <summary>
     /// Whether a file without a valid row is a table nevertheless: it has the header, rows with invalid values, or only comments.
     /// </summary>
-    private static bool IsTable(FaceTableContent content, string table) => content.Problems switch
-    {
-        [] => InputFile.ReadLines(table).Any(line => line.Trim().Length > 0),
-        [{ Column: not WholeRow }, ..] => true,
-        _ => content.HasHeader,
-    };
+    private static bool IsTable(FaceTableContent content, string table) =>
+        content.Problems switch
+        {
+            [] => InputFile.ReadLines(table).Any(line => line.Trim().Length > 0),
+            [{ Column: not WholeRow }, ..] => true,
+            _ => content.HasHeader,
+        };
 }

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Geometry;
 using Harvester.Pages;
@@ -57,30 +53,40 @@ internal sealed class FaceGallery
     public int Models => _withFaces.Length + _withoutFaces.Length;
 
     /// <summary>Writes the page.</summary>
-    public void Write(Stream stream) => HtmlPage.Write(stream, Title, Style, page =>
-    {
-        page.Start("header").Element("h1", Title).NewLine().Start("p").With("class", "hint");
-        page.Text(
-            "Each model is drawn to scale, seen from the side that its first face is on. Grey lines show the ground and the vertical "
-            + "through the model's origin. Dashed faces are estimated; pale faces are on another side. On photographs, edges hidden by "
-            + "the face's own cuboid are dotted. Each row gives the number of a face, its text, its MUTCD code, its width and height, "
-            + "and how its corners were obtained. To correct a name or a corner, edit the table, check it with ");
-        page.Element("code", "harvester spaces check").Text(" and create this page again.").End().NewLine().End().NewLine();
-        page.Start("main").NewLine();
-        foreach (IGrouping<int, ModelFace> model in _withFaces)
-        {
-            WriteModel(page, [.. model]);
-        }
+    public void Write(Stream stream) =>
+        HtmlPage.Write(
+            stream,
+            Title,
+            Style,
+            page =>
+            {
+                page.Start("header").Element("h1", Title).NewLine().Start("p").With("class", "hint");
+                page.Text(
+                    "Each model is drawn to scale, seen from the side that its first face is on. Grey lines show the ground "
+                        + "and the vertical "
+                        + "through the model's origin. Dashed faces are estimated; pale faces are on another side. On "
+                        + "photographs, edges hidden by "
+                        + "the face's own cuboid are dotted. Each row gives the number of a face, its text, its MUTCD code, "
+                        + "its width and height, "
+                        + "and how its corners were obtained. To correct a name or a corner, edit the table, check it with "
+                );
+                page.Element("code", "harvester spaces check").Text(" and create this page again.").End().NewLine().End().NewLine();
+                page.Start("main").NewLine();
+                foreach (IGrouping<int, ModelFace> model in _withFaces)
+                {
+                    WriteModel(page, [.. model]);
+                }
 
-        foreach (string model in _withoutFaces)
-        {
-            StartModel(page, model);
-            _photos.Write(page, model, []);
-            page.Element("p", "No face found.").End().NewLine();
-        }
+                foreach (string model in _withoutFaces)
+                {
+                    StartModel(page, model);
+                    _photos.Write(page, model, []);
+                    page.Element("p", "No face found.").End().NewLine();
+                }
 
-        page.End().NewLine();
-    });
+                page.End().NewLine();
+            }
+        );
 
     private static void StartModel(MarkupWriter page, string name) =>
         page.Start("article").With("class", "panel").With("id", name).Element("h2", name);
@@ -100,10 +106,14 @@ internal sealed class FaceGallery
         page.Start("table");
         foreach (ModelFace face in faces)
         {
-            page.Start("tr").Element("td", face.Number.ToString(CultureInfo.InvariantCulture)).Element("td", face.Name)
+            page.Start("tr")
+                .Element("td", face.Number.ToString(CultureInfo.InvariantCulture))
+                .Element("td", face.Name)
                 .Element("td", face.MutcdCode);
-            page.Element("td", string.Create(
-                CultureInfo.InvariantCulture, $"{Width(face):0.00} × {face.FrontUpperLeft.Z - face.BackLowerRight.Z:0.00} m"));
+            page.Element(
+                "td",
+                string.Create(CultureInfo.InvariantCulture, $"{Width(face):0.00} × {face.FrontUpperLeft.Z - face.BackLowerRight.Z:0.00} m")
+            );
             page.Element("td", JsonName.Of(face.Provenance)).End();
         }
 
@@ -123,7 +133,8 @@ internal sealed class FaceGallery
         foreach ((int index, ModelFace face) in faces.Index().OrderBy(each => Nearness(each.Item, faces[0].Facing)))
         {
             string away = face.Facing == faces[0].Facing ? "" : " away";
-            page.Start("polygon").With("class", JsonName.Of(face.Provenance) + away)
+            page.Start("polygon")
+                .With("class", JsonName.Of(face.Provenance) + away)
                 .With("fill", face.Class == ObjectClass.Sign ? "#fd8" : "#8cf");
             page.WithPoints(outlines[index].Select(corner => Pixel(corner.Right, corner.Up))).End();
         }
@@ -135,27 +146,38 @@ internal sealed class FaceGallery
     private static (double Right, double Up)[] Outline(ModelFace face, Facing seenFrom)
     {
         var atOrigin = new Pose(Vector3D.Zero, Axes.Identity);
-        return [.. FaceOutline.EdgesOf(face, atOrigin).Where((_, i) => i % 3 == 0).Select(edge => (
-            seenFrom switch
-            {
-                Facing.Front => -edge.Start.X,
-                Facing.Left => -edge.Start.Y,
-                Facing.Right => edge.Start.Y,
-                _ => edge.Start.X,
-            },
-            edge.Start.Z))];
+        return
+        [
+            .. FaceOutline
+                .EdgesOf(face, atOrigin)
+                .Where((_, i) => i % 3 == 0)
+                .Select(edge =>
+                    (
+                        seenFrom switch
+                        {
+                            Facing.Front => -edge.Start.X,
+                            Facing.Left => -edge.Start.Y,
+                            Facing.Right => edge.Start.Y,
+                            _ => edge.Start.X,
+                        },
+                        edge.Start.Z
+                    )
+                ),
+        ];
     }
 
     /// <summary>Distance of a face's front from the model's origin towards a viewer on a side, metres.</summary>
-    private static double Nearness(ModelFace face, Facing seenFrom) => seenFrom switch
-    {
-        Facing.Front => Math.Max(face.FrontUpperLeft.Y, face.BackLowerRight.Y),
-        Facing.Left => -Math.Min(face.FrontUpperLeft.X, face.BackLowerRight.X),
-        Facing.Right => Math.Max(face.FrontUpperLeft.X, face.BackLowerRight.X),
-        _ => -Math.Min(face.FrontUpperLeft.Y, face.BackLowerRight.Y),
-    };
+    private static double Nearness(ModelFace face, Facing seenFrom) =>
+        seenFrom switch
+        {
+            Facing.Front => Math.Max(face.FrontUpperLeft.Y, face.BackLowerRight.Y),
+            Facing.Left => -Math.Min(face.FrontUpperLeft.X, face.BackLowerRight.X),
+            Facing.Right => Math.Max(face.FrontUpperLeft.X, face.BackLowerRight.X),
+            _ => -Math.Min(face.FrontUpperLeft.Y, face.BackLowerRight.Y),
+        };
 
-    private static double Width(ModelFace face) => face.Facing is Facing.Back or Facing.Front
-        ? face.BackLowerRight.X - face.FrontUpperLeft.X
-        : face.FrontUpperLeft.Y - face.BackLowerRight.Y;
+    private static double Width(ModelFace face) =>
+        face.Facing is Facing.Back or Facing.Front
+            ? face.BackLowerRight.X - face.FrontUpperLeft.X
+            : face.FrontUpperLeft.Y - face.BackLowerRight.Y;
 }

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
@@ -32,8 +28,12 @@ internal sealed class PhotoFigures
         _pictures = pictures;
         string table = Path.Combine(folder, SurveyPhoto.TableName);
         using TextReader text = File.Exists(table) ? InputFile.OpenText(table) : TextReader.Null;
-        Photos = [.. SurveyPhoto.ReadAll(text)
-            .Where(photo => InnerPath.IsWithin(_folder, photo.File) && File.Exists(InnerPath.Of(_folder, photo.File)))];
+        Photos =
+        [
+            .. SurveyPhoto
+                .ReadAll(text)
+                .Where(photo => InnerPath.IsWithin(_folder, photo.File) && File.Exists(InnerPath.Of(_folder, photo.File))),
+        ];
     }
 
     /// <summary>The photographs that exist.</summary>
@@ -62,8 +62,9 @@ internal sealed class PhotoFigures
         var camera = new Camera(photo.Camera, new CameraIntrinsics(photo.VerticalFovDegrees, Shown, Shown.Aspect, NearClip, Lens.Ideal));
         Cuboid cuboid = face.CuboidAt(new Pose(Vector3D.Zero, Axes.Identity));
         string kind = JsonName.Of(face.Provenance);
-        ILookup<bool, (Vector3D Start, Vector3D End)> edges = cuboid.EdgesInWorld
-            .ToLookup(edge => IsHidden(cuboid, (edge.Start + edge.End) * 0.5, photo.Camera.Position));
+        ILookup<bool, (Vector3D Start, Vector3D End)> edges = cuboid.EdgesInWorld.ToLookup(edge =>
+            IsHidden(cuboid, (edge.Start + edge.End) * 0.5, photo.Camera.Position)
+        );
         WriteEdges(page, kind, edges[false], camera);
         WriteEdges(page, $"{kind} hidden", edges[true], camera);
     }

@@ -13,12 +13,13 @@ internal static class HarvestAdvice
     /// <summary>The message of a fault, one line.</summary>
     public static string TextOf(CaptureFault fault) => OptionFor(fault.Code) is { } option ? $"{fault.Message} {option}" : fault.Message;
 
-    private static string? OptionFor(FaultCode code) => code switch
-    {
-        FaultCode.PictureLate => "To allow more, raise --max-picture-lag.",
-        FaultCode.MarkersHidden => $"The field of view is set by --fov. {SkipCheck}",
-        FaultCode.ViewNotShown => "See --freeze.",
-        FaultCode.CameraModelOff or FaultCode.CameraUnchecked or FaultCode.CalibrationFailed => SkipCheck,
-        _ => null,
-    };
+    private static string? OptionFor(FaultCode code) =>
+        code switch
+        {
+            FaultCode.PictureLate => "To allow more, raise --max-picture-lag.",
+            FaultCode.MarkersHidden => $"The field of view is set by --fov. {SkipCheck}",
+            FaultCode.ViewNotShown => "See --freeze.",
+            FaultCode.CameraModelOff or FaultCode.CameraUnchecked or FaultCode.CalibrationFailed => SkipCheck,
+            _ => null,
+        };
 }

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
 
@@ -30,11 +28,12 @@ internal sealed record HarvestOutcome(int Frames, int Discarded, TimeSpan Elapse
     public double FramesPerSecond => Elapsed > TimeSpan.Zero ? (Frames - Resumed) / Elapsed.TotalSeconds : 0;
 
     /// <summary>The exit code for this result.</summary>
-    public int ExitCode => this switch
-    {
-        { IsDiskFault: true } => Terminals.ExitCode.InputOutput,
-        { Fault: not null } => Terminals.ExitCode.HarvestFault,
-        { IsCancelled: true } => Terminals.ExitCode.Cancelled,
-        _ => Terminals.ExitCode.Done,
-    };
+    public int ExitCode =>
+        this switch
+        {
+            { IsDiskFault: true } => Terminals.ExitCode.InputOutput,
+            { Fault: not null } => Terminals.ExitCode.HarvestFault,
+            { IsCancelled: true } => Terminals.ExitCode.Cancelled,
+            _ => Terminals.ExitCode.Done,
+        };
 }

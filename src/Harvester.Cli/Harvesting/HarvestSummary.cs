@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using Harvester.Capture.Labelling;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Statistics;
@@ -40,14 +36,20 @@ internal static class HarvestSummary
         foreach (MaskAgreement each in outcome.Masks?.Classes ?? [])
         {
             string compared = Counted.Of(each.Objects, "object");
-            terminal.Out.WriteLine(FormattableString.Invariant(
-                $"masks    {JsonName.Of(each.Class)}: rays and photographs agree with an IoU of {each.MeanIou:0.000} ({compared})"));
+            terminal.Out.WriteLine(
+                FormattableString.Invariant(
+                    $"masks    {JsonName.Of(each.Class)}: rays and photographs agree with an IoU of {each.MeanIou:0.000} ({compared})"
+                )
+            );
         }
 
         if (outcome.Masks is { ObjectPixels: > 0 } masks)
         {
-            terminal.Out.WriteLine(FormattableString.Invariant(
-                $"masks    {100.0 * masks.DifferentPixels / masks.ObjectPixels:0.0} % of the pixels of objects differ"));
+            terminal.Out.WriteLine(
+                FormattableString.Invariant(
+                    $"masks    {100.0 * masks.DifferentPixels / masks.ObjectPixels:0.0} % of the pixels of objects differ"
+                )
+            );
         }
 
         terminal.Out.WriteLine($"session  {plan.Folder}");
@@ -56,19 +58,21 @@ internal static class HarvestSummary
             terminal.Out.WriteLine($"report   {report}");
         }
 
-        terminal.Out.WriteLine(plan.Options.Shard.Count > 1
-            ? $"next     {Command()} merge {ShellWord.Of(plan.Folder)} OTHER SHARDS... --out DIR"
-            : $"next     {Command()} validate {ShellWord.Of(plan.Folder)}");
+        terminal.Out.WriteLine(
+            plan.Options.Shard.Count > 1
+                ? $"next     {Command()} merge {ShellWord.Of(plan.Folder)} OTHER SHARDS... --out DIR"
+                : $"next     {Command()} validate {ShellWord.Of(plan.Folder)}"
+        );
     }
 
     private static string[] Row(KeyValuePair<ObjectClass, ClassStatistics> kind) =>
-    [
-        JsonName.Of(kind.Key),
-        kind.Value.Labels.ToString(CultureInfo.InvariantCulture),
-        kind.Value.Objects.ToString(CultureInfo.InvariantCulture),
-        string.Create(CultureInfo.InvariantCulture, $"{kind.Value.MinMetres:0.0} m"),
-        string.Create(CultureInfo.InvariantCulture, $"{kind.Value.MedianDistanceMetres:0.0} m"),
-    ];
+        [
+            JsonName.Of(kind.Key),
+            kind.Value.Labels.ToString(CultureInfo.InvariantCulture),
+            kind.Value.Objects.ToString(CultureInfo.InvariantCulture),
+            string.Create(CultureInfo.InvariantCulture, $"{kind.Value.MinMetres:0.0} m"),
+            string.Create(CultureInfo.InvariantCulture, $"{kind.Value.MedianDistanceMetres:0.0} m"),
+        ];
 
     private static void WriteTable(Terminal terminal, IEnumerable<string[]> rows)
     {
@@ -92,7 +96,8 @@ internal static class HarvestSummary
         {
             string counts = $"{Counted.Of(figures.Labels, "label")}, {Counted.Of(figures.Objects, "object")}";
             string distances = FormattableString.Invariant(
-                $"nearest {figures.MinMetres:0.0} m, median distance {figures.MedianDistanceMetres:0.0} m");
+                $"nearest {figures.MinMetres:0.0} m, median distance {figures.MedianDistanceMetres:0.0} m"
+            );
             terminal.Out.WriteLine($"{JsonName.Of(kind)}: {counts}, {distances}");
         }
     }

@@ -1,4 +1,3 @@
-using System.Linq;
 using Harvester.Cli.Terminals;
 using Harvester.Geometry;
 using Harvester.Sessions.Rigs;
@@ -13,13 +12,17 @@ internal static class RigMounting
     /// <exception cref="UsageException">A sensor is inside the car.</exception>
     public static void Mount(Rig rig, SimulatedGame game)
     {
-        foreach ((string name, Pose mount) in rig.Cameras.Select(camera => (camera.Name, camera.Mount))
-            .Concat(rig.Lidars.Select(lidar => (lidar.Name, lidar.Mount))))
+        foreach (
+            (string name, Pose mount) in rig
+                .Cameras.Select(camera => (camera.Name, camera.Mount))
+                .Concat(rig.Lidars.Select(lidar => (lidar.Name, lidar.Mount)))
+        )
         {
             if (game.IsInsideCar(rig.OnVehicle(mount).Position))
             {
                 throw new UsageException(
-                    $"'{name}' of the rig '{rig.Name}' is inside the body of the car, which would hide everything. Move it outside.");
+                    $"'{name}' of the rig '{rig.Name}' is inside the body of the car, which would hide everything. Move it outside."
+                );
             }
         }
 

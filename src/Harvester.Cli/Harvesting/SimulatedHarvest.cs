@@ -1,10 +1,5 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
@@ -55,32 +50,34 @@ internal sealed class SimulatedHarvest
         SimulatedGame.BeginModels();
         RoadNetwork? roads = plan.Roads is null ? null : RoadImporter.Import(plan.Roads).Network;
         FaceTable faces = FaceFile.AsWritten(
-            plan.Faces is null ? ModelFaces.Table : ModelFaces.Table.OverriddenBy(FaceFile.ReadValid(plan.Faces, warn)));
+            plan.Faces is null ? ModelFaces.Table : ModelFaces.Table.OverriddenBy(FaceFile.ReadValid(plan.Faces, warn))
+        );
         Lens lens = plan.Options.Lens;
         List<PropPlacement> props = [.. plan.Props.SelectMany(PropPlacementImporter.Import)];
         int count = plan.Options.Places?.Count ?? 1;
-        List<Vector2D> places = count == 1 ? []
-            : SpreadPlaces.Of(roads ?? TownBuilder.Build(plan.Seed), count, plan.Seed, plan.Near);
+        List<Vector2D> places = count == 1 ? [] : SpreadPlaces.Of(roads ?? TownBuilder.Build(plan.Seed), count, plan.Seed, plan.Near);
         try
         {
-            var game = new SimulatedGame(plan.Variety with
-            {
-                Seed = plan.Seed,
-                TrafficSeed = plan.Trial?.TrafficSeed,
-                Roads = roads,
-                Near = count == 1 ? plan.Near : places[0],
-                Props = plan.Props.Count > 0 ? props : null,
-                Weather = plan.Weather,
-                DayOfYear = plan.DayOfYear,
-                TimeOfDay = plan.TimeOfDay,
-                VerticalFovDegrees = plan.FovDegrees,
-                WindowAspect = plan.Options.Image.Aspect,
-                Lens = new RenderLens(lens.FocalScale, lens.CentreOffsetX, lens.CentreOffsetY, lens.K1, lens.K2),
-                Detail = plan.Detail,
-                DefersPictures = true,
-                IsWarm = true,
-                Quirks = plan.Quirks,
-            });
+            var game = new SimulatedGame(
+                plan.Variety with
+                {
+                    Seed = plan.Seed,
+                    TrafficSeed = plan.Trial?.TrafficSeed,
+                    Roads = roads,
+                    Near = count == 1 ? plan.Near : places[0],
+                    Props = plan.Props.Count > 0 ? props : null,
+                    Weather = plan.Weather,
+                    DayOfYear = plan.DayOfYear,
+                    TimeOfDay = plan.TimeOfDay,
+                    VerticalFovDegrees = plan.FovDegrees,
+                    WindowAspect = plan.Options.Image.Aspect,
+                    Lens = new RenderLens(lens.FocalScale, lens.CentreOffsetX, lens.CentreOffsetY, lens.K1, lens.K2),
+                    Detail = plan.Detail,
+                    DefersPictures = true,
+                    IsWarm = true,
+                    Quirks = plan.Quirks,
+                }
+            );
             if (plan.Options.Rig is { } rig)
             {
                 RigMounting.Mount(rig, game);
@@ -111,7 +108,14 @@ internal sealed class SimulatedHarvest
         int resumed = writer.FramesWritten;
         RoadNetwork roads = _plan.Roads is null ? KeepRoads(_game.Roads, writer) : _game.Roads;
         using var session = new HarvestSession(
-            _plan.Options with { Faces = _faces, RecordedThrough = writer.RecordedThrough }, Ports(roads), writer);
+            _plan.Options with
+            {
+                Faces = _faces,
+                RecordedThrough = writer.RecordedThrough,
+            },
+            Ports(roads),
+            writer
+        );
         do
         {
             // The game waits for the disk; otherwise the frames would depend on the disk's speed.
@@ -125,8 +129,7 @@ internal sealed class SimulatedHarvest
             }
 
             GoOn(session.Counters.Taken);
-        }
-        while (!session.Status.IsOver && !(_plan.Trial?.Drive.IsOver ?? false) && !cancellation.IsCancellationRequested);
+        } while (!session.Status.IsOver && !(_plan.Trial?.Drive.IsOver ?? false) && !cancellation.IsCancellationRequested);
 
         session.Stop();
         writer.Dispose();
@@ -135,9 +138,11 @@ internal sealed class SimulatedHarvest
             session.Status.Discarded,
             clock.Elapsed,
             writer.IsSpaceLow ? $"{writer.Fault} {HarvestAdvice.OnLowSpace}"
-                : session.Failure is { } failure ? HarvestAdvice.TextOf(failure) : writer.Fault,
+                : session.Failure is { } failure ? HarvestAdvice.TextOf(failure)
+                : writer.Fault,
             writer.Fault is not null,
-            cancellation.IsCancellationRequested && session.Status.Captured < _plan.Frames)
+            cancellation.IsCancellationRequested && session.Status.Captured < _plan.Frames
+        )
         {
             Resumed = resumed,
             Warnings = [.. session.Warnings.Select(HarvestAdvice.TextOf)],
@@ -184,18 +189,24 @@ internal sealed class SimulatedHarvest
         _game.Ports with
         {
             Roads = new FixedRoads(
-            roads, _plan.Roads is null ? "simulation" : "roadFile", _plan.LookAhead, _plan.LaneWidth, _plan.NarrowLaneWidth)
+                roads,
+                _plan.Roads is null ? "simulation" : "roadFile",
+                _plan.LookAhead,
+                _plan.LaneWidth,
+                _plan.NarrowLaneWidth
+            ),
         };
 
     /// <summary>Where the session of a plan comes from.</summary>
-    public static SessionOrigin OriginOf(HarvestPlan plan) => new()
-    {
-        Game = "simulation",
-        Tool = $"harvester {typeof(SimulatedHarvest).Assembly.GetName().Version!.ToString(3)}",
-        Seed = plan.Seed,
-        Truth = LabelTruths.OfSimulation(plan.Variety.ReportsTrueOcclusion),
-        Settings = [.. SettingsOf(plan)],
-    };
+    public static SessionOrigin OriginOf(HarvestPlan plan) =>
+        new()
+        {
+            Game = "simulation",
+            Tool = $"harvester {typeof(SimulatedHarvest).Assembly.GetName().Version!.ToString(3)}",
+            Seed = plan.Seed,
+            Truth = LabelTruths.OfSimulation(plan.Variety.ReportsTrueOcclusion),
+            Settings = [.. SettingsOf(plan)],
+        };
 
     private static IEnumerable<KeyValuePair<string, string>> SettingsOf(HarvestPlan plan)
     {
@@ -235,14 +246,16 @@ internal sealed class SimulatedHarvest
             yield return new("places", places.Count.ToString(CultureInfo.InvariantCulture));
         }
 
-        foreach ((string name, double factor) in new[]
-        {
-            ("wander", plan.Variety.Wander),
-            ("laneChanges", plan.Variety.LaneChanges),
-            ("traffic", plan.Variety.TrafficDensity),
-            ("pedestrians", plan.Variety.PedestrianDensity),
-            ("parked", plan.Variety.ParkedDensity!.Value),
-        })
+        foreach (
+            (string name, double factor) in new[]
+            {
+                ("wander", plan.Variety.Wander),
+                ("laneChanges", plan.Variety.LaneChanges),
+                ("traffic", plan.Variety.TrafficDensity),
+                ("pedestrians", plan.Variety.PedestrianDensity),
+                ("parked", plan.Variety.ParkedDensity!.Value),
+            }
+        )
         {
             yield return new(name, factor.ToString(CultureInfo.InvariantCulture));
         }

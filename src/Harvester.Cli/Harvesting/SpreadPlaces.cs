@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Cli.Terminals;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
@@ -28,10 +25,16 @@ internal static class SpreadPlaces
     public static List<Vector2D> Of(RoadNetwork network, int count, int seed, Vector2D? first = null)
     {
         var random = new Random(seed);
-        HashSet<int> ends = [.. network.Links
-            .Where(link => link.LanesForward + link.LanesBackward > 0).SelectMany(link => new[] { link.From, link.To })];
-        Vector3D[] open = [.. ends.Order().Where(node => (network.Nodes[node].Flags & RoadNodeFlags.Water) == 0)
-            .Select(node => network.Nodes[node].Position)];
+        HashSet<int> ends =
+        [
+            .. network.Links.Where(link => link.LanesForward + link.LanesBackward > 0).SelectMany(link => new[] { link.From, link.To }),
+        ];
+        Vector3D[] open =
+        [
+            .. ends.Order()
+                .Where(node => (network.Nodes[node].Flags & RoadNodeFlags.Water) == 0)
+                .Select(node => network.Nodes[node].Position),
+        ];
         random.Shuffle(open);
         int candidates = Math.Max(FewestCandidates, CandidatesOfPlace * count);
         open = open.Length > candidates ? open[..candidates] : open;
@@ -48,7 +51,8 @@ internal static class SpreadPlaces
             if (farthest < 0 || distances[farthest] < Apart)
             {
                 throw new UsageException(
-                    $"The road network has only {places.Count} places {Apart} m apart, fewer than the {count} of --places.");
+                    $"The road network has only {places.Count} places {Apart} m apart, fewer than the {count} of --places."
+                );
             }
 
             Take(new Vector2D(open[farthest].X, open[farthest].Y));

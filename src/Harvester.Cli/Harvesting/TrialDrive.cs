@@ -1,4 +1,3 @@
-using System.Linq;
 using Harvester.Driving.Controllers;
 using Harvester.Geometry;
 using Harvester.Sessions.Plans;
@@ -35,8 +34,7 @@ internal sealed class TrialDrive
     {
         if ((_follower?.StartHeadingDegrees ?? _place.HeadingDegrees) is { } heading && _place.Start is { } start)
         {
-            double height = game.Roads.Nodes
-                .MinBy(node => (new Vector2D(node.Position.X, node.Position.Y) - start).Length)!.Position.Z;
+            double height = game.Roads.Nodes.MinBy(node => (new Vector2D(node.Position.X, node.Position.Y) - start).Length)!.Position.Z;
             game.Ports.Car!.Reset(new Vector3D(start.X, start.Y, height), heading);
         }
     }

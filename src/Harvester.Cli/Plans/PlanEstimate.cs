@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Sessions.Plans;
 using Harvester.Sessions.Rigs;
 
@@ -26,9 +23,13 @@ internal sealed record PlanEstimate(long Frames, double Seconds, double Bytes)
     private const double BytesOfPoint = 24;
 
     /// <summary>The estimate of some trials.</summary>
-    public static PlanEstimate Of(PlanFile file, IEnumerable<Trial> trials) => trials.Select(trial => Of(file, trial))
-        .Aggregate(new PlanEstimate(0, 0, 0), (sum, each) =>
-            new(sum.Frames + each.Frames, sum.Seconds + each.Seconds, sum.Bytes + each.Bytes));
+    public static PlanEstimate Of(PlanFile file, IEnumerable<Trial> trials) =>
+        trials
+            .Select(trial => Of(file, trial))
+            .Aggregate(
+                new PlanEstimate(0, 0, 0),
+                (sum, each) => new(sum.Frames + each.Frames, sum.Seconds + each.Seconds, sum.Bytes + each.Bytes)
+            );
 
     private static PlanEstimate Of(PlanFile file, Trial trial)
     {
@@ -41,7 +42,8 @@ internal sealed record PlanEstimate(long Frames, double Seconds, double Bytes)
         double seconds = rig is null
             ? pixels.Sum(each => hasMasks ? SecondsOfMaskedFrame + (SecondsOfMaskedPixel * each) : SecondsOfFrame + (SecondsOfPixel * each))
             : RigBudget.SecondsPerMoment(rig, hasMasks);
-        double bytes = pixels.Sum(each => BytesOfLabelAndScene + (BytesOfPixel * each) + (hasMasks ? BytesOfMaskPixel * each : 0))
+        double bytes =
+            pixels.Sum(each => BytesOfLabelAndScene + (BytesOfPixel * each) + (hasMasks ? BytesOfMaskPixel * each : 0))
             + (BytesOfPoint * points);
         return new((long)moments * pixels.Length, SecondsOfTrial + (moments * seconds), moments * bytes);
     }
@@ -50,13 +52,16 @@ internal sealed record PlanEstimate(long Frames, double Seconds, double Bytes)
     public override string ToString()
     {
         TimeSpan time = TimeSpan.FromSeconds(Seconds);
-        string duration = time.TotalMinutes < 2 ? FormattableString.Invariant($"{time.TotalSeconds:0} s")
+        string duration =
+            time.TotalMinutes < 2 ? FormattableString.Invariant($"{time.TotalSeconds:0} s")
             : time.TotalHours < 2 ? FormattableString.Invariant($"{time.TotalMinutes:0} min")
             : FormattableString.Invariant($"{time.TotalHours:0.0} h");
         const double megabyte = 1e6;
         const double gigabyte = 1e9;
-        string size = Bytes < gigabyte ? FormattableString.Invariant($"{Bytes / megabyte:0} MB")
-            : FormattableString.Invariant($"{Bytes / gigabyte:0.0} GB");
+        string size =
+            Bytes < gigabyte
+                ? FormattableString.Invariant($"{Bytes / megabyte:0} MB")
+                : FormattableString.Invariant($"{Bytes / gigabyte:0.0} GB");
         return FormattableString.Invariant($"at most {Frames} images, about {duration} and {size}");
     }
 }

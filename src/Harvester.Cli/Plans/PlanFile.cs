@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
@@ -24,8 +21,10 @@ internal sealed record PlanFile(Plan Plan, string Text, IReadOnlyDictionary<stri
     public static PlanFile Read(string path)
     {
         List<string> problems = ProblemsOf(path, out PlanFile? file);
-        return file ?? throw new DatasetFormatException($"'{path}': {problems[0]}"
-            + (problems.Count > 1 ? $" {problems.Count - 1} more: harvester plan check lists all." : ""));
+        return file
+            ?? throw new DatasetFormatException(
+                $"'{path}': {problems[0]}" + (problems.Count > 1 ? $" {problems.Count - 1} more: harvester plan check lists all." : "")
+            );
     }
 
     /// <summary>All problems of a plan file, one line each; empty if it can run.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
@@ -42,8 +38,11 @@ internal sealed class PlanOutput : IDisposable
         {
             OutputDisk.Check(folder, "--out", minFreeBytes);
             string copy = Path.Combine(folder, PlanFile.FileName);
-            if (!File.Exists(copy) && Directory.Exists(folder) && Directory.EnumerateFileSystemEntries(folder)
-                .Any(path => AtomicFile.TargetOf(Path.GetFileName(path)) is null))
+            if (
+                !File.Exists(copy)
+                && Directory.Exists(folder)
+                && Directory.EnumerateFileSystemEntries(folder).Any(path => AtomicFile.TargetOf(Path.GetFileName(path)) is null)
+            )
             {
                 throw new OccupiedFolderException($"'{folder}' is not empty and has no plan. Name another folder with --out.");
             }
@@ -57,15 +56,18 @@ internal sealed class PlanOutput : IDisposable
             if (!AtomicFile.TryWriteNew(copy, plan) && InputFile.ReadAllText(copy) != plan)
             {
                 throw new OccupiedFolderException(
-                    $"'{folder}' has results of another plan, or of this one before it was changed. Name another folder with --out.");
+                    $"'{folder}' has results of another plan, or of this one before it was changed. Name another folder with --out."
+                );
             }
 
-            bool hasResults = File.Exists(Path.Combine(folder, PlanStatus.FileNameOf(shard)))
+            bool hasResults =
+                File.Exists(Path.Combine(folder, PlanStatus.FileNameOf(shard)))
                 || (shard.Count == 1 && Directory.Exists(Path.Combine(folder, Trials)));
             if (hasResults && !resumes)
             {
                 throw new OccupiedFolderException(
-                    $"'{folder}' has results of this plan. Continue with --resume, or name another folder with --out.");
+                    $"'{folder}' has results of this plan. Continue with --resume, or name another folder with --out."
+                );
             }
 
             string described = Path.Combine(folder, World);
@@ -73,7 +75,8 @@ internal sealed class PlanOutput : IDisposable
             {
                 throw new OccupiedFolderException(
                     $"'{folder}' has results of other roads or of another detail. Give --roads and --detail as then, or name another "
-                    + "folder with --out.");
+                        + "folder with --out."
+                );
             }
 
             return new PlanOutput(folder, held, PlanStatus.Open(folder, shard));

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Sessions;
@@ -19,8 +14,7 @@ namespace Harvester.Cli.Plans;
 /// <param name="output">Where to write to.</param>
 /// <param name="heartbeat">Receives signs of life.</param>
 /// <param name="command">The command, as the marks of unfinished sessions have it.</param>
-internal sealed class PlanRun(
-    Terminal terminal, PlanFile file, PlanWorld world, PlanOutput output, HeartbeatFile heartbeat, string command)
+internal sealed class PlanRun(Terminal terminal, PlanFile file, PlanWorld world, PlanOutput output, HeartbeatFile heartbeat, string command)
 {
     private int _frames;
 
@@ -83,8 +77,13 @@ internal sealed class PlanRun(
         try
         {
             using var session = new SessionOutput(
-                terminal, folder, FormattableString.Invariant($"{command} (trial {trial.Id}, attempt {attempt})"), overwrite: null,
-                keepsFrames: true, resumes: true);
+                terminal,
+                folder,
+                FormattableString.Invariant($"{command} (trial {trial.Id}, attempt {attempt})"),
+                overwrite: null,
+                keepsFrames: true,
+                resumes: true
+            );
             SimulatedHarvest harvest = SimulatedHarvest.Build(plan, terminal.WriteError);
             outcome = harvest.Run(session.Begin(), Report, cancellation);
             if (outcome is { Fault: null, IsCancelled: false, Frames: > 0 })
@@ -131,8 +130,9 @@ internal sealed class PlanRun(
     {
         if (result.State != TrialState.Done)
         {
-            terminal.WriteError(FormattableString.Invariant(
-                $"{result.Trial}, attempt {result.Attempt} of {TrialResult.MaxAttempts}: {result.Reason}"));
+            terminal.WriteError(
+                FormattableString.Invariant($"{result.Trial}, attempt {result.Attempt} of {TrialResult.MaxAttempts}: {result.Reason}")
+            );
         }
         else if (!terminal.IsInteractive)
         {

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
@@ -56,12 +52,20 @@ internal sealed record PlanWorld(string? Roads, Detail Detail)
     {
         Lazy<RoadNetwork> network = new(() => Roads is null ? TownBuilder.Build(plan.Seed) : RoadImporter.Import(Roads).Network);
         Lazy<List<(EntityState Entity, ModelFace Face)>> spaces = new(() => SpacesOf(plan));
-        PlanPlace[] places = [.. plan.Places.SelectMany(place => place.Spread is { } count ? Spread(place, count, network.Value, plan.Seed)
-            : place.Space is not null ? [Before(place, spaces.Value)]
-            : [place])];
-        string? twice = places.GroupBy(place => place.Name, StringComparer.OrdinalIgnoreCase)
-            .FirstOrDefault(group => group.Count() > 1)?.Key;
-        return twice is null ? places
+        PlanPlace[] places =
+        [
+            .. plan.Places.SelectMany(place =>
+                place.Spread is { } count ? Spread(place, count, network.Value, plan.Seed)
+                : place.Space is not null ? [Before(place, spaces.Value)]
+                : [place]
+            ),
+        ];
+        string? twice = places
+            .GroupBy(place => place.Name, StringComparer.OrdinalIgnoreCase)
+            .FirstOrDefault(group => group.Count() > 1)
+            ?.Key;
+        return twice is null
+            ? places
             : throw new UsageException($"Two places are called '{twice}' once the spread ones are chosen. Rename one in the plan.");
     }
 
@@ -69,12 +73,17 @@ internal sealed record PlanWorld(string? Roads, Detail Detail)
     private static IEnumerable<PlanPlace> Spread(PlanPlace place, int count, RoadNetwork network, int seed)
     {
         string digits = new('0', count.ToString(CultureInfo.InvariantCulture).Length);
-        return SpreadPlaces.Of(network, count, seed).Select((point, index) => place with
-        {
-            Name = $"{place.Name}-{(index + 1).ToString(digits, CultureInfo.InvariantCulture)}",
-            Point = point,
-            Spread = null,
-        });
+        return SpreadPlaces
+            .Of(network, count, seed)
+            .Select(
+                (point, index) =>
+                    place with
+                    {
+                        Name = $"{place.Name}-{(index + 1).ToString(digits, CultureInfo.InvariantCulture)}",
+                        Point = point,
+                        Spread = null,
+                    }
+            );
     }
 
     /// <summary>A place before the first space of a name, with the car on its way to it.</summary>
@@ -85,8 +94,10 @@ internal sealed record PlanWorld(string? Roads, Detail Detail)
         if (entity is null)
         {
             string[] known = [.. spaces.Select(each => each.Face.Name).Distinct().Order(StringComparer.Ordinal)];
-            throw new UsageException($"No space '{name}' of the place '{place.Name}' is in this world, which has "
-                + (known.Length == 0 ? "none." : $"{string.Join(", ", known)}."));
+            throw new UsageException(
+                $"No space '{name}' of the place '{place.Name}' is in this world, which has "
+                    + (known.Length == 0 ? "none." : $"{string.Join(", ", known)}.")
+            );
         }
 
         Vector3D towards = face.DirectionAt(entity.Pose);
@@ -108,15 +119,21 @@ internal sealed record PlanWorld(string? Roads, Detail Detail)
     {
         try
         {
-            var game = new SimulatedGame(new SimulationOptions
-            {
-                Seed = plan.Seed,
-                Roads = Roads is null ? null : RoadImporter.Import(Roads).Network,
-                TrafficDensity = 0,
-                PedestrianDensity = 0,
-            });
-            return [.. game.Ports.World.ReadEntities(Vector3D.Zero, WholeWorld)
-                .SelectMany(entity => ModelFaces.Table.Of(entity.Model).Select(face => (entity, face)))];
+            var game = new SimulatedGame(
+                new SimulationOptions
+                {
+                    Seed = plan.Seed,
+                    Roads = Roads is null ? null : RoadImporter.Import(Roads).Network,
+                    TrafficDensity = 0,
+                    PedestrianDensity = 0,
+                }
+            );
+            return
+            [
+                .. game
+                    .Ports.World.ReadEntities(Vector3D.Zero, WholeWorld)
+                    .SelectMany(entity => ModelFaces.Table.Of(entity.Model).Select(face => (entity, face))),
+            ];
         }
         catch (ArgumentException e)
         {

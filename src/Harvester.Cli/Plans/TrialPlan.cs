@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
 using Harvester.Cli.Arguments;
@@ -48,7 +47,11 @@ internal static class TrialPlan
             Frames = frames,
             Seed = plan.Seed,
             Trial = new TrialSetting(
-                plan.Name, trial.Id, trial.SeedOf(plan.Seed, attempt), new TrialDrive(trial.Place, plan.SpeedMetresPerSecond)),
+                plan.Name,
+                trial.Id,
+                trial.SeedOf(plan.Seed, attempt),
+                new TrialDrive(trial.Place, plan.SpeedMetresPerSecond)
+            ),
             FovDegrees = trial.Camera.VerticalFovDegrees,
             Roads = world.Roads,
             Props = [],

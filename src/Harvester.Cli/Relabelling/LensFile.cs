@@ -1,6 +1,4 @@
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
 using Harvester.Datasets.Files;
 using Harvester.Geometry.Cameras;
 using Harvester.Play.Settings;
@@ -20,7 +18,8 @@ internal static class LensFile
     {
         string text = InputFile.ReadAllText(path);
         IniFile ini = IniFile.Read(
-            new StringReader(text.Contains(Section, System.StringComparison.OrdinalIgnoreCase) ? text : $"{Section}\n{text}"));
+            new StringReader(text.Contains(Section, System.StringComparison.OrdinalIgnoreCase) ? text : $"{Section}\n{text}")
+        );
         Lens lens = HarvestSettings.LensOf(ini);
         foreach (KeyValuePair<string, double> value in HarvestSettings.ValuesOf(lens))
         {

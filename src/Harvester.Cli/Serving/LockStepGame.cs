@@ -1,5 +1,3 @@
-using System;
-using System.Threading;
 using Harvester.Cli.Driving;
 using Harvester.Driving.Bridge;
 using Harvester.Driving.Session;
@@ -15,7 +13,10 @@ namespace Harvester.Cli.Serving;
 /// <param name="newGame">Builds the game of a restart; null for the first one.</param>
 /// <param name="newEndpoint">Connects a game to the bridge.</param>
 internal sealed class LockStepGame(
-    IAwaitableBridge bridge, Func<RestartMessage?, SimulatedGame> newGame, Func<SimulatedGame, GameEndpoint> newEndpoint)
+    IAwaitableBridge bridge,
+    Func<RestartMessage?, SimulatedGame> newGame,
+    Func<SimulatedGame, GameEndpoint> newEndpoint
+)
 {
     /// <summary>
     /// Game time of a tick, seconds; a step takes whole ticks. The longest that the world computes at once, as in direct drives.
@@ -60,16 +61,20 @@ internal sealed class LockStepGame(
             Seconds += game.Ports.World.TimeSeconds;
             Metres += endpoint.Metres;
             Frames += endpoint.Status.Frames;
-        }
-        while (restart is not null && ending is null && !cancellation.IsCancellationRequested);
+        } while (restart is not null && ending is null && !cancellation.IsCancellationRequested);
         return ending;
     }
 
     private string? Serve(SimulatedGame game, GameEndpoint endpoint, double seconds, CancellationToken cancellation)
     {
         DrivingStatus status = endpoint.Listen();
-        while (endpoint.Restart is null && game.Ports.World.TimeSeconds < seconds && !status.IsOver
-            && !cancellation.IsCancellationRequested && !IsDone())
+        while (
+            endpoint.Restart is null
+            && game.Ports.World.TimeSeconds < seconds
+            && !status.IsOver
+            && !cancellation.IsCancellationRequested
+            && !IsDone()
+        )
         {
             if (endpoint.IsStepping)
             {

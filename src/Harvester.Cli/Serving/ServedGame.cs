@@ -1,5 +1,3 @@
-using System;
-using System.Threading;
 using Harvester.Cli.Driving;
 using Harvester.Cli.Harvesting;
 using Harvester.Driving.Session;
@@ -25,8 +23,7 @@ internal sealed class ServedGame(SimulatedGame game, GameEndpoint bridged)
     {
         WallPace pace = new(TickSeconds, TimeProvider.System);
         DrivingStatus status = bridged.Listen();
-        while (game.Ports.World.TimeSeconds < seconds && !cancellation.IsCancellationRequested && !status.IsOver
-            && !IsDone())
+        while (game.Ports.World.TimeSeconds < seconds && !cancellation.IsCancellationRequested && !status.IsOver && !IsDone())
         {
             pace.Wait(game.IsFrozen, isHurried: bridged.IsStepping, cancellation);
             status = bridged.Tick(TickSeconds);

@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using Harvester.Sessions.Imaging;
 using Harvester.Simulation.Models;
 
@@ -16,7 +13,10 @@ internal static class CaptionFont
     private const int Margin = 4;
 
     /// <summary>A crossed box, for a character that the font lacks.</summary>
-    private static readonly (int Column, int Row)[][] Unknown = [[(0, 0), (0, 4), (2, 4), (2, 0), (0, 0), (2, 4)]];
+    private static readonly (int Column, int Row)[][] Unknown =
+    [
+        [(0, 0), (0, 4), (2, 4), (2, 0), (0, 0), (2, 4)],
+    ];
 
     /// <summary>Height of a caption with its margins, pixels.</summary>
     public static int HeightOf(int lines) => (lines * LineStep) + Margin;

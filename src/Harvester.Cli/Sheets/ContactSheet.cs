@@ -1,4 +1,3 @@
-using System;
 using Harvester.Sessions.Imaging;
 
 namespace Harvester.Cli.Sheets;
@@ -19,8 +18,12 @@ internal sealed class ContactSheet(SheetLayout layout)
         for (int row = 0; row < layout.Tile.Height; row++)
         {
             Buffer.BlockCopy(
-                tile.Picture.Bytes, row * rowBytes,
-                Picture.Bytes, (((top + row) * layout.Sheet.Width) + left) * PixelBuffer.BytesPerPixel, rowBytes);
+                tile.Picture.Bytes,
+                row * rowBytes,
+                Picture.Bytes,
+                (((top + row) * layout.Sheet.Width) + left) * PixelBuffer.BytesPerPixel,
+                rowBytes
+            );
         }
 
         CaptionFont.Write(Picture, tile.Caption, left, top + layout.Tile.Height, layout.Tile.Width);

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Cli.Arguments;
 using Harvester.Datasets.Files;
 using Harvester.Geometry;

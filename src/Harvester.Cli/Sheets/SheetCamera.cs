@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Threading;
 using Harvester.Cli.Terminals;
 using Harvester.Sessions.Imaging;
 using Harvester.Simulation.Game;
@@ -49,19 +46,21 @@ internal static class SheetCamera
     {
         try
         {
-            return new SimulatedGame(new SimulationOptions
-            {
-                Seed = plan.Seed,
-                Roads = plan.Roads,
-                Near = place.Position,
-                Props = plan.Props,
-                Weather = weather,
-                Detail = plan.Detail,
-                TimeOfDay = time,
-                IsTimeOfDayFixed = true,
-                VerticalFovDegrees = plan.FovDegrees,
-                WindowAspect = plan.Tile.Aspect,
-            });
+            return new SimulatedGame(
+                new SimulationOptions
+                {
+                    Seed = plan.Seed,
+                    Roads = plan.Roads,
+                    Near = place.Position,
+                    Props = plan.Props,
+                    Weather = weather,
+                    Detail = plan.Detail,
+                    TimeOfDay = time,
+                    IsTimeOfDayFixed = true,
+                    VerticalFovDegrees = plan.FovDegrees,
+                    WindowAspect = plan.Tile.Aspect,
+                }
+            );
         }
         catch (ArgumentException e)
         {

@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Harvester.Cli.Terminals;
 using Harvester.Geometry.Cameras;
 
@@ -39,24 +37,26 @@ internal sealed record SheetLayout
     {
         long times = (long)plan.Times.Count * plan.Seconds.Count;
         long moments = plan.Weathers.Count * times;
-        long columns = plan.Weathers.Count > 1 && times > 1 ? times
-            : moments > 1 ? moments : (int)Math.Ceiling(Math.Sqrt(plan.Places.Count));
+        long columns =
+            plan.Weathers.Count > 1 && times > 1 ? times
+            : moments > 1 ? moments
+            : (int)Math.Ceiling(Math.Sqrt(plan.Places.Count));
         long rows = ((plan.Places.Count * moments) + columns - 1) / columns;
         int lines = plan.Captions.Max(caption => CaptionFont.LinesOf(caption, plan.Tile.Width).Count);
         int rowHeight = plan.Tile.Height + CaptionFont.HeightOf(lines);
         long width = (columns * (plan.Tile.Width + Gap)) + Gap;
         long height = (rows * rowHeight) + Gap;
-        string limit = Math.Max(width, height) > MaxSide ? $"{MaxSide} a side"
+        string limit =
+            Math.Max(width, height) > MaxSide ? $"{MaxSide} a side"
             : width * height > MaxPixels ? $"{MaxPixels} in all"
             : "";
         return limit.Length == 0
             ? new SheetLayout(plan.Tile, (int)columns, rowHeight, new ImageSize((int)width, (int)height))
             : throw new UsageException(
-                $"The sheet would have {width} x {height} pixels, more than {limit}; give fewer tiles or a smaller --size.");
+                $"The sheet would have {width} x {height} pixels, more than {limit}; give fewer tiles or a smaller --size."
+            );
     }
 
     /// <summary>Upper left corner of a tile's picture, pixels.</summary>
-    public (int Left, int Top) CornerOf(int tile) => (
-        Gap + (tile % Columns * (Tile.Width + Gap)),
-        Gap + (tile / Columns * _rowHeight));
+    public (int Left, int Top) CornerOf(int tile) => (Gap + (tile % Columns * (Tile.Width + Gap)), Gap + (tile / Columns * _rowHeight));
 }

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Cli.Sheets;
 
 /// <summary>What the tiles of one column of a contact sheet have in common.</summary>

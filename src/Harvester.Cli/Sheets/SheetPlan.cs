@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Scenes;
@@ -41,7 +38,10 @@ internal sealed record SheetPlan
 
     /// <summary>The moments of each place, in the order of the tiles.</summary>
     public IEnumerable<SheetMoment> Moments =>
-        from weather in Weathers from time in Times from seconds in Seconds select new SheetMoment(weather, time, seconds);
+        from weather in Weathers
+        from time in Times
+        from seconds in Seconds
+        select new SheetMoment(weather, time, seconds);
 
     /// <summary>How much of the light the pictures show.</summary>
     public required Detail Detail { get; init; }
@@ -52,8 +52,7 @@ internal sealed record SheetPlan
     /// <summary>The caption of a tile: place, weather, time of day and how long the ego has driven.</summary>
     public static string CaptionOf(SheetPlace place, SheetMoment moment)
     {
-        string at = place.Position is { } position
-            ? string.Create(CultureInfo.InvariantCulture, $"{position.X:0.#},{position.Y:0.#}") : "";
+        string at = place.Position is { } position ? string.Create(CultureInfo.InvariantCulture, $"{position.X:0.#},{position.Y:0.#}") : "";
         string when = string.Create(CultureInfo.InvariantCulture, $"{moment.Weather} {moment.TimeOfDay:hh\\:mm} {moment.Seconds:0.##} s");
         return string.Join("  ", new[] { place.Name, at, when }.Where(part => part.Length > 0));
     }

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Sessions.Plans;
 using Harvester.Sessions.Text;
 
@@ -50,9 +49,11 @@ internal sealed class HeartbeatJudge(SupervisorOptions options, HeartbeatReading
 
         return Last is null ? (now > options.StartTimeout ? $"no heartbeat within {Seconds(options.StartTimeout)}{Reason()}" : null)
             : Last.State == HeartbeatState.Starting
-                ? now - _starting > options.StartTimeout ? $"still starting after {Seconds(options.StartTimeout)}" : null
+                ? now - _starting > options.StartTimeout ? $"still starting after {Seconds(options.StartTimeout)}"
+                    : null
             : _ended is { } ended
-                ? now - ended > options.Timeout ? $"its heartbeat says {JsonName.Of(Last.State)}, but the process goes on" : null
+                ? now - ended > options.Timeout ? $"its heartbeat says {JsonName.Of(Last.State)}, but the process goes on"
+                    : null
             : now - _advanced > options.Timeout ? $"no new heartbeat for {Seconds(options.Timeout)}{Reason()}"
             : now - _progressed > options.Stall
                 ? FormattableString.Invariant($"its heartbeat goes on, but it has been at frame {Last.Frames} for {Seconds(options.Stall)}")

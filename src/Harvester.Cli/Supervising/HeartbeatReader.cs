@@ -1,6 +1,4 @@
-using System;
 using System.Globalization;
-using System.IO;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
@@ -56,7 +54,8 @@ internal static class HeartbeatReader
         using FileStream file = RegularFile.OpenRead(path, FileShare.ReadWrite | FileShare.Delete);
         byte[] bytes = new byte[MaxBytes + 1];
         int count = file.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false);
-        return count <= MaxBytes ? bytes[..count]
+        return count <= MaxBytes
+            ? bytes[..count]
             : throw new DatasetFormatException(FormattableString.Invariant($"It has more than {MaxBytes} bytes."));
     }
 
@@ -69,14 +68,17 @@ internal static class HeartbeatReader
             TimeOf(fields.Text("time")),
             fields.Name<HeartbeatState>("state"),
             TrialOf(document.RootElement),
-            fields.LongInteger("frames") is >= 0 and var frames
-                ? frames
-                : throw new DatasetFormatException("The field frames is negative."));
+            fields.LongInteger("frames") is >= 0 and var frames ? frames : throw new DatasetFormatException("The field frames is negative.")
+        );
     }
 
     private static DateTime TimeOf(string text) =>
         DateTimeOffset.TryParse(
-            text, CultureInfo.InvariantCulture, DateTimeStyles.AssumeUniversal | DateTimeStyles.AdjustToUniversal, out DateTimeOffset time)
+            text,
+            CultureInfo.InvariantCulture,
+            DateTimeStyles.AssumeUniversal | DateTimeStyles.AdjustToUniversal,
+            out DateTimeOffset time
+        )
             ? time.UtcDateTime
             : throw new DatasetFormatException("The field time is not a time.");
 

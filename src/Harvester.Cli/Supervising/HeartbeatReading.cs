@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Cli.Supervising;
 
 /// <summary>What reading the heartbeat gave.</summary>

@@ -1,4 +1,3 @@
-using System;
 using System.Runtime.InteropServices;
 
 namespace Harvester.Cli.Supervising;
@@ -11,11 +10,14 @@ internal sealed class PassedSignal : IDisposable
 
     /// <summary>Receives signals from now on.</summary>
     public PassedSignal() =>
-        _interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, signal =>
-        {
-            signal.Cancel = true;
-            _isInterrupt = true;
-        });
+        _interrupt = PosixSignalRegistration.Create(
+            PosixSignal.SIGINT,
+            signal =>
+            {
+                signal.Cancel = true;
+                _isInterrupt = true;
+            }
+        );
 
     /// <summary>The signal to pass on.</summary>
     public PosixSignal Signal => _isInterrupt ? PosixSignal.SIGINT : PosixSignal.SIGTERM;

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Runtime.InteropServices;
 using System.Text;
 
@@ -85,8 +81,10 @@ internal sealed class ProcessFamily
         var all = new Dictionary<int, (int, bool)>();
         foreach (string folder in Directory.EnumerateDirectories("/proc"))
         {
-            if (int.TryParse(Path.GetFileName(folder), NumberStyles.None, CultureInfo.InvariantCulture, out int id)
-                && Read(folder, "stat") is { Length: > 0 } bytes)
+            if (
+                int.TryParse(Path.GetFileName(folder), NumberStyles.None, CultureInfo.InvariantCulture, out int id)
+                && Read(folder, "stat") is { Length: > 0 } bytes
+            )
             {
                 // Number, name in brackets, state, parent; the name may have brackets and spaces of its own.
                 string stat = Encoding.UTF8.GetString(bytes);

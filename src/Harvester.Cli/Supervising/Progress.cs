@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Cli.Supervising;
 
 /// <summary>What has been achieved over all starts. A program that always comes as far as before makes none.</summary>

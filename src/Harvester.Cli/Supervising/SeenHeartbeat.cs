@@ -1,4 +1,3 @@
-using System;
 using Harvester.Sessions.Plans;
 
 namespace Harvester.Cli.Supervising;

@@ -1,9 +1,6 @@
-using System;
 using System.Diagnostics;
 using System.Globalization;
-using System.Linq;
 using System.Runtime.InteropServices;
-using System.Threading;
 using Harvester.Cli.Terminals;
 using Harvester.Sessions.Plans;
 
@@ -46,13 +43,16 @@ internal sealed class Supervisor(SupervisorOptions options, Terminal terminal)
                 Log($"{fault}; given up");
                 terminal.WriteError(
                     $"Given up after {options.MaxRestarts} restarts without a new frame. The last time, {fault}. Look at the program's own "
-                    + "messages; what it wrote is valid.");
+                        + "messages; what it wrote is valid."
+                );
                 return ExitCode.HarvestFault;
             }
 
             TimeSpan delay = options.DelayOf(vain);
-            Log(FormattableString.Invariant($"{fault}; restart {vain} of at most {options.MaxRestarts} in a row without progress ")
-                + FormattableString.Invariant($"follows in {delay.TotalSeconds:0.##} s"));
+            Log(
+                FormattableString.Invariant($"{fault}; restart {vain} of at most {options.MaxRestarts} in a row without progress ")
+                    + FormattableString.Invariant($"follows in {delay.TotalSeconds:0.##} s")
+            );
             if (cancellation.WaitHandle.WaitOne(delay))
             {
                 return ExitCode.Cancelled;

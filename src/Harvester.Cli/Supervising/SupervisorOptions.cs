@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Cli.Supervising;
 
 /// <summary>What is supervised, and how patiently.</summary>

@@ -1,7 +1,5 @@
-using System.Collections.Generic;
 using System.CommandLine;
 using System.CommandLine.Parsing;
-using System.Linq;
 using Harvester.Cli.Arguments;
 using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;

@@ -1,4 +1,3 @@
-using System.Linq;
 using Harvester.Datasets.Exports.Assembly;
 using Harvester.Sessions.Text;
 

@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-using System.Linq;
 using System.Reflection;
 using System.Runtime.InteropServices;
 
@@ -27,9 +24,12 @@ internal static class FaultReport
         }
     }
 
-    private static string Details(Exception fault) => string.Join('\n',
-        $"harvester {typeof(FaultReport).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion}",
-        $"{RuntimeInformation.OSDescription}, {RuntimeInformation.FrameworkDescription}",
-        fault.ToString(),
-        "");
+    private static string Details(Exception fault) =>
+        string.Join(
+            '\n',
+            $"harvester {typeof(FaultReport).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion}",
+            $"{RuntimeInformation.OSDescription}, {RuntimeInformation.FrameworkDescription}",
+            fault.ToString(),
+            ""
+        );
 }

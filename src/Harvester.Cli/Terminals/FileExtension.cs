@@ -1,7 +1,3 @@
-using System;
-using System.IO;
-using System.Linq;
-
 namespace Harvester.Cli.Terminals;
 
 /// <summary>The end of a file's name, which says its format.</summary>

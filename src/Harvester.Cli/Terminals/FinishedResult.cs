@@ -1,4 +1,3 @@
-using System;
 using Harvester.Datasets.Files;
 
 namespace Harvester.Cli.Terminals;

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Cli.Terminals;
 
 /// <summary>The game failed; the message is one line.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Text;
 
 namespace Harvester.Cli.Terminals;
@@ -25,8 +22,10 @@ internal static class GroupedHelp
         Dictionary<string, string> known = entries.ToDictionary(entry => entry.Name, entry => entry.Lines);
         HashSet<string> grouped = [.. groups.SelectMany(group => group.Options)];
         OptionGroup others = new(General, [.. entries.Select(entry => entry.Name).Where(name => !grouped.Contains(name))]);
-        string lists = string.Join('\n', groups.Append(others).Select(
-            group => $"{group.Heading}:\n{string.Concat(group.Options.Select(name => known[name]))}"));
+        string lists = string.Join(
+            '\n',
+            groups.Append(others).Select(group => $"{group.Heading}:\n{string.Concat(group.Options.Select(name => known[name]))}")
+        );
         return text[..start] + lists + (end < 0 ? "" : text[(end + 1)..]);
     }
 

@@ -1,4 +1,3 @@
-using System;
 using System.Diagnostics;
 using System.Globalization;
 using Spectre.Console;
@@ -39,9 +38,13 @@ internal sealed class JobProgress
     /// <param name="all">The amount of work.</param>
     /// <param name="perSecond">The rate, greater than 0; null if unknown.</param>
     /// <param name="unit">Unit of the amount, in the plural.</param>
-    internal static string Describe(int done, int all, double? perSecond, string unit = "frames") => perSecond is { } rate
-        ? string.Create(CultureInfo.InvariantCulture, $"{done} of {all} {unit}, {rate:0.0} {unit}/s, {Duration((all - done) / rate)} left")
-        : string.Create(CultureInfo.InvariantCulture, $"{done} of {all} {unit}");
+    internal static string Describe(int done, int all, double? perSecond, string unit = "frames") =>
+        perSecond is { } rate
+            ? string.Create(
+                CultureInfo.InvariantCulture,
+                $"{done} of {all} {unit}, {rate:0.0} {unit}/s, {Duration((all - done) / rate)} left"
+            )
+            : string.Create(CultureInfo.InvariantCulture, $"{done} of {all} {unit}");
 
     private static string Duration(double seconds)
     {
@@ -52,7 +55,9 @@ internal sealed class JobProgress
     }
 
     private T RunInteractive<T>(Func<Action<int>, T> job) =>
-        _terminal.ToAnsiConsole().Progress()
+        _terminal
+            .ToAnsiConsole()
+            .Progress()
             .AutoClear(true)
             .Columns(new ProgressBarColumn(), new PercentageColumn(), new TaskDescriptionColumn())
             .Start(context =>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Cli.Terminals;
 
 /// <summary>Options of a command that its help lists under one heading.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Sessions.Labels;
 
 namespace Harvester.Cli.Terminals;
@@ -10,12 +8,40 @@ internal static class OptionGroups
     public static IReadOnlyList<OptionGroup> OfHarvest { get; } =
     [
         new("Output", ["--out", "--overwrite", "--resume", "--frames", "--seed", "--shard", "--sync", "--min-free", "--no-report"]),
-        new("Images and camera",
-            ["--size", "--image-format", "--quality", "--fov", "--hz", "--rig", "--calibration", "--focal-scale", "--centre-offset", "--k1",
-                "--k2"]),
-        new("World",
-            ["--roads", "--props", "--near", "--places", "--weather", "--time", "--date", "--wander", "--lane-changes", "--traffic",
-                "--pedestrians", "--parked", "--detail"]),
+        new(
+            "Images and camera",
+            [
+                "--size",
+                "--image-format",
+                "--quality",
+                "--fov",
+                "--hz",
+                "--rig",
+                "--calibration",
+                "--focal-scale",
+                "--centre-offset",
+                "--k1",
+                "--k2",
+            ]
+        ),
+        new(
+            "World",
+            [
+                "--roads",
+                "--props",
+                "--near",
+                "--places",
+                "--weather",
+                "--time",
+                "--date",
+                "--wander",
+                "--lane-changes",
+                "--traffic",
+                "--pedestrians",
+                "--parked",
+                "--detail",
+            ]
+        ),
         new("Objects", ["--classes", "--range", "--ignore-range", "--spaces", "--true-occlusion", "--rays", "--ray-reach"]),
         new("Further data", ["--masks", "--semantics", "--materials", .. Switches, "--motion", "--no-scenes"]),
         new("Lanes", ["--look-ahead", "--lane-width", "--narrow-lane-width"]),
@@ -54,8 +80,7 @@ internal static class OptionGroups
     public static IReadOnlyList<OptionGroup> OfRelabel { get; } =
     [
         new("Output", ["--out", "--overwrite", "--resume", "--images", "--shard", "--sync", "--min-free", "--no-report"]),
-        new("Objects",
-            ["--classes", "--range", "--min-box-area", "--min-box-side", "--max-occluded", "--spaces", "--calibration"]),
+        new("Objects", ["--classes", "--range", "--min-box-area", "--min-box-side", "--max-occluded", "--spaces", "--calibration"]),
         new("Lanes", ["--roads", "--look-ahead", "--lane-width", "--narrow-lane-width"]),
     ];
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.Runtime.InteropServices;
 using Harvester.Capture.Storage;
 
@@ -42,7 +39,9 @@ internal static class OutputDisk
         catch (Exception e) when (e is UnauthorizedAccessException or FileNotFoundException or DirectoryNotFoundException)
         {
             throw new IOException(
-                $"Nothing can be written to '{folder}'. Change the permissions, or name another folder with {option}.", e);
+                $"Nothing can be written to '{folder}'. Change the permissions, or name another folder with {option}.",
+                e
+            );
         }
 
         new SpaceWatch(folder, minFreeBytes).Check();
@@ -52,9 +51,11 @@ internal static class OutputDisk
     private static Stack<string> MissingIn(string folder)
     {
         var missing = new Stack<string>();
-        for (string? each = Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder));
+        for (
+            string? each = Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder));
             each is not null && !Directory.Exists(each);
-            each = Path.GetDirectoryName(each))
+            each = Path.GetDirectoryName(each)
+        )
         {
             missing.Push(each);
         }

@@ -1,5 +1,3 @@
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
@@ -39,7 +37,8 @@ internal static class OutputFolder
 
         return SessionFolder.ForeignIn(folder) is { } other
             ? throw new OccupiedFolderException(
-                $"'{folder}' has other files besides a session, e.g. '{other}'. Name another folder with {option}.")
+                $"'{folder}' has other files besides a session, e.g. '{other}'. Name another folder with {option}."
+            )
             : unfinished != command;
     }
 
@@ -73,7 +72,8 @@ internal static class OutputFolder
 
         if (overwrite != true)
         {
-            string what = unfinished is null ? "already has a session. Name"
+            string what = unfinished is null
+                ? "already has a session. Name"
                 : $"has the unfinished result of '{Shown(unfinished)}'. Run that command again, name";
             string replace = overwrite is null ? "delete the folder" : "replace it with --overwrite";
             throw new OccupiedFolderException($"'{folder}' {what} another folder with {option}, or {replace}.");
@@ -83,6 +83,7 @@ internal static class OutputFolder
     /// <summary>Whether the folder is missing, or holds nothing but folders and an unfinished mark.</summary>
     private static bool HoldsNoFile(string folder) =>
         !Directory.Exists(folder)
-        || Directory.EnumerateFiles(folder, "*", SearchOption.AllDirectories).All(path =>
-            AtomicFile.TargetOf(Path.GetFileName(path)) == UnfinishedMark.FileName);
+        || Directory
+            .EnumerateFiles(folder, "*", SearchOption.AllDirectories)
+            .All(path => AtomicFile.TargetOf(Path.GetFileName(path)) == UnfinishedMark.FileName);
 }

@@ -1,8 +1,5 @@
-using System;
 using System.CommandLine;
 using System.CommandLine.Parsing;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Files;
 
 namespace Harvester.Cli.Terminals;
@@ -12,8 +9,9 @@ internal static class OutputOverInput
 {
     private const string Output = "--out";
 
-    private static readonly StringComparison PathComparison =
-        OperatingSystem.IsLinux() ? StringComparison.Ordinal : StringComparison.OrdinalIgnoreCase;
+    private static readonly StringComparison PathComparison = OperatingSystem.IsLinux()
+        ? StringComparison.Ordinal
+        : StringComparison.OrdinalIgnoreCase;
 
     /// <summary>Checks the files that a command line names. Inputs within a folder are checked by the commands.</summary>
     /// <exception cref="UsageException">--out, with links resolved, is a file that another option or argument names.</exception>
@@ -28,7 +26,9 @@ internal static class OutputOverInput
         }
 
         string target = InnerPath.Resolve(output);
-        bool isInput = options.Where(option => option.Option.Name != Output).SelectMany(option => option.Tokens)
+        bool isInput = options
+            .Where(option => option.Option.Name != Output)
+            .SelectMany(option => option.Tokens)
             .Concat(parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(argument => argument.Tokens))
             .Any(named => File.Exists(named.Value) && InnerPath.Resolve(named.Value).Equals(target, PathComparison));
         if (isInput)

@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Pairs;
 using Harvester.Sessions.Files;
@@ -104,7 +102,8 @@ internal sealed class PairsOutput : IDisposable
         if (PairExporter.ForeignIn(_folder) is { } other)
         {
             throw new OccupiedFolderException(
-                $"'{_folder}' has other files besides an export, e.g. '{other}'. Name another folder with --out.");
+                $"'{_folder}' has other files besides an export, e.g. '{other}'. Name another folder with --out."
+            );
         }
     }
 

@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Files;
 
 namespace Harvester.Cli.Terminals;
@@ -8,8 +5,9 @@ namespace Harvester.Cli.Terminals;
 /// <summary>Refuses a command line that names the same folder twice, or one folder inside another, for different files.</summary>
 internal static class SeparateFolders
 {
-    private static readonly StringComparison PathComparison =
-        OperatingSystem.IsLinux() ? StringComparison.Ordinal : StringComparison.OrdinalIgnoreCase;
+    private static readonly StringComparison PathComparison = OperatingSystem.IsLinux()
+        ? StringComparison.Ordinal
+        : StringComparison.OrdinalIgnoreCase;
 
     /// <summary>Checks each pair of folders that a command line names. Changes nothing.</summary>
     /// <param name="named">The options and their folders; null for an option that is not given.</param>
@@ -18,7 +16,9 @@ internal static class SeparateFolders
     public static void Check(params (string Option, string? Folder)[] named)
     {
         (string Option, string Folder, string Path)[] given =
-            [.. named.Where(one => one.Folder is not null).Select(one => (one.Option, one.Folder!, PathOf(one.Folder!)))];
+        [
+            .. named.Where(one => one.Folder is not null).Select(one => (one.Option, one.Folder!, PathOf(one.Folder!))),
+        ];
         for (int i = 0; i < given.Length; i++)
         {
             foreach ((string Option, string Folder, string Path) other in given[(i + 1)..])
@@ -26,7 +26,8 @@ internal static class SeparateFolders
                 if (given[i].Path.Equals(other.Path, PathComparison))
                 {
                     throw new UsageException(
-                        $"{given[i].Option} and {other.Option} name the same folder, '{other.Folder}'. Name a folder of its own for each.");
+                        $"{given[i].Option} and {other.Option} name the same folder, '{other.Folder}'. Name a folder of its own for each."
+                    );
                 }
 
                 RefuseInside(given[i], other);
@@ -41,7 +42,8 @@ internal static class SeparateFolders
         {
             throw new UsageException(
                 $"The folder of {inner.Option}, '{inner.Folder}', is inside that of {outer.Option}, '{outer.Folder}'. "
-                + "Name two folders of which neither is inside the other.");
+                    + "Name two folders of which neither is inside the other."
+            );
         }
     }
 

@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
@@ -37,8 +35,15 @@ internal sealed class SessionOutput : IDisposable
     /// <exception cref="Harvester.Capture.Storage.LowSpaceException">Less space is free than is to stay free.</exception>
     /// <exception cref="OccupiedFolderException">The folder is in use, or holds something that is not to be replaced.</exception>
     public SessionOutput(
-        Terminal terminal, string folder, string command, bool? overwrite, bool keepsFrames = false, bool resumes = false,
-        string option = "--out", long minFreeBytes = 0)
+        Terminal terminal,
+        string folder,
+        string command,
+        bool? overwrite,
+        bool keepsFrames = false,
+        bool resumes = false,
+        string option = "--out",
+        long minFreeBytes = 0
+    )
     {
         _terminal = terminal;
         _folder = folder;
@@ -119,8 +124,7 @@ internal sealed class SessionOutput : IDisposable
         }
         else if (_replacement.Complete() is { } former)
         {
-            _terminal.WriteError(
-                $"The former session is replaced, but its files in '{former}' cannot be deleted. Delete them yourself.");
+            _terminal.WriteError($"The former session is replaced, but its files in '{former}' cannot be deleted. Delete them yourself.");
         }
 
         _isComplete = true;
@@ -138,8 +142,8 @@ internal sealed class SessionOutput : IDisposable
         _held.Dispose();
     }
 
-    private bool IsKept() => (_keepsFrames && File.Exists(Path.Combine(_folder, SessionInfo.FileName)))
-        || (_isStopped && SessionFolder.HasJournal(_folder));
+    private bool IsKept() =>
+        (_keepsFrames && File.Exists(Path.Combine(_folder, SessionInfo.FileName))) || (_isStopped && SessionFolder.HasJournal(_folder));
 
     private void Discard()
     {

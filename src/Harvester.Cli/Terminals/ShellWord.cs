@@ -1,6 +1,3 @@
-using System;
-using System.Linq;
-
 namespace Harvester.Cli.Terminals;
 
 /// <summary>Quotes words for a shell.</summary>
@@ -13,7 +10,8 @@ internal static class ShellWord
     /// <param name="isWindows">Whether the shell is cmd or PowerShell, which use double quotes; otherwise a POSIX shell.</param>
     public static string Of(string word, bool isWindows)
     {
-        bool isPlain = word.Length > 0
+        bool isPlain =
+            word.Length > 0
             && word.All(letter => char.IsAsciiLetterOrDigit(letter) || PlainLetters.Contains(letter) || (isWindows && letter == '\\'));
         return isPlain ? word
             : isWindows ? $"\"{word}\""

@@ -1,8 +1,5 @@
-using System;
-using System.Collections.Generic;
 using System.CommandLine;
 using System.CommandLine.Parsing;
-using System.Linq;
 
 namespace Harvester.Cli.Terminals;
 
@@ -20,7 +17,9 @@ internal static class Suggestion
         return NamesIn(command)
             .Select(known => (Name: known, Mistakes: IsPartOf(name, Bare(known)) ? 1 : Mistakes(name, Bare(known))))
             .Where(known => known.Mistakes <= allowed)
-            .OrderBy(known => known.Mistakes).ThenBy(known => known.Name.Length).ThenBy(known => known.Name, StringComparer.Ordinal)
+            .OrderBy(known => known.Mistakes)
+            .ThenBy(known => known.Name.Length)
+            .ThenBy(known => known.Name, StringComparer.Ordinal)
             .Select(known => known.Name)
             .FirstOrDefault();
     }
@@ -30,8 +29,11 @@ internal static class Suggestion
 
     /// <summary>Whether one of two names is the beginning of the other, as out is of output.</summary>
     private static bool IsPartOf(string name, string known) =>
-        name.Length > 0 && (known.StartsWith(name, StringComparison.Ordinal)
-            || (known.Length >= LettersPerMistake && name.StartsWith(known, StringComparison.Ordinal)));
+        name.Length > 0
+        && (
+            known.StartsWith(name, StringComparison.Ordinal)
+            || (known.Length >= LettersPerMistake && name.StartsWith(known, StringComparison.Ordinal))
+        );
 
     /// <summary>
     /// The distance between two words: the smallest number of letters to insert, delete, replace or swap with their neighbour (optimal
@@ -44,8 +46,13 @@ internal static class Suggestion
         {
             for (int j = 0; j <= b.Length; j++)
             {
-                distance[i, j] = i == 0 ? j : j == 0 ? i : Math.Min(
-                    Math.Min(distance[i - 1, j], distance[i, j - 1]) + 1, distance[i - 1, j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1));
+                distance[i, j] =
+                    i == 0 ? j
+                    : j == 0 ? i
+                    : Math.Min(
+                        Math.Min(distance[i - 1, j], distance[i, j - 1]) + 1,
+                        distance[i - 1, j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)
+                    );
                 if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
                 {
                     distance[i, j] = Math.Min(distance[i, j], distance[i - 2, j - 2] + 1);
@@ -60,7 +67,8 @@ internal static class Suggestion
     {
         IEnumerable<Option> inherited = AncestorsOf(command)
             .SelectMany(ancestor => ancestor.Command.Options.Where(option => option.Recursive));
-        return command.Command.Subcommands.Select(sub => sub.Name)
+        return command
+            .Command.Subcommands.Select(sub => sub.Name)
             .Concat(command.Command.Options.Concat(inherited).Where(option => !option.Hidden).Select(option => option.Name));
     }
 

@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using System.Net;
 
 namespace Harvester.Cli.Viewing;
@@ -30,8 +28,9 @@ internal sealed class AddressFile : IDisposable
         using var writer = new StreamWriter(file.Path, options);
         writer.Write(
             $"<!DOCTYPE html><html lang=\"en\"><meta charset=\"utf-8\"><meta name=\"referrer\" content=\"no-referrer\">"
-            + $"<meta http-equiv=\"refresh\" content=\"0; url={target}\"><title>harvester view</title>"
-            + $"<p><a href=\"{target}\">Open the viewer</a></p></html>\n");
+                + $"<meta http-equiv=\"refresh\" content=\"0; url={target}\"><title>harvester view</title>"
+                + $"<p><a href=\"{target}\">Open the viewer</a></p></html>\n"
+        );
         return file;
     }
 

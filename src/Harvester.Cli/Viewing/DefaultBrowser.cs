@@ -1,7 +1,5 @@
-using System;
 using System.ComponentModel;
 using System.Diagnostics;
-using System.IO;
 
 namespace Harvester.Cli.Viewing;
 
@@ -32,10 +30,11 @@ internal static class DefaultBrowser
 
     /// <summary>How the system's browser is started.</summary>
     internal static ProcessStartInfo StartOf(AddressFile file) =>
-        OperatingSystem.IsWindows() ? new(file.Path) { UseShellExecute = true }
-        : new(OperatingSystem.IsMacOS() ? "open" : "xdg-open", [file.Path])
-        {
-            RedirectStandardOutput = true,
-            RedirectStandardError = true,
-        };
+        OperatingSystem.IsWindows()
+            ? new(file.Path) { UseShellExecute = true }
+            : new(OperatingSystem.IsMacOS() ? "open" : "xdg-open", [file.Path])
+            {
+                RedirectStandardOutput = true,
+                RedirectStandardError = true,
+            };
 }

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Comparison;

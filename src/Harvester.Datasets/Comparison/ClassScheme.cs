@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Formats.Kitti;
 using Harvester.Datasets.Exports.Formats.NuScenes;
@@ -31,12 +29,15 @@ internal sealed class ClassScheme
         new(label => JsonName.Of(label.Class), label => LevelOfKitti(KittiClasses.OcclusionOf(label)), joinsRiders: false);
 
     /// <summary>KITTI's types, as its export has them.</summary>
-    public static ClassScheme Kitti { get; } =
-        new(TypeOf, label => LevelOfKitti(KittiClasses.OcclusionOf(label)), joinsRiders: true);
+    public static ClassScheme Kitti { get; } = new(TypeOf, label => LevelOfKitti(KittiClasses.OcclusionOf(label)), joinsRiders: true);
 
     /// <summary>nuScenes' categories, as its export has them, with its levels of visibility.</summary>
-    public static ClassScheme NuScenes { get; } = new(NuScenesClasses.CategoryOf, label => label.OccludedFraction is { } hidden
-        ? LevelOfNuScenes(NuScenesClasses.VisibilityOf(1 - hidden)) : Undetermined, joinsRiders: true);
+    public static ClassScheme NuScenes { get; } =
+        new(
+            NuScenesClasses.CategoryOf,
+            label => label.OccludedFraction is { } hidden ? LevelOfNuScenes(NuScenesClasses.VisibilityOf(1 - hidden)) : Undetermined,
+            joinsRiders: true
+        );
 
     /// <summary>KITTI's type of an object; null if it does not label it.</summary>
     public static string? TypeOf(ObjectLabel label) =>
@@ -56,6 +57,8 @@ internal sealed class ClassScheme
     public static string LevelOfKitti(double level) => KittiLevels[level is 0 or 1 or 2 ? (int)level : KittiLevels.Length - 1];
 
     /// <summary>The name of a level of visibility of nuScenes, by its token.</summary>
-    public static string LevelOfNuScenes(string token) => int.TryParse(token, out int level) && level >= 1
-        && level <= NuScenesClasses.Visibilities.Count ? NuScenesClasses.Visibilities[level - 1].Level : Undetermined;
+    public static string LevelOfNuScenes(string token) =>
+        int.TryParse(token, out int level) && level >= 1 && level <= NuScenesClasses.Visibilities.Count
+            ? NuScenesClasses.Visibilities[level - 1].Level
+            : Undetermined;
 }

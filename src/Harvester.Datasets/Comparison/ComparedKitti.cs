@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Formats.Kitti;
 using Harvester.Datasets.Files;
@@ -35,9 +30,11 @@ public sealed class ComparedKitti : IComparedDataset
         string images = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(labels))!, "image_2");
         Images =
         [
-            .. EvenSelection.Of(files.Length, ImageBrightness.MaxImages)
-                .SelectMany(index => ImageExtensions.Select(extension =>
-                    Path.Combine(images, Path.GetFileNameWithoutExtension(files[index]) + extension)))
+            .. EvenSelection
+                .Of(files.Length, ImageBrightness.MaxImages)
+                .SelectMany(index =>
+                    ImageExtensions.Select(extension => Path.Combine(images, Path.GetFileNameWithoutExtension(files[index]) + extension))
+                )
                 .Where(File.Exists),
         ];
     }
@@ -62,8 +59,10 @@ public sealed class ComparedKitti : IComparedDataset
             throw new DirectoryNotFoundException($"Folder not found: '{folder}'.");
         }
 
-        string labels = new[] { Path.Combine(folder, "training", "label_2"), Path.Combine(folder, "label_2") }
-            .FirstOrDefault(Directory.Exists, folder);
+        string labels = new[] { Path.Combine(folder, "training", "label_2"), Path.Combine(folder, "label_2") }.FirstOrDefault(
+            Directory.Exists,
+            folder
+        );
         string[] files = [.. Directory.EnumerateFiles(labels, "*.txt").Order(StringComparer.Ordinal)];
         return files.Length > 0
             ? new ComparedKitti(Path.GetFileName(Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder))), labels, files)
@@ -123,6 +122,7 @@ public sealed class ComparedKitti : IComparedDataset
             numbers[Truncated] < 0 ? null : numbers[Truncated],
             null,
             ClassScheme.LevelOfKitti(numbers[Occluded]),
-            numbers[Alpha] == Unknown ? null : numbers[Alpha]);
+            numbers[Alpha] == Unknown ? null : numbers[Alpha]
+        );
     }
 }

@@ -1,9 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text.Json;
-using System.Threading;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Reports;
@@ -24,7 +19,15 @@ public sealed class ComparedNuScenes : IComparedDataset
     private const int QuaternionNumbers = 4;
     private const int VectorNumbers = 3;
     private static readonly string[] Tables =
-        ["category", "instance", "sensor", "calibrated_sensor", "sample_data", "ego_pose", "sample_annotation"];
+    [
+        "category",
+        "instance",
+        "sensor",
+        "calibrated_sensor",
+        "sample_data",
+        "ego_pose",
+        "sample_annotation",
+    ];
 
     private readonly string _folder;
     private readonly string _tables;
@@ -67,7 +70,8 @@ public sealed class ComparedNuScenes : IComparedDataset
         }
 
         string? missing = Array.Find(Tables, table => !File.Exists(Path.Combine(tables, table + ".json")));
-        return missing is null ? new ComparedNuScenes(tables == folder ? Path.Combine(folder, "..") : folder, tables)
+        return missing is null
+            ? new ComparedNuScenes(tables == folder ? Path.Combine(folder, "..") : folder, tables)
             : throw new DatasetFormatException($"'{tables}' lacks the table {missing}.json.");
     }
 
@@ -81,11 +85,20 @@ public sealed class ComparedNuScenes : IComparedDataset
         Dictionary<string, List<int>> viewsOfSamples = [];
         NuScenesView[] views = ReadViews(viewsOfSamples, cancellation);
         int[] objects = new int[views.Length];
-        foreach ((string instance, string sample, string level, RigidFrame box, double[] size) in Records(
-            "sample_annotation",
-            item => (item.Text("instance_token"), item.Text("sample_token"), item.OptionalText("visibility_token") ?? "", FrameOf(item),
-                item.Numbers("size", VectorNumbers)),
-            cancellation))
+        foreach (
+            (string instance, string sample, string level, RigidFrame box, double[] size) in Records(
+                "sample_annotation",
+                item =>
+                    (
+                        item.Text("instance_token"),
+                        item.Text("sample_token"),
+                        item.OptionalText("visibility_token") ?? "",
+                        FrameOf(item),
+                        item.Numbers("size", VectorNumbers)
+                    ),
+                cancellation
+            )
+        )
         {
             string kind = Find(names, Find(kinds, instance, "instance"), "category");
             foreach (int view in viewsOfSamples.GetValueOrDefault(sample, []))
@@ -112,13 +125,17 @@ public sealed class ComparedNuScenes : IComparedDataset
         HashSet<string> cameras =
         [
             .. Records("sensor", item => (Token: item.Text("token"), Kind: item.Text("modality")), cancellation)
-                .Where(sensor => sensor.Kind == "camera").Select(sensor => sensor.Token),
+                .Where(sensor => sensor.Kind == "camera")
+                .Select(sensor => sensor.Token),
         ];
         var mounts = new Dictionary<string, (RigidFrame Frame, double[][] Intrinsics)>(StringComparer.Ordinal);
-        foreach ((string token, string sensor, RigidFrame frame, double[][] intrinsics) in Records(
-            "calibrated_sensor",
-            item => (item.Text("token"), item.Text("sensor_token"), FrameOf(item), item.Rows("camera_intrinsic")),
-            cancellation))
+        foreach (
+            (string token, string sensor, RigidFrame frame, double[][] intrinsics) in Records(
+                "calibrated_sensor",
+                item => (item.Text("token"), item.Text("sensor_token"), FrameOf(item), item.Rows("camera_intrinsic")),
+                cancellation
+            )
+        )
         {
             if (cameras.Contains(sensor))
             {
@@ -128,8 +145,14 @@ public sealed class ComparedNuScenes : IComparedDataset
         }
 
         (Shot[] shots, string[] files) = ReadShots(viewsOfSamples, mounts.ContainsKey, cancellation);
-        _images.AddRange(EvenSelection.Of(files.Length, ImageBrightness.MaxImages).Select(index => files[index])
-            .Where(file => InnerPath.IsWithin(_folder, file)).Select(file => InnerPath.Of(_folder, file)).Where(File.Exists));
+        _images.AddRange(
+            EvenSelection
+                .Of(files.Length, ImageBrightness.MaxImages)
+                .Select(index => files[index])
+                .Where(file => InnerPath.IsWithin(_folder, file))
+                .Select(file => InnerPath.Of(_folder, file))
+                .Where(File.Exists)
+        );
         HashSet<string> wanted = [.. shots.Select(shot => shot.Pose)];
         var poses = new Dictionary<string, RigidFrame>(StringComparer.Ordinal);
         foreach ((string token, RigidFrame frame) in Records("ego_pose", item => (item.Text("token"), FrameOf(item)), cancellation))
@@ -145,14 +168,20 @@ public sealed class ComparedNuScenes : IComparedDataset
 
     /// <summary>The images of the key frames, in the order of their table.</summary>
     private (Shot[] Shots, string[] Files) ReadShots(
-        Dictionary<string, List<int>> viewsOfSamples, Func<string, bool> isCamera, CancellationToken cancellation)
+        Dictionary<string, List<int>> viewsOfSamples,
+        Func<string, bool> isCamera,
+        CancellationToken cancellation
+    )
     {
         var shots = new List<Shot>();
         var files = new List<string>();
-        foreach ((bool isKey, string sample, Shot shot, string file) in Records(
-            "sample_data",
-            item => (item.Boolean("is_key_frame"), item.Text("sample_token"), ShotOf(item), item.Text("filename")),
-            cancellation))
+        foreach (
+            (bool isKey, string sample, Shot shot, string file) in Records(
+                "sample_data",
+                item => (item.Boolean("is_key_frame"), item.Text("sample_token"), ShotOf(item), item.Text("filename")),
+                cancellation
+            )
+        )
         {
             if (isKey && isCamera(shot.Mount))
             {
@@ -167,9 +196,13 @@ public sealed class ComparedNuScenes : IComparedDataset
         return ([.. shots], [.. files]);
     }
 
-    private static Shot ShotOf(JsonFields item) => new(
-        item.Text("ego_pose_token"), item.Text("calibrated_sensor_token"), (int)(item.OptionalNumber("width") ?? 0),
-        (int)(item.OptionalNumber("height") ?? 0));
+    private static Shot ShotOf(JsonFields item) =>
+        new(
+            item.Text("ego_pose_token"),
+            item.Text("calibrated_sensor_token"),
+            (int)(item.OptionalNumber("width") ?? 0),
+            (int)(item.OptionalNumber("height") ?? 0)
+        );
 
     private NuScenesView ViewOf(RigidFrame pose, (RigidFrame Frame, double[][] Intrinsics) mount, int width, int height) =>
         mount.Intrinsics is [[var fx, _, var cx], [_, var fy, var cy], _]
@@ -197,7 +230,8 @@ public sealed class ComparedNuScenes : IComparedDataset
     }
 
     private T Find<T>(Dictionary<string, T> records, string token, string table) =>
-        records.TryGetValue(token, out T? found) ? found
+        records.TryGetValue(token, out T? found)
+            ? found
             : throw new DatasetFormatException($"'{PathOf(table)}' lacks the record '{token}' that another table names.");
 
     private static RigidFrame FrameOf(JsonFields item)

@@ -12,5 +12,12 @@ namespace Harvester.Datasets.Comparison;
 /// <param name="Level">Its level of occlusion or visibility, in the terms of the comparison.</param>
 /// <param name="ObservationRadians">KITTI's alpha: rotation about the camera's vertical axis minus the direction to the object.</param>
 internal readonly record struct ComparedObject(
-    string Class, string? KittiType, Box2D Box, double? DistanceMetres, double? TruncatedFraction, double? OccludedFraction, string Level,
-    double? ObservationRadians);
+    string Class,
+    string? KittiType,
+    Box2D Box,
+    double? DistanceMetres,
+    double? TruncatedFraction,
+    double? OccludedFraction,
+    string Level,
+    double? ObservationRadians
+);

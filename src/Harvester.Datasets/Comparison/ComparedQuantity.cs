@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Datasets.Comparison;
 
 /// <summary>A quantity whose distributions are compared.</summary>
@@ -48,12 +44,13 @@ public sealed record ComparedQuantity(string Key, string Title, string Unit, (do
 
     /// <summary>All, in the order of the page.</summary>
     public static IReadOnlyList<ComparedQuantity> All { get; } =
-        [BoxHeight, BoxWidth, BoxArea, Distance, Truncation, Occlusion, Orientation, ObjectsPerFrame, Brightness];
+    [BoxHeight, BoxWidth, BoxArea, Distance, Truncation, Occlusion, Orientation, ObjectsPerFrame, Brightness];
 
     /// <summary>The 1-Wasserstein distance of two distributions of this quantity, in its unit; null if one is empty.</summary>
-    public double? Between(ValueSketch first, ValueSketch second) => this == Orientation
-        ? DistributionDistance.WassersteinOnCircle(first, second, 2 * HalfTurn)
-        : DistributionDistance.Wasserstein(first, second);
+    public double? Between(ValueSketch first, ValueSketch second) =>
+        this == Orientation
+            ? DistributionDistance.WassersteinOnCircle(first, second, 2 * HalfTurn)
+            : DistributionDistance.Wasserstein(first, second);
 
     /// <summary>Ends of the bins of a histogram that shows two distributions; an unbounded quantity has an open last bin.</summary>
     public double[] Edges(ValueSketch first, ValueSketch second)

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Harvester.Datasets.Reports;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
@@ -69,9 +64,18 @@ public sealed class ComparedSession : IComparedDataset
             return false;
         }
 
-        profile.Add(new ComparedObject(
-            kind, ClassScheme.TypeOf(label), label.Box2D, label.DistanceMetres, label.TruncatedFraction, label.OccludedFraction,
-            _scheme.LevelOf(label), ObservationOf(label, camera)));
+        profile.Add(
+            new ComparedObject(
+                kind,
+                ClassScheme.TypeOf(label),
+                label.Box2D,
+                label.DistanceMetres,
+                label.TruncatedFraction,
+                label.OccludedFraction,
+                _scheme.LevelOf(label),
+                ObservationOf(label, camera)
+            )
+        );
         return true;
     }
 

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Pages;
 using Harvester.Pages.Plots;
@@ -41,7 +37,13 @@ public static class ComparisonPage
         """;
 
     private static readonly (string Name, double Fraction)[] Quantiles =
-        [("5 %", 0.05), ("25 %", 0.25), ("median", 0.5), ("75 %", 0.75), ("95 %", 0.95)];
+    [
+        ("5 %", 0.05),
+        ("25 %", 0.25),
+        ("median", 0.5),
+        ("75 %", 0.75),
+        ("95 %", 0.95),
+    ];
 
     /// <summary>Writes the page.</summary>
     /// <param name="stream">Receives the page; stays open.</param>
@@ -50,26 +52,31 @@ public static class ComparisonPage
     public static void Write(Stream stream, DatasetComparison comparison)
     {
         ArgumentNullException.ThrowIfNull(comparison);
-        HtmlPage.Write(stream, $"{comparison.First.Name} and {comparison.Second.Name}", Style, page =>
-        {
-            page.Start("header").NewLine().Start("h1");
-            page.Start("b").With("class", First).Text(comparison.First.Name).End().Text(" and ");
-            page.Start("b").With("class", Second).Text(comparison.Second.Name).End().End().NewLine();
-            page.Start("dl").With("class", "facts");
-            WriteFact(page, comparison.First);
-            WriteFact(page, comparison.Second);
-            page.End().End().NewLine().Start("main").NewLine();
-            WriteSummary(page, comparison);
-            WriteCounts(page, "Classes", comparison, profile => profile.Classes);
-            WriteCounts(page, "Levels of occlusion or visibility", comparison, profile => profile.Levels);
-            foreach (ComparedQuantity quantity in ComparedQuantity.All)
+        HtmlPage.Write(
+            stream,
+            $"{comparison.First.Name} and {comparison.Second.Name}",
+            Style,
+            page =>
             {
-                WriteQuantity(page, comparison, quantity);
-            }
+                page.Start("header").NewLine().Start("h1");
+                page.Start("b").With("class", First).Text(comparison.First.Name).End().Text(" and ");
+                page.Start("b").With("class", Second).Text(comparison.Second.Name).End().End().NewLine();
+                page.Start("dl").With("class", "facts");
+                WriteFact(page, comparison.First);
+                WriteFact(page, comparison.Second);
+                page.End().End().NewLine().Start("main").NewLine();
+                WriteSummary(page, comparison);
+                WriteCounts(page, "Classes", comparison, profile => profile.Classes);
+                WriteCounts(page, "Levels of occlusion or visibility", comparison, profile => profile.Levels);
+                foreach (ComparedQuantity quantity in ComparedQuantity.All)
+                {
+                    WriteQuantity(page, comparison, quantity);
+                }
 
-            WriteKitti(page, comparison);
-            page.End().NewLine();
-        });
+                WriteKitti(page, comparison);
+                page.End().NewLine();
+            }
+        );
     }
 
     /// <summary>A number with three significant digits, or the whole number if it has more.</summary>
@@ -87,8 +94,12 @@ public static class ComparisonPage
 
     private static string Unit(ComparedQuantity quantity) => quantity.Unit.Length == 0 ? "" : ", " + quantity.Unit;
 
-    private static void WriteFact(MarkupWriter page, DatasetProfile profile) => page.Start("div").Element("dt", profile.Name)
-        .Element("dd", $"{Counted.Of(profile.Frames, "frame")}, {Counted.Of(profile.Labels, "label")}").End().NewLine();
+    private static void WriteFact(MarkupWriter page, DatasetProfile profile) =>
+        page.Start("div")
+            .Element("dt", profile.Name)
+            .Element("dd", $"{Counted.Of(profile.Frames, "frame")}, {Counted.Of(profile.Labels, "label")}")
+            .End()
+            .NewLine();
 
     private static void WriteSummary(MarkupWriter page, DatasetComparison comparison)
     {
@@ -97,23 +108,36 @@ public static class ComparisonPage
         foreach (ComparedQuantity quantity in ComparedQuantity.All)
         {
             WriteRow(
-                page, quantity.Title + Unit(quantity), OrNone(comparison.First.Of(quantity).Quantile(0.5)),
-                OrNone(comparison.Second.Of(quantity).Quantile(0.5)), OrNone(comparison.WassersteinOf(quantity)),
-                OrNone(comparison.JensenShannonOf(quantity)));
+                page,
+                quantity.Title + Unit(quantity),
+                OrNone(comparison.First.Of(quantity).Quantile(0.5)),
+                OrNone(comparison.Second.Of(quantity).Quantile(0.5)),
+                OrNone(comparison.WassersteinOf(quantity)),
+                OrNone(comparison.JensenShannonOf(quantity))
+            );
         }
 
         EndTable(page);
-        page.Start("p").With("class", "hint").Text(
-            "The 1-Wasserstein distance, in the unit of the quantity, is how far the values of one dataset must move on average to be "
-            + "distributed as those of the other. The Jensen-Shannon divergence is 0 for equal and 1 for disjoint histograms. Quantities "
-            + "that a dataset does not have are \"none\".").End().NewLine();
+        page.Start("p")
+            .With("class", "hint")
+            .Text(
+                "The 1-Wasserstein distance, in the unit of the quantity, is how far the values of one dataset must move on average to be "
+                    + "distributed as those of the other. The Jensen-Shannon divergence is 0 for equal and 1 for disjoint "
+                    + "histograms. Quantities "
+                    + "that a dataset does not have are \"none\"."
+            )
+            .End()
+            .NewLine();
         page.End().NewLine();
     }
 
     private static void WriteQuantity(MarkupWriter page, DatasetComparison comparison, ComparedQuantity quantity)
     {
         (DatasetProfile Profile, ValueSketch Values)[] sides =
-            [(comparison.First, comparison.First.Of(quantity)), (comparison.Second, comparison.Second.Of(quantity))];
+        [
+            (comparison.First, comparison.First.Of(quantity)),
+            (comparison.Second, comparison.Second.Of(quantity)),
+        ];
         StartSection(page, quantity.Title);
         if (sides.All(side => side.Values.Count == 0))
         {
@@ -125,9 +149,23 @@ public static class ComparisonPage
         double[][] fractions = [.. sides.Select(side => side.Values.Count == 0 ? [] : side.Values.Fractions(edges))];
         page.Start("div").With("class", "pair").Start("div");
         WritePlot(page, quantity, edges, fractions);
-        page.Start("p").With("class", "hint").Text("Solid: ").Start("b").With("class", First).Text(comparison.First.Name).End()
-            .Text("; dashed: ").Start("b").With("class", Second).Text(comparison.Second.Name).End()
-            .Text(quantity.Range is null ? ". The last bin has all greater values." : ".").End().End().NewLine().Start("div");
+        page.Start("p")
+            .With("class", "hint")
+            .Text("Solid: ")
+            .Start("b")
+            .With("class", First)
+            .Text(comparison.First.Name)
+            .End()
+            .Text("; dashed: ")
+            .Start("b")
+            .With("class", Second)
+            .Text(comparison.Second.Name)
+            .End()
+            .Text(quantity.Range is null ? ". The last bin has all greater values." : ".")
+            .End()
+            .End()
+            .NewLine()
+            .Start("div");
         StartTable(page, [quantity.Title + Unit(quantity), .. Names(comparison)]);
         WriteRow(page, "count", [.. sides.Select(side => Whole(side.Values.Count))]);
         WriteRow(page, "mean", [.. sides.Select(side => OrNone(side.Values.Mean))]);
@@ -146,13 +184,15 @@ public static class ComparisonPage
         double most = fractions.SelectMany(share => share).DefaultIfEmpty(1).Max();
         var plot = new LinePlot(
             new PlotAxis(quantity.Title + Unit(quantity), edges[0], edges[^1]),
-            new PlotAxis("share of values, %", 0, Percent * most * Headroom));
+            new PlotAxis("share of values, %", 0, Percent * most * Headroom)
+        );
         foreach ((string style, double[] shares) in new[] { First, Second }.Zip(fractions))
         {
             Vector2D[] outline =
             [
-                .. shares.SelectMany((share, bin) =>
-                    new[] { new Vector2D(edges[bin], Percent * share), new Vector2D(edges[bin + 1], Percent * share) }),
+                .. shares.SelectMany(
+                    (share, bin) => new[] { new Vector2D(edges[bin], Percent * share), new Vector2D(edges[bin + 1], Percent * share) }
+                ),
             ];
             if (outline.Length > 0)
             {
@@ -164,7 +204,12 @@ public static class ComparisonPage
     }
 
     private static void WriteBins(
-        MarkupWriter page, DatasetComparison comparison, ComparedQuantity quantity, double[] edges, double[][] fractions)
+        MarkupWriter page,
+        DatasetComparison comparison,
+        ComparedQuantity quantity,
+        double[] edges,
+        double[][] fractions
+    )
     {
         page.Start("details").Element("summary", "The plot as a table").NewLine();
         StartTable(page, [$"From{Unit(quantity)}", .. Names(comparison)]);
@@ -178,7 +223,11 @@ public static class ComparisonPage
     }
 
     private static void WriteCounts(
-        MarkupWriter page, string title, DatasetComparison comparison, Func<DatasetProfile, CategoryCounts> countsOf)
+        MarkupWriter page,
+        string title,
+        DatasetComparison comparison,
+        Func<DatasetProfile, CategoryCounts> countsOf
+    )
     {
         (CategoryCounts first, CategoryCounts second) = (countsOf(comparison.First), countsOf(comparison.Second));
         StartSection(page, title);
@@ -198,9 +247,13 @@ public static class ComparisonPage
         EndTable(page);
         if (DatasetComparison.Between(first, second) is { } distance)
         {
-            page.Start("p").With("class", "hint").Text(
-                $"Total variation {Rounded(distance.TotalVariation)}, Jensen-Shannon divergence {Rounded(distance.JensenShannon)} bits.")
-                .End().NewLine();
+            page.Start("p")
+                .With("class", "hint")
+                .Text(
+                    $"Total variation {Rounded(distance.TotalVariation)}, Jensen-Shannon divergence {Rounded(distance.JensenShannon)} bits."
+                )
+                .End()
+                .NewLine();
         }
 
         page.End().NewLine();
@@ -210,8 +263,13 @@ public static class ComparisonPage
     {
         page.Start("svg").With("width", BarPixels, 0).With("height", 2 * BarHeightPixels, 0).With("aria-hidden", "true");
         page.Start("rect").With("class", First).With("width", BarPixels * first).With("height", BarHeightPixels - 1).End();
-        page.Start("rect").With("class", Second).With("width", BarPixels * second).With("height", BarHeightPixels - 1)
-            .With("y", BarHeightPixels).End().End();
+        page.Start("rect")
+            .With("class", Second)
+            .With("width", BarPixels * second)
+            .With("height", BarHeightPixels - 1)
+            .With("y", BarHeightPixels)
+            .End()
+            .End();
     }
 
     private static void WriteKitti(MarkupWriter page, DatasetComparison comparison)
@@ -220,15 +278,31 @@ public static class ComparisonPage
         StartTable(page, ["Type", "KITTI training set", "Share", .. Names(comparison).SelectMany(name => new[] { name, "Share" })]);
         foreach ((string type, int labels) in KittiFigures.Training)
         {
-            WriteRow(page, type, [Whole(labels), Share((double)labels / KittiFigures.Labels),
-                .. new[] { comparison.First, comparison.Second }.SelectMany(profile => profile.KittiTypes.Count == 0 ? ["none", "none"]
-                    : new[] { Whole(profile.KittiTypes.Of(type)), Share(profile.KittiTypes.FractionOf(type)) })]);
+            WriteRow(
+                page,
+                type,
+                [
+                    Whole(labels),
+                    Share((double)labels / KittiFigures.Labels),
+                    .. new[] { comparison.First, comparison.Second }.SelectMany(profile =>
+                        profile.KittiTypes.Count == 0
+                            ? ["none", "none"]
+                            : new[] { Whole(profile.KittiTypes.Of(type)), Share(profile.KittiTypes.FractionOf(type)) }
+                    ),
+                ]
+            );
         }
 
         EndTable(page);
-        page.Start("p").With("class", "hint").Text(
-            "Published: the labels of KITTI's object detection training set, 7,481 images, without DontCare. Signs and traffic lights, "
-            + "which KITTI does not label, are left out.").End().End().NewLine();
+        page.Start("p")
+            .With("class", "hint")
+            .Text(
+                "Published: the labels of KITTI's object detection training set, 7,481 images, without DontCare. Signs and traffic lights, "
+                    + "which KITTI does not label, are left out."
+            )
+            .End()
+            .End()
+            .NewLine();
     }
 
     private static string[] Names(DatasetComparison comparison) => [comparison.First.Name, comparison.Second.Name];

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Geometry;
 
@@ -13,8 +10,10 @@ public sealed class DatasetProfile(string name)
     /// <summary>No size, distance or angle of an image is as large.</summary>
     private const double MaxMagnitude = 1e9;
 
-    private readonly Dictionary<ComparedQuantity, ValueSketch> _values =
-        ComparedQuantity.All.ToDictionary(quantity => quantity, _ => new ValueSketch());
+    private readonly Dictionary<ComparedQuantity, ValueSketch> _values = ComparedQuantity.All.ToDictionary(
+        quantity => quantity,
+        _ => new ValueSketch()
+    );
 
     /// <summary>Name for people; any text.</summary>
     public string Name => name;
@@ -67,8 +66,11 @@ public sealed class DatasetProfile(string name)
 
         if (!(Math.Abs(known) <= MaxMagnitude))
         {
-            throw new DatasetFormatException(FormattableString.Invariant(
-                $"{Name}: {quantity.Title.ToLowerInvariant()} of a label is {known}; {MaxMagnitude} is the limit."));
+            throw new DatasetFormatException(
+                FormattableString.Invariant(
+                    $"{Name}: {quantity.Title.ToLowerInvariant()} of a label is {known}; {MaxMagnitude} is the limit."
+                )
+            );
         }
 
         Of(quantity).Add(known);

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Datasets.Comparison;
 
 /// <summary>Distances between two distributions; docs/compare.md has the definitions.</summary>
@@ -33,7 +29,9 @@ public static class DistributionDistance
 
         // From the last number round to the first, both cumulative distributions are complete.
         (double Difference, double Length)[] pieces =
-            [.. inner.Append((Difference: 0.0, Length: turn - inner.Sum(piece => piece.Length))).OrderBy(piece => piece.Difference)];
+        [
+            .. inner.Append((Difference: 0.0, Length: turn - inner.Sum(piece => piece.Length))).OrderBy(piece => piece.Difference),
+        ];
         double before = 0;
         double median = 0;
         foreach ((double difference, double length) in pieces)
@@ -78,8 +76,10 @@ public static class DistributionDistance
 
         (double Value, double Step)[] steps =
         [
-            .. first.Points.Select(point => (point.Value, (double)point.Count / first.Count))
-                .Concat(second.Points.Select(point => (point.Value, -(double)point.Count / second.Count))).OrderBy(step => step.Value),
+            .. first
+                .Points.Select(point => (point.Value, (double)point.Count / first.Count))
+                .Concat(second.Points.Select(point => (point.Value, -(double)point.Count / second.Count)))
+                .OrderBy(step => step.Value),
         ];
         var pieces = new (double Difference, double Length)[steps.Length - 1];
         double difference = 0;

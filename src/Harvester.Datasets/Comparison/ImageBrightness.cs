@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Sessions.Imaging;
@@ -20,17 +17,21 @@ public static class ImageBrightness
     /// <summary>The mean luma of each image, 0 to 255.</summary>
     /// <param name="paths">The images.</param>
     /// <exception cref="DatasetFormatException">An image is damaged.</exception>
-    public static IEnumerable<double> Of(IEnumerable<string> paths) => ReadAhead.Select(paths, path =>
-    {
-        try
-        {
-            return MeanLuma(PictureReader.Read(path));
-        }
-        catch (DatasetFormatException e)
-        {
-            throw new DatasetFormatException($"'{path}' cannot be read: {e.Message}", e);
-        }
-    });
+    public static IEnumerable<double> Of(IEnumerable<string> paths) =>
+        ReadAhead.Select(
+            paths,
+            path =>
+            {
+                try
+                {
+                    return MeanLuma(PictureReader.Read(path));
+                }
+                catch (DatasetFormatException e)
+                {
+                    throw new DatasetFormatException($"'{path}' cannot be read: {e.Message}", e);
+                }
+            }
+        );
 
     /// <summary>The mean luma of a picture by Recommendation ITU-R BT.601, 0 to 255.</summary>
     public static double MeanLuma(PixelBuffer picture)

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Datasets.Comparison;
 
 /// <summary>
@@ -11,8 +8,14 @@ public static class KittiFigures
     /// <summary>Labels by type, in the order of KITTI's development kit.</summary>
     public static IReadOnlyList<(string Type, int Labels)> Training { get; } =
     [
-        ("Car", 28_742), ("Van", 2_914), ("Truck", 1_094), ("Pedestrian", 4_487), ("Person_sitting", 222), ("Cyclist", 1_627),
-        ("Tram", 511), ("Misc", 973),
+        ("Car", 28_742),
+        ("Van", 2_914),
+        ("Truck", 1_094),
+        ("Pedestrian", 4_487),
+        ("Person_sitting", 222),
+        ("Cyclist", 1_627),
+        ("Tram", 511),
+        ("Misc", 973),
     ];
 
     /// <summary>Labels of all types.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 
 namespace Harvester.Datasets.Comparison;
@@ -14,8 +11,7 @@ namespace Harvester.Datasets.Comparison;
 /// <param name="Cy">Principal point, pixels.</param>
 /// <param name="Width">Width of the image, pixels.</param>
 /// <param name="Height">Height of the image, pixels.</param>
-internal sealed record NuScenesView(
-    RigidFrame World, RigidFrame Mount, double Fx, double Fy, double Cx, double Cy, int Width, int Height)
+internal sealed record NuScenesView(RigidFrame World, RigidFrame Mount, double Fx, double Fy, double Cx, double Cy, int Width, int Height)
 {
     private const int Corners = 8;
 
@@ -32,19 +28,35 @@ internal sealed record NuScenesView(
         (double width, double length, double height) = (size[0], size[1], size[2]);
         Vector3D[] corners =
         [
-            .. Enumerable.Range(0, Corners).Select(corner => InCamera(box.ToOuter(new Vector3D(
-                (corner & 1) == 0 ? -length / 2 : length / 2, (corner & 2) == 0 ? -width / 2 : width / 2,
-                (corner & 4) == 0 ? -height / 2 : height / 2)))),
+            .. Enumerable
+                .Range(0, Corners)
+                .Select(corner =>
+                    InCamera(
+                        box.ToOuter(
+                            new Vector3D(
+                                (corner & 1) == 0 ? -length / 2 : length / 2,
+                                (corner & 2) == 0 ? -width / 2 : width / 2,
+                                (corner & 4) == 0 ? -height / 2 : height / 2
+                            )
+                        )
+                    )
+                ),
         ];
         Vector2D[] pixels =
-            [.. Visible(corners).Select(point => new Vector2D(Cx + (Fx * point.X / point.Z), Cy + (Fy * point.Y / point.Z)))];
+        [
+            .. Visible(corners).Select(point => new Vector2D(Cx + (Fx * point.X / point.Z), Cy + (Fy * point.Y / point.Z))),
+        ];
         if (pixels.Length == 0)
         {
             return null;
         }
 
         var around = new Box2D(
-            pixels.Min(pixel => pixel.X), pixels.Min(pixel => pixel.Y), pixels.Max(pixel => pixel.X), pixels.Max(pixel => pixel.Y));
+            pixels.Min(pixel => pixel.X),
+            pixels.Min(pixel => pixel.Y),
+            pixels.Max(pixel => pixel.X),
+            pixels.Max(pixel => pixel.Y)
+        );
         if (around.Intersect(new Box2D(0, 0, Width, Height)) is not { } seen)
         {
             return null;
@@ -53,8 +65,15 @@ internal sealed record NuScenesView(
         Vector3D centre = InCamera(box.ToOuter(default));
         Vector3D forward = InCamera(box.ToOuter(new Vector3D(1, 0, 0))) - centre;
         return new ComparedObject(
-            name, null, seen, centre.Length, 1 - (seen.Area / around.Area), null, level,
-            Math.Atan2(0 - forward.Z, forward.X) - Math.Atan2(centre.X, centre.Z));
+            name,
+            null,
+            seen,
+            centre.Length,
+            1 - (seen.Area / around.Area),
+            null,
+            level,
+            Math.Atan2(0 - forward.Z, forward.X) - Math.Atan2(centre.X, centre.Z)
+        );
     }
 
     private Vector3D InCamera(Vector3D point) => Mount.ToInner(World.ToInner(point));

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 
 namespace Harvester.Datasets.Comparison;
@@ -15,8 +14,12 @@ internal readonly struct RigidFrame
     /// <param name="quaternion">w, x, y, z; of any length greater than 0.</param>
     public RigidFrame(Vector3D origin, ReadOnlySpan<double> quaternion)
     {
-        double length = Math.Sqrt((quaternion[0] * quaternion[0]) + (quaternion[1] * quaternion[1]) + (quaternion[2] * quaternion[2])
-            + (quaternion[3] * quaternion[3]));
+        double length = Math.Sqrt(
+            (quaternion[0] * quaternion[0])
+                + (quaternion[1] * quaternion[1])
+                + (quaternion[2] * quaternion[2])
+                + (quaternion[3] * quaternion[3])
+        );
         if (!(length > 0))
         {
             throw new ArgumentException("A rotation must not be all zeros.", nameof(quaternion));

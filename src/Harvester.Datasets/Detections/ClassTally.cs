@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Datasets.Detections;
 
 /// <summary>
@@ -59,8 +55,8 @@ public sealed class ClassTally
 
     /// <summary>Average precision over all overlaps, 0 to 1; null if there is no box to find.</summary>
     /// <param name="range">Index in <see cref="SizeRange.Coco"/>.</param>
-    public double? AveragePrecision(int range) => CountIn(range) == 0 ? null
-        : Enumerable.Range(0, CocoThresholds.Overlaps.Count).Average(step => Precisions(step, range).Average());
+    public double? AveragePrecision(int range) =>
+        CountIn(range) == 0 ? null : Enumerable.Range(0, CocoThresholds.Overlaps.Count).Average(step => Precisions(step, range).Average());
 
     /// <summary>Average precision at one overlap, 0 to 1; null if there is no box to find.</summary>
     /// <param name="overlap">Index in <see cref="CocoThresholds.Overlaps"/>.</param>
@@ -68,17 +64,24 @@ public sealed class ClassTally
 
     /// <summary>Average recall over all overlaps, for boxes of all sizes, 0 to 1; null if there is no box to find.</summary>
     /// <param name="limit">Index in <see cref="CocoThresholds.PredictionCounts"/>.</param>
-    public double? AverageRecall(int limit) => CountIn(0) == 0 ? null
-        : Enumerable.Range(0, CocoThresholds.Overlaps.Count).Average(step => (double)_found[limit, step] / CountIn(0));
+    public double? AverageRecall(int limit) =>
+        CountIn(0) == 0
+            ? null
+            : Enumerable.Range(0, CocoThresholds.Overlaps.Count).Average(step => (double)_found[limit, step] / CountIn(0));
 
     /// <summary>Average recall over all overlaps in a range of sizes, 0 to 1; null if there is no box to find.</summary>
     /// <param name="range">Index in <see cref="SizeRange.Coco"/>.</param>
-    public double? AverageRecallIn(int range) => CountIn(range) == 0 ? null
-        : Enumerable.Range(0, CocoThresholds.Overlaps.Count).Average(step =>
-        {
-            ulong bit = 1UL << ((range * BitsPerRange) + step);
-            return (double)_outcomes.Count(outcome => (outcome.Matched & bit) != 0 && (outcome.Ignored & bit) == 0) / CountIn(range);
-        });
+    public double? AverageRecallIn(int range) =>
+        CountIn(range) == 0
+            ? null
+            : Enumerable
+                .Range(0, CocoThresholds.Overlaps.Count)
+                .Average(step =>
+                {
+                    ulong bit = 1UL << ((range * BitsPerRange) + step);
+                    return (double)_outcomes.Count(outcome => (outcome.Matched & bit) != 0 && (outcome.Ignored & bit) == 0)
+                        / CountIn(range);
+                });
 
     /// <summary>
     /// Precision at each of <see cref="CocoThresholds.Recalls"/>: the highest precision at that recall or a higher one, 0 where it is not

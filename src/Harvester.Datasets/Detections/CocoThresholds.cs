@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Datasets.Detections;
 
 /// <summary>The parameters of COCO's evaluation of boxes.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Datasets.Detections;
 
 /// <summary>A range of areas, both ends included.</summary>
@@ -15,8 +13,10 @@ public sealed record SizeRange(string Name, double Min, double Max)
     /// <summary>COCO's ranges: all, small up to 32², medium up to 96², large.</summary>
     public static IReadOnlyList<SizeRange> Coco { get; } =
     [
-        new("all", 0, Everything), new("small", 0, SmallSide * SmallSide),
-        new("medium", SmallSide * SmallSide, MediumSide * MediumSide), new("large", MediumSide * MediumSide, Everything),
+        new("all", 0, Everything),
+        new("small", 0, SmallSide * SmallSide),
+        new("medium", SmallSide * SmallSide, MediumSide * MediumSide),
+        new("large", MediumSide * MediumSide, Everything),
     ];
 
     /// <summary>Whether an area is in the range.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Datasets.Diagnosis;
 
 /// <summary>The problems that logs, a session or a self-test show.</summary>

@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using System.Text.RegularExpressions;
 
 namespace Harvester.Datasets.Diagnosis;
@@ -12,10 +9,14 @@ internal static class DiscardCheck
     /// <summary>A reason with a smaller fraction of the started frames is normal.</summary>
     private const double MaxUsualFraction = 0.1;
 
-    private static readonly Regex Counts =
-        new(@"(?<captured>\d+) frames?, discarded: (?<discards>(\d+ [a-zA-Z]+(, )?)+)", RegexOptions.CultureInvariant);
-    private static readonly Regex GivenFreeze =
-        new(@"\[Harvest\] Freeze = (Paused|TimeScale)", RegexOptions.CultureInvariant | RegexOptions.IgnoreCase);
+    private static readonly Regex Counts = new(
+        @"(?<captured>\d+) frames?, discarded: (?<discards>(\d+ [a-zA-Z]+(, )?)+)",
+        RegexOptions.CultureInvariant
+    );
+    private static readonly Regex GivenFreeze = new(
+        @"\[Harvest\] Freeze = (Paused|TimeScale)",
+        RegexOptions.CultureInvariant | RegexOptions.IgnoreCase
+    );
 
     /// <summary>The findings for the harvests in a log.</summary>
     public static IEnumerable<Finding> Of(IReadOnlyList<LogLine> lines)
@@ -33,7 +34,11 @@ internal static class DiscardCheck
     /// <param name="isFreezeGiven">Whether the freeze method was configured, not chosen automatically.</param>
     /// <param name="evidence">The line with these numbers.</param>
     public static IEnumerable<Finding> Of(
-        int captured, IReadOnlyList<KeyValuePair<string, int>> discards, bool isFreezeGiven, LogLine evidence)
+        int captured,
+        IReadOnlyList<KeyValuePair<string, int>> discards,
+        bool isFreezeGiven,
+        LogLine evidence
+    )
     {
         int begun = captured + discards.Sum(discard => discard.Value);
         return discards
@@ -50,44 +55,58 @@ internal static class DiscardCheck
     {
         Match match = Counts.Match(text);
         return match.Success
-            ? (int.Parse(match.Groups["captured"].Value, CultureInfo.InvariantCulture), [.. match.Groups["discards"].Value
-                .Split([", "], StringSplitOptions.RemoveEmptyEntries)
-                .Select(part => part.Split(' '))
-                .Select(part => KeyValuePair.Create(part[1], int.Parse(part[0], CultureInfo.InvariantCulture)))])
+            ? (
+                int.Parse(match.Groups["captured"].Value, CultureInfo.InvariantCulture),
+                [
+                    .. match
+                        .Groups["discards"]
+                        .Value.Split([", "], StringSplitOptions.RemoveEmptyEntries)
+                        .Select(part => part.Split(' '))
+                        .Select(part => KeyValuePair.Create(part[1], int.Parse(part[0], CultureInfo.InvariantCulture))),
+                ]
+            )
             : null;
     }
 
-    private static (string Cause, string Advice) Explain(string reason, bool isFreezeGiven) => reason switch
-    {
-        "black" or "singleColour" => (
-            "The images were black or of a single colour: the game runs in exclusive full screen, or its window cannot be copied.",
-            "Choose windowed borderless in the game's graphics settings."),
-        "covered" => (
-            "Something covered the game's window.",
-            "Move other windows and overlays away, or give the game a monitor of its own."),
-        "minimised" or "noWindow" => (
-            "The game's window was minimised or hidden.",
-            "Keep the window open while a harvest runs; it need not be in the foreground."),
-        "offScreen" => (
-            "Part of the game's window was outside the monitors.",
-            "Move the window onto one monitor, or choose windowed borderless."),
-        "resized" or "moved" => (
-            "The game's window was moved or resized while a harvest ran.",
-            "Do not move or resize it until the harvest has ended."),
-        "unreadable" => (
-            "Windows did not allow the screen to be copied: the computer was locked, or asked for a password.",
-            "Keep the computer unlocked while a harvest runs."),
-        "neverStill" => (
-            "Something kept moving while the game was frozen.",
-            isFreezeGiven ? "Set Freeze = Auto under [Harvest]." : "Remove mods that move the camera or the traffic."),
-        "cameraMoved" or "egoMoved" or "objectMoved" or "objectsChanged" or "timeMoved" => (
-            "The scene changed between image and labels although the game was frozen.",
-            isFreezeGiven ? "Set Freeze = Auto under [Harvest]." : "Remove mods that create, move or delete vehicles or people."),
-        "tickMissed" => (
-            "The game skipped frames of a live harvest.",
-            "Lower the graphics settings or Rate under [Harvest], or harvest with Mode = Freeze."),
-        _ => (
-            $"Frames were discarded for the reason {reason}.",
-            "docs/dataset-format.md lists the reasons."),
-    };
+    private static (string Cause, string Advice) Explain(string reason, bool isFreezeGiven) =>
+        reason switch
+        {
+            "black" or "singleColour" => (
+                "The images were black or of a single colour: the game runs in exclusive full screen, or its window cannot be copied.",
+                "Choose windowed borderless in the game's graphics settings."
+            ),
+            "covered" => (
+                "Something covered the game's window.",
+                "Move other windows and overlays away, or give the game a monitor of its own."
+            ),
+            "minimised" or "noWindow" => (
+                "The game's window was minimised or hidden.",
+                "Keep the window open while a harvest runs; it need not be in the foreground."
+            ),
+            "offScreen" => (
+                "Part of the game's window was outside the monitors.",
+                "Move the window onto one monitor, or choose windowed borderless."
+            ),
+            "resized" or "moved" => (
+                "The game's window was moved or resized while a harvest ran.",
+                "Do not move or resize it until the harvest has ended."
+            ),
+            "unreadable" => (
+                "Windows did not allow the screen to be copied: the computer was locked, or asked for a password.",
+                "Keep the computer unlocked while a harvest runs."
+            ),
+            "neverStill" => (
+                "Something kept moving while the game was frozen.",
+                isFreezeGiven ? "Set Freeze = Auto under [Harvest]." : "Remove mods that move the camera or the traffic."
+            ),
+            "cameraMoved" or "egoMoved" or "objectMoved" or "objectsChanged" or "timeMoved" => (
+                "The scene changed between image and labels although the game was frozen.",
+                isFreezeGiven ? "Set Freeze = Auto under [Harvest]." : "Remove mods that create, move or delete vehicles or people."
+            ),
+            "tickMissed" => (
+                "The game skipped frames of a live harvest.",
+                "Lower the graphics settings or Rate under [Harvest], or harvest with Mode = Freeze."
+            ),
+            _ => ($"Frames were discarded for the reason {reason}.", "docs/dataset-format.md lists the reasons."),
+        };
 }

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 
@@ -40,23 +37,31 @@ public static class Doctor
         if (!search.IsGame && search.Logs.Count == 0)
         {
             throw new DatasetFormatException(
-                $"'{folder}' has no log of the mod, and is neither the game's folder nor a session. Name one of these.");
+                $"'{folder}' has no log of the mod, and is neither the game's folder nor a session. Name one of these."
+            );
         }
 
         // From the lowest layer up: a problem in a lower layer causes those in higher layers.
         LogFile[] logs = [.. search.Logs.OrderBy(log => log.Key).Select(log => LogFile.Read(log.Value, allRuns))];
         IEnumerable<Finding> missing = search.IsGame ? MissingLogCheck.Of(logs) : [];
-        return new Diagnosis(logs, [.. logs.Where(log => log.Kind != LogKind.Mod).SelectMany(FindingsOf), .. missing,
-            .. logs.Where(log => log.Kind == LogKind.Mod).SelectMany(FindingsOf)]);
+        return new Diagnosis(
+            logs,
+            [
+                .. logs.Where(log => log.Kind != LogKind.Mod).SelectMany(FindingsOf),
+                .. missing,
+                .. logs.Where(log => log.Kind == LogKind.Mod).SelectMany(FindingsOf),
+            ]
+        );
     }
 
     private static IEnumerable<Finding> FindingsOf(LogFile log) =>
         [.. log.Kind == LogKind.Mod ? EntryCheck.Of(log) : [], .. log.Runs.SelectMany(run => FindingsOf(log.Kind, run))];
 
-    private static IEnumerable<Finding> FindingsOf(LogKind kind, IReadOnlyList<LogLine> run) => kind switch
-    {
-        LogKind.ScriptHook => LineRule.Apply(ScriptHookRules.All, run),
-        LogKind.Loader => LineRule.Apply(LoaderRules.All, run),
-        _ => [.. VersionCheck.Of(run), .. LineRule.Apply(ModRules.All, run), .. DiscardCheck.Of(run), .. RunCheck.Of(run)],
-    };
+    private static IEnumerable<Finding> FindingsOf(LogKind kind, IReadOnlyList<LogLine> run) =>
+        kind switch
+        {
+            LogKind.ScriptHook => LineRule.Apply(ScriptHookRules.All, run),
+            LogKind.Loader => LineRule.Apply(LoaderRules.All, run),
+            _ => [.. VersionCheck.Of(run), .. LineRule.Apply(ModRules.All, run), .. DiscardCheck.Of(run), .. RunCheck.Of(run)],
+        };
 }

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.RegularExpressions;
 
 namespace Harvester.Datasets.Diagnosis;
@@ -12,8 +10,12 @@ internal static class EntryCheck
     public static IEnumerable<Finding> Of(LogFile log) =>
         log.Runs.SelectMany(run => run).Any(line => Entry.IsMatch(line.Text))
             ? []
-            : [new Finding(
-                $"{LogFile.NameOf(LogKind.Mod)} has no line of the mod: it is empty, damaged, or the log of another program.",
-                "Start the game again, then read the log. If it stays empty, check for a full disk and for write access to the folder "
-                    + "'scripts'.")];
+            :
+            [
+                new Finding(
+                    $"{LogFile.NameOf(LogKind.Mod)} has no line of the mod: it is empty, damaged, or the log of another program.",
+                    "Start the game again, then read the log. If it stays empty, check for a full disk and for write access to the folder "
+                        + "'scripts'."
+                ),
+            ];
 }

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.RegularExpressions;
 
 namespace Harvester.Datasets.Diagnosis;
@@ -21,7 +19,10 @@ internal sealed class LineRule(string pattern, string cause, string advice)
         let rule = rules.FirstOrDefault(rule => rule._pattern.IsMatch(line.Text))
         where rule is not null
         group rule.FindingOf(line) by rule into found
-        select found.Last() with { Count = found.Count() };
+        select found.Last() with
+        {
+            Count = found.Count(),
+        };
 
     private Finding FindingOf(LogLine line) => new(_pattern.Match(line.Text).Result(cause), advice, line);
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.Text.RegularExpressions;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
@@ -35,12 +32,13 @@ public sealed class LogFile
     public int RunsLeftAside { get; }
 
     /// <summary>The default file name of a kind of log.</summary>
-    public static string NameOf(LogKind kind) => kind switch
-    {
-        LogKind.ScriptHook => "ScriptHookV.log",
-        LogKind.Loader => "ScriptHookVDotNet.log",
-        _ => "GtaDataHarvester.log",
-    };
+    public static string NameOf(LogKind kind) =>
+        kind switch
+        {
+            LogKind.ScriptHook => "ScriptHookV.log",
+            LogKind.Loader => "ScriptHookVDotNet.log",
+            _ => "GtaDataHarvester.log",
+        };
 
     /// <summary>Largest size of a log, bytes; a day's harvest writes less than a tenth of it.</summary>
     private const long MaxBytes = 64 << 20;
@@ -80,11 +78,16 @@ public sealed class LogFile
         }
 
         return new LogFile(
-            kind ?? (begun > 0 ? LogKind.Mod : throw new DatasetFormatException(
-                $"'{path}' is not a log of the mod, ScriptHookVDotNet or ScriptHookV.")),
+            kind
+                ?? (
+                    begun > 0
+                        ? LogKind.Mod
+                        : throw new DatasetFormatException($"'{path}' is not a log of the mod, ScriptHookVDotNet or ScriptHookV.")
+                ),
             path,
             runs,
-            Math.Max(0, begun - runs.Count));
+            Math.Max(0, begun - runs.Count)
+        );
     }
 
     private static void BeginRun(List<List<LogLine>> runs, bool keepEarlier)

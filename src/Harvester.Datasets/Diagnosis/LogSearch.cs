@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-
 namespace Harvester.Datasets.Diagnosis;
 
 /// <summary>Finds the logs of a game in its folder and in its scripts folder, given either of the two.</summary>
@@ -24,8 +19,8 @@ internal sealed class LogSearch
             .Select(kind => (Kind: kind, Path: Find(LogFile.NameOf(kind))))
             .Where(found => found.Path is not null)
             .ToDictionary(found => found.Kind, found => found.Path!);
-        IsGame = Programs.Any(program => Find(program) is not null) || Logs.ContainsKey(LogKind.ScriptHook)
-            || Logs.ContainsKey(LogKind.Loader);
+        IsGame =
+            Programs.Any(program => Find(program) is not null) || Logs.ContainsKey(LogKind.ScriptHook) || Logs.ContainsKey(LogKind.Loader);
     }
 
     /// <summary>The logs found.</summary>

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.IO.Compression;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Capture.SelfTests;
 using Harvester.Datasets.Files;
@@ -17,7 +13,12 @@ namespace Harvester.Datasets.Diagnosis;
 /// <param name="Lines">The result of each check.</param>
 /// <param name="Changes">The settings that the mod changed, as NAME = VALUE.</param>
 public sealed record SelfTestFile(
-    string Tool, string Game, bool IsComplete, IReadOnlyList<SelfTestLine> Lines, IReadOnlyList<string> Changes)
+    string Tool,
+    string Game,
+    bool IsComplete,
+    IReadOnlyList<SelfTestLine> Lines,
+    IReadOnlyList<string> Changes
+)
 {
     /// <summary>Largest size of selftest.json, bytes: a hundred times that of a result.</summary>
     private const int MaxBytes = 1 << 20;
@@ -40,8 +41,14 @@ public sealed record SelfTestFile(
             using JsonDocument document = JsonInput.Parse(Bytes(path));
             return Of(new JsonFields(document.RootElement));
         }
-        catch (Exception exception) when (exception is JsonException or DatasetFormatException or InvalidDataException
-            or NotSupportedException or EndOfStreamException)
+        catch (Exception exception)
+            when (exception
+                    is JsonException
+                        or DatasetFormatException
+                        or InvalidDataException
+                        or NotSupportedException
+                        or EndOfStreamException
+            )
         {
             throw new DatasetFormatException($"{path}: this is not the result of a self-test: {JsonFault.InText(exception)}", exception);
         }
@@ -61,8 +68,8 @@ public sealed record SelfTestFile(
         }
 
         using var zip = new ZipArchive(file);
-        ZipArchiveEntry entry = zip.GetEntry(SelfTestJson.FileName)
-            ?? throw new DatasetFormatException($"it has no {SelfTestJson.FileName}.");
+        ZipArchiveEntry entry =
+            zip.GetEntry(SelfTestJson.FileName) ?? throw new DatasetFormatException($"it has no {SelfTestJson.FileName}.");
         using Stream unpacked = entry.Open();
         return Bytes(unpacked);
     }
@@ -72,7 +79,8 @@ public sealed record SelfTestFile(
     {
         byte[] bytes = new byte[MaxBytes + 1];
         int count = stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false);
-        return count <= MaxBytes ? bytes[..count]
+        return count <= MaxBytes
+            ? bytes[..count]
             : throw new DatasetFormatException(FormattableString.Invariant($"{SelfTestJson.FileName} has more than {MaxBytes} bytes."));
     }
 
@@ -83,11 +91,19 @@ public sealed record SelfTestFile(
             throw new DatasetFormatException("its format is unknown. Use the harvester of the mod's version.");
         }
 
-        SelfTestLine[] lines = [.. fields.List("checks").Select(line => new SelfTestLine(
-            line.Text("check"), line.Name<SelfTestVerdict>("verdict"), line.Text("finding")))];
+        SelfTestLine[] lines =
+        [
+            .. fields
+                .List("checks")
+                .Select(line => new SelfTestLine(line.Text("check"), line.Name<SelfTestVerdict>("verdict"), line.Text("finding"))),
+        ];
         JsonFields changes = fields.Fields("changedSettings");
         return new SelfTestFile(
-            fields.Text("tool"), fields.Text("game"), fields.Boolean("isComplete"), lines,
-            [.. changes.Names.Select(name => $"{name} = {changes.Text(name)}")]);
+            fields.Text("tool"),
+            fields.Text("game"),
+            fields.Boolean("isComplete"),
+            lines,
+            [.. changes.Names.Select(name => $"{name} = {changes.Text(name)}")]
+        );
     }
 }

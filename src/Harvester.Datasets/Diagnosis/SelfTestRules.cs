@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.SelfTests;
 
 namespace Harvester.Datasets.Diagnosis;
@@ -60,6 +58,5 @@ internal static class SelfTestRules
     }
 
     /// <summary>What to do about a finding of a check.</summary>
-    public static string AdviceFor(string check) =>
-        Advice.TryGetValue(check, out string? advice) ? advice : "Report it with this file.";
+    public static string AdviceFor(string check) => Advice.TryGetValue(check, out string? advice) ? advice : "Report it with this file.";
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.RegularExpressions;
 
 namespace Harvester.Datasets.Diagnosis;
@@ -9,7 +6,9 @@ namespace Harvester.Datasets.Diagnosis;
 internal static class VersionCheck
 {
     private static readonly Regex Versions = new(
-        @"API (?<api>\d+(\.\d+){1,3}), GTA V (?<edition>Legacy|Enhanced) (?<build>\d+(\.\d+){1,3})", RegexOptions.CultureInvariant);
+        @"API (?<api>\d+(\.\d+){1,3}), GTA V (?<edition>Legacy|Enhanced) (?<build>\d+(\.\d+){1,3})",
+        RegexOptions.CultureInvariant
+    );
 
     /// <summary>The first Legacy build whose memory release 3.6.0 cannot read, and the first version of the API that can.</summary>
     private static readonly (Version Build, Version Api) Newer = (new Version(1, 0, 3258), new Version(3, 6, 0, 89));
@@ -29,12 +28,16 @@ internal static class VersionCheck
         var build = new Version(match.Groups["build"].Value);
         bool isEnhanced = match.Groups["edition"].Value == "Enhanced";
         return isEnhanced && api < FirstOfEnhanced
-            ? [new Finding("ScriptHookVDotNet does not support Enhanced.", "Install its fork ScriptHookVDotNetEnhanced.", line)]
+                ? [new Finding("ScriptHookVDotNet does not support Enhanced.", "Install its fork ScriptHookVDotNetEnhanced.", line)]
             : !isEnhanced && build >= Newer.Build && api < Newer.Api
-                ? [new Finding(
-                    "This build of the game is newer than ScriptHookVDotNet knows.",
-                    "Install the latest nightly of ScriptHookVDotNet.",
-                    line)]
-                : [];
+                ?
+                [
+                    new Finding(
+                        "This build of the game is newer than ScriptHookVDotNet knows.",
+                        "Install the latest nightly of ScriptHookVDotNet.",
+                        line
+                    ),
+                ]
+            : [];
     }
 }

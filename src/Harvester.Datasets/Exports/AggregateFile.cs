@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Datasets.Exports;
 
 /// <summary>A file of a dataset that is assembled from parts of all frames.</summary>

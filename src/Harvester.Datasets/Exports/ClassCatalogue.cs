@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
@@ -35,10 +33,12 @@ internal sealed class ClassCatalogue
     public IReadOnlyList<DatasetClass> All => _classes;
 
     /// <summary>The class of an object; null if its class is not exported.</summary>
-    public DatasetClass? Of(ObjectLabel label) => _options.Includes(label.Class)
-        ? DetailOf(label) is { } detail && _byName.TryGetValue(NameOf(label.Class, detail), out DatasetClass? subclass) ? subclass
-            : Of(label.Class)
-        : null;
+    public DatasetClass? Of(ObjectLabel label) =>
+        _options.Includes(label.Class)
+            ? DetailOf(label) is { } detail && _byName.TryGetValue(NameOf(label.Class, detail), out DatasetClass? subclass)
+                ? subclass
+                : Of(label.Class)
+            : null;
 
     /// <summary>The class of objects without subclass; null if it is not exported.</summary>
     public DatasetClass? Of(ObjectClass kind) => _options.Includes(kind) ? _byName[NameOf(kind)] : null;
@@ -57,12 +57,13 @@ internal sealed class ClassCatalogue
 
     private string NameOf(ObjectClass kind, string detail) => $"{NameOf(kind)}-{detail}";
 
-    private IEnumerable<string> DetailsOf(ObjectClass kind) => kind switch
-    {
-        ObjectClass.Sign when _options.Subclasses.HasFlag(Subclasses.Mutcd) => _options.MutcdCodes,
-        ObjectClass.TrafficLight when _options.Subclasses.HasFlag(Subclasses.Light) => KnownStates.Select(JsonName.Of),
-        _ => [],
-    };
+    private IEnumerable<string> DetailsOf(ObjectClass kind) =>
+        kind switch
+        {
+            ObjectClass.Sign when _options.Subclasses.HasFlag(Subclasses.Mutcd) => _options.MutcdCodes,
+            ObjectClass.TrafficLight when _options.Subclasses.HasFlag(Subclasses.Light) => KnownStates.Select(JsonName.Of),
+            _ => [],
+        };
 
     private static string? DetailOf(ObjectLabel label) =>
         label.Face is { Light: { } light } ? JsonName.Of(light.State) : label.Face?.MutcdCode;

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Datasets.Exports;
 
 /// <summary>What the dataset card on the Hugging Face hub says of a format.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 
@@ -58,6 +54,7 @@ internal sealed class DatasetContent(string folder, ExportOptions options)
     {
         string path = PathOf(within);
         return Directory.Exists(path)
-            ? [.. list(path).Select(entry => $"{within}/{Path.GetFileName(entry)}").Order(StringComparer.Ordinal)] : [];
+            ? [.. list(path).Select(entry => $"{within}/{Path.GetFileName(entry)}").Order(StringComparer.Ordinal)]
+            : [];
     }
 }

@@ -11,4 +11,10 @@ namespace Harvester.Datasets.Exports;
 /// <param name="RotationRate">Radians per second about the axes forward, left and up.</param>
 /// <param name="Controls">Steering, throttle and brake; null if unknown.</param>
 internal sealed record EgoReading(
-    double TimeSeconds, Pose Pose, Vector3D Velocity, Vector3D Acceleration, Vector3D RotationRate, EgoMotion? Controls);
+    double TimeSeconds,
+    Pose Pose,
+    Vector3D Velocity,
+    Vector3D Acceleration,
+    Vector3D RotationRate,
+    EgoMotion? Controls
+);

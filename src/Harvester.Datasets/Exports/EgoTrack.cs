@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
 
@@ -50,13 +47,21 @@ internal static class EgoTrack
         int after = index + 1 < samples.Count && IsNear(sample, samples[index + 1]) ? index + 1 : index;
         Axes body = poses[index].Axes;
         double seconds = samples[after].TimeSeconds - samples[before].TimeSeconds;
-        (Vector3D acceleration, Vector3D rate) = after > before
-            ? ((samples[after].Velocity - samples[before].Velocity) * (1 / seconds),
-                RotationBetween(poses[before].Axes, poses[after].Axes) * (1 / seconds))
-            : (body.Forward * (sample.Motion?.Acceleration ?? 0), body.Up * (sample.Motion?.YawRate ?? 0));
+        (Vector3D acceleration, Vector3D rate) =
+            after > before
+                ? (
+                    (samples[after].Velocity - samples[before].Velocity) * (1 / seconds),
+                    RotationBetween(poses[before].Axes, poses[after].Axes) * (1 / seconds)
+                )
+                : (body.Forward * (sample.Motion?.Acceleration ?? 0), body.Up * (sample.Motion?.YawRate ?? 0));
         return new EgoReading(
-            sample.TimeSeconds, poses[index], InBody(body, sample.Velocity), InBody(body, acceleration), InBody(body, rate),
-            sample.Motion is { Steering: not null, Throttle: not null, Brake: not null } ? sample.Motion : null);
+            sample.TimeSeconds,
+            poses[index],
+            InBody(body, sample.Velocity),
+            InBody(body, acceleration),
+            InBody(body, rate),
+            sample.Motion is { Steering: not null, Throttle: not null, Brake: not null } ? sample.Motion : null
+        );
     }
 
     private static bool IsNear(MotionSample before, MotionSample after) =>

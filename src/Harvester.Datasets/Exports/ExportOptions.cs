@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Jpeg;

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.Text;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;

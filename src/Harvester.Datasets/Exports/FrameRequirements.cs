@@ -1,4 +1,3 @@
-using System;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Labels;
 
@@ -28,21 +27,27 @@ internal static class FrameRequirements
 
         if (format.KeepsSequences && IntrinsicsOf(frame.Label.Camera) != IntrinsicsOf(frame.SequenceCamera))
         {
-            throw frame.Problem("its camera calibration differs from that of the first frame at its place, "
-                + $"and {format.Name} has one per sequence. Choose another format.");
+            throw frame.Problem(
+                "its camera calibration differs from that of the first frame at its place, "
+                    + $"and {format.Name} has one per sequence. Choose another format."
+            );
         }
 
         if (frame.RateHz > 0 && frame.RateHz < format.MinRateHz)
         {
-            throw frame.Problem(FormattableString.Invariant($"its session has {frame.RateHz:0.###} moments a second, and {format.Name} ")
-                + FormattableString.Invariant($"needs {format.MinRateHz:0.##} or more, as its readers take velocities from them. ")
-                + "Harvest with a higher --hz, or choose another format.");
+            throw frame.Problem(
+                FormattableString.Invariant($"its session has {frame.RateHz:0.###} moments a second, and {format.Name} ")
+                    + FormattableString.Invariant($"needs {format.MinRateHz:0.##} or more, as its readers take velocities from them. ")
+                    + "Harvest with a higher --hz, or choose another format."
+            );
         }
 
         if (format.NeedsRectilinear && LensDistortion.PixelsOf(frame.Label.Camera) is var bend and > LensDistortion.MaxPixels)
         {
-            throw frame.Problem(FormattableString.Invariant($"its lens bends straight lines by {bend:0.0} pixels, ")
-                + $"and {format.Name} cannot represent lens distortion. Choose another format.");
+            throw frame.Problem(
+                FormattableString.Invariant($"its lens bends straight lines by {bend:0.0} pixels, ")
+                    + $"and {format.Name} cannot represent lens distortion. Choose another format."
+            );
         }
     }
 

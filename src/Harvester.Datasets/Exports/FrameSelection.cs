@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Datasets.Exports;
 
 /// <summary>The parts of a frame to export.</summary>

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Exports;

@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports;

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Exports;
@@ -27,7 +25,9 @@ internal static class MovingObjects
         if (frame.Scene is { } scene)
         {
             HashSet<int> handles =
-                [.. scene.Snapshot.Entities.Where(entity => IsMoving(entity.Velocity.Length)).Select(entity => entity.Handle)];
+            [
+                .. scene.Snapshot.Entities.Where(entity => IsMoving(entity.Velocity.Length)).Select(entity => entity.Handle),
+            ];
             moving.UnionWith(scene.Ids.Where(id => handles.Contains(id.Key)).Select(id => id.Value));
         }
 

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
@@ -18,7 +16,8 @@ internal sealed class ObjectSelector(DatasetFormat format, ExportOptions options
         var objects = new List<ExportObject>();
         var ignored = new List<ExportRegion>();
         IEnumerable<ObjectLabel> labels = format.IncludesRiders
-            ? RiddenVehicles.WithRiders(frame.Label.Objects, frame.Label.Camera) : frame.Label.Objects;
+            ? RiddenVehicles.WithRiders(frame.Label.Objects, frame.Label.Camera)
+            : frame.Label.Objects;
         foreach (ObjectLabel label in labels.Where(label => IsThing(label, frame)))
         {
             DatasetClass? kind = format.IncludesRiders && label.Class == ObjectClass.Rider ? null : _classes.Of(label);
@@ -33,35 +32,38 @@ internal sealed class ObjectSelector(DatasetFormat format, ExportOptions options
             }
         }
 
-        ignored.AddRange(frame.Label.IgnoreRegions.Select(
-            region => new ExportRegion(region.Class, _classes.Of(region.Class), region.Box2D, null)));
+        ignored.AddRange(
+            frame.Label.IgnoreRegions.Select(region => new ExportRegion(region.Class, _classes.Of(region.Class), region.Box2D, null))
+        );
         return new FrameSelection(objects, ignored);
     }
 
     /// <summary>Whether a label is a post whose faces or heads are exported instead.</summary>
-    public bool IsPost(ObjectLabel label, ExportFrame frame) =>
-        options.Parts == PartSelection.Faces && Posts.Has(label, frame.Label);
+    public bool IsPost(ObjectLabel label, ExportFrame frame) => options.Parts == PartSelection.Faces && Posts.Has(label, frame.Label);
 
-    private bool IsThing(ObjectLabel label, ExportFrame frame) => options.Parts switch
-    {
-        PartSelection.None => label.Parent is null,
-        PartSelection.Only => label.Parent is not null,
-        PartSelection.Faces => !IsPost(label, frame),
-        _ => true,
-    };
+    private bool IsThing(ObjectLabel label, ExportFrame frame) =>
+        options.Parts switch
+        {
+            PartSelection.None => label.Parent is null,
+            PartSelection.Only => label.Parent is not null,
+            PartSelection.Faces => !IsPost(label, frame),
+            _ => true,
+        };
 
     /// <summary>Visible pixels suffice if the occlusion is unknown, unless a visible fraction is required.</summary>
-    private bool IsVisible(ObjectLabel label, ExportFrame frame) => label.VisibleFraction is { } visible
-        ? visible >= options.MinVisibleFraction
-        : options.MinVisibleFraction == 0 && (format.KeepsUndetermined || VisibleBoxOf(label, frame) is not null);
+    private bool IsVisible(ObjectLabel label, ExportFrame frame) =>
+        label.VisibleFraction is { } visible
+            ? visible >= options.MinVisibleFraction
+            : options.MinVisibleFraction == 0 && (format.KeepsUndetermined || VisibleBoxOf(label, frame) is not null);
 
-    private Box2D? BoxOf(ObjectLabel label, ExportFrame frame) => options.Boxes switch
-    {
-        BoxKind.Visible => VisibleBoxOf(label, frame),
-        BoxKind.Whole => label.Parent is null ? label.Box2DWhole ?? VisibleBoxOf(label, frame) : label.Box2D,
-        BoxKind.Amodal => format.HasBoxesBeyondImage ? label.Box2DAmodal : label.Box2DAmodal.Intersect(frame.Image),
-        _ => label.Box2D,
-    };
+    private Box2D? BoxOf(ObjectLabel label, ExportFrame frame) =>
+        options.Boxes switch
+        {
+            BoxKind.Visible => VisibleBoxOf(label, frame),
+            BoxKind.Whole => label.Parent is null ? label.Box2DWhole ?? VisibleBoxOf(label, frame) : label.Box2D,
+            BoxKind.Amodal => format.HasBoxesBeyondImage ? label.Box2DAmodal : label.Box2DAmodal.Intersect(frame.Image),
+            _ => label.Box2D,
+        };
 
     private static Box2D? VisibleBoxOf(ObjectLabel label, ExportFrame frame) =>
         label.Parent is null ? label.Box2DVisible : frame.PixelsOf(label)?.Box;

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
@@ -22,9 +19,11 @@ internal static class RiddenVehicles
     public static IEnumerable<ObjectLabel> WithRiders(IReadOnlyList<ObjectLabel> objects, CameraLabel camera)
     {
         HashSet<int> listed = [.. objects.Where(label => VehicleClasses.HaveRiders(label.Class)).Select(label => label.Id)];
-        ILookup<int, ObjectLabel> riders = objects.Where(label => label.Vehicle is { } vehicle && listed.Contains(vehicle))
+        ILookup<int, ObjectLabel> riders = objects
+            .Where(label => label.Vehicle is { } vehicle && listed.Contains(vehicle))
             .ToLookup(label => label.Vehicle!.Value);
-        return objects.Where(label => label.Vehicle is not { } vehicle || !listed.Contains(vehicle))
+        return objects
+            .Where(label => label.Vehicle is not { } vehicle || !listed.Contains(vehicle))
             .Select(label => riders[label.Id].Aggregate(label, (whole, rider) => Joined(whole, rider, camera)));
     }
 
@@ -36,8 +35,10 @@ internal static class RiddenVehicles
     {
         Cuboid cuboid = Enclosing(vehicle, rider);
         (double own, double riders) = (vehicle.Box2DAmodal.Area, rider.Box2DAmodal.Area);
-        double? occluded = vehicle.OccludedFraction is { } first && rider.OccludedFraction is { } second ? Math.Min(first, second)
-            : vehicle.OccludedFraction ?? rider.OccludedFraction;
+        double? occluded =
+            vehicle.OccludedFraction is { } first && rider.OccludedFraction is { } second
+                ? Math.Min(first, second)
+                : vehicle.OccludedFraction ?? rider.OccludedFraction;
         return vehicle with
         {
             Box2D = vehicle.Box2D.Union(rider.Box2D),
@@ -45,9 +46,10 @@ internal static class RiddenVehicles
             Box2DVisible = Union(vehicle.Box2DVisible, rider.Box2DVisible),
             Box2DWhole = Union(vehicle.Box2DWhole, rider.Box2DWhole),
             AmodalMask = null,
-            TruncatedFraction = own + riders > 0
-                ? ((own * vehicle.TruncatedFraction) + (riders * rider.TruncatedFraction)) / (own + riders)
-                : vehicle.TruncatedFraction,
+            TruncatedFraction =
+                own + riders > 0
+                    ? ((own * vehicle.TruncatedFraction) + (riders * rider.TruncatedFraction)) / (own + riders)
+                    : vehicle.TruncatedFraction,
             OccludedFraction = occluded,
             OcclusionMethod = vehicle.OccludedFraction is null ? rider.OcclusionMethod : vehicle.OcclusionMethod,
             TrueOccludedFraction = null,
@@ -62,8 +64,12 @@ internal static class RiddenVehicles
     private static Cuboid Enclosing(ObjectLabel vehicle, ObjectLabel rider)
     {
         Cuboid first = vehicle.Box3D;
-        Vector3D[] corners = [.. new[] { first, rider.Box3D }.SelectMany(cuboid =>
-            Enumerable.Range(0, Cuboid.CornerCount).Select(number => first.Axes.ToLocal(cuboid.Corner(number) - first.Centre)))];
+        Vector3D[] corners =
+        [
+            .. new[] { first, rider.Box3D }.SelectMany(cuboid =>
+                Enumerable.Range(0, Cuboid.CornerCount).Select(number => first.Axes.ToLocal(cuboid.Corner(number) - first.Centre))
+            ),
+        ];
         var least = new Vector3D(corners.Min(corner => corner.X), corners.Min(corner => corner.Y), corners.Min(corner => corner.Z));
         var most = new Vector3D(corners.Max(corner => corner.X), corners.Max(corner => corner.Y), corners.Max(corner => corner.Z));
         try

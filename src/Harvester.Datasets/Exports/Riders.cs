@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Scenes;
 
@@ -24,18 +22,25 @@ internal sealed class Riders(IReadOnlyDictionary<int, (int Id, ObjectClass Class
             Dictionary<int, ObjectClass> classes = scene.Snapshot.Entities.ToDictionary(entity => entity.Handle, entity => entity.Class);
             foreach (EntityState rider in scene.Snapshot.Entities.Where(entity => entity.VehicleHandle is not null))
             {
-                if (scene.Ids.TryGetValue(rider.Handle, out int id) && scene.Ids.TryGetValue(rider.VehicleHandle!.Value, out int vehicle)
-                    && classes.TryGetValue(rider.VehicleHandle.Value, out ObjectClass kind))
+                if (
+                    scene.Ids.TryGetValue(rider.Handle, out int id)
+                    && scene.Ids.TryGetValue(rider.VehicleHandle!.Value, out int vehicle)
+                    && classes.TryGetValue(rider.VehicleHandle.Value, out ObjectClass kind)
+                )
                 {
                     vehicles[id] = (vehicle, kind);
                 }
             }
         }
 
-        Dictionary<int, ObjectClass> listed = frame.Label.Objects.GroupBy(label => label.Id)
+        Dictionary<int, ObjectClass> listed = frame
+            .Label.Objects.GroupBy(label => label.Id)
             .ToDictionary(labels => labels.Key, labels => labels.First().Class);
-        foreach ((int id, int vehicle) in frame.Label.Objects.Where(label => label.Vehicle is { } ridden && listed.ContainsKey(ridden))
-            .Select(label => (label.Id, label.Vehicle!.Value)))
+        foreach (
+            (int id, int vehicle) in frame
+                .Label.Objects.Where(label => label.Vehicle is { } ridden && listed.ContainsKey(ridden))
+                .Select(label => (label.Id, label.Vehicle!.Value))
+        )
         {
             vehicles[id] = (vehicle, listed[vehicle]);
         }

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 
 namespace Harvester.Datasets.Exports;

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Datasets.Exports;
 
 /// <summary>
@@ -28,12 +24,16 @@ public sealed class SplitPlan
     public SplitPlan(IReadOnlyList<DatasetSplit> splits, int seed, int? blockFrames = null)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(blockFrames ?? 1, 1, nameof(blockFrames));
-        if (splits.Count == 0 || splits.Select(split => split.Name).Distinct(StringComparer.OrdinalIgnoreCase).Count() != splits.Count
-            || splits.Any(split => !IsName(split.Name) || !(split.ShareFraction > 0)))
+        if (
+            splits.Count == 0
+            || splits.Select(split => split.Name).Distinct(StringComparer.OrdinalIgnoreCase).Count() != splits.Count
+            || splits.Any(split => !IsName(split.Name) || !(split.ShareFraction > 0))
+        )
         {
             throw new ArgumentException(
                 "Splits need names of letters, digits, - and _ that differ in more than upper and lower case, "
-                + "and fractions greater than 0.");
+                    + "and fractions greater than 0."
+            );
         }
 
         if (Math.Abs(splits.Sum(split => split.ShareFraction) - 1) > ShareTolerance)
@@ -98,9 +98,11 @@ public sealed class SplitPlan
     internal int? FirstFullSeed(IReadOnlyCollection<FramePlace> frames)
     {
         FramePlace[] kinds = [.. BlockFrames is null ? frames.DistinctBy(frame => (frame.Session, frame.Place)) : frames];
-        return Enumerable.Range(0, MaxSeedTried + 1)
+        return Enumerable
+            .Range(0, MaxSeedTried + 1)
             .Where(seed => new SplitPlan(Splits, seed, BlockFrames).FirstEmpty(kinds) is null)
-            .Select(seed => (int?)seed).FirstOrDefault();
+            .Select(seed => (int?)seed)
+            .FirstOrDefault();
     }
 
     /// <summary>The largest block size, below this plan's if it has one, that gives every split some of the frames; null if there is none.

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Datasets.Exports;
 
 /// <summary>Subclasses to split classes into.</summary>

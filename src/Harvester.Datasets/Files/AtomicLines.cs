@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using System.Text;
 using Harvester.Sessions.Files;
 
@@ -15,12 +13,14 @@ internal static class AtomicLines
     /// <param name="isDurable">Whether the file must survive a loss of power once this returns.</param>
     /// <param name="write">Writes the lines.</param>
     /// <exception cref="IOException">The file cannot be written; an older one is unchanged.</exception>
-    public static void Write(string path, bool isDurable, Action<TextWriter> write) => AtomicFile.Write(
-        path,
-        stream =>
-        {
-            using var lines = new StreamWriter(stream, Utf8, leaveOpen: true) { NewLine = "\n" };
-            write(lines);
-        },
-        isDurable);
+    public static void Write(string path, bool isDurable, Action<TextWriter> write) =>
+        AtomicFile.Write(
+            path,
+            stream =>
+            {
+                using var lines = new StreamWriter(stream, Utf8, leaveOpen: true) { NewLine = "\n" };
+                write(lines);
+            },
+            isDurable
+        );
 }

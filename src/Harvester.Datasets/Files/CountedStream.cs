@@ -1,8 +1,3 @@
-using System;
-using System.IO;
-using System.Threading;
-using System.Threading.Tasks;
-
 namespace Harvester.Datasets.Files;
 
 /// <summary>A stream that reports its total number of bytes after each read, to detect decompression bombs.</summary>
@@ -40,9 +35,7 @@ internal sealed class CountedStream(Stream inner, Action<long> passed, IByteLimi
     public override ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellationToken = default) =>
         ValueTask.FromResult(Read(buffer.Span));
 
-    public override void Flush()
-    {
-    }
+    public override void Flush() { }
 
     public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
 

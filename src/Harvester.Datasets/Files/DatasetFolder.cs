@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Files;
@@ -54,9 +50,13 @@ internal sealed class DatasetFolder(string path, SyncMode sync = SyncMode.Batch)
     public string PathOf(string name) => InnerPath.Of(path, name);
 
     public string ReadPlan() =>
-        IsBegun ? InputFile.ReadAllText(PathOf(PlanFile))
-        : throw new DatasetFormatException(
-            IsFinished ? $"'{path}' is a complete dataset, not a shard." : $"'{path}' is not a shard of an export: it has no {PlanFile}.");
+        IsBegun
+            ? InputFile.ReadAllText(PathOf(PlanFile))
+            : throw new DatasetFormatException(
+                IsFinished
+                    ? $"'{path}' is a complete dataset, not a shard."
+                    : $"'{path}' is not a shard of an export: it has no {PlanFile}."
+            );
 
     /// <summary>Refuses a folder to which no export can be written, whatever its plan.</summary>
     /// <exception cref="OccupiedFolderException">The folder has a finished dataset or other files.</exception>
@@ -92,7 +92,8 @@ internal sealed class DatasetFolder(string path, SyncMode sync = SyncMode.Batch)
         if (!string.Equals(ReadPlan(), plan, StringComparison.Ordinal))
         {
             throw new OccupiedFolderException(
-                $"'{path}' has an export with other sessions or options. Use the same ones, or name another folder.");
+                $"'{path}' has an export with other sessions or options. Use the same ones, or name another folder."
+            );
         }
 
         AddFolder(System.IO.Path.GetDirectoryName(System.IO.Path.TrimEndingDirectorySeparator(System.IO.Path.GetFullPath(path))) ?? path);
@@ -115,8 +116,9 @@ internal sealed class DatasetFolder(string path, SyncMode sync = SyncMode.Batch)
     /// <param name="names">The files of the shard, which no other shard writes.</param>
     public void DeleteLeftoversOf(IEnumerable<string> names)
     {
-        foreach (IGrouping<string, string> files in names.Append(PlanFile).Select(PathOf)
-            .GroupBy(path => System.IO.Path.GetDirectoryName(path)!))
+        foreach (
+            IGrouping<string, string> files in names.Append(PlanFile).Select(PathOf).GroupBy(path => System.IO.Path.GetDirectoryName(path)!)
+        )
         {
             var targets = files.Select(path => System.IO.Path.GetFileName(path)).ToHashSet(StringComparer.Ordinal);
             AtomicFile.DeleteLeftovers(files.Key, targets.Contains);

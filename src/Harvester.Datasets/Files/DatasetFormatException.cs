@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Datasets.Files;
 
 /// <summary>A file does not follow its format. The message says where, and what was expected.</summary>
@@ -7,13 +5,9 @@ public sealed class DatasetFormatException : Exception
 {
     /// <summary>Creates the exception with a message for the user.</summary>
     public DatasetFormatException(string message)
-        : base(message)
-    {
-    }
+        : base(message) { }
 
     /// <summary>Creates the exception with a message for the user and its cause.</summary>
     public DatasetFormatException(string message, Exception innerException)
-        : base(message, innerException)
-    {
-    }
+        : base(message, innerException) { }
 }

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Datasets.Files;
@@ -12,7 +11,8 @@ internal static class DeclaredSize
     /// <summary>Checks a size, pixels.</summary>
     /// <exception cref="DatasetFormatException">A side or the number of pixels is out of range.</exception>
     public static ImageSize Of(long width, long height) =>
-        Problem(width, height) is { } problem ? throw new DatasetFormatException($"its header gives {problem}.")
+        Problem(width, height) is { } problem
+            ? throw new DatasetFormatException($"its header gives {problem}.")
             : new ImageSize((int)width, (int)height);
 
     /// <summary>Why a size, pixels, is not valid for an image; null if it is.</summary>

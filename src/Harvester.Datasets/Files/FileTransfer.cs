@@ -1,4 +1,3 @@
-using System.IO;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Files;
@@ -16,13 +15,16 @@ internal static class FileTransfer
             throw new DatasetFormatException($"'{source}' is missing.");
         }
 
-        AtomicFile.Make(target, temporary =>
-        {
-            if (transfer == ImageTransfer.Copy || !HardLink.TryCreate(temporary, source))
+        AtomicFile.Make(
+            target,
+            temporary =>
             {
-                AtomicFile.Fill(temporary, stream => Copy(source, stream), isDurable: false);
+                if (transfer == ImageTransfer.Copy || !HardLink.TryCreate(temporary, source))
+                {
+                    AtomicFile.Fill(temporary, stream => Copy(source, stream), isDurable: false);
+                }
             }
-        });
+        );
     }
 
     /// <summary>Whether a file has the bytes of a source already, and is not a link that leads elsewhere.</summary>

@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Files;
@@ -47,8 +45,10 @@ internal static class FolderCopy
         }
     }
 
-    private static void AddFile(string source, string target) => FileTransfer.Place(
-        target,
-        RegularFile.IsSpecial(source) ? throw new DatasetFormatException($"'{source}' is a pipe, a socket or a device.") : source,
-        ImageTransfer.Link);
+    private static void AddFile(string source, string target) =>
+        FileTransfer.Place(
+            target,
+            RegularFile.IsSpecial(source) ? throw new DatasetFormatException($"'{source}' is a pipe, a socket or a device.") : source,
+            ImageTransfer.Link
+        );
 }

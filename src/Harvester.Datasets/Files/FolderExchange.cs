@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using System.Runtime.InteropServices;
 
 namespace Harvester.Datasets.Files;
@@ -47,5 +45,6 @@ internal static class FolderExchange
         [MarshalAs(UnmanagedType.LPUTF8Str)] string name,
         int otherFolder,
         [MarshalAs(UnmanagedType.LPUTF8Str)] string otherName,
-        uint flags);
+        uint flags
+    );
 }

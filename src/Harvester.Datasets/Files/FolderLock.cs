@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Files;
@@ -33,9 +31,12 @@ public sealed class FolderLock : IDisposable
         if (held.IsHeld)
         {
             string name = Path.GetFileName(full);
-            Quietly(() => AtomicFile.DeleteLeftovers(
-                Path.GetDirectoryName(full) ?? full,
-                target => WriterLock.IsOf(target, name + part) || (part.Length == 0 && target == name)));
+            Quietly(() =>
+                AtomicFile.DeleteLeftovers(
+                    Path.GetDirectoryName(full) ?? full,
+                    target => WriterLock.IsOf(target, name + part) || (part.Length == 0 && target == name)
+                )
+            );
             if (part.Length == 0)
             {
                 Quietly(() => FolderReplacement.Recover(full));

@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-using System.Linq;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Files;

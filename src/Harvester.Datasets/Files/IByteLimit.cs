@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Datasets.Files;
 
 /// <summary>Checks the bytes of a file as they are read, and rejects parts that its reader would have to hold in memory.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-using System.Linq;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Files;
@@ -50,9 +47,12 @@ public static class InnerPath
     /// Whether a name is relative on every system, without "..", and without characters that file systems or terminals do not allow.
     /// </summary>
     private static bool IsName(string name) =>
-        name.Length > 0 && !Path.IsPathRooted(name) && name[0] is not ('/' or '\\')
-            && !(OperatingSystem.IsWindows() && name.Contains(':', StringComparison.Ordinal))
-        && !name.Any(char.IsControl) && !name.Split('/', '\\').Contains("..", StringComparer.Ordinal);
+        name.Length > 0
+        && !Path.IsPathRooted(name)
+        && name[0] is not ('/' or '\\')
+        && !(OperatingSystem.IsWindows() && name.Contains(':', StringComparison.Ordinal))
+        && !name.Any(char.IsControl)
+        && !name.Split('/', '\\').Contains("..", StringComparer.Ordinal);
 
     private static string Combined(string folder, string name) => Path.Combine(folder, name.Replace('/', Path.DirectorySeparatorChar));
 

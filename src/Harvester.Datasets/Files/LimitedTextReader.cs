@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using System.Text;
 
 namespace Harvester.Datasets.Files;
@@ -88,8 +86,9 @@ internal sealed class LimitedTextReader(TextReader text, string name, int maxLin
     {
         if (length > maxLineCharacters)
         {
-            throw new DatasetFormatException(FormattableString.Invariant(
-                $"{name}, line {_line + 1}: the line has more than {maxLineCharacters} characters, the limit."));
+            throw new DatasetFormatException(
+                FormattableString.Invariant($"{name}, line {_line + 1}: the line has more than {maxLineCharacters} characters, the limit.")
+            );
         }
     }
 

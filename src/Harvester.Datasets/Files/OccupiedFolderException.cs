@@ -1,5 +1,3 @@
-using System.IO;
-
 namespace Harvester.Datasets.Files;
 
 /// <summary>The output folder has files that must not be replaced. The message says which, and what to do.</summary>
@@ -7,7 +5,5 @@ public sealed class OccupiedFolderException : IOException
 {
     /// <summary>Creates the exception with a message for the user.</summary>
     public OccupiedFolderException(string message)
-        : base(message)
-    {
-    }
+        : base(message) { }
 }

@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Files;

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Threading.Tasks;
-
 namespace Harvester.Datasets.Files;
 
 /// <summary>Does independent work on the items of a sequence on all processors, a few items ahead of the one that is asked for.</summary>

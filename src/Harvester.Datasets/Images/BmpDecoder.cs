@@ -1,6 +1,4 @@
-using System;
 using System.Buffers.Binary;
-using System.IO;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Imaging;
 
@@ -23,9 +21,11 @@ public static class BmpDecoder
     {
         var picture = new PixelBuffer(ImageHeader.Read(path).Size);
         byte[] file = InputFile.ReadAllBytes(path, InputFile.MaxPictureBytes);
-        if (file.Length < HeaderLength
+        if (
+            file.Length < HeaderLength
             || BinaryPrimitives.ReadUInt16LittleEndian(file.AsSpan(BitsAt)) != 24
-            || BinaryPrimitives.ReadInt32LittleEndian(file.AsSpan(CompressionAt)) != 0)
+            || BinaryPrimitives.ReadInt32LittleEndian(file.AsSpan(CompressionAt)) != 0
+        )
         {
             throw new DatasetFormatException("it is not a BMP of 24 bits without compression.");
         }

@@ -1,7 +1,4 @@
-using System;
 using System.Buffers.Binary;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Images.Jpeg;
 using Harvester.Geometry.Cameras;
@@ -76,11 +73,18 @@ public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPi
         }
 
         // The IHDR chunk: width, height, bit depth, colour type.
-        int channels = start[25] switch { 2 => 3, 4 => 2, 6 => 4, _ => 1 };
+        int channels = start[25] switch
+        {
+            2 => 3,
+            4 => 2,
+            6 => 4,
+            _ => 1,
+        };
         return new ImageHeader(
             Png,
             DeclaredSize.Of(BinaryPrimitives.ReadUInt32BigEndian(start[16..]), BinaryPrimitives.ReadUInt32BigEndian(start[20..])),
-            start[24] * channels);
+            start[24] * channels
+        );
     }
 
     private static ImageHeader ReadBmp(ReadOnlySpan<byte> start, Stream file)
@@ -89,15 +93,19 @@ public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPi
         if (file.Length < length)
         {
             throw new DatasetFormatException(
-                FormattableString.Invariant($"it is cut off: the BMP file has {file.Length} of {length} bytes."));
+                FormattableString.Invariant($"it is cut off: the BMP file has {file.Length} of {length} bytes.")
+            );
         }
 
         // The height is negative if the rows are top-down.
         return new ImageHeader(
             Bmp,
-            DeclaredSize.Of(BinaryPrimitives.ReadInt32LittleEndian(start[18..]),
-                Math.Abs((long)BinaryPrimitives.ReadInt32LittleEndian(start[22..]))),
-            BinaryPrimitives.ReadUInt16LittleEndian(start[28..]));
+            DeclaredSize.Of(
+                BinaryPrimitives.ReadInt32LittleEndian(start[18..]),
+                Math.Abs((long)BinaryPrimitives.ReadInt32LittleEndian(start[22..]))
+            ),
+            BinaryPrimitives.ReadUInt16LittleEndian(start[28..])
+        );
     }
 
     private static ImageHeader ReadJpeg(Stream file)
@@ -108,7 +116,8 @@ public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPi
         }
 
         file.Seek(0, SeekOrigin.Begin);
-        JpegSegment frame = JpegSegment.ReadHeader(file).FirstOrDefault(segment => segment.IsFrame)
+        JpegSegment frame =
+            JpegSegment.ReadHeader(file).FirstOrDefault(segment => segment.IsFrame)
             ?? throw new DatasetFormatException("its JPEG header does not give its size.");
         return new ImageHeader(Jpeg, frame.Size, frame.BitsPerSample * frame.Components);
     }

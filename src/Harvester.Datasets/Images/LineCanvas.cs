@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 using Harvester.Sessions.Imaging;
 
@@ -61,7 +60,9 @@ internal sealed class LineCanvas(PixelBuffer picture)
     private void Blend(int column, int row, int colour, double share)
     {
         Span<byte> pixel = picture.Bytes.AsSpan(
-            ((row * picture.Size.Width) + column) * PixelBuffer.BytesPerPixel, PixelBuffer.BytesPerPixel);
+            ((row * picture.Size.Width) + column) * PixelBuffer.BytesPerPixel,
+            PixelBuffer.BytesPerPixel
+        );
         for (int channel = 0; channel < pixel.Length; channel++)
         {
             int wanted = (colour >> (8 * (2 - channel))) & 0xFF;

@@ -1,5 +1,3 @@
-using System.IO;
-using System.Threading;
 using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Images;

@@ -1,4 +1,3 @@
-using System.IO;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Images.Jpeg;
 using Harvester.Sessions.Imaging;
@@ -12,10 +11,11 @@ public static class PictureReader
     /// <exception cref="DatasetFormatException">The file has another format, or is damaged; the message refers to the file as
     /// "it".</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
-    public static PixelBuffer Read(string path) => ImageHeader.Read(path).MediaType switch
-    {
-        ImageHeader.Jpeg => JpegDecoder.ReadRgb(path),
-        ImageHeader.Bmp => BmpDecoder.ReadRgb(path),
-        _ => PngDecoder.ReadRgb(path),
-    };
+    public static PixelBuffer Read(string path) =>
+        ImageHeader.Read(path).MediaType switch
+        {
+            ImageHeader.Jpeg => JpegDecoder.ReadRgb(path),
+            ImageHeader.Bmp => BmpDecoder.ReadRgb(path),
+            _ => PngDecoder.ReadRgb(path),
+        };
 }

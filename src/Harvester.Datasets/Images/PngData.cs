@@ -1,6 +1,4 @@
-using System;
 using System.Buffers.Binary;
-using System.IO;
 using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Images;
@@ -49,9 +47,7 @@ internal sealed class PngData(Stream file) : Stream
 
     public override int Read(byte[] buffer, int offset, int count) => Read(buffer.AsSpan(offset, count));
 
-    public override void Flush()
-    {
-    }
+    public override void Flush() { }
 
     public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
 
@@ -73,7 +69,8 @@ internal sealed class PngData(Stream file) : Stream
         if (length + ChecksumLength > file.Length - file.Position)
         {
             throw new DatasetFormatException(
-                FormattableString.Invariant($"its pixels are damaged: a chunk of {length} bytes is longer than the file."));
+                FormattableString.Invariant($"its pixels are damaged: a chunk of {length} bytes is longer than the file.")
+            );
         }
 
         if (head.EndsWith("IDAT"u8) && length > 0)

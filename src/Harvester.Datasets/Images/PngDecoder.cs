@@ -1,6 +1,4 @@
-using System;
 using System.Buffers.Binary;
-using System.IO;
 using System.IO.Compression;
 using System.Numerics;
 using System.Runtime.InteropServices;
@@ -100,8 +98,7 @@ public static class PngDecoder
     }
 
     /// <summary>The numbers of a palette are read like those of a grey image.</summary>
-    private static bool IsOf(byte found, byte wanted) =>
-        found == wanted || (wanted == ColourTypeGrey && found == ColourTypePalette);
+    private static bool IsOf(byte found, byte wanted) => found == wanted || (wanted == ColourTypeGrey && found == ColourTypePalette);
 
     private static void ReadRows(ZLibStream rows, byte[] pixels, ImageSize size, int bytesPerPixel)
     {
@@ -172,6 +169,8 @@ public static class PngDecoder
         int toLeft = Math.Abs(estimate - left);
         int toAbove = Math.Abs(estimate - above);
         int toUpperLeft = Math.Abs(estimate - upperLeft);
-        return toLeft <= toAbove && toLeft <= toUpperLeft ? left : toAbove <= toUpperLeft ? above : upperLeft;
+        return toLeft <= toAbove && toLeft <= toUpperLeft ? left
+            : toAbove <= toUpperLeft ? above
+            : upperLeft;
     }
 }

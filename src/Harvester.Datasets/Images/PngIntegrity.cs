@@ -1,6 +1,4 @@
-using System;
 using System.Buffers.Binary;
-using System.IO;
 using System.IO.Compression;
 using System.Text;
 using Harvester.Datasets.Files;
@@ -58,8 +56,9 @@ internal static class PngIntegrity
             long length = Word(file, word);
             if (length + word.Length + word.Length > file.Length - file.Position)
             {
-                throw new DatasetFormatException(FormattableString.Invariant(
-                    $"it is damaged: a chunk of {length} bytes is longer than the file."));
+                throw new DatasetFormatException(
+                    FormattableString.Invariant($"it is damaged: a chunk of {length} bytes is longer than the file.")
+                );
             }
 
             file.ReadExactly(word);
@@ -92,7 +91,13 @@ internal static class PngIntegrity
         Span<byte> header = stackalloc byte[HeaderLength];
         file.Position = 0;
         file.ReadExactly(header);
-        int channels = header[BitDepthAt + 1] switch { 2 => 3, 4 => 2, 6 => 4, _ => 1 };
+        int channels = header[BitDepthAt + 1] switch
+        {
+            2 => 3,
+            4 => 2,
+            6 => 4,
+            _ => 1,
+        };
         long width = BinaryPrimitives.ReadUInt32BigEndian(header[WidthAt..]);
         long height = BinaryPrimitives.ReadUInt32BigEndian(header[(WidthAt + 4)..]);
         return header[BitDepthAt + 4] == 0

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Json;
@@ -21,7 +20,8 @@ internal sealed class JsonElementLimit(string name, int maxBytes) : IByteLimit
             if (++_length > maxBytes)
             {
                 throw new DatasetFormatException(
-                    FormattableString.Invariant($"{name}: an element of the list has more than {maxBytes} bytes, the limit."));
+                    FormattableString.Invariant($"{name}: an element of the list has more than {maxBytes} bytes, the limit.")
+                );
             }
         }
     }
@@ -36,7 +36,12 @@ internal sealed class JsonElementLimit(string name, int maxBytes) : IByteLimit
         }
 
         _isInText = value == '"';
-        _depth += value switch { (byte)'[' or (byte)'{' => 1, (byte)']' or (byte)'}' => -1, _ => 0 };
+        _depth += value switch
+        {
+            (byte)'[' or (byte)'{' => 1,
+            (byte)']' or (byte)'}' => -1,
+            _ => 0,
+        };
         _length = value == ',' && _depth <= 1 ? 0 : _length;
     }
 }

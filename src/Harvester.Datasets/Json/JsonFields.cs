@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Geometry;
@@ -27,9 +24,7 @@ public readonly struct JsonFields : IJsonFields
     /// <summary>Takes the outermost object of a text.</summary>
     /// <exception cref="DatasetFormatException">It is not an object.</exception>
     public JsonFields(JsonElement element)
-        : this(element, "")
-    {
-    }
+        : this(element, "") { }
 
     private JsonFields(JsonElement element, string path)
     {
@@ -78,7 +73,8 @@ public readonly struct JsonFields : IJsonFields
     {
         JsonElement field = Field(name);
         string text = field.ValueKind == JsonValueKind.String ? field.GetString()! : throw Wrong(Path(name), "a text", field);
-        return text.Length <= MaxTextCharacters ? text
+        return text.Length <= MaxTextCharacters
+            ? text
             : throw new DatasetFormatException($"{Path(name)} has {text.Length} characters; {MaxTextCharacters} is the limit.");
     }
 
@@ -238,7 +234,9 @@ public readonly struct JsonFields : IJsonFields
     /// <exception cref="DatasetFormatException">There is another field.</exception>
     public void AllowOnly(params IReadOnlyList<string> names)
     {
-        string? other = _element.EnumerateObject().Select(property => property.Name)
+        string? other = _element
+            .EnumerateObject()
+            .Select(property => property.Name)
             .FirstOrDefault(name => !names.Contains(name, StringComparer.Ordinal));
         if (other is not null)
         {
@@ -268,7 +266,8 @@ public readonly struct JsonFields : IJsonFields
     private JsonElement ListOfLists(string name, int? count)
     {
         JsonElement list = Field(name);
-        return list.ValueKind == JsonValueKind.Array ? list
+        return list.ValueKind == JsonValueKind.Array
+            ? list
             : throw Wrong(Path(name), count is null ? "a list of lists of numbers" : $"a list of lists of {count} numbers", list);
     }
 
@@ -328,7 +327,8 @@ public readonly struct JsonFields : IJsonFields
     }
 
     private bool BooleanOf(JsonElement field, string name, params ReadOnlySpan<int> places) =>
-        field.ValueKind is JsonValueKind.True or JsonValueKind.False ? field.GetBoolean()
+        field.ValueKind is JsonValueKind.True or JsonValueKind.False
+            ? field.GetBoolean()
             : throw Wrong(Place(name, places), "true or false", field);
 
     /// <summary>The path of an item of a field, such as camera.position[2]; built for errors only.</summary>
@@ -352,9 +352,7 @@ public readonly struct JsonFields : IJsonFields
     }
 
     private JsonElement Field(string name) =>
-        _element.TryGetProperty(name, out JsonElement field)
-            ? field
-            : throw new DatasetFormatException($"{Path(name)} is missing.");
+        _element.TryGetProperty(name, out JsonElement field) ? field : throw new DatasetFormatException($"{Path(name)} is missing.");
 
     private string Path(string name) => _path.Length == 0 ? name : $"{_path}.{name}";
 }

@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using System.Text.Json;
 using System.Text.Unicode;
 using Harvester.Datasets.Files;
@@ -22,7 +20,8 @@ public static class JsonInput
         ArgumentNullException.ThrowIfNull(text);
         return text.Length > InputFile.MaxDocumentBytes
             ? throw new DatasetFormatException(
-                FormattableString.Invariant($"it has more than {InputFile.MaxDocumentBytes} characters, the limit."))
+                FormattableString.Invariant($"it has more than {InputFile.MaxDocumentBytes} characters, the limit.")
+            )
             : Checked(() => JsonDocument.Parse(text, Options), text.Contains("\\u", StringComparison.Ordinal));
     }
 
@@ -30,9 +29,10 @@ public static class JsonInput
     /// <exception cref="JsonException">The bytes are not valid JSON.</exception>
     /// <exception cref="DatasetFormatException">The bytes are not UTF-8, or have a duplicate name or a string that is not valid
     /// Unicode.</exception>
-    public static JsonDocument Parse(ReadOnlyMemory<byte> bytes) => Utf8.IsValid(bytes.Span)
-        ? Checked(() => JsonDocument.Parse(bytes, Options), bytes.Span.IndexOf("\\u"u8) >= 0)
-        : throw new DatasetFormatException("it is not UTF-8.");
+    public static JsonDocument Parse(ReadOnlyMemory<byte> bytes) =>
+        Utf8.IsValid(bytes.Span)
+            ? Checked(() => JsonDocument.Parse(bytes, Options), bytes.Span.IndexOf("\\u"u8) >= 0)
+            : throw new DatasetFormatException("it is not UTF-8.");
 
     /// <summary>Parses a file.</summary>
     /// <exception cref="JsonException">The file is not valid JSON.</exception>

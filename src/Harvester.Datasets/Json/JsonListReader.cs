@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 
@@ -153,8 +151,8 @@ internal sealed class JsonListReader : IDisposable
             if (_buffer.Length >= InputFile.MaxDocumentBytes)
             {
                 throw new DatasetFormatException(
-                    FormattableString.Invariant(
-                        $"an element or a text of it has more than {InputFile.MaxDocumentBytes} bytes, the limit."));
+                    FormattableString.Invariant($"an element or a text of it has more than {InputFile.MaxDocumentBytes} bytes, the limit.")
+                );
             }
 
             Array.Resize(ref _buffer, _buffer.Length * 2);

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Json;
@@ -9,8 +7,7 @@ public static class JsonNames
 {
     /// <summary>The names of all values, in the order of the enumeration.</summary>
     public static IEnumerable<string> All<T>()
-        where T : struct, Enum =>
-        Known<T>.Names;
+        where T : struct, Enum => Known<T>.Names;
 
     /// <summary>Reads a name; case-sensitive.</summary>
     public static bool TryRead<T>(string name, out T value)

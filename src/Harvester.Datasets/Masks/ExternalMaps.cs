@@ -1,6 +1,4 @@
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Geometry.Cameras;
@@ -28,8 +26,10 @@ internal sealed class ExternalMaps
 
         foreach (string file in Directory.EnumerateFiles(folder, "*.png"))
         {
-            if (int.TryParse(Path.GetFileNameWithoutExtension(file), NumberStyles.None, CultureInfo.InvariantCulture, out int frame)
-                && !_files.TryAdd(frame, InnerPath.Of(folder, Path.GetFileName(file))))
+            if (
+                int.TryParse(Path.GetFileNameWithoutExtension(file), NumberStyles.None, CultureInfo.InvariantCulture, out int frame)
+                && !_files.TryAdd(frame, InnerPath.Of(folder, Path.GetFileName(file)))
+            )
             {
                 throw new DatasetFormatException($"'{file}' and '{_files[frame]}' are both masks of frame {frame}; remove one.");
             }
@@ -52,7 +52,8 @@ internal sealed class ExternalMaps
             return map.Image == size
                 ? map
                 : throw new DatasetFormatException(
-                    $"it is {map.Image.Width} x {map.Image.Height}, but the image of frame {frame} is {size.Width} x {size.Height}.");
+                    $"it is {map.Image.Width} x {map.Image.Height}, but the image of frame {frame} is {size.Width} x {size.Height}."
+                );
         }
         catch (DatasetFormatException e)
         {

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Encodings.Web;
 using System.Text.Json;
 using System.Text.Json.Nodes;
@@ -84,7 +81,9 @@ internal sealed class ImportedFrame
                 item["occludedFraction"] = Math.Round(occluded, FractionDecimals);
                 item["occlusionMethod"] = JsonName.Of(OcclusionMethod.Imported);
                 item["visibleFraction"] = Math.Round(
-                    (1 - item["truncatedFraction"]!.GetValue<double>()) * (1 - occluded), FractionDecimals);
+                    (1 - item["truncatedFraction"]!.GetValue<double>()) * (1 - occluded),
+                    FractionDecimals
+                );
             }
         }
 
@@ -93,11 +92,17 @@ internal sealed class ImportedFrame
 
     /// <summary>The occluded fraction by the map; null if the map does not determine it and the known one stays.</summary>
     private double? OccludedFraction(ushort id) =>
-        _labels[id].Parent is null ? IsSeen(id) ? CoveredFraction(id) : 1
-        : OwnerOf(id) == 0 || _cuboids[id].Samples.Count == 0 ? null
-        : !IsSeen(id) ? 1
-        : CoveredFraction(id) is var covered && covered < FoundByRays(id) ? null
-        : covered;
+        _labels[id].Parent is null
+            ? IsSeen(id)
+                ? CoveredFraction(id)
+                : 1
+            : OwnerOf(id) == 0 || _cuboids[id].Samples.Count == 0
+                ? null
+                : !IsSeen(id)
+                    ? 1
+                    : CoveredFraction(id) is var covered && covered < FoundByRays(id)
+                        ? null
+                        : covered;
 
     // Where a nearer object is visible, the object is hidden as far as it fills its silhouette there. If it fills that part like the rest,
     // the occluded fraction of the object is that of the silhouette.
@@ -115,8 +120,10 @@ internal sealed class ImportedFrame
 
     /// <summary>Whether a nearer object is visible at a pixel.</summary>
     private bool IsCovered(ushort id, int pixel, double distance) =>
-        Map.Ids[pixel] is var shown and not 0 && shown != OwnerOf(id) && _cuboids[shown].Distances.TryGetValue(pixel, out double its)
-            && its < distance;
+        Map.Ids[pixel] is var shown and not 0
+        && shown != OwnerOf(id)
+        && _cuboids[shown].Distances.TryGetValue(pixel, out double its)
+        && its < distance;
 
     /// <summary>Whether a pixel shows an object or, for a part, its whole object.</summary>
     private bool IsSeen(ushort id) =>
@@ -148,9 +155,12 @@ internal sealed class ImportedFrame
             }
             else if (number != 0)
             {
-                Map.Ids[i] = _labels.ContainsKey(number) ? OwnerOf(number) : throw new DatasetFormatException(
-                    $"The mask of frame {_frame} has the value {number}, which is not the id of an object in that frame. If the values "
-                        + "are not ids, use --match.");
+                Map.Ids[i] = _labels.ContainsKey(number)
+                    ? OwnerOf(number)
+                    : throw new DatasetFormatException(
+                        $"The mask of frame {_frame} has the value {number}, which is not the id of an object in that frame. If the values "
+                            + "are not ids, use --match."
+                    );
             }
         }
     }

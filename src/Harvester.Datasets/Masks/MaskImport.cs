@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Datasets.Masks;
 
 /// <summary>The result of an import of masks.</summary>

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
@@ -39,7 +34,8 @@ public static class MaskImporter
         MaskNumbers numbers,
         Action<SessionReader>? finish = null,
         SyncMode sync = SyncMode.Batch,
-        CancellationToken cancellation = default)
+        CancellationToken cancellation = default
+    )
     {
         ArgumentNullException.ThrowIfNull(session);
         var maps = new ExternalMaps(folder);
@@ -49,34 +45,44 @@ public static class MaskImporter
         var encoder = new PngEncoder();
         bool isDurable = sync != SyncMode.Never;
         var done = new MaskImport(0, 0, 0);
-        AtomicLines.Write(Path.Combine(made, SessionReader.LabelsFile), isDurable, lines =>
-            AtomicLines.Write(Path.Combine(made, Manifest.FileName), isDurable, manifest =>
-        {
-            using var digests = new CarriedDigests(session);
-            foreach ((string line, FrameLabel label) in session.ReadTexts().Zip(session.ReadLabels()))
-            {
-                cancellation.ThrowIfCancellationRequested();
-                var size = new ImageSize(label.Camera.Width, label.Camera.Height);
-                var frame = new ImportedFrame(label, maps.Read(label.Frame, size), numbers);
-                FileDigest digest = default;
-                string mask = Path.Combine(made, FramePaths.Mask(label.Frame, label.View));
-                Directory.CreateDirectory(Path.GetDirectoryName(mask)!);
-                AtomicFile.Write(
-                    mask,
-                    stream => digest = DigestStream.Write(stream, content => encoder.Write(frame.Map, content)),
-                    isDurable);
-                string rewritten = frame.Rewrite(line);
-                lines.WriteLine(rewritten);
-                manifest.WriteLine(Manifest.FrameLine(
-                    label.Frame, FileDigest.Of(rewritten), FilesOf(session, label, digest, digests)));
-                done = With(done, label, frame);
-            }
+        AtomicLines.Write(
+            Path.Combine(made, SessionReader.LabelsFile),
+            isDurable,
+            lines =>
+                AtomicLines.Write(
+                    Path.Combine(made, Manifest.FileName),
+                    isDurable,
+                    manifest =>
+                    {
+                        using var digests = new CarriedDigests(session);
+                        foreach ((string line, FrameLabel label) in session.ReadTexts().Zip(session.ReadLabels()))
+                        {
+                            cancellation.ThrowIfCancellationRequested();
+                            var size = new ImageSize(label.Camera.Width, label.Camera.Height);
+                            var frame = new ImportedFrame(label, maps.Read(label.Frame, size), numbers);
+                            FileDigest digest = default;
+                            string mask = Path.Combine(made, FramePaths.Mask(label.Frame, label.View));
+                            Directory.CreateDirectory(Path.GetDirectoryName(mask)!);
+                            AtomicFile.Write(
+                                mask,
+                                stream => digest = DigestStream.Write(stream, content => encoder.Write(frame.Map, content)),
+                                isDurable
+                            );
+                            string rewritten = frame.Rewrite(line);
+                            lines.WriteLine(rewritten);
+                            manifest.WriteLine(
+                                Manifest.FrameLine(label.Frame, FileDigest.Of(rewritten), FilesOf(session, label, digest, digests))
+                            );
+                            done = With(done, label, frame);
+                        }
 
-            foreach (string name in OthersOf(session))
-            {
-                manifest.WriteLine(Manifest.FileLine(name, digests.Of(name)));
-            }
-        }));
+                        foreach (string name in OthersOf(session))
+                        {
+                            manifest.WriteLine(Manifest.FileLine(name, digests.Of(name)));
+                        }
+                    }
+                )
+        );
         FolderCopy.AddMissing(session.Folder, made);
         finish?.Invoke(new SessionReader(made));
         if (isDurable)
@@ -84,7 +90,10 @@ public static class MaskImporter
             Sync(made);
         }
 
-        return done with { Leftover = replacement.Complete() };
+        return done with
+        {
+            Leftover = replacement.Complete(),
+        };
     }
 
     private static void Sync(string made)
@@ -106,7 +115,11 @@ public static class MaskImporter
     }
 
     private static IEnumerable<KeyValuePair<string, FileDigest>> FilesOf(
-        SessionReader session, FrameLabel label, FileDigest mask, CarriedDigests digests)
+        SessionReader session,
+        FrameLabel label,
+        FileDigest mask,
+        CarriedDigests digests
+    )
     {
         yield return new(label.Image, digests.Of(label.Frame, label.Image));
         yield return new(FramePaths.Mask(label.Frame, label.View), mask);

@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Pairs;
@@ -41,7 +39,7 @@ internal sealed class KeptArchive : IDisposable
     {
         _stream.Position = 0;
         byte[] buffer = new byte[1 << 16];
-        for (long left = _good; left > 0;)
+        for (long left = _good; left > 0; )
         {
             int count = (int)Math.Min(left, buffer.Length);
             _stream.ReadExactly(buffer, 0, count);

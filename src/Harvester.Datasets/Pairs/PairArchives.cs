@@ -1,7 +1,5 @@
-using System;
 using System.Formats.Tar;
 using System.Globalization;
-using System.IO;
 using System.Text;
 using System.Text.RegularExpressions;
 using Harvester.Datasets.Files;
@@ -160,10 +158,11 @@ internal sealed class PairArchives(string folder, Action<string> written) : IDis
         return bytes.ToArray();
     }
 
-    private static UstarTarEntry EntryOf(string name, byte[] content) => new(TarEntryType.RegularFile, name)
-    {
-        ModificationTime = DateTimeOffset.UnixEpoch,
-        Mode = UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.GroupRead | UnixFileMode.OtherRead,
-        DataStream = new MemoryStream(content),
-    };
+    private static UstarTarEntry EntryOf(string name, byte[] content) =>
+        new(TarEntryType.RegularFile, name)
+        {
+            ModificationTime = DateTimeOffset.UnixEpoch,
+            Mode = UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.GroupRead | UnixFileMode.OtherRead,
+            DataStream = new MemoryStream(content),
+        };
 }

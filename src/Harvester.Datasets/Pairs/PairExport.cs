@@ -1,5 +1,3 @@
-using System.Linq;
-
 namespace Harvester.Datasets.Pairs;
 
 /// <summary>What was exported.</summary>
@@ -9,6 +7,6 @@ namespace Harvester.Datasets.Pairs;
 public sealed record PairExport(int Groups, int Images, int Missing)
 {
     /// <summary>This and one more moment.</summary>
-    internal PairExport With(PairGroup group) => new(
-        Groups + 1, Images + group.Images.Count, Missing + group.Line.Label!.Pairs.Count(pair => pair.File is null));
+    internal PairExport With(PairGroup group) =>
+        new(Groups + 1, Images + group.Images.Count, Missing + group.Line.Label!.Pairs.Count(pair => pair.File is null));
 }

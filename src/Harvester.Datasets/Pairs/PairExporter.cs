@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
@@ -48,8 +43,11 @@ public sealed class PairExporter(SessionReader session, PairFormat format, Image
     /// <exception cref="UnauthorizedAccessException">Something may not be deleted.</exception>
     public static void ClearTables(string folder)
     {
-        foreach (string file in Directory.GetFiles(folder).Where(path =>
-            IsOwn(Path.GetFileName(path)) && !PairArchives.IsName(Path.GetFileName(path))))
+        foreach (
+            string file in Directory
+                .GetFiles(folder)
+                .Where(path => IsOwn(Path.GetFileName(path)) && !PairArchives.IsName(Path.GetFileName(path)))
+        )
         {
             File.Delete(file);
         }
@@ -69,8 +67,11 @@ public sealed class PairExporter(SessionReader session, PairFormat format, Image
     public static bool IsFinished(string folder) => File.Exists(Path.Combine(folder, PairTables.Index)) && ForeignIn(folder) is null;
 
     /// <summary>The name of something in a folder that is no part of an export; null if there is none.</summary>
-    public static string? ForeignIn(string folder) => Directory.EnumerateFileSystemEntries(folder).Select(Path.GetFileName)
-        .FirstOrDefault(name => name != Images && !IsOwn(name!) && !UnfinishedMark.Is(name!));
+    public static string? ForeignIn(string folder) =>
+        Directory
+            .EnumerateFileSystemEntries(folder)
+            .Select(Path.GetFileName)
+            .FirstOrDefault(name => name != Images && !IsOwn(name!) && !UnfinishedMark.Is(name!));
 
     /// <summary>What a finished export of this session in this form has; null if a folder has none.</summary>
     /// <param name="folder">The folder.</param>
@@ -78,9 +79,13 @@ public sealed class PairExporter(SessionReader session, PairFormat format, Image
     /// <exception cref="IOException">A file cannot be read.</exception>
     public PairExport? Finished(string folder)
     {
-        bool hasForm = Directory.Exists(folder) && (format == PairFormat.Webdataset
-            ? Directory.EnumerateFiles(folder).Any(path => PairArchives.IsName(Path.GetFileName(path)))
-            : Directory.Exists(Path.Combine(folder, Images)));
+        bool hasForm =
+            Directory.Exists(folder)
+            && (
+                format == PairFormat.Webdataset
+                    ? Directory.EnumerateFiles(folder).Any(path => PairArchives.IsName(Path.GetFileName(path)))
+                    : Directory.Exists(Path.Combine(folder, Images))
+            );
         if (!hasForm || UnfinishedMark.IsIn(folder) || !IsFinished(folder))
         {
             return null;
@@ -143,7 +148,8 @@ public sealed class PairExporter(SessionReader session, PairFormat format, Image
         {
             throw new DatasetFormatException(
                 $"'{session.Folder}' has no further pictures of its moments. "
-                + "Harvest with --pair-weathers, --pair-hours or --pair-without.");
+                    + "Harvest with --pair-weathers, --pair-hours or --pair-without."
+            );
         }
 
         archives.End();
@@ -164,7 +170,8 @@ public sealed class PairExporter(SessionReader session, PairFormat format, Image
         return done;
     }
 
-    private static bool IsOwn(string name) => (AtomicFile.TargetOf(name) ?? name) is var target
+    private static bool IsOwn(string name) =>
+        (AtomicFile.TargetOf(name) ?? name) is var target
         && (target is PairTables.Index or PairTables.Objects || PairArchives.IsName(target));
 
     private string Placed(string folder, PairGroup group, PairImage image)

@@ -1,7 +1,4 @@
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Text.RegularExpressions;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
@@ -41,25 +38,32 @@ internal sealed class PairGroup
 
         var images = new List<PairImage>
         {
-            new(FrameImage + Path.GetExtension(label.Image), label.Image, new PairLabel(
-                label.Image, label.Environment.Weather, label.Environment.TimeOfDay, [])),
+            new(
+                FrameImage + Path.GetExtension(label.Image),
+                label.Image,
+                new PairLabel(label.Image, label.Environment.Weather, label.Environment.TimeOfDay, [])
+            ),
         };
-        images.AddRange(label.Pairs.Where(pair => pair.File is not null)
-            .Select(pair => new PairImage(Path.GetFileName(pair.File!), pair.File!, pair)));
-        string? unusable = images.Select(image => image.Name).FirstOrDefault(name => !SafeName.IsMatch(name))
+        images.AddRange(
+            label.Pairs.Where(pair => pair.File is not null).Select(pair => new PairImage(Path.GetFileName(pair.File!), pair.File!, pair))
+        );
+        string? unusable =
+            images.Select(image => image.Name).FirstOrDefault(name => !SafeName.IsMatch(name))
             ?? images.GroupBy(image => image.Name).FirstOrDefault(same => same.Count() > 1)?.Key;
         return unusable is null
             ? new PairGroup(label.Frame.ToString("D8", CultureInfo.InvariantCulture), line, images)
             : throw new DatasetFormatException(
                 $"Frame {label.Frame} has a picture named '{unusable}', which is no name of a harvest or occurs twice. "
-                + "Run 'harvester validate'.");
+                    + "Run 'harvester validate'."
+            );
     }
 
     /// <summary>The box around all objects that a picture lacks and the label lists, pixels; null if there are none.</summary>
     public Box2D? BoxOf(PairImage image)
     {
         Box2D[] boxes = [.. Line.Label!.Objects.Where(item => image.Pair.Without.Contains(item.Id)).Select(item => item.Box2D)];
-        return boxes.Length == 0 ? null : new Box2D(
-            boxes.Min(box => box.XMin), boxes.Min(box => box.YMin), boxes.Max(box => box.XMax), boxes.Max(box => box.YMax));
+        return boxes.Length == 0
+            ? null
+            : new Box2D(boxes.Min(box => box.XMin), boxes.Min(box => box.YMin), boxes.Max(box => box.XMax), boxes.Max(box => box.YMax));
     }
 }

@@ -1,7 +1,4 @@
-using System;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using CsvHelper;
 using CsvHelper.Configuration;
 using Harvester.Datasets.Exports.Formats.Csv;
@@ -45,29 +42,33 @@ internal sealed class PairTables : IDisposable
     {
         foreach (PairImage image in group.Images)
         {
-            Write(_index,
-            [
-                group.Key,
-                pathOf(image),
-                CsvText.Of(image.Pair.Weather),
-                image.Pair.TimeOfDay.ToString(@"hh\:mm\:ss", CultureInfo.InvariantCulture),
-                string.Join(" ", image.Pair.Without.Select(id => id.ToString(CultureInfo.InvariantCulture))),
-                .. Sides(group.BoxOf(image)),
-            ]);
+            Write(
+                _index,
+                [
+                    group.Key,
+                    pathOf(image),
+                    CsvText.Of(image.Pair.Weather),
+                    image.Pair.TimeOfDay.ToString(@"hh\:mm\:ss", CultureInfo.InvariantCulture),
+                    string.Join(" ", image.Pair.Without.Select(id => id.ToString(CultureInfo.InvariantCulture))),
+                    .. Sides(group.BoxOf(image)),
+                ]
+            );
         }
 
         foreach (ObjectLabel item in group.Line.Label!.Objects)
         {
-            Write(_objects,
-            [
-                group.Key,
-                item.Id.ToString(CultureInfo.InvariantCulture),
-                JsonName.Of(item.Class),
-                CsvText.Of(item.Name),
-                CsvText.Of(item.Model),
-                .. Sides(item.Box2D),
-                Number(item.DistanceMetres, Metres),
-            ]);
+            Write(
+                _objects,
+                [
+                    group.Key,
+                    item.Id.ToString(CultureInfo.InvariantCulture),
+                    JsonName.Of(item.Class),
+                    CsvText.Of(item.Name),
+                    CsvText.Of(item.Model),
+                    .. Sides(item.Box2D),
+                    Number(item.DistanceMetres, Metres),
+                ]
+            );
         }
     }
 
@@ -78,12 +79,13 @@ internal sealed class PairTables : IDisposable
         _objects.Dispose();
     }
 
-    private static CsvWriter Begin(TextWriter table) => new(
-        table, new CsvConfiguration(CultureInfo.InvariantCulture) { NewLine = "\n" }, leaveOpen: true);
+    private static CsvWriter Begin(TextWriter table) =>
+        new(table, new CsvConfiguration(CultureInfo.InvariantCulture) { NewLine = "\n" }, leaveOpen: true);
 
-    private static string[] Sides(Box2D? box) => box is { } at
-        ? [Number(at.XMin, Pixels), Number(at.YMin, Pixels), Number(at.XMax, Pixels), Number(at.YMax, Pixels)]
-        : ["", "", "", ""];
+    private static string[] Sides(Box2D? box) =>
+        box is { } at
+            ? [Number(at.XMin, Pixels), Number(at.YMin, Pixels), Number(at.XMax, Pixels), Number(at.YMax, Pixels)]
+            : ["", "", "", ""];
 
     private static string Number(double value, int decimals) => InvariantNumber.Format(value, decimals);
 

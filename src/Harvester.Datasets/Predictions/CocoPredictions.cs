@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Detections;
 using Harvester.Datasets.Exports;
@@ -54,8 +51,9 @@ internal sealed class CocoPredictions : IPredictions
         {
             if (boxes.Count == MaxPredictions)
             {
-                throw new DatasetFormatException($"'{path}' has more than {MaxPredictions} predictions, the limit. "
-                    + "Leave out those with the lowest scores.");
+                throw new DatasetFormatException(
+                    $"'{path}' has more than {MaxPredictions} predictions, the limit. " + "Leave out those with the lowest scores."
+                );
             }
 
             PredictedBox box = Parse(reader, path, images, places);
@@ -65,8 +63,10 @@ internal sealed class CocoPredictions : IPredictions
 
         if (!reader.HasList)
         {
-            throw new DatasetFormatException($"'{path}' is not COCO results: it must be a JSON list of predictions, "
-                + """[{"image_id": 0, "category_id": 1, "bbox": [x, y, width, height], "score": 0.9}, ...].""");
+            throw new DatasetFormatException(
+                $"'{path}' is not COCO results: it must be a JSON list of predictions, "
+                    + """[{"image_id": 0, "category_id": 1, "bbox": [x, y, width, height], "score": 0.9}, ...]."""
+            );
         }
 
         return new CocoPredictions(classes, Grouped(boxes, starts), starts);
@@ -112,8 +112,7 @@ internal sealed class CocoPredictions : IPredictions
         }
         catch (JsonException e)
         {
-            throw new DatasetFormatException(
-                $"'{path}': {JsonFault.InText(e)} JSON has no NaN and Infinity.", e);
+            throw new DatasetFormatException($"'{path}': {JsonFault.InText(e)} JSON has no NaN and Infinity.", e);
         }
         catch (DatasetFormatException e)
         {
@@ -128,11 +127,13 @@ internal sealed class CocoPredictions : IPredictions
             var fields = new JsonFields(reader.Element);
             long image = fields.LongInteger("image_id");
             int category = fields.Integer("category_id");
-            double[] box = fields.Has("bbox") || !fields.Has("segmentation") ? fields.Numbers("bbox", BoxNumbers)
-                : SegmentationBounds.Of(reader.Element.GetProperty("segmentation"));
+            double[] box =
+                fields.Has("bbox") || !fields.Has("segmentation")
+                    ? fields.Numbers("bbox", BoxNumbers)
+                    : SegmentationBounds.Of(reader.Element.GetProperty("segmentation"));
             double score = fields.Number("score");
-            string? problem = image < 0 || image >= images
-                ? $"image_id {image} is unknown; the images of the session are 0 to {images - 1}."
+            string? problem =
+                image < 0 || image >= images ? $"image_id {image} is unknown; the images of the session are 0 to {images - 1}."
                 : !places.ContainsKey(category)
                     ? $"category_id {category} is unknown; the categories are {string.Join(", ", places.Keys)} (docs/exports/coco.md)."
                 : box[2] < 0 || box[3] < 0 ? $"bbox is x, y, width, height; width and height are {box[2]} and {box[3]}, less than 0."

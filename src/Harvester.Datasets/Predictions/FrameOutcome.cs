@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Detections;
 using Harvester.Sessions.Labels;
 
@@ -10,7 +8,10 @@ namespace Harvester.Datasets.Predictions;
 /// <param name="Found">The objects that a prediction matches.</param>
 /// <param name="Missed">The objects that none matches.</param>
 internal sealed record FrameOutcome(
-    IReadOnlyList<PredictionOutcome> Predictions, IReadOnlyList<TruthObject> Found, IReadOnlyList<TruthObject> Missed)
+    IReadOnlyList<PredictionOutcome> Predictions,
+    IReadOnlyList<TruthObject> Found,
+    IReadOnlyList<TruthObject> Missed
+)
 {
     /// <summary>Number of false positives.</summary>
     public int FalsePositives => Predictions.Count(item => item.Kind == OutcomeKind.False);
@@ -35,8 +36,10 @@ internal sealed record FrameOutcome(
             for (int i = 0; i < matched.Length && matches.Predictions[i].Score >= minScore; i++)
             {
                 TruthObject? match = matched[i] == ClassMatches.None ? null : objects[place][matched[i]];
-                OutcomeKind kind = matches.IsIgnored(i, matched[i], SizeRange.Coco[0]) ? OutcomeKind.Ignored
-                    : match is null ? OutcomeKind.False : OutcomeKind.Matched;
+                OutcomeKind kind =
+                    matches.IsIgnored(i, matched[i], SizeRange.Coco[0]) ? OutcomeKind.Ignored
+                    : match is null ? OutcomeKind.False
+                    : OutcomeKind.Matched;
                 ObjectLabel? label = kind == OutcomeKind.Matched ? match?.Label : null;
                 predictions.Add(new PredictionOutcome(matches.Predictions[i], kind, label?.Id));
                 if (kind == OutcomeKind.Matched)

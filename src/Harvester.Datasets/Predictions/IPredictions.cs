@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Datasets.Detections;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Files;

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Detections;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Formats.Kitti;
@@ -51,15 +47,20 @@ internal sealed class KittiPredictions : IPredictions
         var files = new SortedDictionary<int, string>();
         foreach (string file in Directory.EnumerateFiles(folder, "*.txt").Order(StringComparer.Ordinal))
         {
-            if (!int.TryParse(Path.GetFileNameWithoutExtension(file), NumberStyles.None, CultureInfo.InvariantCulture, out int number)
-                || !files.TryAdd(number, file))
+            if (
+                !int.TryParse(Path.GetFileNameWithoutExtension(file), NumberStyles.None, CultureInfo.InvariantCulture, out int number)
+                || !files.TryAdd(number, file)
+            )
             {
                 throw new DatasetFormatException($"'{file}' is not named by the number of a frame, such as 000012.txt.");
             }
         }
 
-        return files.Count > 0 ? new KittiPredictions(folder, options, files) : throw new DatasetFormatException(
-            $"'{folder}' has no files with predictions; they are named by the number of their frame, such as 000012.txt.");
+        return files.Count > 0
+            ? new KittiPredictions(folder, options, files)
+            : throw new DatasetFormatException(
+                $"'{folder}' has no files with predictions; they are named by the number of their frame, such as 000012.txt."
+            );
     }
 
     public int? ImageOf(ExportFrame frame)
@@ -91,7 +92,8 @@ internal sealed class KittiPredictions : IPredictions
         if (!_files.TryGetValue(image, out string? file))
         {
             throw new DatasetFormatException(
-                FormattableString.Invariant($"'{_folder}' has no {image:D6}.txt. A frame without predictions needs an empty file."));
+                FormattableString.Invariant($"'{_folder}' has no {image:D6}.txt. A frame without predictions needs an empty file.")
+            );
         }
 
         var boxes = new List<PredictedBox>();
@@ -135,8 +137,7 @@ internal sealed class KittiPredictions : IPredictions
             throw problem("a column after the type is not a number from -1e9 to 1e9.");
         }
 
-        (double left, double top, double right, double bottom) =
-            (numbers[Left], numbers[Left + 1], numbers[Left + 2], numbers[Left + 3]);
+        (double left, double top, double right, double bottom) = (numbers[Left], numbers[Left + 1], numbers[Left + 2], numbers[Left + 3]);
         return right >= left && bottom >= top
             ? new PredictedBox(image, place, new Box2D(left, top, right, bottom), numbers[Score])
             : throw problem("right or bottom is less than left or top.");
@@ -147,15 +148,16 @@ internal sealed class KittiPredictions : IPredictions
 
     private static double Rounded(double side) => Numbers.Rounded(KittiDecimals.Pixels, side);
 
-    private static ObjectClass KindOf(string type) => type switch
-    {
-        "Car" => ObjectClass.Car,
-        "Van" => ObjectClass.Bus,
-        "Truck" => ObjectClass.Truck,
-        "Pedestrian" => ObjectClass.Pedestrian,
-        "Person_sitting" => ObjectClass.Motorcycle,
-        "Cyclist" => ObjectClass.Bicycle,
-        "Tram" => ObjectClass.Trailer,
-        _ => ObjectClass.Other,
-    };
+    private static ObjectClass KindOf(string type) =>
+        type switch
+        {
+            "Car" => ObjectClass.Car,
+            "Van" => ObjectClass.Bus,
+            "Truck" => ObjectClass.Truck,
+            "Pedestrian" => ObjectClass.Pedestrian,
+            "Person_sitting" => ObjectClass.Motorcycle,
+            "Cyclist" => ObjectClass.Bicycle,
+            "Tram" => ObjectClass.Trailer,
+            _ => ObjectClass.Other,
+        };
 }

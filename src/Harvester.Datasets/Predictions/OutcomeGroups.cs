@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Detections;
 using Harvester.Datasets.Exports.Formats.Kitti;
 
@@ -17,15 +14,15 @@ public sealed class OutcomeGroups(IEnumerable<string> classes)
 
     /// <summary>By COCO's ranges of areas; that of a false positive is the area of its box.</summary>
     public IReadOnlyList<OutcomeCount> Sizes { get; } =
-        [new("small, up to 32² px"), new("medium, up to 96² px"), new("large, above 96² px")];
+    [new("small, up to 32² px"), new("medium, up to 96² px"), new("large, above 96² px")];
 
     /// <summary>By distance; a false positive has none.</summary>
     public IReadOnlyList<OutcomeCount> Distances { get; } =
-        [new("up to 10 m"), new("10 to 20 m"), new("20 to 40 m"), new("40 to 60 m"), new("60 to 80 m"), new("above 80 m")];
+    [new("up to 10 m"), new("10 to 20 m"), new("20 to 40 m"), new("40 to 60 m"), new("60 to 80 m"), new("above 80 m")];
 
     /// <summary>By KITTI's levels of occlusion; a false positive has none.</summary>
     public IReadOnlyList<OutcomeCount> Occlusions { get; } =
-        [new("up to 10 % hidden"), new("10 to 50 % hidden"), new("more than 50 % hidden"), new("not determined")];
+    [new("up to 10 % hidden"), new("10 to 50 % hidden"), new("more than 50 % hidden"), new("not determined")];
 
     /// <summary>All of them.</summary>
     public OutcomeCount All { get; } = new("all");

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Harvester.Datasets.Detections;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Assembly;
@@ -57,7 +52,12 @@ public sealed class PredictionEvaluation
     /// <exception cref="DatasetFormatException">The predictions or the session are malformed, or do not belong together.</exception>
     /// <exception cref="IOException">A file cannot be read.</exception>
     public static PredictionEvaluation Of(
-        SessionReader session, string path, double minScore, Action<int>? report = null, CancellationToken cancellation = default)
+        SessionReader session,
+        string path,
+        double minScore,
+        Action<int>? report = null,
+        CancellationToken cancellation = default
+    )
     {
         var evaluation = new PredictionEvaluation(PredictionSource.Open(session, path, cancellation), minScore);
         evaluation.Run(report, cancellation);
@@ -70,8 +70,14 @@ public sealed class PredictionEvaluation
     /// <summary>The frames with the most errors first; frames without errors are left out.</summary>
     /// <param name="count">Largest number of frames.</param>
     /// <returns>Places of the frames in the session, from 0.</returns>
-    public IEnumerable<int> WorstFrames(int count) => _errors.Index().Where(frame => frame.Item > 0)
-        .OrderByDescending(frame => frame.Item).ThenBy(frame => frame.Index).Take(count).Select(frame => frame.Index);
+    public IEnumerable<int> WorstFrames(int count) =>
+        _errors
+            .Index()
+            .Where(frame => frame.Item > 0)
+            .OrderByDescending(frame => frame.Item)
+            .ThenBy(frame => frame.Index)
+            .Take(count)
+            .Select(frame => frame.Index);
 
     /// <summary>The outcomes of some frames, by their places in the session. A frame that the export does not label has none.</summary>
     /// <param name="places">Ascending places, from 0.</param>

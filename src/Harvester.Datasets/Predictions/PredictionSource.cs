@@ -1,5 +1,3 @@
-using System.IO;
-using System.Threading;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Exports.Formats;
@@ -40,6 +38,7 @@ internal sealed class PredictionSource
         survey.Check();
         return new PredictionSource(
             plan,
-            isFolder ? KittiPredictions.Open(path, plan.Options) : CocoPredictions.Read(path, session.CountLines(), plan.Options));
+            isFolder ? KittiPredictions.Open(path, plan.Options) : CocoPredictions.Read(path, session.CountLines(), plan.Options)
+        );
     }
 }

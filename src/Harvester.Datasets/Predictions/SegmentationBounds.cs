@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
@@ -22,12 +19,13 @@ internal static class SegmentationBounds
 
     /// <summary>The box: x, y, width and height, pixels; all 0 for a segmentation without pixels.</summary>
     /// <exception cref="DatasetFormatException">It is not a segmentation as COCO defines it.</exception>
-    public static double[] Of(JsonElement segmentation) => segmentation.ValueKind switch
-    {
-        JsonValueKind.Array => OfPolygons(segmentation),
-        JsonValueKind.Object => OfRuns(segmentation),
-        _ => throw new DatasetFormatException(Wrong),
-    };
+    public static double[] Of(JsonElement segmentation) =>
+        segmentation.ValueKind switch
+        {
+            JsonValueKind.Array => OfPolygons(segmentation),
+            JsonValueKind.Object => OfRuns(segmentation),
+            _ => throw new DatasetFormatException(Wrong),
+        };
 
     private static double[] OfPolygons(JsonElement polygons)
     {
@@ -35,8 +33,11 @@ internal static class SegmentationBounds
         var y = new List<double>();
         foreach (JsonElement polygon in polygons.EnumerateArray())
         {
-            if (polygon.ValueKind != JsonValueKind.Array || polygon.GetArrayLength() % 2 != 0
-                || polygon.EnumerateArray().Any(number => number.ValueKind != JsonValueKind.Number))
+            if (
+                polygon.ValueKind != JsonValueKind.Array
+                || polygon.GetArrayLength() % 2 != 0
+                || polygon.EnumerateArray().Any(number => number.ValueKind != JsonValueKind.Number)
+            )
             {
                 throw new DatasetFormatException(Wrong);
             }
@@ -93,15 +94,16 @@ internal static class SegmentationBounds
         !segmentation.TryGetProperty("counts", out JsonElement counts) ? throw new DatasetFormatException(Wrong)
         : counts.ValueKind == JsonValueKind.String ? Unpacked(counts.GetString()!)
         : counts.ValueKind == JsonValueKind.Array
-            ? counts.EnumerateArray().Select(count =>
-                count.ValueKind == JsonValueKind.Number && count.TryGetInt64(out long value) ? value : -1)
+            ? counts
+                .EnumerateArray()
+                .Select(count => count.ValueKind == JsonValueKind.Number && count.TryGetInt64(out long value) ? value : -1)
         : throw new DatasetFormatException(Wrong);
 
     /// <summary>The counts of COCO's compressed text: from the fourth on, each is the difference from the one two before it.</summary>
     private static List<long> Unpacked(string text)
     {
         var counts = new List<long>();
-        for (int at = 0; at < text.Length;)
+        for (int at = 0; at < text.Length; )
         {
             long value = 0;
             bool hasMore = true;

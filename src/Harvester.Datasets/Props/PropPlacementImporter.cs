@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.IO;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
@@ -47,10 +45,13 @@ public static class PropPlacementImporter
             {
                 var fields = new JsonFields(element);
                 Vector3D rotation = Components(fields.Fields("Rotation"));
-                props.Add(new PropPlacement(
-                    fields.Text("Name"),
-                    Components(fields.Fields("Position")),
-                    new EulerAngles(rotation.X, rotation.Y, rotation.Z)));
+                props.Add(
+                    new PropPlacement(
+                        fields.Text("Name"),
+                        Components(fields.Fields("Position")),
+                        new EulerAngles(rotation.X, rotation.Y, rotation.Z)
+                    )
+                );
             }
             catch (DatasetFormatException e)
             {

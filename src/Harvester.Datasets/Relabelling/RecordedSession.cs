@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
@@ -26,9 +22,12 @@ internal sealed class RecordedSession
         Session = session;
         Options = options;
         string? lookAhead = settings.OptionalText("lookAhead");
-        LookAhead = lookAhead is null ? LookAhead.Thesis : LookAhead.Parse(lookAhead)
-            ?? throw new DatasetFormatException(
-                $"{SessionInfo.FileName}: settings.lookAhead must be metres, or seconds such as 1s, not '{lookAhead}'.");
+        LookAhead = lookAhead is null
+            ? LookAhead.Thesis
+            : LookAhead.Parse(lookAhead)
+                ?? throw new DatasetFormatException(
+                    $"{SessionInfo.FileName}: settings.lookAhead must be metres, or seconds such as 1s, not '{lookAhead}'."
+                );
         (LaneWidthMetres, NarrowLaneWidthMetres) = LaneWidths.Of(settings);
     }
 
@@ -55,13 +54,15 @@ internal sealed class RecordedSession
         {
             throw new DatasetFormatException(
                 $"'{session.Folder}' has no {FramePaths.Scenes}: it was harvested without them, or relabelled. Relabel the original "
-                    + "session.");
+                    + "session."
+            );
         }
 
         if (SessionHeader.Read(session).Shard is { } shard)
         {
             throw new DatasetFormatException(
-                $"'{session.Folder}' is shard {shard} of a session. Merge the shards first, then relabel the merged session.");
+                $"'{session.Folder}' is shard {shard} of a session. Merge the shards first, then relabel the merged session."
+            );
         }
 
         using JsonDocument document = JsonInput.Read(session.PathOf(SessionInfo.FileName));
@@ -70,24 +71,31 @@ internal sealed class RecordedSession
         string[] classes = header.Texts("classes");
         return new RecordedSession(
             session,
-            options.Checked(() => new HarvestOptions
-            {
-                Image = session.ReadInfo().Image,
-                Rig = session.ReadInfo().Rig,
-                Format = header.Fields("image").Name<ImageFormat>("format"),
-                RangeMetres = options.Number("rangeMetres"),
-                IgnoreRangeMetres = options.OptionalNumber("ignoreRangeMetres") ?? 0,
-                Masks = options.Boolean("masks"),
-                Channels = new ChannelKeys(FrameChannels.All.Where(channel => channel.Switch is not null).Select(channel => channel.Key)
-                    .Where(key => options.Has(key) && options.Boolean(key))),
-                Semantics = options.Has("semantics") ? options.Name<SemanticsMethod>("semantics") : null,
-                MinBoxAreaPixels = options.Number("minBoxAreaPixels"),
-                MinBoxSidePixels = options.Number("minBoxSidePixels"),
-                MaxOccludedFraction = options.Number("maxOccludedFraction"),
-                Classes = [.. classes.Select(ClassOf)],
-                Faces = Named(session, FramePaths.Faces, KeptFiles.ReadFaces),
-            }),
-            header.Fields("settings"));
+            options.Checked(() =>
+                new HarvestOptions
+                {
+                    Image = session.ReadInfo().Image,
+                    Rig = session.ReadInfo().Rig,
+                    Format = header.Fields("image").Name<ImageFormat>("format"),
+                    RangeMetres = options.Number("rangeMetres"),
+                    IgnoreRangeMetres = options.OptionalNumber("ignoreRangeMetres") ?? 0,
+                    Masks = options.Boolean("masks"),
+                    Channels = new ChannelKeys(
+                        FrameChannels
+                            .All.Where(channel => channel.Switch is not null)
+                            .Select(channel => channel.Key)
+                            .Where(key => options.Has(key) && options.Boolean(key))
+                    ),
+                    Semantics = options.Has("semantics") ? options.Name<SemanticsMethod>("semantics") : null,
+                    MinBoxAreaPixels = options.Number("minBoxAreaPixels"),
+                    MinBoxSidePixels = options.Number("minBoxSidePixels"),
+                    MaxOccludedFraction = options.Number("maxOccludedFraction"),
+                    Classes = [.. classes.Select(ClassOf)],
+                    Faces = Named(session, FramePaths.Faces, KeptFiles.ReadFaces),
+                }
+            ),
+            header.Fields("settings")
+        );
     }
 
     /// <summary>The roads in the session; null if it has none.</summary>
@@ -97,8 +105,7 @@ internal sealed class RecordedSession
     /// <summary>The frames with their scenes, in order.</summary>
     /// <exception cref="DatasetFormatException">A label or scene is invalid.</exception>
     /// <exception cref="IOException">A scene cannot be read.</exception>
-    public IEnumerable<(FrameLabel Label, RecordedScene Scene)> Frames() =>
-        Session.ReadLabels().Select(label => (label, ReadScene(label)));
+    public IEnumerable<(FrameLabel Label, RecordedScene Scene)> Frames() => Session.ReadLabels().Select(label => (label, ReadScene(label)));
 
     /// <summary>The ids of its objects.</summary>
     public RecordedIds ReadIds()
@@ -118,9 +125,10 @@ internal sealed class RecordedSession
         return Named(Session, name, session => SceneParser.Read(session.PathOf(name), label));
     }
 
-    private static ObjectClass ClassOf(string name) => JsonNames.TryRead(name, out ObjectClass kind)
-        ? kind
-        : throw new DatasetFormatException($"{SessionInfo.FileName}: unknown class '{name}'.");
+    private static ObjectClass ClassOf(string name) =>
+        JsonNames.TryRead(name, out ObjectClass kind)
+            ? kind
+            : throw new DatasetFormatException($"{SessionInfo.FileName}: unknown class '{name}'.");
 
     /// <summary>Reads a file of the session; if it is invalid, the message names the file.</summary>
     private static T Named<T>(SessionReader session, string name, Func<SessionReader, T> read)

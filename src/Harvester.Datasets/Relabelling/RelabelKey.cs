@@ -1,7 +1,4 @@
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Roads;
@@ -16,24 +13,28 @@ internal static class RelabelKey
     public static string Of(SessionReader session, RelabelOptions changes) => WorkKey.Of([session], Texts(changes));
 
     private static IEnumerable<string> Texts(RelabelOptions changes) =>
-    [
-        "relabel",
-        string.Join(',', changes.Classes ?? []),
-        Text(changes.RangeMetres), Text(changes.MinBoxAreaPixels), Text(changes.MinBoxSidePixels), Text(changes.MaxOccludedFraction),
-        changes.Lens is { } lens ? Text(lens) : "",
-        changes.Faces is { } faces ? FaceTableWriter.Text(faces) : "",
-        changes.FacesName ?? "",
-        changes.Roads is { } roads ? Text(roads) : "",
-        changes.RoadsName ?? "",
-        changes.LookAhead?.ToString() ?? "",
-        Text(changes.LaneWidthMetres), Text(changes.NarrowLaneWidthMetres),
-        changes.Shard.ToString(),
-    ];
+        [
+            "relabel",
+            string.Join(',', changes.Classes ?? []),
+            Text(changes.RangeMetres),
+            Text(changes.MinBoxAreaPixels),
+            Text(changes.MinBoxSidePixels),
+            Text(changes.MaxOccludedFraction),
+            changes.Lens is { } lens ? Text(lens) : "",
+            changes.Faces is { } faces ? FaceTableWriter.Text(faces) : "",
+            changes.FacesName ?? "",
+            changes.Roads is { } roads ? Text(roads) : "",
+            changes.RoadsName ?? "",
+            changes.LookAhead?.ToString() ?? "",
+            Text(changes.LaneWidthMetres),
+            Text(changes.NarrowLaneWidthMetres),
+            changes.Shard.ToString(),
+        ];
 
     private static string Text(double? number) => number?.ToString("R", CultureInfo.InvariantCulture) ?? "";
 
-    private static string Text(Lens lens) => string.Join(',', ((double?[])
-        [lens.FocalScale, lens.CentreOffsetX, lens.CentreOffsetY, lens.K1, lens.K2]).Select(Text));
+    private static string Text(Lens lens) =>
+        string.Join(',', ((double?[])[lens.FocalScale, lens.CentreOffsetX, lens.CentreOffsetY, lens.K1, lens.K2]).Select(Text));
 
     private static string Text(RoadNetwork roads)
     {

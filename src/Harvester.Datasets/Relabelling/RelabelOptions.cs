@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Datasets.Files;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;

@@ -1,6 +1,4 @@
-using System;
 using System.Globalization;
-using System.Linq;
 using System.Text.Json;
 using System.Text.Json.Nodes;
 using Harvester.Capture.Harvesting;
@@ -42,8 +40,9 @@ internal sealed class RelabelledHeader(RecordedSession recorded, RelabelOptions 
         }
 
         asked["scenes"] = false;
-        json["classes"] = new JsonArray([.. Enum.GetValues<ObjectClass>()
-            .Where(kind => options.Classes!.Contains(kind)).Select(kind => (JsonNode)JsonName.Of(kind)!)]);
+        json["classes"] = new JsonArray([
+            .. Enum.GetValues<ObjectClass>().Where(kind => options.Classes!.Contains(kind)).Select(kind => (JsonNode)JsonName.Of(kind)!),
+        ]);
         if (changes.Lens is { } lens)
         {
             SetLens(json["camera"]!.AsObject(), lens);
@@ -63,12 +62,15 @@ internal sealed class RelabelledHeader(RecordedSession recorded, RelabelOptions 
         const int intrinsicsDecimals = 6;
         const int lensDecimals = 9;
         var fields = new JsonFields(camera.Deserialize<JsonElement>());
-        CameraIntrinsics made = fields.Checked(() => new CameraIntrinsics(
-            fields.Number("verticalFovDegrees"),
-            new ImageSize(fields.Integer("width"), fields.Integer("height")),
-            fields.Number("windowAspect"),
-            fields.Number("nearClip"),
-            lens));
+        CameraIntrinsics made = fields.Checked(() =>
+            new CameraIntrinsics(
+                fields.Number("verticalFovDegrees"),
+                new ImageSize(fields.Integer("width"), fields.Integer("height")),
+                fields.Number("windowAspect"),
+                fields.Number("nearClip"),
+                lens
+            )
+        );
         Set(camera, "fx", made.Fx, intrinsicsDecimals);
         Set(camera, "fy", made.Fy, intrinsicsDecimals);
         Set(camera, "cx", made.Cx, intrinsicsDecimals);

@@ -1,7 +1,3 @@
-using System;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
@@ -39,13 +35,17 @@ public sealed class SessionRelabeller
         if (recorded.Rig is not null && changes.Lens is not null)
         {
             throw new DatasetFormatException(
-                $"'{session.Folder}' was harvested with a rig, which gives each camera its lens. Leave out the options of the lens.");
+                $"'{session.Folder}' was harvested with a rig, which gives each camera its lens. Leave out the options of the lens."
+            );
         }
 
         if (changes.RangeMetres > recorded.RangeMetres)
         {
-            throw new DatasetFormatException(FormattableString.Invariant(
-                $"'{session.Folder}' was recorded up to {recorded.RangeMetres} m. Use at most this range, or harvest again."));
+            throw new DatasetFormatException(
+                FormattableString.Invariant(
+                    $"'{session.Folder}' was recorded up to {recorded.RangeMetres} m. Use at most this range, or harvest again."
+                )
+            );
         }
 
         _options = recorded with
@@ -83,27 +83,35 @@ public sealed class SessionRelabeller
         int frames = 0;
         using var digests = new CarriedDigests(_recorded.Session);
         string key = RelabelKey.Of(_recorded.Session, _changes);
-        NewSession.Write(folder, _changes.Sync, key, _changes.Resume, _changes.MinFreeBytes, session =>
-        {
-            foreach ((FrameLabel label, RecordedScene scene) in _recorded.Frames())
+        NewSession.Write(
+            folder,
+            _changes.Sync,
+            key,
+            _changes.Resume,
+            _changes.MinFreeBytes,
+            session =>
             {
-                cancellation.ThrowIfCancellationRequested();
-                start ??= StartAt(scene, label, ids, roads);
-                bool isOurs = _changes.Shard.Takes(position++ / _options.ViewsPerMoment);
-                if (!isOurs || frames < session.Resumed)
+                foreach ((FrameLabel label, RecordedScene scene) in _recorded.Frames())
                 {
-                    Checked(() => start.Labeller.Pass(scene, label));
-                    frames += isOurs ? 1 : 0;
-                    continue;
-                }
+                    cancellation.ThrowIfCancellationRequested();
+                    start ??= StartAt(scene, label, ids, roads);
+                    bool isOurs = _changes.Shard.Takes(position++ / _options.ViewsPerMoment);
+                    if (!isOurs || frames < session.Resumed)
+                    {
+                        Checked(() => start.Labeller.Pass(scene, label));
+                        frames += isOurs ? 1 : 0;
+                        continue;
+                    }
 
-                FrameLabel made = label;
-                Checked(() => made = start.Labeller.Relabel(scene, label, () => Picture(label)));
-                PlaceFiles(session, digests, label, made);
-                session.EndFrame(made.Frame, JsonLabelWriter.Line(made));
-                report(++frames);
-            }
-        }, () => HeaderOf(start, frames));
+                    FrameLabel made = label;
+                    Checked(() => made = start.Labeller.Relabel(scene, label, () => Picture(label)));
+                    PlaceFiles(session, digests, label, made);
+                    session.EndFrame(made.Frame, JsonLabelWriter.Line(made));
+                    report(++frames);
+                }
+            },
+            () => HeaderOf(start, frames)
+        );
         return frames;
     }
 
@@ -160,15 +168,19 @@ public sealed class SessionRelabeller
         {
             Lens = lens,
             Masks = _recorded.Options.Masks && FrameRelabeller.KeepsMask(scene, label, lens),
-            Channels = new ChannelKeys(FrameChannels.All.Where(channel => channel.LabelIn(kept) is not null).Select(channel => channel.Key)
-                .Intersect(_recorded.Options.Channels.Keys)),
+            Channels = new ChannelKeys(
+                FrameChannels
+                    .All.Where(channel => channel.LabelIn(kept) is not null)
+                    .Select(channel => channel.Key)
+                    .Intersect(_recorded.Options.Channels.Keys)
+            ),
             Semantics = kept.Get<ClassMapLabel>() is null ? null : _recorded.Options.Semantics,
         };
         return new RelabelStart(new FrameRelabeller(_options with { Lens = lens }, _recorded.Options, ids, roads), options);
     }
 
-    private string HeaderOf(RelabelStart? start, int frames) => new RelabelledHeader(
-        _recorded, _changes, start?.Options ?? _options with { Lens = Lens.Ideal }).Text(frames);
+    private string HeaderOf(RelabelStart? start, int frames) =>
+        new RelabelledHeader(_recorded, _changes, start?.Options ?? _options with { Lens = Lens.Ideal }).Text(frames);
 
     private static void Checked(Action label)
     {
@@ -197,15 +209,18 @@ public sealed class SessionRelabeller
         return _changes.LookAhead is null && _changes.LaneWidthMetres is null && _changes.NarrowLaneWidthMetres is null
             ? null
             : throw new DatasetFormatException(
-                $"'{_recorded.Session.Folder}' has no recorded roads. To measure other lanes, name a road network with --roads.");
+                $"'{_recorded.Session.Folder}' has no recorded roads. To measure other lanes, name a road network with --roads."
+            );
     }
 
-    private FixedRoads Fixed(RoadNetwork roads, string source) => new(
-        roads,
-        source,
-        _changes.LookAhead ?? _recorded.LookAhead,
-        _changes.LaneWidthMetres ?? _recorded.LaneWidthMetres,
-        _changes.NarrowLaneWidthMetres ?? _recorded.NarrowLaneWidthMetres);
+    private FixedRoads Fixed(RoadNetwork roads, string source) =>
+        new(
+            roads,
+            source,
+            _changes.LookAhead ?? _recorded.LookAhead,
+            _changes.LaneWidthMetres ?? _recorded.LaneWidthMetres,
+            _changes.NarrowLaneWidthMetres ?? _recorded.NarrowLaneWidthMetres
+        );
 
     private PixelBuffer Picture(FrameLabel label)
     {
@@ -247,7 +262,6 @@ public sealed class SessionRelabeller
 
         session.WriteFile(mask, file => _png.Write(map, file));
 
-        void Place(string name) =>
-            session.Place(name, _recorded.Session, _changes.Images, () => digests.Of(recorded.Frame, name));
+        void Place(string name) => session.Place(name, _recorded.Session, _changes.Images, () => digests.Of(recorded.Frame, name));
     }
 }

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.IO;
 using System.Text.Json.Nodes;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
@@ -53,7 +51,8 @@ internal sealed class RepairedHeader
         if (!isIntact)
         {
             byte[]? corrected = BitRepair.Try(bytes, digests);
-            problem = corrected is not null ? "one flipped bit was corrected."
+            problem = corrected is not null
+                ? "one flipped bit was corrected."
                 : $"its SHA-256 differs from {Manifest.FileName}; its values may be wrong.";
             bytes = corrected ?? bytes;
         }
@@ -76,15 +75,25 @@ internal sealed class RepairedHeader
     /// <param name="format">Format of the images, as session.json names it.</param>
     public string Text(int frames, int lost, ImageSize image, string format)
     {
-        SessionHeader header = _read ?? SessionHeader.Of(new JsonObject
-        {
-            ["formatVersion"] = 1,
-            ["tool"] = Tool,
-            ["game"] = "unknown",
-            ["seed"] = null,
-            ["settings"] = new JsonObject(),
-            ["image"] = new JsonObject { ["width"] = image.Width, ["height"] = image.Height, ["format"] = format, ["quality"] = null },
-        });
+        SessionHeader header =
+            _read
+            ?? SessionHeader.Of(
+                new JsonObject
+                {
+                    ["formatVersion"] = 1,
+                    ["tool"] = Tool,
+                    ["game"] = "unknown",
+                    ["seed"] = null,
+                    ["settings"] = new JsonObject(),
+                    ["image"] = new JsonObject
+                    {
+                        ["width"] = image.Width,
+                        ["height"] = image.Height,
+                        ["format"] = format,
+                        ["quality"] = null,
+                    },
+                }
+            );
         JsonObject json = header.Json;
         (json["settings"] as JsonObject)?.Add("repairedBy", Tool);
         bool isClosed = json["state"]?.ToString() is "complete" or "faulted";

@@ -1,9 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Validation;
@@ -60,7 +55,8 @@ public sealed class SessionRepairer
                 WriteFrames(made, manifest, digests, header.Info, transfer, cancellation);
                 WriteOthers(made, manifest, transfer);
             },
-            () => header.Text(_frames, _lost, _image!.Value, _format));
+            () => header.Text(_frames, _lost, _image!.Value, _format)
+        );
         return new SessionRepair(_frames, _lost, _isAllKept);
     }
 
@@ -77,8 +73,13 @@ public sealed class SessionRepairer
     }
 
     private void WriteFrames(
-        NewSession made, ManifestCheck manifest, CarriedDigests digests, SessionInfo? info, ImageTransfer transfer,
-        CancellationToken cancellation)
+        NewSession made,
+        ManifestCheck manifest,
+        CarriedDigests digests,
+        SessionInfo? info,
+        ImageTransfer transfer,
+        CancellationToken cancellation
+    )
     {
         if (_session.HasUnfinishedLine)
         {
@@ -92,7 +93,10 @@ public sealed class SessionRepairer
             cancellation.ThrowIfCancellationRequested();
             CheckedLine[] lines = [.. chunk.Select(line => Prepare(line, manifest, sequence, check))];
             IReadOnlyList<string>[] found = ParallelCheck.Each<CheckedLine, IReadOnlyList<string>>(
-                lines, line => line.Sequence.Count > 0 ? line.Sequence : check.Problems(line), cancellation);
+                lines,
+                line => line.Sequence.Count > 0 ? line.Sequence : check.Problems(line),
+                cancellation
+            );
             for (int i = 0; i < lines.Length; i++)
             {
                 if (found[i].Count > 0)
@@ -115,7 +119,8 @@ public sealed class SessionRepairer
         if (_image is null)
         {
             throw new DatasetFormatException(
-                $"'{_session.Folder}' has no whole frame and no readable {SessionInfo.FileName}; nothing can be recovered.");
+                $"'{_session.Folder}' has no whole frame and no readable {SessionInfo.FileName}; nothing can be recovered."
+            );
         }
     }
 
@@ -123,9 +128,7 @@ public sealed class SessionRepairer
     private static CheckedLine Prepare(LabelLine line, ManifestCheck manifest, SequenceCheck sequence, FrameCheck check)
     {
         ManifestFrame? entry = manifest.Frame(line);
-        string? problem = line.Problem
-            ?? LineProblem(line, entry, manifest)
-            ?? (entry is null ? NumberProblem(line.Label!) : null);
+        string? problem = line.Problem ?? LineProblem(line, entry, manifest) ?? (entry is null ? NumberProblem(line.Label!) : null);
         if (problem is not null)
         {
             return new CheckedLine(line) { Sequence = [problem] };
@@ -141,8 +144,9 @@ public sealed class SessionRepairer
 
     /// <summary>Whether the number of a frame, without a manifest to compare it with, is that of its image.</summary>
     private static string? NumberProblem(FrameLabel label) =>
-        Path.GetFileNameWithoutExtension(label.Image) == label.Frame.ToString("D8", CultureInfo.InvariantCulture) ? null
-        : $"frame {label.Frame} has the image '{label.Image}' of another.";
+        Path.GetFileNameWithoutExtension(label.Image) == label.Frame.ToString("D8", CultureInfo.InvariantCulture)
+            ? null
+            : $"frame {label.Frame} has the image '{label.Image}' of another.";
 
     // A line whose entry in the manifest is damaged is as good as one of a session without a manifest.
     private static string? LineProblem(LabelLine line, ManifestFrame? entry, ManifestCheck manifest) =>
@@ -157,7 +161,8 @@ public sealed class SessionRepairer
             Lose(
                 SessionReader.LabelsFile,
                 line.Number,
-                $"the image is {size.Width} x {size.Height}, but earlier images are {known.Width} x {known.Height}.");
+                $"the image is {size.Width} x {size.Height}, but earlier images are {known.Width} x {known.Height}."
+            );
             _lost++;
             return;
         }
@@ -165,7 +170,12 @@ public sealed class SessionRepairer
         if (_frames == 0)
         {
             _image = size;
-            _format = Path.GetExtension(label.Image) switch { ".jpg" => "jpeg", ".bmp" => "bmp", _ => "png" };
+            _format = Path.GetExtension(label.Image) switch
+            {
+                ".jpg" => "jpeg",
+                ".bmp" => "bmp",
+                _ => "png",
+            };
         }
 
         string scene = FramePaths.Scene(label.Frame);
@@ -181,7 +191,10 @@ public sealed class SessionRepairer
     private void WriteOthers(NewSession made, ManifestCheck manifest, ImageTransfer transfer)
     {
         IReadOnlyList<SessionProblem> problems =
-            [.. KeptFilesCheck.Problems(_session), .. manifest.EndProblems(isClosed: false, isWhole: false)];
+        [
+            .. KeptFilesCheck.Problems(_session),
+            .. manifest.EndProblems(isClosed: false, isWhole: false),
+        ];
         foreach (SessionProblem problem in problems.Where(problem => problem.File != SessionInfo.FileName))
         {
             Lose(problem.File, problem.Line, problem.Message);
@@ -197,9 +210,10 @@ public sealed class SessionRepairer
         }
     }
 
-    private bool IsWhole(string name, ManifestCheck manifest) => manifest.DigestsOf(name) is { Count: > 0 } digests
-        ? DigestCheck.Problem(_session.PathOf(name), digests) is null
-        : !manifest.IsThere || manifest.IsDamaged;
+    private bool IsWhole(string name, ManifestCheck manifest) =>
+        manifest.DigestsOf(name) is { Count: > 0 } digests
+            ? DigestCheck.Problem(_session.PathOf(name), digests) is null
+            : !manifest.IsThere || manifest.IsDamaged;
 
     private void Lose(string file, int? line, string message)
     {

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Datasets.Reports;
 
 /// <summary>Selects evenly spaced items of a sequence, including the first and the last.</summary>

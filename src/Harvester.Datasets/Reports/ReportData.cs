@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Reports.Colours;
@@ -23,21 +20,31 @@ internal static class ReportData
 
     /// <summary>Writes the data as one object.</summary>
     public static void Write(
-        Utf8JsonWriter json, string title, SessionInfo info, SessionStatistics statistics, IReadOnlyList<FrameLabel> frames,
-        double pictureScale, bool hasPredictions, bool showsPosts)
+        Utf8JsonWriter json,
+        string title,
+        SessionInfo info,
+        SessionStatistics statistics,
+        IReadOnlyList<FrameLabel> frames,
+        double pictureScale,
+        bool hasPredictions,
+        bool showsPosts
+    )
     {
         json.WriteStartObject();
         WriteHead(json, title, info);
         json.WriteBoolean("posts", showsPosts);
         ReportFigures.Write(json, info, statistics);
-        json.WriteString("note",
+        json.WriteString(
+            "note",
             string.Join(
                 " ",
                 [
                     Note(statistics.Frames, frames.Count, hasPredictions),
                     .. pictureScale < 1 ? [Note(pictureScale)] : Array.Empty<string>(),
                     .. info.Unchecked.Select(open => $"Note: {open}"),
-                ]));
+                ]
+            )
+        );
         FrameEvents.Write(json, FrameEvents.Of(frames));
         WriteObjects(json, frames.SelectMany(frame => frame.Objects));
         json.WriteStartArray("frames");

@@ -1,4 +1,3 @@
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
@@ -75,8 +74,15 @@ internal static class ReportObject
     private static void WriteLamps(Utf8JsonWriter json, VehicleLights lamps)
     {
         json.WriteStartArray("lamps");
-        foreach ((string name, bool isLit) in
-            new[] { ("brake", lamps.Brake), ("left", lamps.Left), ("right", lamps.Right), ("head", lamps.Head) })
+        foreach (
+            (string name, bool isLit) in new[]
+            {
+                ("brake", lamps.Brake),
+                ("left", lamps.Left),
+                ("right", lamps.Right),
+                ("head", lamps.Head),
+            }
+        )
         {
             if (isLit)
             {

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text;
 using Harvester.Pages;
 
@@ -20,10 +16,18 @@ internal static class ReportPage
     public static string Style => Asset("report.css") + Asset("predictions.css");
 
     private static string[] Common =>
-    [
-        "matches.js", "rasters.js", "picture.js", "ground.js", "timeline.js", "strips.js", "objects.js", "predictions.js", "statistics.js",
-        "report.js",
-    ];
+        [
+            "matches.js",
+            "rasters.js",
+            "picture.js",
+            "ground.js",
+            "timeline.js",
+            "strips.js",
+            "objects.js",
+            "predictions.js",
+            "statistics.js",
+            "report.js",
+        ];
 
     /// <summary>Writes the page.</summary>
     /// <param name="stream">Receives it.</param>
@@ -32,7 +36,12 @@ internal static class ReportPage
     /// <param name="writeData">Writes the data that the scripts read.</param>
     /// <param name="isServed">Whether a server sends the page.</param>
     public static void Write(
-        Stream stream, string title, IReadOnlyList<string> scripts, Action<MarkupWriter> writeData, bool isServed = false) =>
+        Stream stream,
+        string title,
+        IReadOnlyList<string> scripts,
+        Action<MarkupWriter> writeData,
+        bool isServed = false
+    ) =>
         HtmlPage.Write(
             stream,
             title,
@@ -43,7 +52,8 @@ internal static class ReportPage
                 writeData(page);
                 page.Code("script", Code(scripts));
             },
-            isServed);
+            isServed
+        );
 
     /// <summary>The script.</summary>
     public static string Code(IReadOnlyList<string> scripts) => string.Join('\n', scripts.Select(Asset));

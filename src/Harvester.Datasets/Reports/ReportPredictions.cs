@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Detections;
 using Harvester.Datasets.Json;
@@ -28,7 +25,11 @@ internal static class ReportPredictions
     /// <param name="places">Places of the page's frames in the session, ascending.</param>
     /// <param name="frames">The page's frames.</param>
     public static void Write(
-        Utf8JsonWriter json, PredictionEvaluation evaluation, IReadOnlyList<int> places, IReadOnlyList<FrameLabel> frames)
+        Utf8JsonWriter json,
+        PredictionEvaluation evaluation,
+        IReadOnlyList<int> places,
+        IReadOnlyList<FrameLabel> frames
+    )
     {
         json.WriteStartObject();
         json.WriteString("format", evaluation.Format);
@@ -62,12 +63,18 @@ internal static class ReportPredictions
     {
         (string Name, Func<ClassTally, double?> Of)[] figures =
         [
-            ("AP", tally => tally.AveragePrecision(0)), ("AP50", tally => tally.AveragePrecisionAt(0)),
-            ("AP75", tally => tally.AveragePrecisionAt(Overlap75)), ("APsmall", tally => tally.AveragePrecision(1)),
-            ("APmedium", tally => tally.AveragePrecision(2)), ("APlarge", tally => tally.AveragePrecision(3)),
-            ("AR1", tally => tally.AverageRecall(0)), ("AR10", tally => tally.AverageRecall(1)),
-            ("AR100", tally => tally.AverageRecall(2)), ("ARsmall", tally => tally.AverageRecallIn(1)),
-            ("ARmedium", tally => tally.AverageRecallIn(2)), ("ARlarge", tally => tally.AverageRecallIn(3)),
+            ("AP", tally => tally.AveragePrecision(0)),
+            ("AP50", tally => tally.AveragePrecisionAt(0)),
+            ("AP75", tally => tally.AveragePrecisionAt(Overlap75)),
+            ("APsmall", tally => tally.AveragePrecision(1)),
+            ("APmedium", tally => tally.AveragePrecision(2)),
+            ("APlarge", tally => tally.AveragePrecision(3)),
+            ("AR1", tally => tally.AverageRecall(0)),
+            ("AR10", tally => tally.AverageRecall(1)),
+            ("AR100", tally => tally.AverageRecall(2)),
+            ("ARsmall", tally => tally.AverageRecallIn(1)),
+            ("ARmedium", tally => tally.AverageRecallIn(2)),
+            ("ARlarge", tally => tally.AverageRecallIn(3)),
         ];
         json.WriteStartObject("figures");
         foreach ((string name, Func<ClassTally, double?> of) in figures)
@@ -166,8 +173,13 @@ internal static class ReportPredictions
     private static void WriteWorst(Utf8JsonWriter json, IEnumerable<(int Frame, FrameOutcome? Outcome)> frames)
     {
         json.WriteStartArray("worst");
-        foreach ((int frame, FrameOutcome? outcome) in frames.Where(frame => frame.Outcome?.Errors > 0)
-            .OrderByDescending(frame => frame.Outcome!.Errors).ThenBy(frame => frame.Frame).Take(WorstFrames))
+        foreach (
+            (int frame, FrameOutcome? outcome) in frames
+                .Where(frame => frame.Outcome?.Errors > 0)
+                .OrderByDescending(frame => frame.Outcome!.Errors)
+                .ThenBy(frame => frame.Frame)
+                .Take(WorstFrames)
+        )
         {
             json.WriteStartObject();
             json.WriteNumber("frame", frame);

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Predictions;
 using Harvester.Datasets.Sessions;
@@ -63,27 +59,42 @@ public sealed class ReportWriter
         }
 
         string title = Path.GetFileName(Path.GetFullPath(_session.Folder));
-        ReportPage.Write(stream, $"{title}: session report", ReportPage.ScriptsOfReport, page =>
-        {
-            page.Json(
-                "data",
-                json => ReportData.Write(
-                    json, title, info, statistics, frames, embedder?.Scale ?? 1, _predictions is not null, _limits.ShowsPosts));
-            if (_predictions is { } predictions)
+        ReportPage.Write(
+            stream,
+            $"{title}: session report",
+            ReportPage.ScriptsOfReport,
+            page =>
             {
-                page.Json("predictions", json => ReportPredictions.Write(json, predictions, places, frames));
-            }
+                page.Json(
+                    "data",
+                    json =>
+                        ReportData.Write(
+                            json,
+                            title,
+                            info,
+                            statistics,
+                            frames,
+                            embedder?.Scale ?? 1,
+                            _predictions is not null,
+                            _limits.ShowsPosts
+                        )
+                );
+                if (_predictions is { } predictions)
+                {
+                    page.Json("predictions", json => ReportPredictions.Write(json, predictions, places, frames));
+                }
 
-            if (embedder is null)
-            {
-                WriteLinks(page, PathsOf(frames), folder);
+                if (embedder is null)
+                {
+                    WriteLinks(page, PathsOf(frames), folder);
+                }
+                else
+                {
+                    WritePictures(page, embedder.Embed(PathsOf(frames)));
+                    WriteMasks(page, frames);
+                }
             }
-            else
-            {
-                WritePictures(page, embedder.Embed(PathsOf(frames)));
-                WriteMasks(page, frames);
-            }
-        });
+        );
         return frames.Count;
     }
 
@@ -96,8 +107,10 @@ public sealed class ReportWriter
             labels += frame.Objects.Count;
             if (labels > _limits.Labels)
             {
-                throw new DatasetFormatException($"'{_session.Folder}': the {chosen.Count} frames of the report have more than "
-                    + $"{_limits.Labels} labels together, the limit. Use --frames for fewer.");
+                throw new DatasetFormatException(
+                    $"'{_session.Folder}': the {chosen.Count} frames of the report have more than "
+                        + $"{_limits.Labels} labels together, the limit. Use --frames for fewer."
+                );
             }
 
             frames.Add(frame);
@@ -143,8 +156,14 @@ public sealed class ReportWriter
     /// <summary>Embeds the instance masks, if they are small enough together.</summary>
     private void WriteMasks(MarkupWriter page, List<FrameLabel> frames)
     {
-        (int Index, string Path)[] masks = [.. frames.Index().Where(frame => frame.Item.Mask is not null)
-            .Select(frame => (frame.Index, _session.PathOf(frame.Item.Mask!))).Where(mask => File.Exists(mask.Item2))];
+        (int Index, string Path)[] masks =
+        [
+            .. frames
+                .Index()
+                .Where(frame => frame.Item.Mask is not null)
+                .Select(frame => (frame.Index, _session.PathOf(frame.Item.Mask!)))
+                .Where(mask => File.Exists(mask.Item2)),
+        ];
         if (masks.Sum(mask => new FileInfo(mask.Path).Length) > _limits.MaskBytes)
         {
             return;
@@ -152,8 +171,12 @@ public sealed class ReportWriter
 
         foreach ((int index, string path) in masks)
         {
-            page.Start("script").With("type", "text/plain").With("id", $"mask-{index}")
-                .Base64(InputFile.ReadAllBytes(path, InputFile.MaxPictureBytes)).End().NewLine();
+            page.Start("script")
+                .With("type", "text/plain")
+                .With("id", $"mask-{index}")
+                .Base64(InputFile.ReadAllBytes(path, InputFile.MaxPictureBytes))
+                .End()
+                .NewLine();
         }
     }
 

@@ -1,5 +1,3 @@
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Reports.Colours;
@@ -43,8 +41,11 @@ public static class StillWriter
         Camera camera = LabelCamera.Of(label.Camera);
 
         // Sorted by distance, farthest first, so that the nearest is on top.
-        foreach (ObjectLabel item in label.Objects.Where(item => showsPosts || !Posts.Has(item, label))
-            .OrderByDescending(item => item.DistanceMetres))
+        foreach (
+            ObjectLabel item in label
+                .Objects.Where(item => showsPosts || !Posts.Has(item, label))
+                .OrderByDescending(item => item.DistanceMetres)
+        )
         {
             int colour = ClassColours.Of(item.Class);
             double opacity = 1 - (HiddenFading * (item.OccludedFraction ?? 0));

@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads.Sources;
 using Harvester.Sessions.Roads;

@@ -1,6 +1,4 @@
-using System;
 using System.Globalization;
-using System.IO;
 using System.Text;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
@@ -66,12 +64,13 @@ public static class NodeDatabaseWriter
         InvariantNumber.Append(line, vector.Z, decimals);
     }
 
-    private static string Name(LaneWidthSource source) => source switch
-    {
-        LaneWidthSource.Calibrated => "calibrated",
-        LaneWidthSource.NarrowConstant => "narrowConstant",
-        _ => "constant",
-    };
+    private static string Name(LaneWidthSource source) =>
+        source switch
+        {
+            LaneWidthSource.Calibrated => "calibrated",
+            LaneWidthSource.NarrowConstant => "narrowConstant",
+            _ => "constant",
+        };
 
     private static string Word(bool value) => value ? "true" : "false";
 }

@@ -1,9 +1,5 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.IO.Compression;
 using System.IO.Enumeration;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads.Ipl;
 using Harvester.Datasets.Roads.JsonDump;
@@ -48,8 +44,14 @@ public static class RoadImporter
     {
         if (Directory.Exists(path))
         {
-            return Import(path, lanesIn, [.. InOrder(FilesIn(path))
-                .Select(name => new RoadSource(name, allowance, () => InputFile.OpenRead(InnerPath.Of(path, name))))]);
+            return Import(
+                path,
+                lanesIn,
+                [
+                    .. InOrder(FilesIn(path))
+                        .Select(name => new RoadSource(name, allowance, () => InputFile.OpenRead(InnerPath.Of(path, name)))),
+                ]
+            );
         }
 
         if (!IsZip(path))
@@ -58,8 +60,10 @@ public static class RoadImporter
         }
 
         using var archive = new ZipArchive(InputFile.OpenRead(path));
-        Dictionary<string, ZipArchiveEntry> entries = archive.Entries.Where(entry => entry.Length > 0)
-            .GroupBy(entry => entry.FullName, StringComparer.Ordinal).ToDictionary(same => same.Key, same => same.First());
+        Dictionary<string, ZipArchiveEntry> entries = archive
+            .Entries.Where(entry => entry.Length > 0)
+            .GroupBy(entry => entry.FullName, StringComparer.Ordinal)
+            .ToDictionary(same => same.Key, same => same.First());
         return Import(path, lanesIn, [.. InOrder(entries.Keys).Select(name => new RoadSource(name, allowance, entries[name].Open))]);
     }
 
@@ -75,7 +79,8 @@ public static class RoadImporter
         return new FileSystemEnumerable<string>(
             folder,
             (ref FileSystemEntry entry) => Path.GetRelativePath(folder, entry.ToFullPath()).Replace(Path.DirectorySeparatorChar, '/'),
-            options)
+            options
+        )
         {
             ShouldIncludePredicate = (ref FileSystemEntry entry) => !entry.IsDirectory,
             ShouldRecursePredicate = (ref FileSystemEntry entry) => (entry.Attributes & FileAttributes.ReparsePoint) == 0,
@@ -106,7 +111,8 @@ public static class RoadImporter
             ? YndImporter.Import(cells)
             : throw new DatasetFormatException(
                 $"{path}: unknown road format. Supported: *.ynd.xml, paths.ipl, paths.xml, the JSON dump of nodes, and this project's "
-                + "CSV.");
+                    + "CSV."
+            );
     }
 
     private static Func<RoadSource, RoadImport>? ImporterOf(string head, LanesIn lanesIn) =>

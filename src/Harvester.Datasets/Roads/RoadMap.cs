@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Images;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
@@ -86,20 +82,29 @@ public sealed class RoadMap
 
     /// <summary>Writes the map as SVG, with a path for each kind of road and a legend, unless the map is tiny.</summary>
     /// <exception cref="IOException">The stream cannot be written.</exception>
-    public void WriteSvg(Stream stream) => SvgImage.Write(stream, Size.Width, Size.Height, svg =>
-    {
-        foreach (RoadMapStyle style in RoadMapStyle.InOrder)
-        {
-            svg.Start("path").With("id", style.Name.Replace(' ', '-')).With("fill", "none").With("stroke", ColourOf(style));
-            svg.With("stroke-width", style.Weight * StreetWidthPixels, WidthDecimals).With("stroke-linecap", "round")
-                .WithLines(Lines(style)).End().NewLine();
-        }
+    public void WriteSvg(Stream stream) =>
+        SvgImage.Write(
+            stream,
+            Size.Width,
+            Size.Height,
+            svg =>
+            {
+                foreach (RoadMapStyle style in RoadMapStyle.InOrder)
+                {
+                    svg.Start("path").With("id", style.Name.Replace(' ', '-')).With("fill", "none").With("stroke", ColourOf(style));
+                    svg.With("stroke-width", style.Weight * StreetWidthPixels, WidthDecimals)
+                        .With("stroke-linecap", "round")
+                        .WithLines(Lines(style))
+                        .End()
+                        .NewLine();
+                }
 
-        if (Math.Min(Size.Width, Size.Height) >= MinSideWithLegend)
-        {
-            WriteLegend(svg);
-        }
-    });
+                if (Math.Min(Size.Width, Size.Height) >= MinSideWithLegend)
+                {
+                    WriteLegend(svg);
+                }
+            }
+        );
 
     private static void WriteLegend(MarkupWriter svg)
     {
@@ -113,7 +118,10 @@ public sealed class RoadMap
         {
             int y = lineHeight * (index + 1);
             svg.Start("path").With("stroke", ColourOf(style)).With("stroke-width", 3);
-            svg.WithLines([[new Vector2D(left, y), new Vector2D(left + sampleLength, y)]]).End();
+            svg.WithLines([
+                    [new Vector2D(left, y), new Vector2D(left + sampleLength, y)],
+                ])
+                .End();
             svg.Start("text").With("x", left + sampleLength + 6).With("y", y + 4).Text(style.Name).End().NewLine();
         }
 
@@ -151,8 +159,12 @@ public sealed class RoadMap
             }
 
             Vector2D[] line = [.. Enumerable.Range(0, Pieces + 1).Select(step => Pixel(_curves.Of(i).PointAt(step / (double)Pieces)))];
-            if (line.Max(point => point.X) >= 0 && line.Min(point => point.X) <= Size.Width && line.Max(point => point.Y) >= 0
-                && line.Min(point => point.Y) <= Size.Height)
+            if (
+                line.Max(point => point.X) >= 0
+                && line.Min(point => point.X) <= Size.Width
+                && line.Max(point => point.Y) >= 0
+                && line.Min(point => point.Y) <= Size.Height
+            )
             {
                 yield return line;
             }

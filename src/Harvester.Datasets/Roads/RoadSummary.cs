@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Datasets.Roads;
@@ -25,21 +22,28 @@ public static class RoadSummary
             ("drivable links", Text(network.Links.Count(link => RoadContinuations.IsDrivable(network, link)))),
             ("one-way links", Text(network.Links.Count(link => link.IsOneWay))),
             ("links with a known median", Text(network.Links.Count(link => link.MedianWidth is not null))),
-            ("links with calibrated lanes",
-                Text(Enumerable.Range(0, network.Links.Count).Count(link => lanes.WidthOf(link).Source == LaneWidthSource.Calibrated))),
+            (
+                "links with calibrated lanes",
+                Text(Enumerable.Range(0, network.Links.Count).Count(link => lanes.WidthOf(link).Source == LaneWidthSource.Calibrated))
+            ),
         };
         rows.AddRange(Counts<RoadNodeFlags>("node", flag => network.Nodes.Count(node => node.Flags.HasFlag(flag))));
         rows.AddRange(Counts<RoadLinkFlags>("link", flag => network.Links.Count(link => link.Flags.HasFlag(flag))));
-        rows.AddRange(network.Links
-            .GroupBy(link => (Max: Math.Max(link.LanesForward, link.LanesBackward), Min: Math.Min(link.LanesForward, link.LanesBackward)))
-            .OrderBy(lanes => lanes.Key)
-            .Select(lanes => (FormattableString.Invariant($"links with {lanes.Key.Max} + {lanes.Key.Min} lanes"), Text(lanes.Count()))));
+        rows.AddRange(
+            network
+                .Links.GroupBy(link =>
+                    (Max: Math.Max(link.LanesForward, link.LanesBackward), Min: Math.Min(link.LanesForward, link.LanesBackward))
+                )
+                .OrderBy(lanes => lanes.Key)
+                .Select(lanes => (FormattableString.Invariant($"links with {lanes.Key.Max} + {lanes.Key.Min} lanes"), Text(lanes.Count())))
+        );
         return rows;
     }
 
     private static IEnumerable<(string, string)> Counts<T>(string kind, Func<T, int> count)
         where T : struct, Enum =>
-        Enum.GetValues<T>().Where(flag => Convert.ToInt32(flag, null) != 0)
+        Enum.GetValues<T>()
+            .Where(flag => Convert.ToInt32(flag, null) != 0)
             .Select(flag => (Name: $"{kind} flag {flag}", Count: count(flag)))
             .Where(row => row.Count > 0)
             .Select(row => (row.Name, Text(row.Count)));

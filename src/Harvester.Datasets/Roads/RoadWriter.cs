@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using System.IO.Compression;
 using Harvester.Datasets.Files;
 using Harvester.Geometry.Roads;
@@ -16,12 +14,16 @@ public static class RoadWriter
     {
         ArgumentNullException.ThrowIfNull(network);
         ArgumentException.ThrowIfNullOrEmpty(path);
-        OutputFile.Write(path, file =>
-        {
-            using Stream? packed = path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase)
-                ? new GZipStream(file, CompressionLevel.Optimal, leaveOpen: true) : null;
-            using var writer = new StreamWriter(packed ?? file, leaveOpen: true);
-            RoadCsvWriter.Write(network, writer);
-        });
+        OutputFile.Write(
+            path,
+            file =>
+            {
+                using Stream? packed = path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase)
+                    ? new GZipStream(file, CompressionLevel.Optimal, leaveOpen: true)
+                    : null;
+                using var writer = new StreamWriter(packed ?? file, leaveOpen: true);
+                RoadCsvWriter.Write(network, writer);
+            }
+        );
     }
 }

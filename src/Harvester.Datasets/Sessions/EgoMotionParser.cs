@@ -9,12 +9,14 @@ internal static class EgoMotionParser
 {
     /// <summary>The motion; null in sessions of earlier versions and of games that do not report it.</summary>
     /// <exception cref="DatasetFormatException">A field is invalid.</exception>
-    public static EgoMotion? Parse(JsonFields ego) => !ego.Has("yawRate") ? null
-        : new EgoMotion(ego.Number("yawRate"), ego.Number("acceleration"))
-        {
-            Steering = ego.OptionalNumber("steering"),
-            Throttle = ego.OptionalNumber("throttle"),
-            Brake = ego.OptionalNumber("brake"),
-            Manoeuvre = ego.Has("manoeuvre") ? ego.Name<Manoeuvre>("manoeuvre") : null,
-        };
+    public static EgoMotion? Parse(JsonFields ego) =>
+        !ego.Has("yawRate")
+            ? null
+            : new EgoMotion(ego.Number("yawRate"), ego.Number("acceleration"))
+            {
+                Steering = ego.OptionalNumber("steering"),
+                Throttle = ego.OptionalNumber("throttle"),
+                Brake = ego.OptionalNumber("brake"),
+                Manoeuvre = ego.Has("manoeuvre") ? ego.Name<Manoeuvre>("manoeuvre") : null,
+            };
 }

@@ -1,6 +1,4 @@
-using System;
 using System.Globalization;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
@@ -52,7 +50,8 @@ public static class FrameLabelParser
             ReadCamera(frame.Fields("camera")),
             ReadEgo(frame.Fields("ego")),
             ReadEnvironment(frame.Fields("environment")),
-            [.. frame.List("objects").Select(ReadObject)])
+            [.. frame.List("objects").Select(ReadObject)]
+        )
         {
             Moment = frame.Has("moment") ? frame.Integer("moment") : null,
             View = frame.OptionalText("view"),
@@ -92,27 +91,45 @@ public static class FrameLabelParser
         {
             JsonFields mask = label.Fields("amodalMask");
             int[] box = WholeNumbers(mask, "box");
-            amodal = box.Length == 4 ? new AmodalMask(box[0], box[1], box[2], box[3], WholeNumbers(mask, "runs"))
-                : throw new DatasetFormatException("The box of amodalMask must have 4 numbers: left, top, width and height.");
+            amodal =
+                box.Length == 4
+                    ? new AmodalMask(box[0], box[1], box[2], box[3], WholeNumbers(mask, "runs"))
+                    : throw new DatasetFormatException("The box of amodalMask must have 4 numbers: left, top, width and height.");
         }
 
         Box2D? whole = label.Has("box2dWhole") ? ReadBox(label, "box2dWhole") : null;
         return whole == amodal?.Box ? amodal : throw new DatasetFormatException("box2dWhole must be the box of amodalMask.");
     }
 
-    private static int[] WholeNumbers(JsonFields mask, string name) => [.. mask.Numbers(name).Select(value =>
-        value is >= 0 and <= int.MaxValue && value == Math.Floor(value) ? (int)value
-            : throw new DatasetFormatException($"{name} of amodalMask must hold whole numbers of at least 0."))];
+    private static int[] WholeNumbers(JsonFields mask, string name) =>
+        [
+            .. mask.Numbers(name)
+                .Select(value =>
+                    value is >= 0 and <= int.MaxValue && value == Math.Floor(value)
+                        ? (int)value
+                        : throw new DatasetFormatException($"{name} of amodalMask must hold whole numbers of at least 0.")
+                ),
+        ];
 
-    private static RayCounts ReadRays(JsonFields rays) => new(
-        rays.Integer("map"), rays.Integer("occlusion"), rays.Integer("faces"), rays.Integer("ignoreRegions"), rays.Integer("lanes"),
-
-        // Sessions of earlier versions have no joints.
-        rays.Has("joints") ? rays.Integer("joints") : 0)
-    {
-        Channels = FrameChannels.All.Select(channel => channel.RaysKey).OfType<string>().Where(rays.Has)
-            .ToDictionary(key => key, rays.Integer),
-    };
+    private static RayCounts ReadRays(JsonFields rays) =>
+        new(
+            rays.Integer("map"),
+            rays.Integer("occlusion"),
+            rays.Integer("faces"),
+            rays.Integer("ignoreRegions"),
+            rays.Integer("lanes"),
+            // Sessions of earlier versions have no joints.
+            rays.Has("joints")
+                ? rays.Integer("joints")
+                : 0
+        )
+        {
+            Channels = FrameChannels
+                .All.Select(channel => channel.RaysKey)
+                .OfType<string>()
+                .Where(rays.Has)
+                .ToDictionary(key => key, rays.Integer),
+        };
 
     private static CameraLabel ReadCamera(JsonFields camera)
     {
@@ -129,14 +146,16 @@ public static class FrameLabelParser
             camera.Number("fy"),
             camera.Number("cx"),
             camera.Number("cy"),
-            new DistortionLabel(lens.Number("focalScale"), lens.Number("k1"), lens.Number("k2")));
+            new DistortionLabel(lens.Number("focalScale"), lens.Number("k1"), lens.Number("k2"))
+        );
     }
 
     private static ImageSize SizeOf(JsonFields camera)
     {
         int width = camera.Integer("width");
         int height = camera.Integer("height");
-        return DeclaredSize.Problem(width, height) is { } problem ? throw new DatasetFormatException($"camera has {problem}.")
+        return DeclaredSize.Problem(width, height) is { } problem
+            ? throw new DatasetFormatException($"camera has {problem}.")
             : new ImageSize(width, height);
     }
 
@@ -186,18 +205,22 @@ public static class FrameLabelParser
         };
     }
 
-    private static IgnoreRegion ReadIgnoreRegion(JsonFields region) => new(
-        region.Name<IgnoreReason>("reason"),
-        region.Name<ObjectClass>("class"),
-        ReadBox(region, "box2d"),
-        region.Number("distanceMetres"));
+    private static IgnoreRegion ReadIgnoreRegion(JsonFields region) =>
+        new(
+            region.Name<IgnoreReason>("reason"),
+            region.Name<ObjectClass>("class"),
+            ReadBox(region, "box2d"),
+            region.Number("distanceMetres")
+        );
 
-    private static FaceLabel ReadFace(JsonFields face) => new(
-        face.Integer("face"),
-        face.OptionalText("mutcd"),
-        face.Number("facingAngleDegrees"),
-        face.Name<Provenance>("provenance"),
-        face.Has("light") ? ReadLight(face.Fields("light")) : null);
+    private static FaceLabel ReadFace(JsonFields face) =>
+        new(
+            face.Integer("face"),
+            face.OptionalText("mutcd"),
+            face.Number("facingAngleDegrees"),
+            face.Name<Provenance>("provenance"),
+            face.Has("light") ? ReadLight(face.Fields("light")) : null
+        );
 
     private static LightLabel ReadLight(JsonFields light) =>
         new(light.Name<LightState>("state"), light.Name<LightMethod>("method"), light.OptionalNumber("litFraction"));

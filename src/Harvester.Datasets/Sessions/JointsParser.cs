@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
@@ -20,7 +17,8 @@ internal static class JointsParser
         if (!joints.Select(joint => joint.Text("joint")).SequenceEqual(JointNames.All, StringComparer.Ordinal))
         {
             throw new DatasetFormatException(
-                $"joints must be the {Skeleton.Count} joints in their order: {string.Join(", ", JointNames.All)}.");
+                $"joints must be the {Skeleton.Count} joints in their order: {string.Join(", ", JointNames.All)}."
+            );
         }
 
         return new JointsLabel(read, label.Has("box2dJoints") ? FrameLabelParser.ReadBox(label, "box2dJoints") : null);
@@ -30,6 +28,9 @@ internal static class JointsParser
     {
         double[]? pixel = joint.Has("pixel") ? joint.Numbers("pixel", 2) : null;
         return new JointLabel(
-            joint.Vector("position"), pixel is null ? null : new Vector2D(pixel[0], pixel[1]), joint.Name<JointVisibility>("visibility"));
+            joint.Vector("position"),
+            pixel is null ? null : new Vector2D(pixel[0], pixel[1]),
+            joint.Name<JointVisibility>("visibility")
+        );
     }
 }

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Datasets.Files;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Sessions;

@@ -1,4 +1,3 @@
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
@@ -11,27 +10,28 @@ namespace Harvester.Datasets.Sessions;
 /// <summary>Reads the lanes of a label line.</summary>
 internal static class LanesParser
 {
-    public static LanesLabel Parse(JsonFields lanes) => new()
-    {
-        Status = lanes.Name<LaneStatus>("status"),
-        Source = lanes.Text("source"),
-        Confidence = lanes.Number("confidence"),
-        InJunction = lanes.Boolean("inJunction"),
-        LaneCount = lanes.Has("laneCount") ? lanes.Integer("laneCount") : null,
-        Lane = lanes.Has("lane") ? lanes.Integer("lane") : null,
-        LaneWidthMetres = lanes.OptionalNumber("laneWidthMetres"),
-        LaneWidthSource = lanes.Has("laneWidthSource") ? lanes.Name<LaneWidthSource>("laneWidthSource") : null,
-        OffsetFromLaneCentreMetres = lanes.OptionalNumber("offsetFromLaneCentreMetres"),
-        LookAheadMetres = lanes.Number("lookAheadMetres"),
-        CurvaturePerMetre = lanes.Number("curvaturePerMetre"),
-        IsFast = lanes.Boolean("fast"),
-        Indicators = ReadIndicators(lanes.Fields("indicators"), lanes.Fields("valid")),
-        TorcsEquivalent = ReadIndicators(lanes.Fields("torcsEquivalent"), lanes.Fields("valid")),
-        IndicatorsAtCar = ReadIndicators(lanes.Fields("atCar").Fields("indicators"), lanes.Fields("atCar").Fields("valid")),
-        Vehicles = [.. lanes.List("vehicles").Select(ReadVehicle)],
-        Boundaries = [.. lanes.List("boundaries").Select(ReadLine)],
-        Markings = lanes.Has("markings") ? [.. lanes.List("markings").Select(ReadMarking)] : null,
-    };
+    public static LanesLabel Parse(JsonFields lanes) =>
+        new()
+        {
+            Status = lanes.Name<LaneStatus>("status"),
+            Source = lanes.Text("source"),
+            Confidence = lanes.Number("confidence"),
+            InJunction = lanes.Boolean("inJunction"),
+            LaneCount = lanes.Has("laneCount") ? lanes.Integer("laneCount") : null,
+            Lane = lanes.Has("lane") ? lanes.Integer("lane") : null,
+            LaneWidthMetres = lanes.OptionalNumber("laneWidthMetres"),
+            LaneWidthSource = lanes.Has("laneWidthSource") ? lanes.Name<LaneWidthSource>("laneWidthSource") : null,
+            OffsetFromLaneCentreMetres = lanes.OptionalNumber("offsetFromLaneCentreMetres"),
+            LookAheadMetres = lanes.Number("lookAheadMetres"),
+            CurvaturePerMetre = lanes.Number("curvaturePerMetre"),
+            IsFast = lanes.Boolean("fast"),
+            Indicators = ReadIndicators(lanes.Fields("indicators"), lanes.Fields("valid")),
+            TorcsEquivalent = ReadIndicators(lanes.Fields("torcsEquivalent"), lanes.Fields("valid")),
+            IndicatorsAtCar = ReadIndicators(lanes.Fields("atCar").Fields("indicators"), lanes.Fields("atCar").Fields("valid")),
+            Vehicles = [.. lanes.List("vehicles").Select(ReadVehicle)],
+            Boundaries = [.. lanes.List("boundaries").Select(ReadLine)],
+            Markings = lanes.Has("markings") ? [.. lanes.List("markings").Select(ReadMarking)] : null,
+        };
 
     private static LaneIndicators ReadIndicators(JsonFields values, JsonFields valid) =>
         LaneIndicators.From(indicator => new Indicator(values.Number(indicator.Name), valid.Boolean(indicator.Name)));
@@ -42,7 +42,8 @@ internal static class LanesParser
             vehicle.Integer("lane"),
             vehicle.Boolean("oncoming"),
             vehicle.Number("distanceMetres"),
-            vehicle.Number("bumperDistanceMetres"));
+            vehicle.Number("bumperDistanceMetres")
+        );
 
     private static LaneLineView ReadMarking(JsonFields marking)
     {
@@ -54,7 +55,10 @@ internal static class LanesParser
             {
                 Points = [.. line.Points.Select((point, i) => point with { IsPainted = painted[i] == true })],
                 Paint = new MarkingPaint(
-                    marking.Name<MarkingStyle>("style"), marking.Name<MarkingColour>("colour"), marking.Number("widthMetres")),
+                    marking.Name<MarkingStyle>("style"),
+                    marking.Name<MarkingColour>("colour"),
+                    marking.Number("widthMetres")
+                ),
             };
     }
 
@@ -72,6 +76,7 @@ internal static class LanesParser
         return new LaneLineView(
             line.Integer("index"),
             line.Text("side") == "left",
-            [.. points.Select((point, i) => new LaneLinePoint(point, inCamera[i], pixels[i], hidden[i]))]);
+            [.. points.Select((point, i) => new LaneLinePoint(point, inCamera[i], pixels[i], hidden[i]))]
+        );
     }
 }

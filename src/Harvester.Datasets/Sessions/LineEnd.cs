@@ -1,4 +1,3 @@
-using System.IO;
 using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Sessions;

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
@@ -25,19 +22,20 @@ internal static class MotionParser
 
     /// <summary>The samples; null if the label has no motion.</summary>
     /// <exception cref="DatasetFormatException">A row is invalid.</exception>
-    public static IReadOnlyList<MotionSample>? Parse(JsonFields frame) =>
-        frame.Has(Field) ? [.. frame.Rows(Field).Select(SampleOf)] : null;
+    public static IReadOnlyList<MotionSample>? Parse(JsonFields frame) => frame.Has(Field) ? [.. frame.Rows(Field).Select(SampleOf)] : null;
 
     private static MotionSample SampleOf(double[] row, int index)
     {
         if (row.Length is not (PoseNumbers or RateNumbers or ControlNumbers))
         {
-            throw new DatasetFormatException(FormattableString.Invariant(
-                $"{Field}[{index}] has {row.Length} numbers instead of {PoseNumbers}, {RateNumbers} or {ControlNumbers}."));
+            throw new DatasetFormatException(
+                FormattableString.Invariant(
+                    $"{Field}[{index}] has {row.Length} numbers instead of {PoseNumbers}, {RateNumbers} or {ControlNumbers}."
+                )
+            );
         }
 
-        var sample = new MotionSample(
-            row[0], VectorAt(row, 1), VectorAt(row, 4), VectorAt(row, 7), VectorAt(row, 10), MotionOf(row));
+        var sample = new MotionSample(row[0], VectorAt(row, 1), VectorAt(row, 4), VectorAt(row, 7), VectorAt(row, 10), MotionOf(row));
         try
         {
             _ = sample.Pose;
@@ -46,13 +44,21 @@ internal static class MotionParser
         catch (ArgumentException e)
         {
             throw new DatasetFormatException(
-                FormattableString.Invariant($"{Field}[{index}] has no unit vectors at right angles for right and forward."), e);
+                FormattableString.Invariant($"{Field}[{index}] has no unit vectors at right angles for right and forward."),
+                e
+            );
         }
     }
 
-    private static EgoMotion? MotionOf(double[] row) => row.Length == PoseNumbers ? null
+    private static EgoMotion? MotionOf(double[] row) =>
+        row.Length == PoseNumbers ? null
         : row.Length == RateNumbers ? new EgoMotion(row[13], row[14])
-        : new EgoMotion(row[13], row[14]) { Steering = row[15], Throttle = row[16], Brake = row[17] };
+        : new EgoMotion(row[13], row[14])
+        {
+            Steering = row[15],
+            Throttle = row[16],
+            Brake = row[17],
+        };
 
     private static Vector3D VectorAt(double[] row, int index) => new(row[index], row[index + 1], row[index + 2]);
 }

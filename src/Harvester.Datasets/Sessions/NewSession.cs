@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
-using System.IO;
-using System.Linq;
 using Harvester.Capture.Storage;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
@@ -47,13 +43,17 @@ internal sealed class NewSession
     {
         Directory.CreateDirectory(folder);
         string text = "";
-        WriteLines(folder, sync, (labels, manifest) =>
-        {
-            var session = new NewSession(folder, sync, WriterOf(labels, manifest), null);
-            content(session);
-            text = header();
-            session.End(manifest, text);
-        });
+        WriteLines(
+            folder,
+            sync,
+            (labels, manifest) =>
+            {
+                var session = new NewSession(folder, sync, WriterOf(labels, manifest), null);
+                content(session);
+                text = header();
+                session.End(manifest, text);
+            }
+        );
         AtomicFile.Write(Path.Combine(folder, SessionInfo.FileName), text, sync != SyncMode.Never);
     }
 
@@ -75,7 +75,8 @@ internal sealed class NewSession
         bool resume,
         long minFreeBytes,
         Action<NewSession> content,
-        Func<string> header)
+        Func<string> header
+    )
     {
         if (!UnfinishedMark.IsIn(folder))
         {
@@ -98,16 +99,20 @@ internal sealed class NewSession
 
         session.Commit();
         string text = header();
-        WriteLines(folder, sync, (labels, manifest) =>
-        {
-            Action<string, string> write = WriterOf(labels, manifest);
-            foreach ((string manifestLine, string label) in journal.Read())
+        WriteLines(
+            folder,
+            sync,
+            (labels, manifest) =>
             {
-                write(manifestLine, label);
-            }
+                Action<string, string> write = WriterOf(labels, manifest);
+                foreach ((string manifestLine, string label) in journal.Read())
+                {
+                    write(manifestLine, label);
+                }
 
-            session.End(manifest, text);
-        });
+                session.End(manifest, text);
+            }
+        );
         AtomicFile.Write(Path.Combine(folder, SessionInfo.FileName), text, sync != SyncMode.Never);
     }
 
@@ -151,14 +156,19 @@ internal sealed class NewSession
     }
 
     private static void WriteLines(string folder, SyncMode sync, Action<TextWriter, TextWriter> write) =>
-        AtomicLines.Write(Path.Combine(folder, SessionReader.LabelsFile), sync != SyncMode.Never, labels =>
-            AtomicLines.Write(Path.Combine(folder, Manifest.FileName), sync != SyncMode.Never, manifest => write(labels, manifest)));
+        AtomicLines.Write(
+            Path.Combine(folder, SessionReader.LabelsFile),
+            sync != SyncMode.Never,
+            labels =>
+                AtomicLines.Write(Path.Combine(folder, Manifest.FileName), sync != SyncMode.Never, manifest => write(labels, manifest))
+        );
 
-    private static Action<string, string> WriterOf(TextWriter labels, TextWriter manifest) => (manifestLine, label) =>
-    {
-        manifest.WriteLine(manifestLine);
-        labels.WriteLine(label);
-    };
+    private static Action<string, string> WriterOf(TextWriter labels, TextWriter manifest) =>
+        (manifestLine, label) =>
+        {
+            manifest.WriteLine(manifestLine);
+            labels.WriteLine(label);
+        };
 
     private void Commit()
     {
@@ -169,8 +179,11 @@ internal sealed class NewSession
 
     private void End(TextWriter manifest, string header)
     {
-        foreach (KeyValuePair<string, FileDigest> file in _files.Append(new(SessionInfo.FileName, FileDigest.Of(header)))
-            .OrderBy(file => file.Key, StringComparer.Ordinal))
+        foreach (
+            KeyValuePair<string, FileDigest> file in _files
+                .Append(new(SessionInfo.FileName, FileDigest.Of(header)))
+                .OrderBy(file => file.Key, StringComparer.Ordinal)
+        )
         {
             manifest.WriteLine(Manifest.FileLine(file.Key, file.Value));
         }

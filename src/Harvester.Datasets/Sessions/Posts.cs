@@ -1,4 +1,3 @@
-using System.Linq;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 
@@ -11,6 +10,7 @@ internal static class Posts
     /// <param name="label">The label.</param>
     /// <param name="frame">Its frame.</param>
     public static bool Has(ObjectLabel label, FrameLabel frame) =>
-        label.Parent is null && label.Class is ObjectClass.Sign or ObjectClass.TrafficLight
+        label.Parent is null
+        && label.Class is ObjectClass.Sign or ObjectClass.TrafficLight
         && (label.KnownParts ?? frame.Objects.Count(other => other.Parent == label.Id)) > 0;
 }

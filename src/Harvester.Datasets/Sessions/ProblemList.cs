@@ -1,5 +1,4 @@
 using System.Collections;
-using System.Collections.Generic;
 
 namespace Harvester.Datasets.Sessions;
 
@@ -28,8 +27,14 @@ internal sealed class ProblemList : IReadOnlyList<SessionProblem>
             return;
         }
 
-        _problems.Add(_problems.Count < MaxProblems ? problem
-            : problem with { Message = $"more than {MaxProblems} problems; this and later ones are not listed." });
+        _problems.Add(
+            _problems.Count < MaxProblems
+                ? problem
+                : problem with
+                {
+                    Message = $"more than {MaxProblems} problems; this and later ones are not listed.",
+                }
+        );
     }
 
     /// <summary>Adds problems as long as there is room.</summary>

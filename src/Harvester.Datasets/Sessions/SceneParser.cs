@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
@@ -48,7 +45,8 @@ internal static class SceneParser
                 Motion = EgoMotionParser.Parse(ego),
             },
             [.. entities.Select(EntityOf)],
-            label.Environment);
+            label.Environment
+        );
         Dictionary<int, int> ids = IdsOf(entities);
         RecordedOcclusion[] occlusions = [.. scene.List("occlusions").Select(OcclusionOf)];
         HashSet<int> handles = [.. snapshot.Entities.Select(entity => entity.Handle)];
@@ -56,11 +54,18 @@ internal static class SceneParser
             ? throw new DatasetFormatException($"occlusions: {stray.Handle} is not the handle of an entity.")
             : new RecordedScene(
                 snapshot,
-                lens.Checked(() => new Lens(
-                    lens.Number("focalScale"), lens.Number("centreOffsetX"), lens.Number("centreOffsetY"), lens.Number("k1"),
-                        lens.Number("k2"))),
+                lens.Checked(() =>
+                    new Lens(
+                        lens.Number("focalScale"),
+                        lens.Number("centreOffsetX"),
+                        lens.Number("centreOffsetY"),
+                        lens.Number("k1"),
+                        lens.Number("k2")
+                    )
+                ),
                 ids,
-                occlusions)
+                occlusions
+            )
             {
                 // Scenes of earlier versions have none.
                 Distant = scene.Has("distant") ? [.. scene.List("distant").Select(DistantOf)] : [],
@@ -88,20 +93,22 @@ internal static class SceneParser
         return ids;
     }
 
-    private static EntityState EntityOf(JsonFields entity) => new(
-        entity.Integer("handle"),
-        entity.Name<ObjectClass>("class"),
-        entity.Text("model"),
-        PoseOf(entity),
-        entity.Vector("modelMin"),
-        entity.Vector("modelMax"),
-        entity.Vector("velocity"))
-    {
-        HasRider = entity.OptionalBoolean("hasRider"),
-        VehicleHandle = entity.Has("vehicle") ? entity.Integer("vehicle") : null,
-        Lights = VehicleLightsParser.Parse(entity),
-        Skeleton = entity.Has("joints") ? SkeletonOf(entity) : null,
-    };
+    private static EntityState EntityOf(JsonFields entity) =>
+        new(
+            entity.Integer("handle"),
+            entity.Name<ObjectClass>("class"),
+            entity.Text("model"),
+            PoseOf(entity),
+            entity.Vector("modelMin"),
+            entity.Vector("modelMax"),
+            entity.Vector("velocity")
+        )
+        {
+            HasRider = entity.OptionalBoolean("hasRider"),
+            VehicleHandle = entity.Has("vehicle") ? entity.Integer("vehicle") : null,
+            Lights = VehicleLightsParser.Parse(entity),
+            Skeleton = entity.Has("joints") ? SkeletonOf(entity) : null,
+        };
 
     private static Skeleton SkeletonOf(JsonFields entity)
     {
@@ -111,14 +118,16 @@ internal static class SceneParser
 
     private static DistantEntity DistantOf(JsonFields entity) => new(EntityOf(entity), entity.Name<Sight>("sight"));
 
-    private static RecordedOcclusion OcclusionOf(JsonFields found) => new(
-        found.Integer("handle"),
-        found.Has("face") ? found.Integer("face") : null,
-        found.Integer("id"),
-        found.Name<Sight>("sight"),
-        found.Name<OcclusionMethod>("method"),
-        found.Number("occludedFraction"),
-        found.Has("setLight") ? found.Name<LightState>("setLight") : null);
+    private static RecordedOcclusion OcclusionOf(JsonFields found) =>
+        new(
+            found.Integer("handle"),
+            found.Has("face") ? found.Integer("face") : null,
+            found.Integer("id"),
+            found.Name<Sight>("sight"),
+            found.Name<OcclusionMethod>("method"),
+            found.Number("occludedFraction"),
+            found.Has("setLight") ? found.Name<LightState>("setLight") : null
+        );
 
     private static Pose PoseOf(JsonFields fields) => new(fields.Vector("position"), fields.Axes());
 }

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text.RegularExpressions;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
@@ -16,13 +12,21 @@ public static class SessionFolder
     public const string Report = "report.html";
 
     private static readonly string[] Files =
-        [SessionInfo.FileName, SessionReader.LabelsFile, Manifest.FileName, Report, SessionJournal.FileName];
+    [
+        SessionInfo.FileName,
+        SessionReader.LabelsFile,
+        Manifest.FileName,
+        Report,
+        SessionJournal.FileName,
+    ];
     private static readonly IReadOnlyList<string> Folders = FrameChannels.Folders;
     private static readonly string[] Common = [Path.GetFileName(FramePaths.Faces), Path.GetFileName(FramePaths.Roads)];
     private static readonly Regex FrameFile = new(@"\A[0-9]{8,}\.(png|bmp|jpg|json|bin)\z", RegexOptions.CultureInvariant);
 
-    private static readonly Regex PairFile =
-        new(@"\A[a-z]+(-[0-9]{2})?(-without-[A-Za-z0-9-]{1,60})?\.(png|bmp|jpg)\z", RegexOptions.CultureInvariant);
+    private static readonly Regex PairFile = new(
+        @"\A[a-z]+(-[0-9]{2})?(-without-[A-Za-z0-9-]{1,60})?\.(png|bmp|jpg)\z",
+        RegexOptions.CultureInvariant
+    );
 
     private static readonly Regex View = new(@"\A[A-Za-z0-9][A-Za-z0-9_-]{0,39}\z", RegexOptions.CultureInvariant);
 
@@ -109,18 +113,34 @@ public static class SessionFolder
     }
 
     // A folder that is a link is deleted as a link; what it leads to stays.
-    private static string? ForeignInSubfolder(string path) => new FileInfo(path).LinkTarget is not null ? null
-        : Directory.EnumerateFiles(path).Select(Path.GetFileName).OfType<string>()
-            .FirstOrDefault(name => TargetOf(name) is var target && !FrameFile.IsMatch(target) && !Common.Contains(target))
-            ?? Directory.EnumerateDirectories(path).Select(view => (Name: Path.GetFileName(view), Inner: ForeignInView(view)))
-                .Where(view => view.Inner is not null).Select(view => $"{view.Name}/{view.Inner}".TrimEnd('/')).FirstOrDefault();
+    private static string? ForeignInSubfolder(string path) =>
+        new FileInfo(path).LinkTarget is not null
+            ? null
+            : Directory
+                .EnumerateFiles(path)
+                .Select(Path.GetFileName)
+                .OfType<string>()
+                .FirstOrDefault(name => TargetOf(name) is var target && !FrameFile.IsMatch(target) && !Common.Contains(target))
+                ?? Directory
+                    .EnumerateDirectories(path)
+                    .Select(view => (Name: Path.GetFileName(view), Inner: ForeignInView(view)))
+                    .Where(view => view.Inner is not null)
+                    .Select(view => $"{view.Name}/{view.Inner}".TrimEnd('/'))
+                    .FirstOrDefault();
 
     /// <summary>What does not belong into the folder of a view or LiDAR; empty for the folder itself, which has no such name.</summary>
-    private static string? ForeignInView(string path) => !View.IsMatch(Path.GetFileName(path)) ? ""
+    private static string? ForeignInView(string path) =>
+        !View.IsMatch(Path.GetFileName(path)) ? ""
         : new FileInfo(path).LinkTarget is not null ? null
-        : Directory.EnumerateFileSystemEntries(path).Select(Path.GetFileName).OfType<string>()
-            .FirstOrDefault(name => TargetOf(name) is var target && !FrameFile.IsMatch(target)
-                && !(PairFile.IsMatch(target) && Path.GetFileName(Path.GetDirectoryName(path)) == FramePaths.Pairs));
+        : Directory
+            .EnumerateFileSystemEntries(path)
+            .Select(Path.GetFileName)
+            .OfType<string>()
+            .FirstOrDefault(name =>
+                TargetOf(name) is var target
+                && !FrameFile.IsMatch(target)
+                && !(PairFile.IsMatch(target) && Path.GetFileName(Path.GetDirectoryName(path)) == FramePaths.Pairs)
+            );
 
     private static bool IsOwn(string name) => UnfinishedMark.Is(name) || Files.Contains(TargetOf(name)) || IsLock(TargetOf(name));
 

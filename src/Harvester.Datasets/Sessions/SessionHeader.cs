@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using System.Text;
 using System.Text.Encodings.Web;
 using System.Text.Json;
@@ -28,10 +26,13 @@ internal sealed class SessionHeader
     /// <exception cref="DatasetFormatException">The text is not a shard.</exception>
     public Shard? Shard
     {
-        get => (Json[Settings] as JsonObject)?[ShardKey] is { } text
-            ? ShardText.Parse(text.ToString())
-                ?? throw new DatasetFormatException($"{SessionInfo.FileName}: settings.shard must be a shard such as 1/8, not '{text}'.")
-            : null;
+        get =>
+            (Json[Settings] as JsonObject)?[ShardKey] is { } text
+                ? ShardText.Parse(text.ToString())
+                    ?? throw new DatasetFormatException(
+                        $"{SessionInfo.FileName}: settings.shard must be a shard such as 1/8, not '{text}'."
+                    )
+                : null;
         set
         {
             var settings = Json[Settings] as JsonObject;
@@ -76,8 +77,11 @@ internal sealed class SessionHeader
                 text.Append('{');
                 foreach ((KeyValuePair<string, JsonNode?> member, int index) in members.Select((member, index) => (member, index)))
                 {
-                    text.Append(index > 0 ? "," : "").Append('\n').Append(' ', 2 * (depth + 1))
-                        .Append(JsonSerializer.Serialize(member.Key, Relaxed)).Append(": ");
+                    text.Append(index > 0 ? "," : "")
+                        .Append('\n')
+                        .Append(' ', 2 * (depth + 1))
+                        .Append(JsonSerializer.Serialize(member.Key, Relaxed))
+                        .Append(": ");
                     Append(text, member.Value, depth + 1);
                 }
 

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
@@ -109,7 +106,8 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
     {
         int width = image.Integer("width");
         int height = image.Integer("height");
-        return DeclaredSize.Problem(width, height) is { } problem ? throw new DatasetFormatException($"image has {problem}.")
+        return DeclaredSize.Problem(width, height) is { } problem
+            ? throw new DatasetFormatException($"image has {problem}.")
             : new ImageSize(width, height);
     }
 
@@ -140,20 +138,28 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
             session.Has("seed") ? session.LongInteger("seed") : null,
             SizeOf(image),
             session.Has("counters") ? session.Fields("counters").Integer("captured") : null,
-            session.OptionalText("fault"))
+            session.OptionalText("fault")
+        )
         {
             Rig = session.Has("rig") ? RigOf(session) : null,
             RateHz = session.Has("options") ? session.Fields("options").OptionalNumber("rateHz") : null,
-            KeepsScenes = session.Has("options") && session.Fields("options").Has("scenes") ? session.Fields("options").Boolean("scenes")
-                : null,
+            KeepsScenes =
+                session.Has("options") && session.Fields("options").Has("scenes") ? session.Fields("options").Boolean("scenes") : null,
             HasManifest = session.Has("manifest") && session.Boolean("manifest"),
-            Discards = session.Has("counters") && session.Fields("counters").Has("discards")
-                ? DiscardsOf(session.Fields("counters").Fields("discards")) : [],
+            Discards =
+                session.Has("counters") && session.Fields("counters").Has("discards")
+                    ? DiscardsOf(session.Fields("counters").Fields("discards"))
+                    : [],
             PictureWarning = session.Has("pictures") ? session.Fields("pictures").OptionalText("warning") : null,
-            DoesDisplayStay = session.Has("start") && session.Fields("start") is var start && start.Has("display")
+            DoesDisplayStay =
+                session.Has("start")
+                && session.Fields("start") is var start
+                && start.Has("display")
                 && start.Fields("display").OptionalText("state") == "stays",
-            ColourState = session.Has("start") && session.Fields("start") is var first && first.Has("colours")
-                ? first.Fields("colours").OptionalText("state") : null,
+            ColourState =
+                session.Has("start") && session.Fields("start") is var first && first.Has("colours")
+                    ? first.Fields("colours").OptionalText("state")
+                    : null,
             IsFreezeGiven = session.Has("options") && session.Fields("options").OptionalText("freezeBy") is not (null or "auto"),
             Unchecked = session.Has("counters") && session.Has("start") ? [.. UncheckedOf(session)] : [],
         };

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
 using Harvester.Sessions.Files;
@@ -24,9 +19,7 @@ public sealed class SessionReader
     /// <exception cref="DirectoryNotFoundException">There is no such folder.</exception>
     /// <exception cref="FileNotFoundException">The folder is not a session.</exception>
     public SessionReader(string folder, CancellationToken cancellation = default)
-        : this(folder, cancellation, SessionInfo.FileName)
-    {
-    }
+        : this(folder, cancellation, SessionInfo.FileName) { }
 
     private SessionReader(string folder, CancellationToken cancellation, params string[] marks)
     {
@@ -34,7 +27,8 @@ public sealed class SessionReader
         if (!Directory.Exists(folder))
         {
             throw new DirectoryNotFoundException(
-                File.Exists(folder) ? $"'{folder}' is a file. Name the folder of a session." : $"Folder not found: '{folder}'.");
+                File.Exists(folder) ? $"'{folder}' is a file. Name the folder of a session." : $"Folder not found: '{folder}'."
+            );
         }
 
         Folder = folder;
@@ -81,8 +75,7 @@ public sealed class SessionReader
         string name = Path.GetRelativePath(InnerPath.Resolve(Folder), InnerPath.Resolve(path)).Replace('\\', '/');
         return name is SessionInfo.FileName or LabelsFile or Manifest.FileName
             || FrameChannels.Folders.Contains(name.Split('/')[0], StringComparer.OrdinalIgnoreCase)
-            || (InnerPath.IsWithin(Folder, name)
-                && ReadLines().Any(line => line.Label?.Files.Contains(name) == true));
+            || (InnerPath.IsWithin(Folder, name) && ReadLines().Any(line => line.Label?.Files.Contains(name) == true));
     }
 
     /// <summary>Reads session.json.</summary>
@@ -105,14 +98,16 @@ public sealed class SessionReader
 
     /// <summary>The labels with their text, in the order of the file.</summary>
     /// <exception cref="DatasetFormatException">A line is invalid; the message names file, line and field.</exception>
-    public IEnumerable<LabelLine> ReadGoodLines() => ReadLines().Select(line =>
-        (line.Problem ?? IdProblem(line.Label!)) is { } problem
-            ? throw new DatasetFormatException($"{PathOf(LabelsFile)}, line {line.Number}: {problem}")
-            : line);
+    public IEnumerable<LabelLine> ReadGoodLines() =>
+        ReadLines()
+            .Select(line =>
+                (line.Problem ?? IdProblem(line.Label!)) is { } problem
+                    ? throw new DatasetFormatException($"{PathOf(LabelsFile)}, line {line.Number}: {problem}")
+                    : line
+            );
 
     /// <summary>The lines of the label file, including invalid ones; empty if no frame was written.</summary>
-    public IEnumerable<LabelLine> ReadLines() =>
-        ReadLines(static (_, _) => []);
+    public IEnumerable<LabelLine> ReadLines() => ReadLines(static (_, _) => []);
 
     /// <summary>The lines of the label file, including invalid ones, with what a check finds in the fields of the others.</summary>
     /// <param name="check">Looks at a label and its fields; several are checked at once.</param>
@@ -127,7 +122,9 @@ public sealed class SessionReader
     {
         string path = PathOf(LabelsFile);
         IEnumerable<string> lines =
-            !File.Exists(path) ? [] : HasUnfinishedLine ? InputFile.ReadLines(path).SkipLast(1) : InputFile.ReadLines(path);
+            !File.Exists(path) ? []
+            : HasUnfinishedLine ? InputFile.ReadLines(path).SkipLast(1)
+            : InputFile.ReadLines(path);
         foreach (string line in lines)
         {
             _cancellation.ThrowIfCancellationRequested();
@@ -149,7 +146,9 @@ public sealed class SessionReader
         try
         {
             return FrameLabelParser.Parse(
-                line, (label, fields) => new LabelLine(number, line, label, null) { Findings = check(label, fields) });
+                line,
+                (label, fields) => new LabelLine(number, line, label, null) { Findings = check(label, fields) }
+            );
         }
         catch (DatasetFormatException e)
         {

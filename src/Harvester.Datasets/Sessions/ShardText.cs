@@ -10,10 +10,12 @@ public static class ShardText
     public static Shard? Parse(string text)
     {
         string[] words = text.Split('/');
-        return words.Length == 2
+        return
+            words.Length == 2
             && int.TryParse(words[0], NumberStyles.None, CultureInfo.InvariantCulture, out int number)
             && int.TryParse(words[1], NumberStyles.None, CultureInfo.InvariantCulture, out int count)
-            && number >= 1 && number <= count
+            && number >= 1
+            && number <= count
             ? new Shard(number, count)
             : null;
     }

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Sessions;
@@ -14,11 +11,21 @@ internal static class WorkKey
     /// <param name="sessions">The sessions.</param>
     /// <param name="options">What is done with them.</param>
     /// <exception cref="IOException">A session cannot be read.</exception>
-    public static string Of(IEnumerable<SessionReader> sessions, IEnumerable<string> options) => FileDigest.Of(string.Join('\n',
-        sessions.SelectMany(ContentOf).Concat(options).Prepend(typeof(WorkKey).Assembly.GetName().Version!.ToString()))).Sha256;
+    public static string Of(IEnumerable<SessionReader> sessions, IEnumerable<string> options) =>
+        FileDigest
+            .Of(
+                string.Join(
+                    '\n',
+                    sessions.SelectMany(ContentOf).Concat(options).Prepend(typeof(WorkKey).Assembly.GetName().Version!.ToString())
+                )
+            )
+            .Sha256;
 
     // The manifest has the checksums of all other files, and is shorter than the labels.
     private static IEnumerable<string> ContentOf(SessionReader session) =>
-        new[] { SessionInfo.FileName, File.Exists(session.PathOf(Manifest.FileName)) ? Manifest.FileName : SessionReader.LabelsFile }
-            .Select(name => FileDigest.OfFile(session.PathOf(name)).Sha256);
+        new[]
+        {
+            SessionInfo.FileName,
+            File.Exists(session.PathOf(Manifest.FileName)) ? Manifest.FileName : SessionReader.LabelsFile,
+        }.Select(name => FileDigest.OfFile(session.PathOf(name)).Sha256);
 }

@@ -1,4 +1,3 @@
-using System.Threading;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
 
@@ -15,4 +14,5 @@ public readonly record struct MergeOptions(
     SyncMode Sync = SyncMode.Batch,
     bool Resume = false,
     long MinFreeBytes = 0,
-    CancellationToken Cancellation = default);
+    CancellationToken Cancellation = default
+);

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
@@ -51,7 +47,8 @@ public static class SessionMerger
                 options.Resume,
                 options.MinFreeBytes,
                 session => frames = PlaceAll(session, sources, digests, options),
-                () => sources[0].WholeHeader(frames));
+                () => sources[0].WholeHeader(frames)
+            );
             return frames;
         }
         finally
@@ -78,15 +75,19 @@ public static class SessionMerger
 
         IReadOnlyList<SessionShard> sources = Find(shards);
         int frames = sources.Sum(shard => shard.Session.CountLines());
-        return InputFile.ReadAllText(Path.Combine(folder, SessionInfo.FileName)) == sources[0].WholeHeader(frames)
-            && new SessionReader(folder).CountLines() == frames ? frames : null;
+        return
+            InputFile.ReadAllText(Path.Combine(folder, SessionInfo.FileName)) == sources[0].WholeHeader(frames)
+            && new SessionReader(folder).CountLines() == frames
+            ? frames
+            : null;
     }
 
     private static int PlaceAll(
         NewSession session,
         IReadOnlyList<SessionShard> sources,
         Dictionary<SessionReader, CarriedDigests> digests,
-        MergeOptions options)
+        MergeOptions options
+    )
     {
         int frames = 0;
         int views = sources[0].Session.ReadInfo().Rig?.Cameras.Count ?? 1;
@@ -131,7 +132,8 @@ public static class SessionMerger
             if (shard.Common != first.Common)
             {
                 throw new DatasetFormatException(
-                    $"'{folder}' and '{folders[0]}' are shards of different sessions: their {SessionInfo.FileName} differ.");
+                    $"'{folder}' and '{folders[0]}' are shards of different sessions: their {SessionInfo.FileName} differ."
+                );
             }
 
             found.Add(shard.Shard, folder, shard);
@@ -177,10 +179,10 @@ public static class SessionMerger
             var fields = new JsonFields(label.RootElement);
             names =
             [
-                fields.Text("image"), fields.OptionalText("mask"),
+                fields.Text("image"),
+                fields.OptionalText("mask"),
                 fields.Has("classMap") ? fields.Fields("classMap").Text("file") : null,
-                .. fields.Has("depth")
-                    ? DepthKinds.Select(fields.Fields("depth").OptionalText) : [],
+                .. fields.Has("depth") ? DepthKinds.Select(fields.Fields("depth").OptionalText) : [],
                 .. fields.Has("lidar") ? fields.List("lidar").Select(sweep => sweep.Text("file")) : [],
                 .. fields.Has("pairs") ? fields.List("pairs").Select(pair => pair.OptionalText("file")) : [],
             ];

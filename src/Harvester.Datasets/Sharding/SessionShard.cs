@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.IO;
 using System.Text.Json.Nodes;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
@@ -22,8 +20,11 @@ internal sealed record SessionShard(SessionReader Session, Shard Shard, string C
         var session = new SessionReader(folder);
         SessionHeader header = SessionHeader.Read(session);
         Shard shard = header.Shard ?? throw new DatasetFormatException($"'{folder}' is a complete session, not a shard. Leave it out.");
-        if (header.Json["state"]?.ToString() != Complete || session.HasUnfinishedLine
-            || File.Exists(Path.Combine(folder, UnfinishedMark.FileName)))
+        if (
+            header.Json["state"]?.ToString() != Complete
+            || session.HasUnfinishedLine
+            || File.Exists(Path.Combine(folder, UnfinishedMark.FileName))
+        )
         {
             throw new DatasetFormatException($"Shard {shard} in '{folder}' is not finished. Run it again.");
         }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
 
@@ -23,7 +20,8 @@ internal sealed class ShardSet<T>
         if (shard.Count != _count)
         {
             throw new DatasetFormatException(
-                $"'{folder}' is one of {shard.Count} shards, but others are of {_count}. Merge the shards of one run.");
+                $"'{folder}' is one of {shard.Count} shards, but others are of {_count}. Merge the shards of one run."
+            );
         }
 
         if (!_found.TryAdd(shard.Number, value))
@@ -40,12 +38,15 @@ internal sealed class ShardSet<T>
         return missing.Length == 0 ? [.. _found.Values] : throw new DatasetFormatException(MissingText(missing));
     }
 
-    private static string MissingText(int[] missing) => missing.Length switch
-    {
-        1 => FormattableString.Invariant($"Shard {missing[0]} is missing; run it, and name its folder too."),
-        > MaxNamedShards => FormattableString.Invariant(
-            $"Shards {string.Join(", ", missing[..^1])} and others are missing; run them, and name their folders too."),
-        _ => FormattableString.Invariant(
-            $"Shards {string.Join(", ", missing[..^1])} and {missing[^1]} are missing; run them, and name their folders too."),
-    };
+    private static string MissingText(int[] missing) =>
+        missing.Length switch
+        {
+            1 => FormattableString.Invariant($"Shard {missing[0]} is missing; run it, and name its folder too."),
+            > MaxNamedShards => FormattableString.Invariant(
+                $"Shards {string.Join(", ", missing[..^1])} and others are missing; run them, and name their folders too."
+            ),
+            _ => FormattableString.Invariant(
+                $"Shards {string.Join(", ", missing[..^1])} and {missing[^1]} are missing; run them, and name their folders too."
+            ),
+        };
 }

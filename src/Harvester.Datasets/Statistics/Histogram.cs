@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Datasets.Statistics;
 
 /// <summary>A histogram: counts of numbers in bins.</summary>
@@ -13,9 +9,7 @@ public sealed class Histogram
     /// <summary>Creates an empty histogram whose last bin has no upper end.</summary>
     /// <param name="starts">Lower ends of the bins, ascending, in the unit of the numbers.</param>
     public Histogram(params double[] starts)
-        : this(starts, null)
-    {
-    }
+        : this(starts, null) { }
 
     private Histogram(double[] starts, double? end)
     {

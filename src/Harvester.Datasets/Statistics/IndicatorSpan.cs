@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Datasets.Statistics;
 
 /// <summary>The range of an indicator over the frames in which it is valid.</summary>

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
 
@@ -34,8 +32,7 @@ public sealed class LaneVariety
     /// two lanes or more in the car's direction.
     /// </summary>
     /// <param name="indicator">Its position in <see cref="IndicatorTable"/>.</param>
-    public int FramesWith(int indicator) =>
-        OfNeighbours.Contains(IndicatorTable.All[indicator].Name) ? _framesWithNeighbours : _frames;
+    public int FramesWith(int indicator) => OfNeighbours.Contains(IndicatorTable.All[indicator].Name) ? _framesWithNeighbours : _frames;
 
     /// <summary>Fraction of these frames in which the indicator is active, 0 to 1; 0 without frames.</summary>
     /// <param name="indicator">Its position in <see cref="IndicatorTable"/>.</param>

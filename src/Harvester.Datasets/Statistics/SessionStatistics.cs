@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Exports.Formats.Kitti;
 using Harvester.Datasets.Files;
 using Harvester.Geometry.Lanes;

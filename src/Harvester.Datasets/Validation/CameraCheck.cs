@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
@@ -28,8 +26,12 @@ internal static class CameraCheck
         }
 
         return Math.Abs(label.Fx - made.Fx) > RoundingPixels || Math.Abs(label.Fy - made.Fy) > RoundingPixels
-            ? [FormattableString.Invariant(
-                $"camera: fx and fy are {label.Fx} and {label.Fy}, but the other fields give {made.Fx:0.######} and {made.Fy:0.######}.")]
+            ?
+            [
+                FormattableString.Invariant(
+                    $"camera: fx and fy are {label.Fx} and {label.Fy}, but the other fields give {made.Fx:0.######} and {made.Fy:0.######}."
+                ),
+            ]
             : [];
     }
 }

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Semantics;
 

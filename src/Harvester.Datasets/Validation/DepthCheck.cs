@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Labels;
 
@@ -17,8 +14,10 @@ internal static class DepthCheck
             yield return $"depth map '{depth.Sparse}' has {measured} measured pixels, but its label says {depth.MeasuredPixels}.";
         }
 
-        if (depth is { Completed: { } completed, Error: { } error }
-            && read(completed).Ids.Zip(read(error).Ids).Count(static pair => (pair.First == 0) != (pair.Second == 0)) is > 0 and var wrong)
+        if (
+            depth is { Completed: { } completed, Error: { } error }
+            && read(completed).Ids.Zip(read(error).Ids).Count(static pair => (pair.First == 0) != (pair.Second == 0)) is > 0 and var wrong
+        )
         {
             yield return $"depth map '{error}' must have an error for each pixel with a depth of '{completed}'; {wrong} pixels differ.";
         }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
 using Harvester.Sessions.Labels;
@@ -55,9 +52,11 @@ internal static class DerivedFieldCheck
                 + $"[{string.Join(", ", item.Boxes.Select(JsonName.Of))}].";
         }
 
-        if (item.Face is { FacingAngleDegrees: >= 0 and <= 180 and var angle }
+        if (
+            item.Face is { FacingAngleDegrees: >= 0 and <= 180 and var angle }
             && Math.Abs(angle - 90) > RoundingDegrees
-            && fields.Fields("space").Boolean("facesCamera") != angle < 90)
+            && fields.Fields("space").Boolean("facesCamera") != angle < 90
+        )
         {
             yield return FormattableString.Invariant($"object {item.Id}: facesCamera contradicts facingAngleDegrees, which is {angle}.");
         }

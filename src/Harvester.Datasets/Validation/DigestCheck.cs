@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
@@ -31,7 +28,7 @@ internal static class DigestCheck
         using FileStream file = InputFile.OpenRead(path);
         long bytes = file.Length;
         return digests.All(digest => digest.Bytes != bytes)
-            ? $"has {bytes} bytes instead of the {digests[^1].Bytes} in {Manifest.FileName}."
+                ? $"has {bytes} bytes instead of the {digests[^1].Bytes} in {Manifest.FileName}."
             : !digests.Contains(FileDigest.OfFile(path)) ? $"is damaged: its SHA-256 differs from {Manifest.FileName}."
             : null;
     }

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Sessions;
@@ -23,8 +19,7 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
     private readonly HashSet<string> _named = new(StringComparer.Ordinal);
 
     /// <summary>Takes the names of a label for it, and returns those that an earlier one has. Labels come in their order.</summary>
-    public IReadOnlyList<string> Claim(FrameLabel label) =>
-        [.. label.Files.Where(name => session.IsWithin(name) && !_named.Add(name))];
+    public IReadOnlyList<string> Claim(FrameLabel label) => [.. label.Files.Where(name => session.IsWithin(name) && !_named.Add(name))];
 
     /// <summary>What is wrong with the files of a label; several labels may be asked for at once.</summary>
     /// <param name="label">The label.</param>
@@ -32,10 +27,12 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
     /// <param name="manifest">What the manifest says of the frame; null for nothing.</param>
     public IEnumerable<string> Problems(FrameLabel label, IReadOnlyList<string> taken, ManifestFrame? manifest)
     {
-        IEnumerable<string> mask = label.Mask is { } name ? MaskProblems(label, name, taken, manifest)
+        IEnumerable<string> mask = label.Mask is { } name
+            ? MaskProblems(label, name, taken, manifest)
             : MaskCheck.ProblemsWithoutMask(label);
         IEnumerable<string> channels = FrameChannels.All.SelectMany(channel =>
-            channel.LabelIn(label.Channels) is { } found ? ChannelProblems(channel, found, label, taken, manifest) : []);
+            channel.LabelIn(label.Channels) is { } found ? ChannelProblems(channel, found, label, taken, manifest) : []
+        );
         mask = mask.Concat(channels);
         return Problem("image", label.Image, label.Camera, null, taken, manifest) is { } image ? mask.Prepend(image) : mask;
     }
@@ -58,15 +55,24 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
     }
 
     private IEnumerable<string> ChannelProblems(
-        FrameChannel channel, IChannelLabel found, FrameLabel label, IReadOnlyList<string> taken, ManifestFrame? manifest)
+        FrameChannel channel,
+        IChannelLabel found,
+        FrameLabel label,
+        IReadOnlyList<string> taken,
+        ManifestFrame? manifest
+    )
     {
         if (found is SweepsLabel { Sweeps: { } sweeps })
         {
             return sweeps.Select(sweep => SweepProblem(sweep, taken, manifest)).OfType<string>();
         }
 
-        string[] problems = [.. found.Files
-            .Select(name => Problem(channel.FileKind, name, label.Camera, channel.BitsPerPixel, taken, manifest)).OfType<string>()];
+        string[] problems =
+        [
+            .. found
+                .Files.Select(name => Problem(channel.FileKind, name, label.Camera, channel.BitsPerPixel, taken, manifest))
+                .OfType<string>(),
+        ];
         if (problems.Length > 0 || isQuick)
         {
             return problems;
@@ -100,7 +106,8 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
             byte[] content = InputFile.ReadAllBytes(session.PathOf(sweep.File), LidarFile.MaxPoints * LidarFile.BytesPerPoint);
             int points = LidarFile.Read(content).Length;
             return points != sweep.Points ? $"{what} has {points} points, but its label says {sweep.Points}."
-                : DigestCheck.Problem(session.PathOf(sweep.File), sweep.File, manifest) is { } damage ? $"{what} {damage}" : null;
+                : DigestCheck.Problem(session.PathOf(sweep.File), sweep.File, manifest) is { } damage ? $"{what} {damage}"
+                : null;
         }
         catch (Exception e) when (e is FormatException or DatasetFormatException)
         {
@@ -115,7 +122,13 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
         : null;
 
     private string? Problem(
-        string field, string name, CameraLabel camera, int? bitsPerPixel, IReadOnlyList<string> taken, ManifestFrame? manifest)
+        string field,
+        string name,
+        CameraLabel camera,
+        int? bitsPerPixel,
+        IReadOnlyList<string> taken,
+        ManifestFrame? manifest
+    )
     {
         if (PlaceProblem(field, name, taken) is { } missing)
         {
@@ -151,6 +164,7 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
         }
 
         return bitsPerPixel is { } bits && header.BitsPerPixel != bits
-            ? $"{what} has {header.BitsPerPixel} bits per pixel instead of {bits}." : null;
+            ? $"{what} has {header.BitsPerPixel} bits per pixel instead of {bits}."
+            : null;
     }
 }

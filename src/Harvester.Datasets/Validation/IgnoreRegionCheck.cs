@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
 
@@ -28,7 +26,8 @@ internal static class IgnoreRegionCheck
             if (region.DistanceMetres < 0)
             {
                 yield return FormattableString.Invariant(
-                    $"ignoreRegions[{i}]: distanceMetres is {region.DistanceMetres}; it must be 0 or more.");
+                    $"ignoreRegions[{i}]: distanceMetres is {region.DistanceMetres}; it must be 0 or more."
+                );
             }
         }
     }

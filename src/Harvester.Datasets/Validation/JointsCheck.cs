@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;
@@ -34,8 +32,11 @@ internal static class JointsCheck
                 yield return $"joint {name}: {problem}";
             }
 
-            if (joints.Box is { } box && joint.Pixel is { } pixel
-                && !box.Contains(new Box2D(pixel.X, pixel.Y, pixel.X, pixel.Y), ObjectCheck.RoundingPixels))
+            if (
+                joints.Box is { } box
+                && joint.Pixel is { } pixel
+                && !box.Contains(new Box2D(pixel.X, pixel.Y, pixel.X, pixel.Y), ObjectCheck.RoundingPixels)
+            )
             {
                 yield return $"joint {name}: its pixel does not lie in box2dJoints {ObjectCheck.Text(box)}.";
             }

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
@@ -12,7 +10,10 @@ internal static class KeptFilesCheck
     public static IEnumerable<SessionProblem> Problems(SessionReader session)
     {
         (string Name, Func<SessionReader, object?> Read)[] files =
-            [(FramePaths.Roads, KeptFiles.ReadRoads), (FramePaths.Faces, KeptFiles.ReadFaces)];
+        [
+            (FramePaths.Roads, KeptFiles.ReadRoads),
+            (FramePaths.Faces, KeptFiles.ReadFaces),
+        ];
         foreach ((string name, Func<SessionReader, object?> read) in files)
         {
             if (Damage(session, read) is { } damage)

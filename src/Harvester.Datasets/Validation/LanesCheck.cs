@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Labels;
@@ -28,12 +26,18 @@ internal static class LanesCheck
 
         // The lane width is known at the look-ahead point only; at the car it may differ.
         double atLookAhead = (lanes.LaneWidthMetres ?? LaneSection.TorcsLaneWidth) / LaneSection.TorcsLaneWidth;
-        foreach ((string name, LaneIndicators indicators, double? scaleOfMarkings) in new (
-            string Name, LaneIndicators Indicators, double? Scale)[]
-        {
-            ("indicators", lanes.Indicators, atLookAhead), ("torcsEquivalent", lanes.TorcsEquivalent, 1),
+        foreach (
+            (string name, LaneIndicators indicators, double? scaleOfMarkings) in new (
+                string Name,
+                LaneIndicators Indicators,
+                double? Scale
+            )[]
+            {
+                ("indicators", lanes.Indicators, atLookAhead),
+                ("torcsEquivalent", lanes.TorcsEquivalent, 1),
                 ("atCar.indicators", lanes.IndicatorsAtCar, null),
-        })
+            }
+        )
         {
             foreach (IndicatorDefinition indicator in IndicatorTable.All)
             {

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
@@ -63,7 +59,10 @@ internal sealed class ManifestCheck : IDisposable
         if (isClosed && isWhole && _manifest.Passed > 0)
         {
             yield return new SessionProblem(
-                Manifest.FileName, null, $"it lists {Counted.Of(_manifest.Passed, "frame")} not in {SessionReader.LabelsFile}.");
+                Manifest.FileName,
+                null,
+                $"it lists {Counted.Of(_manifest.Passed, "frame")} not in {SessionReader.LabelsFile}."
+            );
         }
 
         string[] known = [SessionInfo.FileName, FramePaths.Roads, FramePaths.Faces];

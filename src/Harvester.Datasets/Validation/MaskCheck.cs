@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Masks;
 using Harvester.Datasets.Masks.Pixels;
 using Harvester.Datasets.Sessions;
@@ -45,13 +42,18 @@ internal static class MaskCheck
             else if (bounds is null && item is { VisibleFraction: > 0, Parent: null })
             {
                 yield return FormattableString.Invariant(
-                    $"object {item.Id}: visibleFraction is {item.VisibleFraction:0.####}, but it has no pixel in the mask.");
+                    $"object {item.Id}: visibleFraction is {item.VisibleFraction:0.####}, but it has no pixel in the mask."
+                );
             }
         }
     }
 
     private static IEnumerable<string> PartProblems(
-        ObjectLabel part, FrameLabel label, InstanceMap map, IReadOnlyDictionary<int, InstancePixels> seen)
+        ObjectLabel part,
+        FrameLabel label,
+        InstanceMap map,
+        IReadOnlyDictionary<int, InstancePixels> seen
+    )
     {
         int parent = part.Parent!.Value;
         if (seen.ContainsKey(part.Id))
@@ -62,13 +64,16 @@ internal static class MaskCheck
         if (part.VisibleFraction > 0 && !seen.ContainsKey(parent))
         {
             yield return FormattableString.Invariant(
-                $"visibleFraction is {part.VisibleFraction:0.####}, but its whole object, {parent}, has no pixel in the mask.");
+                $"visibleFraction is {part.VisibleFraction:0.####}, but its whole object, {parent}, has no pixel in the mask."
+            );
         }
 
         // Rays show whether a part is hidden by the rest of its object. A map does not, so the pixels of the object there count as the
         // part's.
-        if (part is { OcclusionMethod: OcclusionMethod.Imported, OccludedFraction: 1 }
-            && new CuboidPixels(LabelCamera.Of(label.Camera), part).Shows(map, parent))
+        if (
+            part is { OcclusionMethod: OcclusionMethod.Imported, OccludedFraction: 1 }
+            && new CuboidPixels(LabelCamera.Of(label.Camera), part).Shows(map, parent)
+        )
         {
             yield return $"occludedFraction is 1, but the mask shows its whole object, {parent}, in its place.";
         }
@@ -90,7 +95,7 @@ internal static class MaskCheck
 
     private static string Text(int[] numbers) =>
         string.Join(", ", numbers.Take(MaxNamedNumbers))
-            + (numbers.Length > MaxNamedNumbers ? $" and {numbers.Length - MaxNamedNumbers} more" : "");
+        + (numbers.Length > MaxNamedNumbers ? $" and {numbers.Length - MaxNamedNumbers} more" : "");
 
     private static string Text(Box2D? box) => box is { } some ? ObjectCheck.Text(some) : "null";
 }

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Validation;

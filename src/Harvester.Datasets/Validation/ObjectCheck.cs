@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;
@@ -83,12 +80,17 @@ internal static class ObjectCheck
         double distance = (item.Box3D.Centre - camera.Pose.Position).Length;
         if (Math.Abs(item.DistanceMetres - distance) > RoundingMetres)
         {
-            yield return Of(item, FormattableString.Invariant(
-                $"distanceMetres is {item.DistanceMetres}, but box3d.centre is {distance:0.###} m from the camera."));
+            yield return Of(
+                item,
+                FormattableString.Invariant(
+                    $"distanceMetres is {item.DistanceMetres}, but box3d.centre is {distance:0.###} m from the camera."
+                )
+            );
         }
 
-        foreach (string problem in FaceCheck.Problems(item).Concat(JointsCheck.Problems(item, camera))
-            .Concat(RiderCheck.Problems(item, frame)))
+        foreach (
+            string problem in FaceCheck.Problems(item).Concat(JointsCheck.Problems(item, camera)).Concat(RiderCheck.Problems(item, frame))
+        )
         {
             yield return Of(item, problem);
         }

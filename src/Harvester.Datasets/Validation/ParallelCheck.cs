@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Runtime.ExceptionServices;
-using System.Threading;
-using System.Threading.Tasks;
 
 namespace Harvester.Datasets.Validation;
 
@@ -14,8 +10,7 @@ internal static class ParallelCheck
     /// <param name="check">Checks an item; several are checked at once.</param>
     /// <param name="cancellation">Stops between two items.</param>
     /// <returns>The findings in the order of the items.</returns>
-    public static TFinding[] Each<TItem, TFinding>(
-        IReadOnlyList<TItem> items, Func<TItem, TFinding> check, CancellationToken cancellation)
+    public static TFinding[] Each<TItem, TFinding>(IReadOnlyList<TItem> items, Func<TItem, TFinding> check, CancellationToken cancellation)
     {
         var found = new TFinding[items.Count];
         try

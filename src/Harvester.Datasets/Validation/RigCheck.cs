@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Rigs;
@@ -27,7 +24,8 @@ internal static class RigCheck
         if (label.Frame % rig.Cameras.Count != index || label.Frame / rig.Cameras.Count != label.Moment)
         {
             yield return FormattableString.Invariant(
-                $"frame {label.Frame} is not the view '{label.View}' of moment {label.Moment}: the rig has {rig.Cameras.Count} cameras.");
+                $"frame {label.Frame} is not the view '{label.View}' of moment {label.Moment}: the rig has {rig.Cameras.Count} cameras."
+            );
         }
 
         if (label.Camera.Width != camera.Image.Width || label.Camera.Height != camera.Image.Height)
@@ -36,9 +34,11 @@ internal static class RigCheck
                 + $"but the images of '{label.View}' are {camera.Image.Width} x {camera.Image.Height}.";
         }
 
-        if (label.Ego.Axes is { } axes
+        if (
+            label.Ego.Axes is { } axes
             && (new Pose(label.Ego.Position, axes).Compose(rig.OnVehicle(camera.Mount)).Position - label.Camera.Pose.Position).Length
-                > PlaceTolerance)
+                > PlaceTolerance
+        )
         {
             yield return $"camera.position is not where the rig has '{label.View}' on the vehicle.";
         }
@@ -46,7 +46,8 @@ internal static class RigCheck
         string[] lidars = [.. index == 0 ? rig.Lidars.Select(lidar => lidar.Name) : []];
         if (!label.Lidar.Select(sweep => sweep.Sensor).SequenceEqual(lidars))
         {
-            yield return index == 0 ? "lidar does not list each LiDAR of the rig once, in its order."
+            yield return index == 0
+                ? "lidar does not list each LiDAR of the rig once, in its order."
                 : "lidar belongs into the line of the first view.";
         }
     }

@@ -1,4 +1,3 @@
-using System.IO;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;

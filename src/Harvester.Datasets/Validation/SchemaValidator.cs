@@ -1,10 +1,6 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text;
 using System.Text.Json;
 using System.Text.Json.Nodes;
-using System.Threading;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Sessions;
@@ -96,14 +92,17 @@ public static class SchemaValidator
     }
 
     /// <summary>The first number that a decimal cannot hold, which is how the schemas' limits are compared; null for none.</summary>
-    private static string? LargeNumber(JsonElement element) => element.ValueKind switch
-    {
-        JsonValueKind.Number => element.TryGetDecimal(out _) ? null : element.GetRawText(),
-        JsonValueKind.Array => element.EnumerateArray().Select(LargeNumber).FirstOrDefault(number => number is not null),
-        JsonValueKind.Object =>
-            element.EnumerateObject().Select(field => LargeNumber(field.Value)).FirstOrDefault(number => number is not null),
-        _ => null,
-    };
+    private static string? LargeNumber(JsonElement element) =>
+        element.ValueKind switch
+        {
+            JsonValueKind.Number => element.TryGetDecimal(out _) ? null : element.GetRawText(),
+            JsonValueKind.Array => element.EnumerateArray().Select(LargeNumber).FirstOrDefault(number => number is not null),
+            JsonValueKind.Object => element
+                .EnumerateObject()
+                .Select(field => LargeNumber(field.Value))
+                .FirstOrDefault(number => number is not null),
+            _ => null,
+        };
 
     /// <summary>The errors of a result. A valid one may have invalid parts: the alternatives that were not taken.</summary>
     private static IEnumerable<(string Place, string Message)> Errors(EvaluationResults results)

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Threading;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
@@ -56,11 +52,13 @@ public static class SessionValidator
 
             IReadOnlyList<string>[] found = ParallelCheck.Each<CheckedLine, IReadOnlyList<string>>(
                 lines,
-                line => line.Source.Problem is { } problem ? [problem]
+                line =>
+                    line.Source.Problem is { } problem ? [problem]
                     : check.Problems(line) is { Count: > 0 } wrong ? wrong
                     : manifest.LineProblem(line.Source, line.Manifest) is { } damage ? [damage]
                     : [],
-                cancellation);
+                cancellation
+            );
             for (int i = 0; i < lines.Length; i++)
             {
                 int number = lines[i].Source.Number;
@@ -75,26 +73,39 @@ public static class SessionValidator
 
         problems.AddRange(KeptFilesCheck.Problems(session));
         bool isWhole = problems.Count == 0;
-        SessionProblem[] ends = [.. manifest.EndProblems(info?.CapturedFrames is not null, isWhole)
-            .Where(end => problems.All(known => known.File != end.File))];
+        SessionProblem[] ends =
+        [
+            .. manifest.EndProblems(info?.CapturedFrames is not null, isWhole).Where(end => problems.All(known => known.File != end.File)),
+        ];
         problems.AddRange(ends);
         if (info is { HasManifest: true } && !manifest.IsThere)
         {
-            problems.Add(new SessionProblem(
-                Manifest.FileName, null, $"it is missing, but {SessionInfo.FileName} says that the session was closed with it."));
+            problems.Add(
+                new SessionProblem(
+                    Manifest.FileName,
+                    null,
+                    $"it is missing, but {SessionInfo.FileName} says that the session was closed with it."
+                )
+            );
         }
 
         if (info?.CapturedFrames is { } captured && captured != frames)
         {
-            problems.Add(new SessionProblem(
-                SessionInfo.FileName,
-                null,
-                $"it counts {captured} captured frames, but {SessionReader.LabelsFile} has {frames} valid lines."));
+            problems.Add(
+                new SessionProblem(
+                    SessionInfo.FileName,
+                    null,
+                    $"it counts {captured} captured frames, but {SessionReader.LabelsFile} has {frames} valid lines."
+                )
+            );
         }
 
-        return new SessionValidation(
-            info, frames, objects, problems)
-        { Undetermined = undetermined, UndeterminedRegions = undeterminedRegions, HasManifest = manifest.IsThere };
+        return new SessionValidation(info, frames, objects, problems)
+        {
+            Undetermined = undetermined,
+            UndeterminedRegions = undeterminedRegions,
+            HasManifest = manifest.IsThere,
+        };
     }
 
     private static IEnumerable<LabelLine[]> Chunks(IEnumerable<LabelLine> lines)

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using Harvester.Pages;
 using Harvester.Sessions.Text;
 
@@ -11,8 +7,7 @@ namespace Harvester.Datasets.Viewing;
 /// <summary>The page from which one of several served sessions is chosen.</summary>
 public static class ChooserPage
 {
-    private const string Style =
-        """
+    private const string Style = """
         .sessions { display: grid; grid-template-columns: repeat(auto-fill, minmax(260px, 1fr)); gap: 16px; padding: 0; list-style: none; }
         .sessions a { display: block; padding: 12px; color: inherit; text-decoration: none; overflow-wrap: anywhere; }
         .sessions img { display: block; width: 100%; height: 150px; object-fit: cover; border-radius: 6px; background: #0b0d0f; }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
 using Microsoft.Win32.SafeHandles;
@@ -64,7 +61,7 @@ internal sealed class LineIndex : IDisposable
             throw new IOException($"'{_path}' has become shorter. Start the viewer again.");
         }
 
-        for (long end = _scanned + maxBytes; _scanned < end;)
+        for (long end = _scanned + maxBytes; _scanned < end; )
         {
             if (IsFull)
             {

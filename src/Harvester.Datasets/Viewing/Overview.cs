@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Text.Json;
-using System.Threading;
 using Harvester.Datasets.Reports;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
@@ -29,7 +26,10 @@ internal sealed class Overview(IReadOnlyList<string> views)
     private readonly Lock _lock = new();
     private readonly List<byte[]> _blocks = [];
     private readonly List<OverviewFrame> _open = [];
-    private readonly List<List<ObjectLabel>> _firstSeen = [[]];
+    private readonly List<List<ObjectLabel>> _firstSeen =
+    [
+        [],
+    ];
     private readonly HashSet<int> _known = [];
     private readonly List<(int Index, string Text)> _events = [];
     private readonly SessionStatistics _statistics = SessionStatistics.Of(Array.Empty<FrameLabel>());
@@ -102,8 +102,10 @@ internal sealed class Overview(IReadOnlyList<string> views)
     {
         lock (_lock)
         {
-            return number < 0 ? null : number < _blocks.Count ? _blocks[number]
-                : number == _blocks.Count && _open.Count > 0 ? OverviewBlock.Encode(_open) : null;
+            return number < 0 ? null
+                : number < _blocks.Count ? _blocks[number]
+                : number == _blocks.Count && _open.Count > 0 ? OverviewBlock.Encode(_open)
+                : null;
         }
     }
 

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-
 namespace Harvester.Datasets.Viewing;
 
 /// <summary>
@@ -32,8 +27,15 @@ internal static class OverviewBlock
             }
         }
 
-        foreach (Func<OverviewFrame, int> number in new Func<OverviewFrame, int>[]
-            { frame => frame.Frame, frame => frame.Moment, frame => frame.View, frame => frame.Objects.Length })
+        foreach (
+            Func<OverviewFrame, int> number in new Func<OverviewFrame, int>[]
+            {
+                frame => frame.Frame,
+                frame => frame.Moment,
+                frame => frame.View,
+                frame => frame.Objects.Length,
+            }
+        )
         {
             foreach (OverviewFrame frame in frames)
             {
@@ -41,11 +43,18 @@ internal static class OverviewBlock
             }
         }
 
-        foreach (Func<OverviewObject, double> value in new Func<OverviewObject, double>[]
+        foreach (
+            Func<OverviewObject, double> value in new Func<OverviewObject, double>[]
             {
-                item => item.DistanceMetres, item => item.TruncatedFraction, item => item.OccludedFraction, item => item.Box.XMin,
-                item => item.Box.YMin, item => item.Box.XMax, item => item.Box.YMax,
-            })
+                item => item.DistanceMetres,
+                item => item.TruncatedFraction,
+                item => item.OccludedFraction,
+                item => item.Box.XMin,
+                item => item.Box.YMin,
+                item => item.Box.XMax,
+                item => item.Box.YMax,
+            }
+        )
         {
             foreach (OverviewObject item in objects)
             {

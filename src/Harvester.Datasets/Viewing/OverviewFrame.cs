@@ -1,6 +1,4 @@
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using Harvester.Datasets.Reports;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
@@ -41,17 +39,26 @@ internal sealed record OverviewFrame(int Frame, int Moment, int View, float[] Va
             label.Moment ?? label.Frame,
             label.View is { } view ? views.ToList().IndexOf(view) + 1 : 0,
             [
-                (float)label.TimeSeconds, Single(label.Ego.Velocity.Length), (float)label.Ego.Position.X, (float)label.Ego.Position.Y,
-                (float)label.Ego.HeadingDegrees, Single(motion?.YawRate), Single(motion?.Acceleration), Single(motion?.Steering),
-                Single(motion?.Throttle), Single(motion?.Brake),
+                (float)label.TimeSeconds,
+                Single(label.Ego.Velocity.Length),
+                (float)label.Ego.Position.X,
+                (float)label.Ego.Position.Y,
+                (float)label.Ego.HeadingDegrees,
+                Single(motion?.YawRate),
+                Single(motion?.Acceleration),
+                Single(motion?.Steering),
+                Single(motion?.Throttle),
+                Single(motion?.Brake),
                 .. IndicatorTable.All.Select(indicator => indicators is { } known ? Single(indicator.Of(known)) : float.NaN),
             ],
-            [.. label.Objects.Select(OverviewObject.Of)]);
+            [.. label.Objects.Select(OverviewObject.Of)]
+        );
     }
 
     /// <summary>A value with the decimals of a report, whose page shows the same.</summary>
     private static float Single(double? value) =>
-        value is { } known ? float.Parse(InvariantNumber.Format(known, ReportFrame.PlottedDecimals), CultureInfo.InvariantCulture)
+        value is { } known
+            ? float.Parse(InvariantNumber.Format(known, ReportFrame.PlottedDecimals), CultureInfo.InvariantCulture)
             : float.NaN;
 
     private static float Single(Indicator value) => Single(value.IsValid ? value.Value : null);

@@ -15,10 +15,12 @@ internal readonly record struct OverviewObject(ushort Id, float DistanceMetres, 
     public const int Bytes = 7 * sizeof(float) + sizeof(ushort);
 
     /// <summary>Takes the numbers from a label.</summary>
-    public static OverviewObject Of(ObjectLabel item) => new(
-        (ushort)item.Id,
-        (float)item.DistanceMetres,
-        (float)item.TruncatedFraction,
-        (float)(item.OccludedFraction ?? double.NaN),
-        item.Box2D);
+    public static OverviewObject Of(ObjectLabel item) =>
+        new(
+            (ushort)item.Id,
+            (float)item.DistanceMetres,
+            (float)item.TruncatedFraction,
+            (float)(item.OccludedFraction ?? double.NaN),
+            item.Box2D
+        );
 }

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
@@ -34,7 +30,8 @@ internal static class SeenPoints
         using var writer = new BinaryWriter(bytes);
         foreach (SweepLabel sweep in sweeps)
         {
-            RigLidar lidar = info.Rig?.Lidars.FirstOrDefault(each => each.Name == sweep.Sensor)
+            RigLidar lidar =
+                info.Rig?.Lidars.FirstOrDefault(each => each.Name == sweep.Sensor)
                 ?? throw new DatasetFormatException($"the LiDAR '{sweep.Sensor}' is not in the rig of session.json.");
             Pose sensor = vehicle.Compose(info.Rig.OnVehicle(lidar.Mount));
             foreach (LidarPoint point in Read(session, sweep.File))

@@ -1,10 +1,5 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text;
 using System.Text.Json;
-using System.Threading;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Reports;
@@ -45,7 +40,12 @@ public sealed class SessionView : IDisposable
         _lines = new LineIndex(session.PathOf(SessionReader.LabelsFile));
         _overview = new Overview([.. _info.Rig?.Cameras.Select(camera => camera.Name) ?? []]);
         _isIndexed = !_lines.Extend(BytesPerStep);
-        _reading = new Thread(Read) { IsBackground = true, Name = "read session", Priority = ThreadPriority.BelowNormal };
+        _reading = new Thread(Read)
+        {
+            IsBackground = true,
+            Name = "read session",
+            Priority = ThreadPriority.BelowNormal,
+        };
         _reading.Start();
     }
 
@@ -63,37 +63,40 @@ public sealed class SessionView : IDisposable
     public string WritePage(Stream stream) => ViewPage.Write(stream, this);
 
     /// <summary>How far the session is read, as JSON.</summary>
-    public byte[] State() => Json(json =>
-    {
-        json.WriteStartObject();
-        json.WriteNumber("frames", Frames);
-        json.WriteNumber("read", _overview.Count);
-        json.WriteBoolean("isIndexed", _isIndexed);
-        json.WriteBoolean("isClosed", _info.CapturedFrames is not null || _info.Fault is not null);
-        json.WriteNumber("problems", _overview.Problems);
-        json.WriteString("problem", _fault ?? _overview.FirstProblem);
-        json.WriteString("limit", _overview.Limit ?? LimitOfLines());
-        json.WriteEndObject();
-    });
+    public byte[] State() =>
+        Json(json =>
+        {
+            json.WriteStartObject();
+            json.WriteNumber("frames", Frames);
+            json.WriteNumber("read", _overview.Count);
+            json.WriteBoolean("isIndexed", _isIndexed);
+            json.WriteBoolean("isClosed", _info.CapturedFrames is not null || _info.Fault is not null);
+            json.WriteNumber("problems", _overview.Problems);
+            json.WriteString("problem", _fault ?? _overview.FirstProblem);
+            json.WriteString("limit", _overview.Limit ?? LimitOfLines());
+            json.WriteEndObject();
+        });
 
     /// <summary>The statistics and events of the frames that are read, as JSON.</summary>
-    public byte[] Figures() => Json(json =>
-    {
-        json.WriteStartObject();
-        _overview.WriteFigures(json, _info);
-        json.WriteEndObject();
-    });
+    public byte[] Figures() =>
+        Json(json =>
+        {
+            json.WriteStartObject();
+            _overview.WriteFigures(json, _info);
+            json.WriteEndObject();
+        });
 
     /// <summary>The numbers of some successive frames; null if they are not read yet.</summary>
     public byte[]? Block(int number) => _overview.Block(number);
 
     /// <summary>The objects that a block has first, as JSON.</summary>
-    public byte[] ObjectsOf(int block) => Json(json =>
-    {
-        json.WriteStartObject();
-        _overview.WriteObjects(json, block);
-        json.WriteEndObject();
-    });
+    public byte[] ObjectsOf(int block) =>
+        Json(json =>
+        {
+            json.WriteStartObject();
+            _overview.WriteObjects(json, block);
+            json.WriteEndObject();
+        });
 
     /// <summary>A frame as JSON.</summary>
     /// <param name="index">Its place in the label file, from 0.</param>
@@ -223,9 +226,8 @@ public sealed class SessionView : IDisposable
         }
     }
 
-    private string? LimitOfLines() => _lines.IsFull
-        ? $"The viewer shows at most {LineIndex.MaxLines} frames of a session, and this one may have more."
-        : null;
+    private string? LimitOfLines() =>
+        _lines.IsFull ? $"The viewer shows at most {LineIndex.MaxLines} frames of a session, and this one may have more." : null;
 
     private void Read()
     {
@@ -239,15 +241,14 @@ public sealed class SessionView : IDisposable
                 }
 
                 _isIndexed = true;
-                for (int last = Frames; _overview.Count < last && _overview.Limit is null;)
+                for (int last = Frames; _overview.Count < last && _overview.Limit is null; )
                 {
                     _end.Token.ThrowIfCancellationRequested();
                     ReadNext();
                 }
 
                 _info = _info.CapturedFrames is null ? _session.ReadInfo() : _info;
-            }
-            while (!_end.Token.WaitHandle.WaitOne(Pause));
+            } while (!_end.Token.WaitHandle.WaitOne(Pause));
         }
         catch (OperationCanceledException)
         {

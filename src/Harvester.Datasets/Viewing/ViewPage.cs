@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Reports;
 using Harvester.Pages;
@@ -16,7 +13,12 @@ internal static class ViewPage
     {
         IReadOnlyList<string> scripts = ReportPage.ScriptsOfViewer;
         ReportPage.Write(
-            stream, $"{view.Name}: session", scripts, page => page.Json("data", json => WriteData(json, view)), isServed: true);
+            stream,
+            $"{view.Name}: session",
+            scripts,
+            page => page.Json("data", json => WriteData(json, view)),
+            isServed: true
+        );
         return PagePolicy.Of(ReportPage.Style, ReportPage.Code(scripts));
     }
 

@@ -1,8 +1,6 @@
-using System;
 using System.Net;
 using System.Net.Sockets;
 using System.Text;
-using System.Threading;
 
 namespace Harvester.Driving.Bridge;
 
@@ -85,12 +83,13 @@ internal sealed class BridgeClient : IDisposable
     }
 
     /// <summary>A dual-mode socket reports IPv4 addresses in IPv6-mapped form; this is the plain form.</summary>
-    private static string PlaceOf(EndPoint? end) => end switch
-    {
-        IPEndPoint { Address.IsIPv4MappedToIPv6: true } mapped => new IPEndPoint(mapped.Address.MapToIPv4(), mapped.Port).ToString(),
-        null => "unknown",
-        _ => end.ToString() ?? "unknown",
-    };
+    private static string PlaceOf(EndPoint? end) =>
+        end switch
+        {
+            IPEndPoint { Address.IsIPv4MappedToIPv6: true } mapped => new IPEndPoint(mapped.Address.MapToIPv4(), mapped.Port).ToString(),
+            null => "unknown",
+            _ => end.ToString() ?? "unknown",
+        };
 
     private void Receive()
     {
@@ -160,8 +159,10 @@ internal sealed class BridgeClient : IDisposable
     private void BeIntroduced(string header)
     {
         JsonFields hello = JsonFields.Parse(header);
-        if (hello.Text("type") != BridgeProtocol.HelloType
-            || (IsTokenRequired && !(hello.Has("token") && SameToken(hello.Text("token"), _reception.Options.Token!))))
+        if (
+            hello.Text("type") != BridgeProtocol.HelloType
+            || (IsTokenRequired && !(hello.Has("token") && SameToken(hello.Text("token"), _reception.Options.Token!)))
+        )
         {
             throw new BridgeException($"the first message must be {WantedHello}.");
         }
@@ -188,7 +189,8 @@ internal sealed class BridgeClient : IDisposable
         {
             Refuse(
                 $"the first message must be {WantedHello}, sent in time.",
-                $"a connection was closed because it did not send {WantedHello} in time.");
+                $"a connection was closed because it did not send {WantedHello} in time."
+            );
         }
     }
 

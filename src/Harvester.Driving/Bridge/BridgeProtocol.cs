@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Driving.Bridge;
 
 /// <summary>The version of the bridge's protocol, which each side names in its hello; docs/bridge.md has the protocol.</summary>
@@ -33,7 +31,8 @@ public static class BridgeProtocol
         }
 
         double version = fields.Number("version");
-        return version == Version ? null
+        return version == Version
+            ? null
             : FormattableString.Invariant($"the game speaks version {version} of the bridge, this program version {Version}.");
     }
 
@@ -44,14 +43,16 @@ public static class BridgeProtocol
         if (!hello.Has("version"))
         {
             throw new BridgeException(
-                FormattableString.Invariant($"the hello names no version; the game speaks version {Version} of the bridge."));
+                FormattableString.Invariant($"the hello names no version; the game speaks version {Version} of the bridge.")
+            );
         }
 
         double version = hello.Number("version");
         if (version != Version)
         {
             throw new BridgeException(
-                FormattableString.Invariant($"the client speaks version {version} of the bridge, the game version {Version}."));
+                FormattableString.Invariant($"the client speaks version {version} of the bridge, the game version {Version}.")
+            );
         }
     }
 }

@@ -20,7 +20,8 @@ public sealed record BridgeState(
     double HeadingDegrees,
     LaneIndicators Indicators,
     LaneIndicators TorcsEquivalent,
-    bool IsFast)
+    bool IsFast
+)
 {
     /// <summary>Whether the lanes are known. In junctions and off the road they are not, and all indicators are inactive.</summary>
     public bool AreLanesKnown { get; init; }

@@ -1,4 +1,3 @@
-using System;
 using System.Text;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
@@ -39,14 +38,22 @@ internal static class BridgeText
     {
         var json = new JsonText();
         json.BeginObject()
-            .Key("type").String("frame")
-            .Key("frame").Integer(state.Frame)
-            .Key("timeSeconds").Number(state.TimeSeconds, Decimals)
-            .Key("speedMetresPerSecond").Number(state.SpeedMetresPerSecond, Decimals)
-            .Key("position").Vector(state.Position, Decimals)
-            .Key("headingDegrees").Number(state.HeadingDegrees, Decimals)
-            .Key("fast").Boolean(state.IsFast)
-            .Key("lanesKnown").Boolean(state.AreLanesKnown);
+            .Key("type")
+            .String("frame")
+            .Key("frame")
+            .Integer(state.Frame)
+            .Key("timeSeconds")
+            .Number(state.TimeSeconds, Decimals)
+            .Key("speedMetresPerSecond")
+            .Number(state.SpeedMetresPerSecond, Decimals)
+            .Key("position")
+            .Vector(state.Position, Decimals)
+            .Key("headingDegrees")
+            .Number(state.HeadingDegrees, Decimals)
+            .Key("fast")
+            .Boolean(state.IsFast)
+            .Key("lanesKnown")
+            .Boolean(state.AreLanesKnown);
         AppendIndicators(json.Key("indicators"), state.Indicators);
         AppendIndicators(json.Key("torcsEquivalent"), state.TorcsEquivalent);
         AppendTruth(json, state.Truth);
@@ -64,24 +71,38 @@ internal static class BridgeText
 
     private static void AppendTruth(JsonText json, DrivingTruth? truth)
     {
-        json.Key("drivenMetres").Number(truth?.DrivenMetres, Decimals)
-            .Key("collision").String(truth?.Collision);
+        json.Key("drivenMetres").Number(truth?.DrivenMetres, Decimals).Key("collision").String(truth?.Collision);
         AppendNumbers(json.Key("collisions"), truth is null ? null : Array.ConvertAll([.. truth.Collisions], static n => (double)n));
-        json.Key("outsideLanes").Boolean(truth?.IsOutsideLanes)
-            .Key("road").Integer(truth?.Road)
-            .Key("lane").Integer(truth?.Lane)
-            .Key("acrossMarking").Boolean(truth?.IsAcrossMarking)
-            .Key("laneOffsetMetres").Number(truth?.LaneOffsetMetres, Decimals)
-            .Key("laneAngleRadians").Number(truth?.LaneAngleRadians, Decimals)
-            .Key("redLightsRun").Integer(truth?.RedLightsRun)
-            .Key("stopSignsRun").Integer(truth?.StopSignsRun)
-            .Key("repositioned").Integer(truth?.Repositioned)
-            .Key("route").String(truth?.Route)
-            .Key("routeMetres").Number(truth?.RouteMetres, Decimals)
-            .Key("light").String(truth?.Light)
-            .Key("stopSign").Boolean(truth?.HasStopSign);
+        json.Key("outsideLanes")
+            .Boolean(truth?.IsOutsideLanes)
+            .Key("road")
+            .Integer(truth?.Road)
+            .Key("lane")
+            .Integer(truth?.Lane)
+            .Key("acrossMarking")
+            .Boolean(truth?.IsAcrossMarking)
+            .Key("laneOffsetMetres")
+            .Number(truth?.LaneOffsetMetres, Decimals)
+            .Key("laneAngleRadians")
+            .Number(truth?.LaneAngleRadians, Decimals)
+            .Key("redLightsRun")
+            .Integer(truth?.RedLightsRun)
+            .Key("stopSignsRun")
+            .Integer(truth?.StopSignsRun)
+            .Key("repositioned")
+            .Integer(truth?.Repositioned)
+            .Key("route")
+            .String(truth?.Route)
+            .Key("routeMetres")
+            .Number(truth?.RouteMetres, Decimals)
+            .Key("light")
+            .String(truth?.Light)
+            .Key("stopSign")
+            .Boolean(truth?.HasStopSign);
         AppendNumbers(
-            json.Key("appliedControls"), truth?.Applied is { } applied ? [applied.Steering, applied.Throttle, applied.Brake] : null);
+            json.Key("appliedControls"),
+            truth?.Applied is { } applied ? [applied.Steering, applied.Throttle, applied.Brake] : null
+        );
         json.Key("builtInDriver").Boolean(truth?.IsByBuiltInDriver);
     }
 

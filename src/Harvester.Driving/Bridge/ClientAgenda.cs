@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics.CodeAnalysis;
 
 namespace Harvester.Driving.Bridge;
@@ -32,9 +30,11 @@ internal sealed class ClientAgenda(IDrivingBridge bridge, bool canRestart, Actio
     public bool Receive()
     {
         bool isClientGone = false;
-        for (int taken = 0;
+        for (
+            int taken = 0;
             (!_isRestartWaiting || bridge.HasClientGone) && taken < MaxMessagesPerTick && bridge.TryReceive(out ClientMessage? message);
-            taken++)
+            taken++
+        )
         {
             if (message is ClientGoneMessage)
             {

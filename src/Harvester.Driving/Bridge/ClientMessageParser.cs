@@ -1,4 +1,3 @@
-using System;
 using System.Globalization;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
@@ -24,19 +23,23 @@ public static class ClientMessageParser
         return type switch
         {
             "controls" => new ControlsMessage(
-                new DrivingControls(fields.Number("steering"), fields.Number("throttle"), fields.Number("brake")), FrameOf(fields)),
+                new DrivingControls(fields.Number("steering"), fields.Number("throttle"), fields.Number("brake")),
+                FrameOf(fields)
+            ),
             "indicators" => IndicatorsOf(fields.Numbers("values", IndicatorTable.Count), FrameOf(fields)),
             "reset" => new ResetMessage(PositionOf(fields), HeadingOf(fields)),
             "environment" => new EnvironmentMessage(
-                fields.Has("weather") ? WeatherOf(fields) : null, fields.Has("timeOfDay") ? TimeOf(fields) : null),
+                fields.Has("weather") ? WeatherOf(fields) : null,
+                fields.Has("timeOfDay") ? TimeOf(fields) : null
+            ),
             "pause" => new PauseMessage(fields.Boolean("paused")),
             "step" => new StepMessage(SecondsOf(fields), HasPicture(fields)),
             "requestFrame" => new RequestFrameMessage(HasPicture(fields)),
-            "restart" => new RestartMessage(
-                SeedOf(fields, "seed"), fields.Has("town") ? SeedOf(fields, "town") : null, HasPicture(fields)),
+            "restart" => new RestartMessage(SeedOf(fields, "seed"), fields.Has("town") ? SeedOf(fields, "town") : null, HasPicture(fields)),
             _ => throw new BridgeException(
                 $"type {ClientText.Quoted(type)} is not one of controls, indicators, reset, environment, pause, step, requestFrame, "
-                    + "restart."),
+                    + "restart."
+            ),
         };
     }
 
@@ -46,7 +49,8 @@ public static class ClientMessageParser
         Array.TrueForAll(values, value => Math.Abs(value) <= IndicatorOrder.MaxValue)
             ? new IndicatorsMessage(values, frame)
             : throw new BridgeException(
-                FormattableString.Invariant($"indicators must be from -{IndicatorOrder.MaxValue} to {IndicatorOrder.MaxValue}."));
+                FormattableString.Invariant($"indicators must be from -{IndicatorOrder.MaxValue} to {IndicatorOrder.MaxValue}.")
+            );
 
     /// <summary>Converts a number to a frame number.</summary>
     /// <exception cref="BridgeException">The number is not a whole number of 0 or more.</exception>
@@ -92,7 +96,8 @@ public static class ClientMessageParser
         return WeatherNames.IsKnown(weather)
             ? weather
             : throw new BridgeException(
-                $"field weather is {ClientText.Quoted(weather)}, which is not one of {string.Join(", ", WeatherNames.All)}.");
+                $"field weather is {ClientText.Quoted(weather)}, which is not one of {string.Join(", ", WeatherNames.All)}."
+            );
     }
 
     private static TimeSpan TimeOf(JsonFields fields) =>

@@ -1,4 +1,3 @@
-using System;
 using System.Globalization;
 
 namespace Harvester.Driving.Bridge;
@@ -16,7 +15,14 @@ internal static class ClientText
         return text.Length > MaxLetters ? $"'{new string(letters)}...'" : $"'{new string(letters)}'";
     }
 
-    private static bool IsPrinted(char letter) => CharUnicodeInfo.GetUnicodeCategory(letter)
-        is not (UnicodeCategory.Control or UnicodeCategory.LineSeparator or UnicodeCategory.ParagraphSeparator
-            or UnicodeCategory.Format or UnicodeCategory.Surrogate or UnicodeCategory.OtherNotAssigned);
+    private static bool IsPrinted(char letter) =>
+        CharUnicodeInfo.GetUnicodeCategory(letter)
+            is not (
+                UnicodeCategory.Control
+                or UnicodeCategory.LineSeparator
+                or UnicodeCategory.ParagraphSeparator
+                or UnicodeCategory.Format
+                or UnicodeCategory.Surrogate
+                or UnicodeCategory.OtherNotAssigned
+            );
 }

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Driving.Bridge;
 
 /// <summary>Sets the weather, the time of day or both.</summary>

@@ -1,7 +1,4 @@
-using System;
 using System.Diagnostics.CodeAnalysis;
-using System.IO;
-using System.Threading;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Files;
@@ -52,9 +49,7 @@ public sealed class FolderBridge : IAwaitableBridge
     /// <exception cref="IOException">The folder cannot be created.</exception>
     /// <exception cref="UnauthorizedAccessException">The folder may not be created.</exception>
     public FolderBridge(string folder, ImageSize picture, double patienceSeconds = DefaultPatienceSeconds)
-        : this(folder, picture, patienceSeconds, new PlayerClock())
-    {
-    }
+        : this(folder, picture, patienceSeconds, new PlayerClock()) { }
 
     internal FolderBridge(string folder, ImageSize picture, double patienceSeconds, IClock clock)
     {

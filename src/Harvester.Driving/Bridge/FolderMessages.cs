@@ -1,4 +1,3 @@
-using System;
 using System.Globalization;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Lanes;
@@ -18,7 +17,9 @@ internal static class FolderMessages
     {
         double[] numbers = Numbers(text, IndicatorTable.Count, "indicators.txt");
         return ClientMessageParser.IndicatorsOf(
-            [.. new ArraySegment<double>(numbers, 0, IndicatorTable.Count)], FrameOf(numbers, IndicatorTable.Count));
+            [.. new ArraySegment<double>(numbers, 0, IndicatorTable.Count)],
+            FrameOf(numbers, IndicatorTable.Count)
+        );
     }
 
     public static ClientMessage ParseControls(string text)
@@ -43,9 +44,12 @@ internal static class FolderMessages
             throw new BridgeException(FormattableString.Invariant($"{file} has {words.Length} numbers; {count} are expected."));
         }
 
-        return Array.ConvertAll(words, word =>
-            double.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && Math.Abs(number) <= 1e15
-                ? number
-                : throw new BridgeException($"{file}: {ClientText.Quoted(word)} is not a number."));
+        return Array.ConvertAll(
+            words,
+            word =>
+                double.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && Math.Abs(number) <= 1e15
+                    ? number
+                    : throw new BridgeException($"{file}: {ClientText.Quoted(word)} is not a number.")
+        );
     }
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.Text.RegularExpressions;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
@@ -98,7 +95,8 @@ internal sealed class FrameFiles(string folder) : IDisposable
         if (_pictures.Count >= MaxPictures)
         {
             throw new BridgeException(
-                FormattableString.Invariant($"{MaxPictures} old pictures cannot be deleted; no frame is written until they are."));
+                FormattableString.Invariant($"{MaxPictures} old pictures cannot be deleted; no frame is written until they are.")
+            );
         }
 
         // The folder may have been deleted.

@@ -1,6 +1,4 @@
-using System;
 using System.Diagnostics.CodeAnalysis;
-using System.Threading;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Imaging;
 
@@ -70,7 +68,11 @@ internal sealed class FrameOutbox(ImageSize size)
     /// False if the outbox is closed, no frame could be taken within the time, or <see cref="Wake"/> ended the wait.
     /// </returns>
     public bool TryTake(
-        TimeSpan patience, Func<BridgeState, bool> mayGo, [NotNullWhen(true)] out BridgeState? state, out PixelBuffer picture)
+        TimeSpan patience,
+        Func<BridgeState, bool> mayGo,
+        [NotNullWhen(true)] out BridgeState? state,
+        out PixelBuffer picture
+    )
     {
         lock (_gate)
         {

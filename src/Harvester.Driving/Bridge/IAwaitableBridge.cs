@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Driving.Bridge;
 
 /// <summary>A bridge whose messages can be waited for, for a game that does nothing without them.</summary>

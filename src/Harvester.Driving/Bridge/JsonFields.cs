@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Driving.Bridge;
@@ -42,15 +40,18 @@ internal sealed class JsonFields
     public bool Has(string name) => _values.TryGetValue(name, out object? value) && value is not null;
 
     public string Text(string name) =>
-        _values.TryGetValue(name, out object? value) && value is string text ? text
+        _values.TryGetValue(name, out object? value) && value is string text
+            ? text
             : throw new BridgeException($"field {name} must be a string.");
 
     public double Number(string name) =>
-        _values.TryGetValue(name, out object? value) && value is double number ? number
+        _values.TryGetValue(name, out object? value) && value is double number
+            ? number
             : throw new BridgeException($"field {name} must be a number.");
 
     public bool Boolean(string name) =>
-        _values.TryGetValue(name, out object? value) && value is bool truth ? truth
+        _values.TryGetValue(name, out object? value) && value is bool truth
+            ? truth
             : throw new BridgeException($"field {name} must be true or false.");
 
     public double[] Numbers(string name, int count) =>

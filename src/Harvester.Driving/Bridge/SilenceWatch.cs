@@ -14,8 +14,7 @@ public sealed class SilenceWatch(IClock clock, double patienceSeconds = SilenceW
     private double? _heardMilliseconds;
 
     /// <summary>Whether the client has sent controls recently.</summary>
-    public bool IsClientAlive =>
-        _heardMilliseconds is { } heard && clock.Milliseconds - heard <= patienceSeconds * 1000;
+    public bool IsClientAlive => _heardMilliseconds is { } heard && clock.Milliseconds - heard <= patienceSeconds * 1000;
 
     /// <summary>The controls to apply now.</summary>
     public DrivingControls Controls => IsClientAlive ? _controls : DrivingControls.Stop;

@@ -1,8 +1,6 @@
-using System;
 using System.Diagnostics.CodeAnalysis;
 using System.Net;
 using System.Net.Sockets;
-using System.Threading;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Pictures;
@@ -42,8 +40,12 @@ public sealed class SocketBridge : IAwaitableBridge
         }
 
         _reception = new SocketReception(
-            options, new ClientInbox<BridgeClient>(), new PendingClients<BridgeClient>(options.MaxPending), new FrameOutbox(picture),
-                problem => _problem = problem);
+            options,
+            new ClientInbox<BridgeClient>(),
+            new PendingClients<BridgeClient>(options.MaxPending),
+            new FrameOutbox(picture),
+            problem => _problem = problem
+        );
         _listener = new TcpListener(options.Address, options.Port);
         _listener.Start();
         _acceptor = Start(Accept, "Harvester socket bridge: accept");
@@ -138,8 +140,10 @@ public sealed class SocketBridge : IAwaitableBridge
         {
             // Without a client, frames are taken and dropped.
             BridgeClient? client = null;
-            if (_reception.Outbox.TryTake(TimeSpan.FromSeconds(1), MayGo, out BridgeState? state, out PixelBuffer picture)
-                && client is not null)
+            if (
+                _reception.Outbox.TryTake(TimeSpan.FromSeconds(1), MayGo, out BridgeState? state, out PixelBuffer picture)
+                && client is not null
+            )
             {
                 png.SetLength(0);
                 if (state.HasPicture)

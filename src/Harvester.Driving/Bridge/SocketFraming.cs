@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using System.Text;
 
 namespace Harvester.Driving.Bridge;
@@ -47,9 +45,11 @@ internal static class SocketFraming
         int payloadLength = GetInt(lengths, 4);
         if (headerLength is < 2 or > MaxHeaderLength || payloadLength != 0)
         {
-            throw new BridgeException(FormattableString.Invariant(
-                $"a message has a header of {headerLength} and a payload of {payloadLength} bytes; 2 to {MaxHeaderLength}")
-                + " and 0 are allowed.");
+            throw new BridgeException(
+                FormattableString.Invariant(
+                    $"a message has a header of {headerLength} and a payload of {payloadLength} bytes; 2 to {MaxHeaderLength}"
+                ) + " and 0 are allowed."
+            );
         }
 
         byte[] header = new byte[headerLength];

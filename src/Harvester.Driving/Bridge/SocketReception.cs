@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Driving.Bridge;
 
 /// <summary>
@@ -11,5 +9,9 @@ namespace Harvester.Driving.Bridge;
 /// <param name="Outbox">The frame that waits to be sent.</param>
 /// <param name="Report">Receives a message for each error of a client, on any thread.</param>
 internal sealed record SocketReception(
-    SocketBridgeOptions Options, ClientInbox<BridgeClient> Inbox, PendingClients<BridgeClient> Pending, FrameOutbox Outbox,
-        Action<string> Report);
+    SocketBridgeOptions Options,
+    ClientInbox<BridgeClient> Inbox,
+    PendingClients<BridgeClient> Pending,
+    FrameOutbox Outbox,
+    Action<string> Report
+);

@@ -1,7 +1,5 @@
-using System;
 using System.Diagnostics;
 using System.Diagnostics.CodeAnalysis;
-using System.IO;
 using System.Text;
 using Harvester.Sessions.Files;
 
@@ -60,7 +58,8 @@ internal sealed class WatchedFile(string path)
         if (bytes.Length > MaxBytes)
         {
             throw new BridgeException(
-                FormattableString.Invariant($"{Path.GetFileName(path)} is too large; at most {MaxBytes} bytes are read."));
+                FormattableString.Invariant($"{Path.GetFileName(path)} is too large; at most {MaxBytes} bytes are read.")
+            );
         }
 
         using var reader = new StreamReader(bytes, Encoding.UTF8);

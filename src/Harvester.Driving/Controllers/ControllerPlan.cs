@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Ports;
 
 namespace Harvester.Driving.Controllers;
@@ -40,7 +39,8 @@ public sealed record ControllerPlan
     {
         StanleyOptions options = new() { LookAheadMetres = LookAheadMetres, Car = Car };
         return new StanleyController(
-            Speed is { } speed ? options with { CruiseSpeed = speed, CautiousSpeed = Math.Min(speed, options.CautiousSpeed) } : options);
+            Speed is { } speed ? options with { CruiseSpeed = speed, CautiousSpeed = Math.Min(speed, options.CautiousSpeed) } : options
+        );
     }
 
     private DeepDrivingController NewDeepDriving() => new(Car, LookAheadMetres, VehicleAllowance, Speed ?? DeepDrivingController.MaxSpeed);

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
@@ -54,7 +51,10 @@ public sealed class DeepDrivingController : IAimingController
     /// </param>
     /// <param name="maxSpeed">Speed on a free straight road, m/s, greater than 0; by default 20, as published.</param>
     public DeepDrivingController(
-        double steeringLockRadians = SteeringLockRadians, double vehicleAllowanceMetres = 0, double maxSpeed = MaxSpeed)
+        double steeringLockRadians = SteeringLockRadians,
+        double vehicleAllowanceMetres = 0,
+        double maxSpeed = MaxSpeed
+    )
     {
         _mostSpeed = maxSpeed;
         _lockShare = SteeringLockRadians / steeringLockRadians;
@@ -158,11 +158,23 @@ public sealed class DeepDrivingController : IAimingController
         switch (_manoeuvre)
         {
             case LaneManoeuvre.LeaveToLeft:
-                return Leave(isInLane, isOnLeftMarking, (at.ToMarkingLL.Value + at.ToMarkingML.Value) / 2, leftOfMarking,
-                    LaneManoeuvre.ArriveFromRight, out centre);
+                return Leave(
+                    isInLane,
+                    isOnLeftMarking,
+                    (at.ToMarkingLL.Value + at.ToMarkingML.Value) / 2,
+                    leftOfMarking,
+                    LaneManoeuvre.ArriveFromRight,
+                    out centre
+                );
             case LaneManoeuvre.LeaveToRight:
-                return Leave(isInLane, isOnRightMarking, (at.ToMarkingRR.Value + at.ToMarkingMR.Value) / 2, rightOfMarking,
-                    LaneManoeuvre.ArriveFromLeft, out centre);
+                return Leave(
+                    isInLane,
+                    isOnRightMarking,
+                    (at.ToMarkingRR.Value + at.ToMarkingMR.Value) / 2,
+                    rightOfMarking,
+                    LaneManoeuvre.ArriveFromLeft,
+                    out centre
+                );
             case LaneManoeuvre.ArriveFromRight:
                 return Arrive(isInLane, isOnLeftMarking, lane, leftOfMarking, out centre);
             case LaneManoeuvre.ArriveFromLeft:
@@ -201,7 +213,10 @@ public sealed class DeepDrivingController : IAimingController
 
     private double Arrive(bool isInLane, bool isOnMarking, double lane, double beyondMarking, out double centre)
     {
-        centre = !isOnMarking ? lane : isInLane ? (lane + beyondMarking) / 2 : beyondMarking;
+        centre =
+            !isOnMarking ? lane
+            : isInLane ? (lane + beyondMarking) / 2
+            : beyondMarking;
         _manoeuvre = isOnMarking ? _manoeuvre : LaneManoeuvre.Keep;
         return 20;
     }

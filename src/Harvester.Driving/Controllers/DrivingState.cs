@@ -8,11 +8,7 @@ namespace Harvester.Driving.Controllers;
 /// <param name="TorcsEquivalent">The indicators that a road of TORCS would give, with the angle at the car.</param>
 /// <param name="IsFast">Whether more than 60 m of straight road lie ahead.</param>
 /// <param name="SpeedMetresPerSecond">The car's speed, m/s; 0 or more.</param>
-public sealed record DrivingState(
-    LaneIndicators Indicators,
-    LaneIndicators TorcsEquivalent,
-    bool IsFast,
-    double SpeedMetresPerSecond)
+public sealed record DrivingState(LaneIndicators Indicators, LaneIndicators TorcsEquivalent, bool IsFast, double SpeedMetresPerSecond)
 {
     /// <summary>The car's heading, radians, increasing to the left, from an arbitrary zero; null if unknown.</summary>
     public double? HeadingRadians { get; init; }

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Labels;
 
@@ -57,12 +56,11 @@ public sealed class EmergencyBrake : IAimingController
         }
 
         double way = gap - StandingDistance;
-        double needed = way <= 0
-            ? Math.Max(2 * Comfortable, speed * speed / (2 * MinDistance))
-            : ((speed * speed) - (_leader.Speed * _leader.Speed)) / (2 * Math.Max(MinDistance, way));
+        double needed =
+            way <= 0
+                ? Math.Max(2 * Comfortable, speed * speed / (2 * MinDistance))
+                : ((speed * speed) - (_leader.Speed * _leader.Speed)) / (2 * Math.Max(MinDistance, way));
         _isBraking = needed > (_isBraking ? Gentle : Comfortable);
-        return _isBraking
-            ? new DrivingControls(controls.Steering, 0, Math.Max(controls.Brake, needed / _car.FullBraking))
-            : controls;
+        return _isBraking ? new DrivingControls(controls.Steering, 0, Math.Max(controls.Brake, needed / _car.FullBraking)) : controls;
     }
 }

@@ -1,4 +1,3 @@
-
 using Harvester.Capture.Ports;
 
 namespace Harvester.Driving.Controllers;

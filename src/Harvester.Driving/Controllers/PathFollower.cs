@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
@@ -76,27 +73,35 @@ public sealed class PathFollower
         double forward = target.Dot(new Vector2D(pose.Axes.Forward.X, pose.Axes.Forward.Y));
         double left = -target.Dot(new Vector2D(pose.Axes.Right.X, pose.Axes.Right.Y));
         double curvature = 2 * left / Math.Max(1, target.Dot(target));
-        double wheel = forward < 0 ? Math.Sign(left) * _car.SteeringLockRadians
-            : Math.Atan(_car.Wheelbase * curvature * _car.UndersteerAt(speed));
+        double wheel =
+            forward < 0 ? Math.Sign(left) * _car.SteeringLockRadians : Math.Atan(_car.Wheelbase * curvature * _car.UndersteerAt(speed));
         double wanted = Math.Min(_speed, Math.Sqrt(MaxAcross / Math.Max(1e-6, Math.Abs(curvature))));
         wanted = Math.Min(wanted, SpeedBefore(FreeMetres(pose, near)));
         double acceleration = SpeedGain * (wanted - speed);
         return new DrivingControls(
-            wheel / _car.SteeringLockRadians, acceleration / _car.FullThrottle, wanted < speed ? -acceleration / Braking : 0);
+            wheel / _car.SteeringLockRadians,
+            acceleration / _car.FullThrottle,
+            wanted < speed ? -acceleration / Braking : 0
+        );
     }
 
     private static double SpeedBefore(double metres) => Math.Sqrt(2 * Braking * Math.Max(0, metres - StandOff));
 
     /// <summary>How far the way straight ahead is free, metres from the car's middle.</summary>
-    private static double FreeMetres(Pose pose, IEnumerable<EntityState> near) => near
-        .Where(entity => entity.Class is not (ObjectClass.Sign or ObjectClass.TrafficLight or ObjectClass.Other))
-        .Select(entity => (entity, to: entity.Pose.Position - pose.Position))
-        .Select(each => (ahead: each.to.Dot(pose.Axes.Forward), across: Math.Abs(each.to.Dot(pose.Axes.Right)),
-            half: (each.entity.ModelMax - each.entity.ModelMin) * 0.5))
-        .Where(each => each.ahead > 0 && each.across < HalfWidth + each.half.X)
-        .Select(each => each.ahead - each.half.Y)
-        .DefaultIfEmpty(double.PositiveInfinity)
-        .Min();
+    private static double FreeMetres(Pose pose, IEnumerable<EntityState> near) =>
+        near.Where(entity => entity.Class is not (ObjectClass.Sign or ObjectClass.TrafficLight or ObjectClass.Other))
+            .Select(entity => (entity, to: entity.Pose.Position - pose.Position))
+            .Select(each =>
+                (
+                    ahead: each.to.Dot(pose.Axes.Forward),
+                    across: Math.Abs(each.to.Dot(pose.Axes.Right)),
+                    half: (each.entity.ModelMax - each.entity.ModelMin) * 0.5
+                )
+            )
+            .Where(each => each.ahead > 0 && each.across < HalfWidth + each.half.X)
+            .Select(each => each.ahead - each.half.Y)
+            .DefaultIfEmpty(double.PositiveInfinity)
+            .Min();
 
     /// <summary>Goes on to the nearest point of the path, neither behind the last one nor so far ahead that it is another bend.</summary>
     private void Advance(Vector2D place)

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 
@@ -30,9 +29,10 @@ internal sealed class RoadAhead(double lookAheadMetres, double periodSeconds, Ca
     public void Observe(DrivingState state)
     {
         double metres = state.SpeedMetresPerSecond * periodSeconds;
-        double turned = state.HeadingRadians is { } now && _headingRadians is { } before
-            ? Angles.WrapRadians(now - before)
-            : metres * CurvatureOfCar(state.SpeedMetresPerSecond);
+        double turned =
+            state.HeadingRadians is { } now && _headingRadians is { } before
+                ? Angles.WrapRadians(now - before)
+                : metres * CurvatureOfCar(state.SpeedMetresPerSecond);
         _headingRadians = state.HeadingRadians;
         if (Math.Abs(turned) > MaxTurn)
         {

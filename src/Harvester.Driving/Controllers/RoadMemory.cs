@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Driving.Controllers;
 
 /// <summary>
@@ -22,9 +19,14 @@ internal sealed class RoadMemory(double lookAheadMetres)
 
     private const double SeedStep = 1;
 
-    private readonly double _lookAheadMetres = lookAheadMetres >= 0
-        ? lookAheadMetres
-        : throw new ArgumentOutOfRangeException(nameof(lookAheadMetres), lookAheadMetres, "Angles are measured at the car or ahead of it.");
+    private readonly double _lookAheadMetres =
+        lookAheadMetres >= 0
+            ? lookAheadMetres
+            : throw new ArgumentOutOfRangeException(
+                nameof(lookAheadMetres),
+                lookAheadMetres,
+                "Angles are measured at the car or ahead of it."
+            );
 
     private readonly List<(double Station, double Heading, int Frames)> _seen = [];
     private double _station;
@@ -59,7 +61,7 @@ internal sealed class RoadMemory(double lookAheadMetres)
             _seen[last] = place with
             {
                 Heading = ((place.Heading * place.Frames) + heading) / (place.Frames + 1),
-                Frames = place.Frames + 1
+                Frames = place.Frames + 1,
             };
         }
         else

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
@@ -88,17 +87,20 @@ public sealed class StanleyController : IAimingController
         double? measured = _lane.Centre(at);
         double laneWidth = at.ToMarkingMR.Value - at.ToMarkingML.Value;
         bool jumped = measured is { } there && predicted is { } expected && Math.Abs(there - expected) > laneWidth / 2;
-        _centre = measured is null || predicted is null || jumped
-            ? measured
-            : predicted + (_options.LateralWeight * (measured - predicted));
+        _centre =
+            measured is null || predicted is null || jumped ? measured : predicted + (_options.LateralWeight * (measured - predicted));
     }
 
     private void ConsiderLaneChange(DrivingState state)
     {
         LaneIndicators at = state.Indicators;
         double blockedWithin = Math.Max(20, state.SpeedMetresPerSecond * _options.BlockedWithinSeconds);
-        if (_lane.BoundFor != 0 || !(_leader.Gap < blockedWithin)
-            || state.SpeedMetresPerSecond < SlowestToChange || state.SpeedMetresPerSecond > 0.9 * _options.CruiseSpeed)
+        if (
+            _lane.BoundFor != 0
+            || !(_leader.Gap < blockedWithin)
+            || state.SpeedMetresPerSecond < SlowestToChange
+            || state.SpeedMetresPerSecond > 0.9 * _options.CruiseSpeed
+        )
         {
             return;
         }
@@ -129,9 +131,10 @@ public sealed class StanleyController : IAimingController
     {
         double speed = state.SpeedMetresPerSecond;
         double wanted = TargetSpeed(state);
-        double free = speed <= wanted
-            ? _options.Acceleration * (1 - Math.Pow(speed / wanted, 4))
-            : -Math.Min(_options.Car.FullBraking, 2 * (speed - wanted));
+        double free =
+            speed <= wanted
+                ? _options.Acceleration * (1 - Math.Pow(speed / wanted, 4))
+                : -Math.Min(_options.Car.FullBraking, 2 * (speed - wanted));
         if (_leader.Gap is { } gap)
         {
             double closing = speed * (speed - _leader.Speed) / (2 * Math.Sqrt(_options.Acceleration * _options.Braking));

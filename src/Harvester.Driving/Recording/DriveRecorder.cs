@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
@@ -51,23 +49,24 @@ public sealed class DriveRecorder : IDisposable
     /// <summary>Options of a recording.</summary>
     /// <param name="rateHz">Maximum number of frames per second of game time; greater than 0.</param>
     /// <param name="labels">What is labelled and how images are written; null for the defaults.</param>
-    public static HarvestOptions Options(double rateHz, HarvestOptions? labels = null) => (labels ?? new()) with
-    {
-        RateHz = rateHz,
-        Freeze = false,
-        LiveLag = new PictureLag(0, 0),
-        ProbeLag = false,
-        MaxCalibrationErrorPixels = null,
-        MaxPictureLagTicks = 0,
-        MaxFrames = null,
-        Motion = true,
-        Scenes = false,
-        Masks = false,
-        Semantics = null,
-        Channels = ChannelKeys.None,
-        Pairs = new PairOptions(),
-        Rig = null,
-    };
+    public static HarvestOptions Options(double rateHz, HarvestOptions? labels = null) =>
+        (labels ?? new()) with
+        {
+            RateHz = rateHz,
+            Freeze = false,
+            LiveLag = new PictureLag(0, 0),
+            ProbeLag = false,
+            MaxCalibrationErrorPixels = null,
+            MaxPictureLagTicks = 0,
+            MaxFrames = null,
+            Motion = true,
+            Scenes = false,
+            Masks = false,
+            Semantics = null,
+            Channels = ChannelKeys.None,
+            Pairs = new PairOptions(),
+            Rig = null,
+        };
 
     /// <summary>Why the recording ended early; null if it did not.</summary>
     public CaptureFault? Failure => _session.Failure;
@@ -99,8 +98,7 @@ public sealed class DriveRecorder : IDisposable
     /// <param name="indicators">The thirteen indicators by which they were found, scaled to TORCS; null if there were none.</param>
     /// <param name="target">The controller's target; null if it is unknown.</param>
     /// <param name="bridgeFrame">Number of the answered frame on the live bridge; null if unknown.</param>
-    public void Answer(
-        DrivingControls controls, IReadOnlyList<double>? indicators, DriveTarget? target = null, long? bridgeFrame = null) =>
+    public void Answer(DrivingControls controls, IReadOnlyList<double>? indicators, DriveTarget? target = null, long? bridgeFrame = null) =>
         _action?.Answer(controls, indicators, target, bridgeFrame, _world.TimeSeconds);
 
     /// <summary>Discards the motion of the car: it has been placed elsewhere since the last tick.</summary>
@@ -128,7 +126,8 @@ public sealed class DriveRecorder : IDisposable
                     ? new DriveControls(steering, throttle, brake)
                     : applied,
             },
-            isDisturbed);
+            isDisturbed
+        );
     }
 
     /// <summary>Ends the recording and closes the sink.</summary>

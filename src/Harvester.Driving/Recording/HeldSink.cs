@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Harvesting;
 
 namespace Harvester.Driving.Recording;

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 
@@ -50,8 +49,7 @@ internal sealed class InertialSensor
     }
 
     private static bool IsDisplaced(EgoState before, EgoState now, double seconds) =>
-        (now.Pose.Position - before.Pose.Position).Length
-            > Displaced + (Math.Max(before.Velocity.Length, now.Velocity.Length) * seconds);
+        (now.Pose.Position - before.Pose.Position).Length > Displaced + (Math.Max(before.Velocity.Length, now.Velocity.Length) * seconds);
 
     /// <summary>
     /// The rotation from one orientation to another, world, as axis times angle in radians: half the sum of the cross products of the axes

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Bridge;
 using Harvester.Geometry;
@@ -39,8 +37,7 @@ internal sealed class OpenAction(double timeSeconds, double speed)
     public DrivingTruth? Truth { get; set; }
 
     /// <summary>Takes the answer to the frame; later answers, and answers to other frames, are not taken.</summary>
-    public void Answer(
-        DrivingControls controls, IReadOnlyList<double>? indicators, DriveTarget? target, long? answered, double nowSeconds)
+    public void Answer(DrivingControls controls, IReadOnlyList<double>? indicators, DriveTarget? target, long? answered, double nowSeconds)
     {
         if (_answer is null && (answered is null || BridgeFrame is null || answered == BridgeFrame || answered == RepeatedAs))
         {
@@ -78,7 +75,10 @@ internal sealed class OpenAction(double timeSeconds, double speed)
         return new DriveLabel(driver, speed)
         {
             Controls = isBuiltIn ? applied : _answer,
-            AnswerSeconds = isBuiltIn && applied is not null ? 0 : isBuiltIn ? null : _answerSeconds,
+            AnswerSeconds =
+                isBuiltIn && applied is not null ? 0
+                : isBuiltIn ? null
+                : _answerSeconds,
             Applied = applied,
             IsDisturbed = _ticks.Count > 0 && _ticks[0].IsDisturbed,
             Indicators = isBuiltIn ? null : _indicators,

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Driving.Bridge;
 using Harvester.Geometry.Cameras;
 
@@ -38,8 +37,8 @@ public sealed record DrivingOptions
     public int SettleTicks
     {
         get => _settleTicks;
-        init => _settleTicks = value >= 0 ? value
-            : throw new ArgumentOutOfRangeException(nameof(SettleTicks), value, "Ticks are 0 or more.");
+        init =>
+            _settleTicks = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(SettleTicks), value, "Ticks are 0 or more.");
     }
 
     /// <summary>
@@ -55,6 +54,7 @@ public sealed record DrivingOptions
     public bool WaitsForAnswers { get; init; }
 
     private static double Positive(double value, string name) =>
-        value > 0 && !double.IsInfinity(value) ? value
+        value > 0 && !double.IsInfinity(value)
+            ? value
             : throw new ArgumentOutOfRangeException(name, value, $"{name} must be greater than 0.");
 }

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Bridge;
 using Harvester.Driving.Controllers;
@@ -45,7 +43,8 @@ public sealed class DrivingSession : IDisposable
         GamePorts game,
         IDrivingBridge bridge,
         Func<IController> newController,
-        Func<DrivingTruth>? readTruth = null)
+        Func<DrivingTruth>? readTruth = null
+    )
     {
         _ = options ?? throw new ArgumentNullException(nameof(options));
         _game = game ?? throw new ArgumentNullException(nameof(game));

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Bridge;
@@ -70,7 +68,8 @@ internal sealed class DrivingView
             Angles.HeadingDegrees(ego.Pose.Axes.Forward),
             lanes?.Indicators ?? LaneIndicators.Unknown,
             lanes?.TorcsEquivalent ?? LaneIndicators.Unknown,
-            _isFast)
+            _isFast
+        )
         {
             AreLanesKnown = AreLanesKnown,
             HasPicture = hasPicture,
@@ -85,11 +84,7 @@ internal sealed class DrivingView
     public DrivingState StateOf(LaneIndicators torcsEquivalent)
     {
         EgoState ego = _game.World.ReadEgo();
-        return new DrivingState(
-            TorcsEquivalent.InMetres(torcsEquivalent, _section),
-            torcsEquivalent,
-            _isFast,
-            ego.Velocity.Length)
+        return new DrivingState(TorcsEquivalent.InMetres(torcsEquivalent, _section), torcsEquivalent, _isFast, ego.Velocity.Length)
         {
             HeadingRadians = Angles.ToRadians(Angles.HeadingDegrees(ego.Pose.Axes.Forward)),
             PedalsInForce = DrivingState.PedalsOf(ego),
@@ -106,8 +101,10 @@ internal sealed class DrivingView
             return null;
         }
 
-        IReadOnlyList<EntityState> entities =
-            _game.World.ReadEntities(ego.Pose.Position, IndicatorCalculator.VehicleRange + MaxHalfVehicle);
+        IReadOnlyList<EntityState> entities = _game.World.ReadEntities(
+            ego.Pose.Position,
+            IndicatorCalculator.VehicleRange + MaxHalfVehicle
+        );
         if (_lanes.Observe(ego, entities) is not { } known)
         {
             return null;

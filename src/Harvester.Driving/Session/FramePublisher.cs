@@ -39,8 +39,12 @@ internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge brid
 
     /// <summary>Whether an image may be grabbed in the next ticks, so that overlays must not be drawn now.</summary>
     public bool IsPictureNear =>
-        pace.IsPaused || pace.IsStepping || _isAskedFor || _isMissed || _leadLeft is not null
-            || (_isWanted && _schedule.SecondsUntilDue(_nowSeconds) < (options.SettleTicks + HalfATick) * _tickSeconds);
+        pace.IsPaused
+        || pace.IsStepping
+        || _isAskedFor
+        || _isMissed
+        || _leadLeft is not null
+        || (_isWanted && _schedule.SecondsUntilDue(_nowSeconds) < (options.SettleTicks + HalfATick) * _tickSeconds);
 
     /// <summary>
     /// Starts a tick; call it before the client's messages are taken and before <see cref="PublishIfTime"/>. An answer that arrives later

@@ -1,5 +1,3 @@
-using System.IO;
-
 namespace Harvester.Evaluation.Clients;
 
 /// <summary>The game has closed its bridge, as it does when a drive is over.</summary>

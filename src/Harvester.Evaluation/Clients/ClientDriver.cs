@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-using System.Threading;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Controllers;
 using Harvester.Evaluation.Figures;
@@ -65,7 +62,8 @@ public sealed class ClientDriver(IBridgeLink link, Func<IController> newControll
                 else if (clock.GetElapsedTime(_heard) > patience)
                 {
                     throw new IOException(
-                        FormattableString.Invariant($"No frame has arrived from the game for {patience.TotalSeconds} s."));
+                        FormattableString.Invariant($"No frame has arrived from the game for {patience.TotalSeconds} s.")
+                    );
                 }
                 else if (frame is not null && _isAsking)
                 {
@@ -90,8 +88,11 @@ public sealed class ClientDriver(IBridgeLink link, Func<IController> newControll
         // After a restart of the game, its time begins again.
         double passed = Math.Max(0, frame.TimeSeconds - (_last?.TimeSeconds ?? frame.TimeSeconds));
         double speed = frame.State.SpeedMetresPerSecond;
-        if (_last?.Position is { } before && frame.Position is { } now
-            && Relocation.Is((now - before).Length, _last.State.SpeedMetresPerSecond, speed, passed))
+        if (
+            _last?.Position is { } before
+            && frame.Position is { } now
+            && Relocation.Is((now - before).Length, _last.State.SpeedMetresPerSecond, speed, passed)
+        )
         {
             _controller = newController();
         }

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Labels;

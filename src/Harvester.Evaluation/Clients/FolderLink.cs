@@ -1,9 +1,6 @@
-using System;
 using System.Diagnostics;
 using System.Globalization;
-using System.IO;
 using System.Text;
-using System.Threading;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Bridge;
 using Harvester.Driving.Controllers;
@@ -37,7 +34,8 @@ public sealed class FolderLink : IBridgeLink
     /// </exception>
     public FolderLink(string folder)
     {
-        _folder = Directory.Exists(folder) ? folder
+        _folder = Directory.Exists(folder)
+            ? folder
             : throw new IOException($"Shared folder not found: '{folder}'. Start the game's side first; it creates the folder.");
         CheckVersion();
         _seen = ReadState();
@@ -69,15 +67,16 @@ public sealed class FolderLink : IBridgeLink
             }
 
             Thread.Sleep(Poll);
-        }
-        while (waited.Elapsed < patience);
+        } while (waited.Elapsed < patience);
         return null;
     }
 
     /// <inheritdoc/>
-    public void Send(DrivingControls controls, long frame) => WriteWhole(
-        "controls.txt", FormattableString.Invariant(
-            $"{controls.Steering:0.######} {controls.Throttle:0.######} {controls.Brake:0.######} {frame}\n"));
+    public void Send(DrivingControls controls, long frame) =>
+        WriteWhole(
+            "controls.txt",
+            FormattableString.Invariant($"{controls.Steering:0.######} {controls.Throttle:0.######} {controls.Brake:0.######} {frame}\n")
+        );
 
     /// <summary>
     /// Requests a frame. Until the first frame has arrived, a hello does this; it also resumes a world that an earlier client has frozen.
@@ -89,9 +88,7 @@ public sealed class FolderLink : IBridgeLink
         Command(string.Create(CultureInfo.InvariantCulture, $"{{\"type\":\"step\",\"seconds\":{seconds}}}"));
 
     /// <summary>There is nothing to release.</summary>
-    public void Dispose()
-    {
-    }
+    public void Dispose() { }
 
     private static string Hello { get; } =
         string.Create(CultureInfo.InvariantCulture, $"{{\"type\":\"{BridgeProtocol.HelloType}\",\"version\":{BridgeProtocol.Version}}}");
@@ -149,9 +146,16 @@ public sealed class FolderLink : IBridgeLink
         }
 
         LaneIndicators torcs = ClientIndicators.Of(numbers[..IndicatorTable.Count]);
-        int frame = IndicatorTable.Count, time = frame + 1, speed = frame + 2, fast = frame + 3;
+        int frame = IndicatorTable.Count,
+            time = frame + 1,
+            speed = frame + 2,
+            fast = frame + 3;
         DrivingState seen = new(
-            ClientIndicators.InMetres(torcs, ClientIndicators.Ordinary, angleAhead), torcs, numbers[fast] > 0, numbers[speed]);
+            ClientIndicators.InMetres(torcs, ClientIndicators.Ordinary, angleAhead),
+            torcs,
+            numbers[fast] > 0,
+            numbers[speed]
+        );
         return new ClientFrame((long)numbers[frame], numbers[time], seen, null);
     }
 

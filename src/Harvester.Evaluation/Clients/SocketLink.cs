@@ -1,6 +1,4 @@
-using System;
 using System.Buffers.Binary;
-using System.IO;
 using System.Net.Sockets;
 using System.Text;
 using System.Text.Json;
@@ -37,7 +35,14 @@ public sealed class SocketLink : IBridgeLink
             Connect(host, port, patience);
             _stream = _connection.GetStream();
             _stream.ReadTimeout = _stream.WriteTimeout = (int)patience.TotalMilliseconds;
-            Write(new { type = BridgeProtocol.HelloType, version = BridgeProtocol.Version, token });
+            Write(
+                new
+                {
+                    type = BridgeProtocol.HelloType,
+                    version = BridgeProtocol.Version,
+                    token,
+                }
+            );
             AskForFrame();
         }
         catch
@@ -83,7 +88,16 @@ public sealed class SocketLink : IBridgeLink
 
     /// <inheritdoc/>
     public void Send(DrivingControls controls, long frame) =>
-        Write(new { type = "controls", steering = controls.Steering, throttle = controls.Throttle, brake = controls.Brake, frame });
+        Write(
+            new
+            {
+                type = "controls",
+                steering = controls.Steering,
+                throttle = controls.Throttle,
+                brake = controls.Brake,
+                frame,
+            }
+        );
 
     /// <inheritdoc/>
     public void AskForFrame() => Write(new { type = "requestFrame" });
@@ -131,12 +145,17 @@ public sealed class SocketLink : IBridgeLink
             ClientIndicators.InMetres(indicators, ClientIndicators.SectionOf(torcs, metres), angleAhead: metres[0]),
             indicators,
             header.Boolean("fast"),
-            header.Number("speedMetresPerSecond"))
+            header.Number("speedMetresPerSecond")
+        )
         {
             HeadingRadians = Angles.ToRadians(header.Number("headingDegrees")),
         };
         return new ClientFrame(
-            (long)header.Number("frame"), header.Number("timeSeconds"), seen, new Vector3D(position[0], position[1], position[2]));
+            (long)header.Number("frame"),
+            header.Number("timeSeconds"),
+            seen,
+            new Vector3D(position[0], position[1], position[2])
+        );
     }
 
     private void Connect(string host, int port, TimeSpan patience)
@@ -146,7 +165,8 @@ public sealed class SocketLink : IBridgeLink
             if (!_connection.ConnectAsync(host, port).Wait(patience))
             {
                 throw new IOException(
-                    FormattableString.Invariant($"Cannot connect to {host}:{port}: no answer for {patience.TotalSeconds} s."));
+                    FormattableString.Invariant($"Cannot connect to {host}:{port}: no answer for {patience.TotalSeconds} s.")
+                );
             }
         }
         catch (AggregateException e) when (e.InnerException is SocketException fault)
@@ -199,10 +219,9 @@ public sealed class SocketLink : IBridgeLink
         Fill(bytes.AsSpan(1));
     }
 
-    private static bool IsClosing(IOException fault) => fault.InnerException is SocketException
-    {
-        SocketErrorCode: SocketError.ConnectionReset or SocketError.ConnectionAborted or SocketError.Shutdown,
-    };
+    private static bool IsClosing(IOException fault) =>
+        fault.InnerException
+            is SocketException { SocketErrorCode: SocketError.ConnectionReset or SocketError.ConnectionAborted or SocketError.Shutdown };
 
     private byte[] Read(int length)
     {

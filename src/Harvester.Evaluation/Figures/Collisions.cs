@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Evaluation.Figures;
 
 /// <summary>Finds collisions: the first sample of each contact with a vehicle.</summary>

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 
 namespace Harvester.Evaluation.Figures;
@@ -20,7 +19,8 @@ public sealed record DriveEvent(double TimeSeconds, double X, double Y, bool IsB
 
     internal string Description =>
         FormattableString.Invariant($"{TimeSeconds:0.0} s at {X:0.0}, {Y:0.0} m, ")
-        + (IsByController ? "controller" : "built-in driver") + (IsInJunction ? ", in a junction" : "");
+        + (IsByController ? "controller" : "built-in driver")
+        + (IsInJunction ? ", in a junction" : "");
 
     /// <summary>The event at a sample.</summary>
     /// <param name="sample">The sample.</param>
@@ -33,7 +33,8 @@ public sealed record DriveEvent(double TimeSeconds, double X, double Y, bool IsB
             Math.Round(sample.Position.X, Decimals) + 0.0,
             Math.Round(sample.Position.Y, Decimals) + 0.0,
             sample.IsByController,
-            sample.Lane is null)
+            sample.Lane is null
+        )
         {
             Episode = episode,
         };

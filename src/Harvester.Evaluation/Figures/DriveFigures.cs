@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Evaluation.Figures;
 
 /// <summary>
@@ -86,7 +82,8 @@ public sealed record DriveFigures
             }
         }
 
-        ILookup<(bool ByController, bool InJunction), int> collisions = Evaluation.Figures.Collisions.In(samples)
+        ILookup<(bool ByController, bool InJunction), int> collisions = Evaluation
+            .Figures.Collisions.In(samples)
             .ToLookup(i => (samples[i].IsByController, samples[i].Lane is null));
         return new DriveFigures
         {
@@ -112,14 +109,22 @@ public sealed record DriveFigures
     public IEnumerable<(string Name, string Value)> Rows()
     {
         yield return ("distance driven", FormattableString.Invariant($"{Metres:0} m in {Seconds:0} s"));
-        yield return ("by the controller", FormattableString.Invariant(
-            $"{ControllerMetres:0} m, of which {JudgedMetres:0} m outside junctions; mean speed {ControllerMeanSpeed:0.0} m/s"));
+        yield return (
+            "by the controller",
+            FormattableString.Invariant(
+                $"{ControllerMetres:0} m, of which {JudgedMetres:0} m outside junctions; mean speed {ControllerMeanSpeed:0.0} m/s"
+            )
+        );
         yield return ("lane departures", FormattableString.Invariant($"{LaneDepartures}"));
         yield return ("lane changes", FormattableString.Invariant($"{LaneChanges}"));
         yield return ("lateral error", FormattableString.Invariant($"{RmsLateralError:0.000} m RMS, {LargestLateralError:0.00} m max"));
-        yield return ("collisions", FormattableString.Invariant($"{Collisions} outside junctions, {CollisionsInJunctions} inside; ")
-            + FormattableString.Invariant(
-                $"built-in driver: {CollisionsOfOwnDriver} outside junctions, {CollisionsOfOwnDriverInJunctions} inside"));
+        yield return (
+            "collisions",
+            FormattableString.Invariant($"{Collisions} outside junctions, {CollisionsInJunctions} inside; ")
+                + FormattableString.Invariant(
+                    $"built-in driver: {CollisionsOfOwnDriver} outside junctions, {CollisionsOfOwnDriverInJunctions} inside"
+                )
+        );
         yield return ("jerk", FormattableString.Invariant($"{RmsJerk:0.0} m/s³ RMS"));
         yield return ("repositioned", FormattableString.Invariant($"{Relocations}"));
     }

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 
 namespace Harvester.Evaluation.Figures;
@@ -25,20 +24,22 @@ public readonly record struct GroundBox(Vector2D Centre, Vector2D Forward, doubl
             (max.Y - min.Y) / 2,
             (max.X - min.X) / 2,
             centre.Z - halfHeight,
-            centre.Z + halfHeight);
+            centre.Z + halfHeight
+        );
     }
 
     /// <summary>Whether two bodies overlap: no line along a side of either separates them.</summary>
     public bool Overlaps(GroundBox other) =>
-        Bottom < other.Top && other.Bottom < Top
-        && !IsParted(other, Forward) && !IsParted(other, Left(Forward))
-        && !IsParted(other, other.Forward) && !IsParted(other, Left(other.Forward));
+        Bottom < other.Top
+        && other.Bottom < Top
+        && !IsParted(other, Forward)
+        && !IsParted(other, Left(Forward))
+        && !IsParted(other, other.Forward)
+        && !IsParted(other, Left(other.Forward));
 
-    private bool IsParted(GroundBox other, Vector2D axis) =>
-        Math.Abs((other.Centre - Centre).Dot(axis)) > Reach(axis) + other.Reach(axis);
+    private bool IsParted(GroundBox other, Vector2D axis) => Math.Abs((other.Centre - Centre).Dot(axis)) > Reach(axis) + other.Reach(axis);
 
-    private double Reach(Vector2D axis) =>
-        (Math.Abs(Forward.Dot(axis)) * HalfLength) + (Math.Abs(Forward.Cross(axis)) * HalfWidth);
+    private double Reach(Vector2D axis) => (Math.Abs(Forward.Dot(axis)) * HalfLength) + (Math.Abs(Forward.Cross(axis)) * HalfWidth);
 
     private static Vector2D Left(Vector2D vector) => new(-vector.Y, vector.X);
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Evaluation.Figures;
 
 /// <summary>The longitudinal jerk of a controller: the second difference of the speed, m/s³.</summary>
@@ -12,8 +9,11 @@ public static class Jerk
         ArgumentNullException.ThrowIfNull(samples);
         for (int i = 2; i < samples.Count; i++)
         {
-            if (samples[i].IsTeleported || samples[i - 1].IsTeleported
-                || !(samples[i].IsByController && samples[i - 1].IsByController && samples[i - 2].IsByController))
+            if (
+                samples[i].IsTeleported
+                || samples[i - 1].IsTeleported
+                || !(samples[i].IsByController && samples[i - 1].IsByController && samples[i - 2].IsByController)
+            )
             {
                 continue;
             }

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Evaluation.Figures;
 
 /// <summary>Distinguishes a teleported car from one that has driven.</summary>

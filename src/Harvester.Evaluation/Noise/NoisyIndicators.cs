@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Controllers;
 using Harvester.Geometry.Lanes;
@@ -36,15 +35,21 @@ public sealed class NoisyIndicators : IController
         ArgumentNullException.ThrowIfNull(state);
         LaneIndicators truth = state.Indicators;
         double scale = LaneScale(state);
-        LaneIndicators metres = (truth with { Angle = Noisy(truth.Angle, _levels.AngleRadians) })
-            .Select(toMarking => Noisy(toMarking, _levels.MarkingMetres * scale), NoisyDistance);
-        return _controller.Drive(state with
-        {
-            Indicators = metres,
-            TorcsEquivalent = TorcsEquivalent.Of(
-                metres, new LaneSection(1, LaneSection.TorcsLaneWidth * scale),
-                    WithErrorOf(state.TorcsEquivalent.Angle, truth.Angle, metres.Angle)),
-        });
+        LaneIndicators metres = (truth with { Angle = Noisy(truth.Angle, _levels.AngleRadians) }).Select(
+            toMarking => Noisy(toMarking, _levels.MarkingMetres * scale),
+            NoisyDistance
+        );
+        return _controller.Drive(
+            state with
+            {
+                Indicators = metres,
+                TorcsEquivalent = TorcsEquivalent.Of(
+                    metres,
+                    new LaneSection(1, LaneSection.TorcsLaneWidth * scale),
+                    WithErrorOf(state.TorcsEquivalent.Angle, truth.Angle, metres.Angle)
+                ),
+            }
+        );
     }
 
     /// <summary>An angle with the error of another one: a network has the same error in both.</summary>
@@ -57,12 +62,12 @@ public sealed class NoisyIndicators : IController
         LaneIndicators metres = state.Indicators;
         LaneIndicators torcs = state.TorcsEquivalent;
         return metres.ToMarkingML.IsValid && metres.ToMarkingMR.IsValid
-            ? (metres.ToMarkingMR.Value - metres.ToMarkingML.Value) / (torcs.ToMarkingMR.Value - torcs.ToMarkingML.Value)
+                ? (metres.ToMarkingMR.Value - metres.ToMarkingML.Value) / (torcs.ToMarkingMR.Value - torcs.ToMarkingML.Value)
             : metres.ToMarkingM.IsValid && metres.ToMarkingR.IsValid
                 ? (metres.ToMarkingR.Value - metres.ToMarkingM.Value) / (torcs.ToMarkingR.Value - torcs.ToMarkingM.Value)
-                : metres.ToMarkingM.IsValid && metres.ToMarkingL.IsValid
-                    ? (metres.ToMarkingM.Value - metres.ToMarkingL.Value) / (torcs.ToMarkingM.Value - torcs.ToMarkingL.Value)
-                    : 1;
+            : metres.ToMarkingM.IsValid && metres.ToMarkingL.IsValid
+                ? (metres.ToMarkingM.Value - metres.ToMarkingL.Value) / (torcs.ToMarkingM.Value - torcs.ToMarkingL.Value)
+            : 1;
     }
 
     private Indicator Noisy(Indicator indicator, double meanError) =>
@@ -74,6 +79,5 @@ public sealed class NoisyIndicators : IController
             : indicator;
 
     /// <summary>A standard normal number (Box and Muller).</summary>
-    private double Normal() =>
-        Math.Sqrt(-2 * Math.Log(1 - _random.NextDouble())) * Math.Cos(2 * Math.PI * _random.NextDouble());
+    private double Normal() => Math.Sqrt(-2 * Math.Log(1 - _random.NextDouble())) * Math.Cos(2 * Math.PI * _random.NextDouble());
 }

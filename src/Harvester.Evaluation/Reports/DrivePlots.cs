@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Evaluation.Figures;
 using Harvester.Geometry;
 using Harvester.Pages.Plots;
@@ -61,8 +58,11 @@ internal sealed class DrivePlots
             plot.Add(new PlotLine("bound", [new Vector2D(0, bound), new Vector2D(Length, bound)]));
         }
 
-        foreach (List<int> piece in Pieces<int>(
-            sample => sample.IsByController && sample.Lane?.Lane is { } lane ? lane + (LanesPerRoad * sample.Lane.Road) : null))
+        foreach (
+            List<int> piece in Pieces<int>(sample =>
+                sample.IsByController && sample.Lane?.Lane is { } lane ? lane + (LanesPerRoad * sample.Lane.Road) : null
+            )
+        )
         {
             plot.Add(new PlotLine(ByController, [.. piece.Select(i => new Vector2D(_distances[i], _samples[i].Lane!.RightOfCentre))]));
         }
@@ -82,8 +82,11 @@ internal sealed class DrivePlots
         (int Sample, double Jerk)[] jerks = [.. Figures.Jerk.Of(_samples)];
         double max = jerks.Select(at => Math.Abs(at.Jerk)).Append(1).Max();
         LinePlot plot = OverDistance("jerk, m/s³", -max, max);
-        foreach (IGrouping<int, (int Sample, double Jerk)> piece in jerks
-            .Select((at, order) => (At: at, Piece: at.Sample - order)).GroupBy(at => at.Piece, at => at.At))
+        foreach (
+            IGrouping<int, (int Sample, double Jerk)> piece in jerks
+                .Select((at, order) => (At: at, Piece: at.Sample - order))
+                .GroupBy(at => at.Piece, at => at.At)
+        )
         {
             plot.Add(new PlotLine(ByController, [.. piece.Select(at => new Vector2D(_distances[at.Sample], at.Jerk))]));
         }

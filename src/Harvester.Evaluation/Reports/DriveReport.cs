@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Evaluation.Figures;
 using Harvester.Evaluation.Scores;
 using Harvester.Pages;
@@ -34,30 +30,36 @@ public static class DriveReport
     {
         ArgumentNullException.ThrowIfNull(record);
         string title = $"Drive by {record.Settings["controller"]}";
-        HtmlPage.Write(stream, title, Style, page =>
-        {
-            page.Start("header").NewLine().Element("h1", title).NewLine();
-            WriteSettings(page, record.Settings);
-            page.End().NewLine().Start("main").With("class", "panels").NewLine();
-            WriteFigures(page, record);
-            if (record.Episodes.Count > 1)
+        HtmlPage.Write(
+            stream,
+            title,
+            Style,
+            page =>
             {
-                EpisodeTable.Write(page, record.Episodes);
-                WriteFigure(
-                    page,
-                    "Distribution of the driving score",
-                    "Share of the episodes with at most this score; a ring for each episode.",
-                    ScorePlot.Of(record.Episodes));
-            }
+                page.Start("header").NewLine().Element("h1", title).NewLine();
+                WriteSettings(page, record.Settings);
+                page.End().NewLine().Start("main").With("class", "panels").NewLine();
+                WriteFigures(page, record);
+                if (record.Episodes.Count > 1)
+                {
+                    EpisodeTable.Write(page, record.Episodes);
+                    WriteFigure(
+                        page,
+                        "Distribution of the driving score",
+                        "Share of the episodes with at most this score; a ring for each episode.",
+                        ScorePlot.Of(record.Episodes)
+                    );
+                }
 
-            int[] drawn = [.. Enumerable.Range(0, record.Episodes.Count).Where(i => record.Episodes[i].Samples.Count > 1)];
-            if (drawn.Length > 0)
-            {
-                WritePlots(page, record, drawn.MinBy(i => record.Episodes[i].Score.DrivingScore));
-            }
+                int[] drawn = [.. Enumerable.Range(0, record.Episodes.Count).Where(i => record.Episodes[i].Samples.Count > 1)];
+                if (drawn.Length > 0)
+                {
+                    WritePlots(page, record, drawn.MinBy(i => record.Episodes[i].Score.DrivingScore));
+                }
 
-            page.End().NewLine();
-        });
+                page.End().NewLine();
+            }
+        );
     }
 
     private static void WriteSettings(MarkupWriter page, IReadOnlyDictionary<string, string> settings)
@@ -105,8 +107,9 @@ public static class DriveReport
             "Lateral error",
             "Distance from the lane centre, positive to the right, while the controller drives outside junctions. It jumps at a lane "
                 + "change. "
-            + "Dashed: where the side of the car reaches the marking of a lane 5.4 m wide.",
-            plots.LateralError());
+                + "Dashed: where the side of the car reaches the marking of a lane 5.4 m wide.",
+            plots.LateralError()
+        );
         WriteFigure(page, "Speed", "", plots.Speed());
         WriteFigure(page, "Jerk", "Rate of change of the acceleration along the car, while the controller drives.", plots.Jerk());
         WriteFigure(page, "Progress", "", plots.Progress());

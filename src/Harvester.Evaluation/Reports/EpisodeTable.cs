@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Evaluation.Scores;
 using Harvester.Pages;
 
@@ -9,7 +7,19 @@ namespace Harvester.Evaluation.Reports;
 internal static class EpisodeTable
 {
     private static readonly string[] Heads =
-        ["episode", "score", "route", "end", "departures", "vehicles hit", "parked", "pedestrians", "red lights", "stop signs", "stuck"];
+    [
+        "episode",
+        "score",
+        "route",
+        "end",
+        "departures",
+        "vehicles hit",
+        "parked",
+        "pedestrians",
+        "red lights",
+        "stop signs",
+        "stuck",
+    ];
 
     public static void Write(MarkupWriter page, IReadOnlyList<DriveEpisode> episodes)
     {
@@ -23,15 +33,23 @@ internal static class EpisodeTable
         foreach (DriveEpisode episode in episodes)
         {
             EpisodeScore score = episode.Score;
-            page.Start("tr").Element("td", episode.Name)
+            page.Start("tr")
+                .Element("td", episode.Name)
                 .Element("td", FormattableString.Invariant($"{score.DrivingScore:0.0}"))
                 .Element("td", FormattableString.Invariant($"{100 * score.RouteCompletionFraction:0.0} %"))
                 .Element("td", episode.Ending);
-            foreach (int count in new[]
-            {
-                episode.Figures.LaneDepartures, score.Collisions.Vehicles, score.Collisions.Parked, score.Collisions.Pedestrians,
-                score.RedLights, score.StopSigns, score.Stuck,
-            })
+            foreach (
+                int count in new[]
+                {
+                    episode.Figures.LaneDepartures,
+                    score.Collisions.Vehicles,
+                    score.Collisions.Parked,
+                    score.Collisions.Pedestrians,
+                    score.RedLights,
+                    score.StopSigns,
+                    score.Stuck,
+                }
+            )
             {
                 page.Element("td", FormattableString.Invariant($"{count}"));
             }

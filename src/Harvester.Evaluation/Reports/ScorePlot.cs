@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Evaluation.Scores;
 using Harvester.Geometry;
 using Harvester.Pages.Plots;
@@ -27,10 +24,13 @@ internal static class ScorePlot
         for (int i = 0; i < sorted.Length; i++)
         {
             double score = sorted[i].Score.DrivingScore;
-            plot.Add(new PlotMark(
-                DrivePlots.ByBuiltInDriver,
-                new Vector2D(score, (i + 1.0) / sorted.Length),
-                $"{sorted[i].Name}: " + FormattableString.Invariant($"{score:0.0}")));
+            plot.Add(
+                new PlotMark(
+                    DrivePlots.ByBuiltInDriver,
+                    new Vector2D(score, (i + 1.0) / sorted.Length),
+                    $"{sorted[i].Name}: " + FormattableString.Invariant($"{score:0.0}")
+                )
+            );
         }
 
         return plot;

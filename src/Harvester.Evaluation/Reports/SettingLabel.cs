@@ -1,6 +1,3 @@
-using System;
-using System.Linq;
-
 namespace Harvester.Evaluation.Reports;
 
 /// <summary>A setting of a drive in words: drive.json has lookAheadMetres: 10, the page has "look ahead: 10 m".</summary>
@@ -12,7 +9,9 @@ internal static class SettingLabel
     public static (string Name, string Value) Of(string key, string value)
     {
         (string suffix, string unit) = Units.FirstOrDefault(
-            each => key.EndsWith(each.Suffix, StringComparison.Ordinal), (Suffix: "", Unit: ""));
+            each => key.EndsWith(each.Suffix, StringComparison.Ordinal),
+            (Suffix: "", Unit: "")
+        );
         return (Words(key[..^suffix.Length]), value + unit);
     }
 

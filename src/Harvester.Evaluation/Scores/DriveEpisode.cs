@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using System.Text.Json.Serialization;
 using Harvester.Evaluation.Figures;
 using Harvester.Geometry;
@@ -22,7 +20,10 @@ public sealed class DriveEpisode
         Samples = samples;
         Score = EpisodeScore.Of(samples, wantedMetres);
         Figures = DriveFigures.Of(samples);
-        Ending = Score.RouteCompletionFraction >= 1 ? "distance" : isStopped ? "stopped" : "time";
+        Ending =
+            Score.RouteCompletionFraction >= 1 ? "distance"
+            : isStopped ? "stopped"
+            : "time";
     }
 
     /// <summary>Random seed of town, traffic and noise.</summary>
@@ -46,7 +47,8 @@ public sealed class DriveEpisode
 
     /// <summary>Seed and start, for display.</summary>
     [JsonIgnore]
-    public string Name => Near is { } near
-        ? FormattableString.Invariant($"seed {Seed} at {near[0]:0.#}, {near[1]:0.#}")
-        : FormattableString.Invariant($"seed {Seed}");
+    public string Name =>
+        Near is { } near
+            ? FormattableString.Invariant($"seed {Seed} at {near[0]:0.#}, {near[1]:0.#}")
+            : FormattableString.Invariant($"seed {Seed}");
 }

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text.Encodings.Web;
 using System.Text.Json;
 using Harvester.Evaluation.Figures;
@@ -75,7 +71,5 @@ public sealed record DriveRecord
     }
 
     private static DriveEvent[] Events(IReadOnlyList<DriveEpisode> episodes, Func<IReadOnlyList<DriveSample>, IEnumerable<int>> find) =>
-    [
-        .. episodes.SelectMany((episode, index) => find(episode.Samples).Select(i => DriveEvent.At(episode.Samples[i], index))),
-    ];
+        [.. episodes.SelectMany((episode, index) => find(episode.Samples).Select(i => DriveEvent.At(episode.Samples[i], index)))];
 }

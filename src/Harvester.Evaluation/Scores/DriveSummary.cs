@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Evaluation.Scores;
 
 /// <summary>The distribution of scores over episodes, and their infractions per kilometre.</summary>
@@ -47,7 +43,8 @@ public sealed record DriveSummary
                 EventRate.Of(
                     "lane departures",
                     episodes.Sum(episode => episode.Figures.LaneDepartures),
-                    episodes.Sum(episode => episode.Figures.JudgedMetres)),
+                    episodes.Sum(episode => episode.Figures.JudgedMetres)
+                ),
             ],
         };
 
@@ -62,12 +59,21 @@ public sealed record DriveSummary
     public IEnumerable<(string Name, string Value)> Rows()
     {
         yield return ("driving score", Describe(DrivingScore, 1));
-        yield return ("route completion", Describe(RouteCompletionFraction, 100) + (Timeouts > 0
-            ? FormattableString.Invariant($"; time limit reached: {Timeouts}") : ""));
+        yield return (
+            "route completion",
+            Describe(RouteCompletionFraction, 100) + (Timeouts > 0 ? FormattableString.Invariant($"; time limit reached: {Timeouts}") : "")
+        );
         foreach (EventRate rate in Rates)
         {
-            yield return (rate.Name, FormattableString.Invariant($"{rate.Events}") + (rate.PerKilometre is { } per
-                ? FormattableString.Invariant($", {per:0.###} per km (95 %: {rate.Low:0.###} to {rate.High:0.###})") : ""));
+            yield return (
+                rate.Name,
+                FormattableString.Invariant($"{rate.Events}")
+                    + (
+                        rate.PerKilometre is { } per
+                            ? FormattableString.Invariant($", {per:0.###} per km (95 %: {rate.Low:0.###} to {rate.High:0.###})")
+                            : ""
+                    )
+            );
         }
     }
 

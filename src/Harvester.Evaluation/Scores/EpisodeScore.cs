@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Evaluation.Figures;
 
 namespace Harvester.Evaluation.Scores;
@@ -106,7 +103,8 @@ public sealed record EpisodeScore
             CollisionsOfBuiltInDriver = new CollisionCounts(
                 OfBuiltInDriver(samples, static counters => counters.Vehicles),
                 OfBuiltInDriver(samples, static counters => counters.Parked),
-                OfBuiltInDriver(samples, static counters => counters.Pedestrians)),
+                OfBuiltInDriver(samples, static counters => counters.Pedestrians)
+            ),
             RedLights = last.RedLights,
             StopSigns = last.StopSigns,
             Stuck = stuck,
@@ -114,7 +112,9 @@ public sealed record EpisodeScore
     }
 
     private static int OfBuiltInDriver(IReadOnlyList<DriveSample> samples, Func<DriveCounters, int> count) =>
-        Enumerable.Range(0, samples.Count).Where(i => !samples[i].IsByController)
+        Enumerable
+            .Range(0, samples.Count)
+            .Where(i => !samples[i].IsByController)
             .Sum(i => count(samples[i].Counters) - (i > 0 ? count(samples[i - 1].Counters) : 0));
 
     private static double Rounded(double value) => Math.Round(value, Decimals) + 0.0;

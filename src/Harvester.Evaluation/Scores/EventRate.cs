@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Evaluation.Scores;
 
 /// <summary>Events of a drive per kilometre, with Garwood's exact 95 % interval.</summary>

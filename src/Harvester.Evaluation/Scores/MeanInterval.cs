@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Evaluation.Scores;
 
 /// <summary>
@@ -46,7 +42,11 @@ public sealed record MeanInterval(double Mean, double Median, double Low, double
         Array.Sort(means);
         double[] sorted = [.. values.Order()];
         return new MeanInterval(
-            Rounded(values.Average()), Rounded(Quantile(sorted, 0.5)), Rounded(Quantile(means, Tail)), Rounded(Quantile(means, 1 - Tail)));
+            Rounded(values.Average()),
+            Rounded(Quantile(sorted, 0.5)),
+            Rounded(Quantile(means, Tail)),
+            Rounded(Quantile(means, 1 - Tail))
+        );
     }
 
     private static double Quantile(double[] sorted, double share)

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Evaluation.Scores;
 
 /// <summary>Garwood's exact interval for the mean of a Poisson distribution of which a number of events was observed.</summary>

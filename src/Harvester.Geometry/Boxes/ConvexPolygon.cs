@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Boxes;
 
 /// <summary>Convex polygons of the image plane as lists of corners in order; the first corner is not repeated at the end.</summary>

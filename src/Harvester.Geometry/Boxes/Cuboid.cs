@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Boxes;
 
 /// <summary>An oriented box in the world: the 3D bounding box of an entity.</summary>
@@ -92,10 +89,14 @@ public sealed record Cuboid
             throw new ArgumentOutOfRangeException(nameof(number), number, "A cuboid has the corners 0 to 7.");
         }
 
-        return Centre + Axes.ToWorld(new Vector3D(
-            (number & 1) != 0 ? HalfExtents.X : -HalfExtents.X,
-            (number & 2) != 0 ? HalfExtents.Y : -HalfExtents.Y,
-            (number & 4) != 0 ? HalfExtents.Z : -HalfExtents.Z));
+        return Centre
+            + Axes.ToWorld(
+                new Vector3D(
+                    (number & 1) != 0 ? HalfExtents.X : -HalfExtents.X,
+                    (number & 2) != 0 ? HalfExtents.Y : -HalfExtents.Y,
+                    (number & 4) != 0 ? HalfExtents.Z : -HalfExtents.Z
+                )
+            );
     }
 
     /// <summary>An edge as the numbers of its corners.</summary>
@@ -119,7 +120,8 @@ public sealed record Cuboid
         Vector3D direction = Axes.ToLocal(ray.Direction);
         double entry = 0;
         double exit = double.PositiveInfinity;
-        bool hit = Slab(origin.X, direction.X, HalfExtents.X, ref entry, ref exit)
+        bool hit =
+            Slab(origin.X, direction.X, HalfExtents.X, ref entry, ref exit)
             && Slab(origin.Y, direction.Y, HalfExtents.Y, ref entry, ref exit)
             && Slab(origin.Z, direction.Z, HalfExtents.Z, ref entry, ref exit);
         return hit ? new RaySpan(entry, exit) : null;

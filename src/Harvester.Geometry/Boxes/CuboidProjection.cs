@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Boxes;
 
 /// <summary>The image of a cuboid: its silhouette and the boxes around it.</summary>
@@ -13,4 +11,9 @@ namespace Harvester.Geometry.Boxes;
 /// concave, this is its convex hull; boxes and fraction are those of the distorted outline.
 /// </param>
 public sealed record CuboidProjection(
-    BoxOutcome Outcome, Box2D? Box, Box2D? AmodalBox, double TruncatedFraction, IReadOnlyList<Vector2D> Silhouette);
+    BoxOutcome Outcome,
+    Box2D? Box,
+    Box2D? AmodalBox,
+    double TruncatedFraction,
+    IReadOnlyList<Vector2D> Silhouette
+);

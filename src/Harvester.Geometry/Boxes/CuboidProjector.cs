@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.Boxes;
@@ -98,8 +96,7 @@ public static class CuboidProjector
             BecomeHull(buffers);
         }
 
-        return new CuboidProjection(
-            boxes.Outcome, boxes.Box, boxes.AmodalBox, boxes.TruncatedFraction, buffers.Outline.ToArray());
+        return new CuboidProjection(boxes.Outcome, boxes.Box, boxes.AmodalBox, boxes.TruncatedFraction, buffers.Outline.ToArray());
     }
 
     private static void SetOutline(ProjectorBuffers buffers, Camera camera)

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.Boxes;
@@ -59,6 +58,5 @@ internal static class DistortedOutline
         }
     }
 
-    private static double Stride(double place, double radius) =>
-        Math.Max(radius / PiecesToCorner, (Math.Abs(place) - radius) / 2);
+    private static double Stride(double place, double radius) => Math.Max(radius / PiecesToCorner, (Math.Abs(place) - radius) / 2);
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Boxes;
 
 /// <summary>
@@ -12,8 +9,7 @@ internal sealed class PointBuffer
     /// <summary>Maximum number of points for insertion sort, the fastest for few points; a cuboid has eight.</summary>
     private const int MaxInserted = 32;
 
-    private static readonly Comparison<Vector2D> LeftToRight =
-        static (a, b) => a.X != b.X ? a.X.CompareTo(b.X) : a.Y.CompareTo(b.Y);
+    private static readonly Comparison<Vector2D> LeftToRight = static (a, b) => a.X != b.X ? a.X.CompareTo(b.X) : a.Y.CompareTo(b.Y);
 #if !NET
     private static readonly Comparer<Vector2D> LeftToRightComparer = Comparer<Vector2D>.Create(LeftToRight);
 #endif

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry.Boxes;
 
 /// <summary>Intermediate results of projecting a cuboid; one instance per thread, which is reused.</summary>

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.Boxes;
@@ -44,7 +42,8 @@ public static class SphereBox
             camera.PixelOf(centre with { X = left * centre.Y }).X,
             camera.PixelOf(centre with { Z = high * centre.Y }).Y,
             camera.PixelOf(centre with { X = right * centre.Y }).X,
-            camera.PixelOf(centre with { Z = low * centre.Y }).Y);
+            camera.PixelOf(centre with { Z = low * centre.Y }).Y
+        );
     }
 
     /// <summary>The slopes of the two lines through the origin that touch a circle.</summary>

@@ -13,8 +13,13 @@ namespace Harvester.Geometry.Calibration;
 /// It is large if the sightings do not reach towards the corners.
 /// </param>
 public readonly record struct LensFit(
-    LensFitOutcome Outcome, Lens Lens, ReprojectionError Error, ReprojectionError ErrorWithout, int OutlierCount,
-        double CornerUncertaintyPixels)
+    LensFitOutcome Outcome,
+    Lens Lens,
+    ReprojectionError Error,
+    ReprojectionError ErrorWithout,
+    int OutlierCount,
+    double CornerUncertaintyPixels
+)
 {
     // Of errors that are normal along both axes, a fraction exp(-3² / 2) = 1.1 % exceeds three standard deviations: at most 4.4 % at any of
     // four corners.

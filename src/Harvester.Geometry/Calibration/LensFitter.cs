@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.Calibration;
@@ -79,8 +76,14 @@ public static class LensFitter
         var error = ReprojectionError.Of(WithLens(camera, lens), used);
         double variance = error.RmsPixels * error.RmsPixels * used.Count / ((2 * used.Count) - LensEquations.ParameterCount);
         double corner = Math.Sqrt(variance * CornerVariance(camera, equations, system));
-        return new LensFit(LensFitOutcome.Fitted, lens, error, ReprojectionError.Of(WithLens(camera, Lens.Ideal), used),
-            sightings.Count - used.Count, corner);
+        return new LensFit(
+            LensFitOutcome.Fitted,
+            lens,
+            error,
+            ReprojectionError.Of(WithLens(camera, Lens.Ideal), used),
+            sightings.Count - used.Count,
+            corner
+        );
     }
 
     private static double CornerVariance(CameraIntrinsics camera, LensEquations equations, WeightedLeastSquares system)

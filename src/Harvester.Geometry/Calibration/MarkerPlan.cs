@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.Calibration;
@@ -57,8 +55,8 @@ public sealed class MarkerPlan
         {
             for (int column = 0; column < columns; column++)
             {
-                Vector2D pixel = new Vector2D(margin + (column * stepX), margin + (row * stepY))
-                    + (BesideGrid(markers.Count) * radiusPixels);
+                Vector2D pixel =
+                    new Vector2D(margin + (column * stepX), margin + (row * stepY)) + (BesideGrid(markers.Count) * radiusPixels);
                 markers.Add(Marker(camera, pixel, radiusPixels, depths[(column + row) % depths.Count]));
             }
         }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.Calibration;
@@ -21,19 +18,23 @@ public static class MisfitFinder
     [
         (Misfit.Stretch, [static (point, _) => new Vector2D(point.X, 0)]),
         (Misfit.CameraRoll, [static (point, _) => new Vector2D(-point.Y, point.X)]),
-        (Misfit.CameraPosition,
-        [
-            static (_, depth) => new Vector2D(1 / depth, 0),
-            static (_, depth) => new Vector2D(0, 1 / depth),
-            static (point, depth) => point * (1 / depth),
-        ]),
-        (Misfit.LensShape,
-        [
-            // Brown's third radial term and the two tangential terms.
-            static (point, _) => point * Math.Pow(point.Dot(point), 3),
-            static (point, _) => new Vector2D(2 * point.X * point.Y, point.Dot(point) + (2 * point.Y * point.Y)),
-            static (point, _) => new Vector2D(point.Dot(point) + (2 * point.X * point.X), 2 * point.X * point.Y),
-        ]),
+        (
+            Misfit.CameraPosition,
+            [
+                static (_, depth) => new Vector2D(1 / depth, 0),
+                static (_, depth) => new Vector2D(0, 1 / depth),
+                static (point, depth) => point * (1 / depth),
+            ]
+        ),
+        (
+            Misfit.LensShape,
+            [
+                // Brown's third radial term and the two tangential terms.
+                static (point, _) => point * Math.Pow(point.Dot(point), 3),
+                static (point, _) => new Vector2D(2 * point.X * point.Y, point.Dot(point) + (2 * point.Y * point.Y)),
+                static (point, _) => new Vector2D(point.Dot(point) + (2 * point.X * point.X), 2 * point.X * point.Y),
+            ]
+        ),
     ];
 
     /// <summary>The likely cause.</summary>
@@ -46,8 +47,10 @@ public static class MisfitFinder
         Guard.NotNull(sightings, nameof(sightings));
         Residual[] residuals = [.. sightings.Select(sighting => Residual.Of(camera, sighting))];
         double all = LeftBy([], camera, residuals);
-        (Misfit cause, double left) = Causes.Select(cause => (cause.Cause, Left: LeftBy(cause.Patterns, camera, residuals)))
-            .OrderBy(cause => cause.Left).First();
+        (Misfit cause, double left) = Causes
+            .Select(cause => (cause.Cause, Left: LeftBy(cause.Patterns, camera, residuals)))
+            .OrderBy(cause => cause.Left)
+            .First();
         return left < (1 - MinExplained) * all ? cause : Misfit.Noise;
     }
 
@@ -67,7 +70,8 @@ public static class MisfitFinder
 
         return system.Solve() is { } solution
             ? residuals.Sum(residual =>
-                Square(residual.Distance.X - Dot(RowU(residual), solution)) + Square(residual.Distance.Y - Dot(RowV(residual), solution)))
+                Square(residual.Distance.X - Dot(RowU(residual), solution)) + Square(residual.Distance.Y - Dot(RowV(residual), solution))
+            )
             : double.PositiveInfinity;
 
         double[] RowU(Residual residual) =>
@@ -83,9 +87,11 @@ public static class MisfitFinder
 
     private readonly record struct Residual(Vector2D Point, double Depth, Vector2D Distance)
     {
-        public static Residual Of(CameraIntrinsics camera, Sighting sighting) => new(
-            LensEquations.PointOf(sighting),
-            sighting.CameraPose.ToLocal(sighting.World).Y,
-            sighting.Pixel - new Camera(sighting.CameraPose, camera).Project(sighting.World).Pixel);
+        public static Residual Of(CameraIntrinsics camera, Sighting sighting) =>
+            new(
+                LensEquations.PointOf(sighting),
+                sighting.CameraPose.ToLocal(sighting.World).Y,
+                sighting.Pixel - new Camera(sighting.CameraPose, camera).Project(sighting.World).Pixel
+            );
     }
 }

@@ -53,8 +53,10 @@ public sealed record Camera
         Guard.NotNull(world, nameof(world));
         if (Guard.NotNull(projections, nameof(projections)).Length < world.Length)
         {
-            throw new System.ArgumentException($"There are {world.Length} points, but room for {projections.Length} projections.",
-                nameof(projections));
+            throw new System.ArgumentException(
+                $"There are {world.Length} points, but room for {projections.Length} projections.",
+                nameof(projections)
+            );
         }
 
         int done = 0;

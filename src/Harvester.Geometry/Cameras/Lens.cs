@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry.Cameras;
 
 /// <summary>
@@ -94,9 +92,7 @@ public readonly record struct Lens
     }
 
     private double DistortRadius(double radius) =>
-        radius <= _polynomialEnd
-            ? Polynomial(radius)
-            : Polynomial(_polynomialEnd) + (MinSlope * (radius - _polynomialEnd));
+        radius <= _polynomialEnd ? Polynomial(radius) : Polynomial(_polynomialEnd) + (MinSlope * (radius - _polynomialEnd));
 
     private double UndistortRadius(double shown)
     {

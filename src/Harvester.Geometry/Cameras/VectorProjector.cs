@@ -1,5 +1,4 @@
 #if NET
-using System;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
@@ -56,11 +55,25 @@ internal static class VectorProjector
     /// <summary>A camera's parameters, each repeated in all four elements.</summary>
     private readonly ref struct Frame
     {
-        private readonly Vector256<double> _positionX, _positionY, _positionZ;
-        private readonly Vector256<double> _rightX, _rightY, _rightZ;
-        private readonly Vector256<double> _forwardX, _forwardY, _forwardZ;
-        private readonly Vector256<double> _upX, _upY, _upZ;
-        private readonly Vector256<double> _near, _fx, _fy, _cx, _cy, _width, _height;
+        private readonly Vector256<double> _positionX,
+            _positionY,
+            _positionZ;
+        private readonly Vector256<double> _rightX,
+            _rightY,
+            _rightZ;
+        private readonly Vector256<double> _forwardX,
+            _forwardY,
+            _forwardZ;
+        private readonly Vector256<double> _upX,
+            _upY,
+            _upZ;
+        private readonly Vector256<double> _near,
+            _fx,
+            _fy,
+            _cx,
+            _cy,
+            _width,
+            _height;
 
         public Frame(Camera camera)
         {
@@ -87,21 +100,30 @@ internal static class VectorProjector
             Vector256<double> u = _cx + (_fx * (((_rightX * x) + (_rightY * y) + (_rightZ * z)) / depth));
             Vector256<double> v = _cy + (_fy * (-((_upX * x) + (_upY * y) + (_upZ * z)) / depth));
             Vector256<double> isBehind = Vector256.LessThan(depth, _near);
-            Vector256<double> isInImage = Vector256.GreaterThanOrEqual(u, Vector256<double>.Zero)
+            Vector256<double> isInImage =
+                Vector256.GreaterThanOrEqual(u, Vector256<double>.Zero)
                 & Vector256.GreaterThanOrEqual(v, Vector256<double>.Zero)
-                & Vector256.LessThan(u, _width) & Vector256.LessThan(v, _height);
+                & Vector256.LessThan(u, _width)
+                & Vector256.LessThan(v, _height);
             Vector256<long> outcome = Vector256.ConditionalSelect(
                 isBehind.AsInt64(),
                 Vector256.Create((long)ProjectionOutcome.BehindNearPlane),
                 Vector256.ConditionalSelect(
                     isInImage.AsInt64(),
                     Vector256.Create((long)ProjectionOutcome.InImage),
-                    Vector256.Create((long)ProjectionOutcome.OutsideImage)));
+                    Vector256.Create((long)ProjectionOutcome.OutsideImage)
+                )
+            );
             Write(Vector256.AndNot(u, isBehind), Vector256.AndNot(v, isBehind), depth, outcome.AsDouble(), to);
         }
 
         private static void Write(
-            Vector256<double> u, Vector256<double> v, Vector256<double> depth, Vector256<double> outcome, Span<double> to)
+            Vector256<double> u,
+            Vector256<double> v,
+            Vector256<double> depth,
+            Vector256<double> outcome,
+            Span<double> to
+        )
         {
             Vector256<double> pixels02 = Avx.UnpackLow(u, v);
             Vector256<double> pixels13 = Avx.UnpackHigh(u, v);

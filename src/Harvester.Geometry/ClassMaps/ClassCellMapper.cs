@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Geometry.ClassMaps;
 
 /// <summary>Draws one cell from samples, or divides it.</summary>
@@ -22,10 +18,15 @@ internal sealed class ClassCellMapper(ClassSamples samples)
     {
         bool isCovered = false;
         List<(int Column, int Row, byte Class)> corners = [];
-        foreach ((int column, int row) in new[]
-        {
-            (cell.Left, cell.Top), (cell.Right, cell.Top), (cell.Right, cell.Bottom), (cell.Left, cell.Bottom),
-        })
+        foreach (
+            (int column, int row) in new[]
+            {
+                (cell.Left, cell.Top),
+                (cell.Right, cell.Top),
+                (cell.Right, cell.Bottom),
+                (cell.Left, cell.Bottom),
+            }
+        )
         {
             isCovered |= samples.IsGiven(column, row);
             if (Nearest(cell, column, row) is { } place)
@@ -54,11 +55,15 @@ internal sealed class ClassCellMapper(ClassSamples samples)
     {
         int column = (cell.Left + cell.Right) / 2;
         int row = (cell.Top + cell.Bottom) / 2;
-        return ((ClassCell[])
-        [
-            new(cell.Left, cell.Top, column, row), new(column, cell.Top, cell.Right, row),
-            new(cell.Left, row, column, cell.Bottom), new(column, row, cell.Right, cell.Bottom),
-        ]).Where(part => part.Side > 0);
+        return (
+            (ClassCell[])
+                [
+                    new(cell.Left, cell.Top, column, row),
+                    new(column, cell.Top, cell.Right, row),
+                    new(cell.Left, row, column, cell.Bottom),
+                    new(column, row, cell.Right, cell.Bottom),
+                ]
+        ).Where(part => part.Side > 0);
     }
 
     /// <summary>The pixel nearest to a corner of a cell that is not given; null if all are.</summary>
@@ -198,8 +203,7 @@ internal sealed class ClassCellMapper(ClassSamples samples)
     /// <summary>A straight outline between two changes; places are columns and rows.</summary>
     private readonly record struct Outline(Vector2D From, Vector2D To, Vector2D Corner, byte AtCorner, byte Beyond)
     {
-        public byte ClassAt(int column, int row) =>
-            Side(new Vector2D(column, row)) * Side(Corner) >= 0 ? AtCorner : Beyond;
+        public byte ClassAt(int column, int row) => Side(new Vector2D(column, row)) * Side(Corner) >= 0 ? AtCorner : Beyond;
 
         private double Side(Vector2D place) => (To - From).Cross(place - From);
     }

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 
@@ -56,8 +54,7 @@ public sealed class ClassMapper
             throw new ArgumentException($"There are {given.Length} given classes for {image.PixelCount} pixels.", nameof(given));
         }
 
-        _samples = new ClassSamples(
-            image, given, Guard.NotNull(sample, nameof(sample)), Guard.AtLeast(rayBudget, 0, nameof(rayBudget)));
+        _samples = new ClassSamples(image, given, Guard.NotNull(sample, nameof(sample)), Guard.AtLeast(rayBudget, 0, nameof(rayBudget)));
         _mapper = new ClassCellMapper(_samples);
         _rank = new ScatteredRank(image);
         _horizonRow = horizonRow;
@@ -65,8 +62,9 @@ public sealed class ClassMapper
         {
             for (int left = 0; left < image.Width - 1; left += FirstSide)
             {
-                _first.Add(new ClassCell(
-                    left, top, Math.Min(left + FirstSide, image.Width - 1), Math.Min(top + FirstSide, image.Height - 1)));
+                _first.Add(
+                    new ClassCell(left, top, Math.Min(left + FirstSide, image.Width - 1), Math.Min(top + FirstSide, image.Height - 1))
+                );
             }
         }
 
@@ -123,7 +121,10 @@ public sealed class ClassMapper
                 int at = pass == 0 ? i : map.Ids.Length - 1 - i;
                 byte drawn = _samples[at % map.Image.Width, at / map.Image.Width];
                 last = drawn != 0 ? drawn : last;
-                map.Ids[at] = map.Ids[at] != 0 ? map.Ids[at] : drawn != 0 ? drawn : last;
+                map.Ids[at] =
+                    map.Ids[at] != 0 ? map.Ids[at]
+                    : drawn != 0 ? drawn
+                    : last;
             }
         }
 
@@ -169,8 +170,14 @@ public sealed class ClassMapper
             foreach ((int x, int y) in new[] { (across, down), (across - 1, down), (across, down - 1), (across - 1, down - 1) })
             {
                 int number = (y * _across) + x;
-                if (x >= 0 && x < _across && y >= 0 && number < _first.Count && _first[number].Contains(column, row)
-                    && _rounds[number] < MaxRounds)
+                if (
+                    x >= 0
+                    && x < _across
+                    && y >= 0
+                    && number < _first.Count
+                    && _first[number].Contains(column, row)
+                    && _rounds[number] < MaxRounds
+                )
                 {
                     surprised.Add(number);
                 }

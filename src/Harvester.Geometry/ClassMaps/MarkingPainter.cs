@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.PixelMaps;
@@ -110,8 +108,7 @@ public sealed class MarkingPainter(Camera camera, InstanceMap map, ushort road, 
         int inside = 0;
         for (int place = 0; place < Places * Places; place++)
         {
-            var at = new Vector2D(
-                column + (((place % Places) + 0.5) / Places), row + (((place / Places) + 0.5) / Places));
+            var at = new Vector2D(column + (((place % Places) + 0.5) / Places), row + (((place / Places) + 0.5) / Places));
             inside += IsInside(corners, at) ? 1 : 0;
         }
 

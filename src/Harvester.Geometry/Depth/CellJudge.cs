@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Depth;
 
 /// <summary>Says of a cell whose corners are sampled whether and how it should be divided.</summary>
@@ -63,7 +60,8 @@ internal sealed class CellJudge(DepthGrid grid, IReadOnlyDictionary<int, DepthSa
     private double Disagreement(DepthCell cell)
     {
         (int Column, int Row)[] places = samples.ContainsKey(grid.At(cell.Middle.Column, cell.Middle.Row))
-            ? [.. cell.Corners, cell.Middle] : cell.Corners;
+            ? [.. cell.Corners, cell.Middle]
+            : cell.Corners;
         double greatest = IsCovered(cell, places) ? 0 : 1;
         foreach ((int column, int row) in places)
         {
@@ -89,7 +87,9 @@ internal sealed class CellJudge(DepthGrid grid, IReadOnlyDictionary<int, DepthSa
     private double Deviation(DepthSample from, DepthSample sample, SightLine line)
     {
         double deviation = Depth.Deviation.Of(from, sample, line);
-        return grid.ToleranceMetres is not { } tolerance ? deviation : deviation > 0 && deviation * sample.Depth > tolerance ? 1 : 0;
+        return grid.ToleranceMetres is not { } tolerance ? deviation
+            : deviation > 0 && deviation * sample.Depth > tolerance ? 1
+            : 0;
     }
 
     private bool MeetInEdge(DepthCell cell)

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry.Depth;
 
 /// <summary>
@@ -41,8 +39,7 @@ internal sealed class CellSurfaces
     }
 
     /// <summary>Begins a cell.</summary>
-    public void Begin(DepthCell cell) =>
-        (_cell, _count, _residual, _isOneEntity, _hasMiss) = (cell, 0, 0, true, false);
+    public void Begin(DepthCell cell) => (_cell, _count, _residual, _isOneEntity, _hasMiss) = (cell, 0, 0, true, false);
 
     /// <summary>Adds a corner of the region.</summary>
     /// <param name="number">Its place in <see cref="DepthCell.Corners"/>.</param>
@@ -84,7 +81,11 @@ internal sealed class CellSurfaces
             deviation = Math.Max(deviation, Math.Max(nearest - 1, 1 - farthest));
         }
 
-        _edge = deviation <= EdgeTolerance ? Edge.None : isInner ? Edge.Inner : isOuter ? Edge.Outer : _edge;
+        _edge =
+            deviation <= EdgeTolerance ? Edge.None
+            : isInner ? Edge.Inner
+            : isOuter ? Edge.Outer
+            : _edge;
     }
 
     /// <summary>Whether the surfaces of the corners meet in an edge.</summary>

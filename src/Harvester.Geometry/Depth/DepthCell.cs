@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Depth;
 
 /// <summary>A rectangle of pixels whose corners are sampled; neighbours share their borders.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Depth;
 
 /// <summary>
@@ -62,8 +59,11 @@ internal sealed class DepthCompletion(DepthGrid grid, IReadOnlyDictionary<int, D
             _residuals.TryGetValue(at, out double residual);
             foreach ((int otherColumn, int otherRow) in corners)
             {
-                if (samples.TryGetValue(grid.At(otherColumn, otherRow), out DepthSample other)
-                    && other.IsHit && other.Entity == sample.Entity)
+                if (
+                    samples.TryGetValue(grid.At(otherColumn, otherRow), out DepthSample other)
+                    && other.IsHit
+                    && other.Entity == sample.Entity
+                )
                 {
                     residual = Math.Max(residual, Deviation.Of(other, sample, line));
                 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Depth;
 
 /// <summary>
@@ -44,9 +41,14 @@ public sealed class DepthMapper
         {
             for (int left = 0; left < grid.Size.Width - 1; left += grid.FirstWidth)
             {
-                _first.Enqueue(new DepthCell(
-                    left, top, Math.Min(left + grid.FirstWidth, grid.Size.Width - 1),
-                    Math.Min(top + grid.FirstHeight, grid.Size.Height - 1)));
+                _first.Enqueue(
+                    new DepthCell(
+                        left,
+                        top,
+                        Math.Min(left + grid.FirstWidth, grid.Size.Width - 1),
+                        Math.Min(top + grid.FirstHeight, grid.Size.Height - 1)
+                    )
+                );
             }
         }
     }

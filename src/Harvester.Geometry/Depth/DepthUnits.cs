@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry.Depth;
 
 /// <summary>The numbers of depth maps, as in KITTI: a 256th of a metre; 0 for no depth.</summary>

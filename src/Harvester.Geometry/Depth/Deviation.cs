@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry.Depth;
 
 /// <summary>How well the surface that one ray met foretells what another one of the same region met.</summary>

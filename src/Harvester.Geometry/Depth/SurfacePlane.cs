@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry.Depth;
 
 /// <summary>
@@ -20,7 +18,8 @@ public readonly record struct SurfacePlane(Vector3D Normal)
     public static SurfacePlane Of(Vector3D point, Vector3D normal)
     {
         double along = normal.Dot(point);
-        return Math.Abs(along) > LeastCosine * point.Length ? new SurfacePlane(normal / along)
+        return Math.Abs(along) > LeastCosine * point.Length
+            ? new SurfacePlane(normal / along)
             : new SurfacePlane(point / point.LengthSquared);
     }
 

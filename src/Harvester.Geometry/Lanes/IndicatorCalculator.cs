@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Lanes;
@@ -33,7 +31,11 @@ public static class IndicatorCalculator
     }
 
     private static LaneIndicators WithInLane(
-        LaneIndicators indicators, double offset, LaneSection section, IReadOnlyList<VehicleAhead> vehicles)
+        LaneIndicators indicators,
+        double offset,
+        LaneSection section,
+        IReadOnlyList<VehicleAhead> vehicles
+    )
     {
         if (section.LaneAt(offset) is not { } lane)
         {
@@ -61,7 +63,11 @@ public static class IndicatorCalculator
     }
 
     private static LaneIndicators WithOnMarking(
-        LaneIndicators indicators, double offset, LaneSection section, IReadOnlyList<VehicleAhead> vehicles)
+        LaneIndicators indicators,
+        double offset,
+        LaneSection section,
+        IReadOnlyList<VehicleAhead> vehicles
+    )
     {
         int marking = (int)Math.Max(0, Math.Min(section.LaneCount, Math.Round(offset / section.LaneWidth)));
         double toTheRight = (offset - (marking * section.LaneWidth)) * section.TorcsScale;

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry.Lanes;
 
 /// <summary>One of the thirteen indicators: a row of <see cref="IndicatorTable"/>.</summary>
@@ -16,7 +14,8 @@ public sealed class IndicatorDefinition
         double? activeLimit,
         Func<LaneIndicators, Indicator> read,
         Func<LaneIndicators, Indicator, LaneIndicators> replace,
-        Func<double, double> normalise)
+        Func<double, double> normalise
+    )
     {
         Quantity = quantity;
         Place = place;
@@ -34,12 +33,13 @@ public sealed class IndicatorDefinition
     public string Place { get; }
 
     /// <summary>Its name in labels and documentation, such as toMarkingLL.</summary>
-    public string Name => Quantity switch
-    {
-        IndicatorQuantity.Angle => "angle",
-        IndicatorQuantity.ToMarking => "toMarking" + Place,
-        _ => "dist" + Place,
-    };
+    public string Name =>
+        Quantity switch
+        {
+            IndicatorQuantity.Angle => "angle",
+            IndicatorQuantity.ToMarking => "toMarking" + Place,
+            _ => "dist" + Place,
+        };
 
     /// <summary>Unit of its value: rad or m.</summary>
     public string Unit => Quantity == IndicatorQuantity.Angle ? "rad" : "m";

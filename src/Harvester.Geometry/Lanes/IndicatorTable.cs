@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using static Harvester.Geometry.Lanes.IndicatorQuantity;
 
 namespace Harvester.Geometry.Lanes;
@@ -26,22 +23,64 @@ public static class IndicatorTable
     public static IReadOnlyList<IndicatorDefinition> All { get; } =
     [
         new(Angle, "", AngleRange, null, at => at.Angle, (at, value) => at with { Angle = value }, DeepDrivingNormalisation.Angle),
-        Marking("L", new(-7, -2.5, -7), -6.5, at => at.ToMarkingL,
-            (at, value) => at with { ToMarkingL = value }, DeepDrivingNormalisation.ToMarkingL),
-        Marking("M", new(-2, 3.5, 3.5), 2.75, at => at.ToMarkingM,
-            (at, value) => at with { ToMarkingM = value }, DeepDrivingNormalisation.ToMarkingM),
-        Marking("R", new(2.5, 7, 7), 6.5, at => at.ToMarkingR,
-            (at, value) => at with { ToMarkingR = value }, DeepDrivingNormalisation.ToMarkingR),
+        Marking(
+            "L",
+            new(-7, -2.5, -7),
+            -6.5,
+            at => at.ToMarkingL,
+            (at, value) => at with { ToMarkingL = value },
+            DeepDrivingNormalisation.ToMarkingL
+        ),
+        Marking(
+            "M",
+            new(-2, 3.5, 3.5),
+            2.75,
+            at => at.ToMarkingM,
+            (at, value) => at with { ToMarkingM = value },
+            DeepDrivingNormalisation.ToMarkingM
+        ),
+        Marking(
+            "R",
+            new(2.5, 7, 7),
+            6.5,
+            at => at.ToMarkingR,
+            (at, value) => at with { ToMarkingR = value },
+            DeepDrivingNormalisation.ToMarkingR
+        ),
         Vehicle("L", at => at.DistL, (at, value) => at with { DistL = value }),
         Vehicle("R", at => at.DistR, (at, value) => at with { DistR = value }),
-        Marking("LL", new(-9.5, -4, -9.5), -8.5, at => at.ToMarkingLL,
-            (at, value) => at with { ToMarkingLL = value }, DeepDrivingNormalisation.ToMarkingLL),
-        Marking("ML", new(-5.5, -0.5, -5.5), -4.5, at => at.ToMarkingML,
-            (at, value) => at with { ToMarkingML = value }, DeepDrivingNormalisation.ToMarkingML),
-        Marking("MR", new(0.5, 5.5, 5.5), 4.5, at => at.ToMarkingMR,
-            (at, value) => at with { ToMarkingMR = value }, DeepDrivingNormalisation.ToMarkingMR),
-        Marking("RR", new(4, 9.5, 9.5), 8.5, at => at.ToMarkingRR,
-            (at, value) => at with { ToMarkingRR = value }, DeepDrivingNormalisation.ToMarkingRR),
+        Marking(
+            "LL",
+            new(-9.5, -4, -9.5),
+            -8.5,
+            at => at.ToMarkingLL,
+            (at, value) => at with { ToMarkingLL = value },
+            DeepDrivingNormalisation.ToMarkingLL
+        ),
+        Marking(
+            "ML",
+            new(-5.5, -0.5, -5.5),
+            -4.5,
+            at => at.ToMarkingML,
+            (at, value) => at with { ToMarkingML = value },
+            DeepDrivingNormalisation.ToMarkingML
+        ),
+        Marking(
+            "MR",
+            new(0.5, 5.5, 5.5),
+            4.5,
+            at => at.ToMarkingMR,
+            (at, value) => at with { ToMarkingMR = value },
+            DeepDrivingNormalisation.ToMarkingMR
+        ),
+        Marking(
+            "RR",
+            new(4, 9.5, 9.5),
+            8.5,
+            at => at.ToMarkingRR,
+            (at, value) => at with { ToMarkingRR = value },
+            DeepDrivingNormalisation.ToMarkingRR
+        ),
         Vehicle("LL", at => at.DistLL, (at, value) => at with { DistLL = value }),
         Vehicle("MM", at => at.DistMM, (at, value) => at with { DistMM = value }),
         Vehicle("RR", at => at.DistRR, (at, value) => at with { DistRR = value }),
@@ -64,10 +103,12 @@ public static class IndicatorTable
         double activeLimit,
         Func<LaneIndicators, Indicator> read,
         Func<LaneIndicators, Indicator, LaneIndicators> replace,
-        Func<double, double> normalise) =>
-        new(ToMarking, place, range, activeLimit, read, replace, normalise);
+        Func<double, double> normalise
+    ) => new(ToMarking, place, range, activeLimit, read, replace, normalise);
 
     private static IndicatorDefinition Vehicle(
-        string place, Func<LaneIndicators, Indicator> read, Func<LaneIndicators, Indicator, LaneIndicators> replace) =>
-        new(Dist, place, DistRange, VehicleLimit, read, replace, DeepDrivingNormalisation.Dist);
+        string place,
+        Func<LaneIndicators, Indicator> read,
+        Func<LaneIndicators, Indicator, LaneIndicators> replace
+    ) => new(Dist, place, DistRange, VehicleLimit, read, replace, DeepDrivingNormalisation.Dist);
 }

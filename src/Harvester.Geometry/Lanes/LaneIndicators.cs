@@ -1,6 +1,3 @@
-using System;
-using System.Linq;
-
 namespace Harvester.Geometry.Lanes;
 
 /// <summary>
@@ -55,9 +52,7 @@ public sealed record LaneIndicators
     /// <summary>Every indicator at its inactive value.</summary>
     public static LaneIndicators Unknown { get; } = From(indicator => indicator.Range.Inactive);
 
-    private LaneIndicators()
-    {
-    }
+    private LaneIndicators() { }
 
     /// <summary>Creates a set from a function that gives each indicator of <see cref="IndicatorTable"/>.</summary>
     /// <exception cref="ArgumentNullException"><paramref name="indicatorOf"/> is null.</exception>
@@ -82,7 +77,7 @@ public sealed record LaneIndicators
     }
 
     private LaneIndicators Select(IndicatorQuantity quantity, Func<Indicator, Indicator> map) =>
-        IndicatorTable.All
-            .Where(indicator => indicator.Quantity == quantity)
+        IndicatorTable
+            .All.Where(indicator => indicator.Quantity == quantity)
             .Aggregate(this, (set, indicator) => indicator.Replace(set, map(indicator.Of(set))));
 }

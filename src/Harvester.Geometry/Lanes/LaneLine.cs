@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Lanes;
 
 /// <summary>A line along a road in the world: a boundary of lanes, or a painted marking.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Lanes;
 
 /// <summary>
@@ -32,8 +29,11 @@ public static class LaneLineTracer
             double parameter = piece.ParameterAt(station);
             foreach (KeyValuePair<int, double> boundary in boundaries)
             {
-                runs.Add(boundary.Key, boundary.Value < carOffset,
-                    new LinePoint(piece.PointBeside(parameter, boundary.Value), IsPainted: false));
+                runs.Add(
+                    boundary.Key,
+                    boundary.Value < carOffset,
+                    new LinePoint(piece.PointBeside(parameter, boundary.Value), IsPainted: false)
+                );
             }
 
             if (station >= end)

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Lanes;
 
 /// <summary>An unbroken run of a lane boundary or a painted marking within an image.</summary>

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Lanes;
@@ -44,7 +42,13 @@ public sealed class LaneObserver
     /// <param name="previous">The match of the frame before, whose road is preferred; null if there is none.</param>
     /// <exception cref="ArgumentOutOfRangeException">The position or heading is not finite.</exception>
     public LaneObservation Observe(
-        Vector3D position, double headingDegrees, double speed, double length, IReadOnlyList<TrafficVehicle> vehicles, RoadMatch? previous)
+        Vector3D position,
+        double headingDegrees,
+        double speed,
+        double length,
+        IReadOnlyList<TrafficVehicle> vehicles,
+        RoadMatch? previous
+    )
     {
         Guard.NotNull(vehicles, nameof(vehicles));
         RoadMatch match = _matcher.Match(position, headingDegrees, previous);
@@ -55,7 +59,13 @@ public sealed class LaneObserver
         }
 
         RoadStretch stretch = RoadStretch.Follow(
-            _curves, _lanes, _matcher.Junctions, match, BehindMetres, IndicatorCalculator.VehicleRange);
+            _curves,
+            _lanes,
+            _matcher.Junctions,
+            match,
+            BehindMetres,
+            IndicatorCalculator.VehicleRange
+        );
         var observation = new LaneObservation
         {
             Status = status,
@@ -66,19 +76,26 @@ public sealed class LaneObserver
         return status == LaneStatus.Known ? Measured(observation, stretch, match, headingDegrees, speed, length, vehicles) : observation;
     }
 
-    private static LaneStatus StatusOf(RoadMatch match) => match.Outcome switch
-    {
-        RoadMatchOutcome.NoRoadNear => LaneStatus.OffRoad,
-        RoadMatchOutcome.NotAlongAnyRoad => LaneStatus.NotAlongRoad,
-        _ when match.InJunction => LaneStatus.InJunction,
-        RoadMatchOutcome.BesideTheLanes => LaneStatus.BesideLanes,
-        RoadMatchOutcome.Ambiguous => LaneStatus.Ambiguous,
-        _ => LaneStatus.Known,
-    };
+    private static LaneStatus StatusOf(RoadMatch match) =>
+        match.Outcome switch
+        {
+            RoadMatchOutcome.NoRoadNear => LaneStatus.OffRoad,
+            RoadMatchOutcome.NotAlongAnyRoad => LaneStatus.NotAlongRoad,
+            _ when match.InJunction => LaneStatus.InJunction,
+            RoadMatchOutcome.BesideTheLanes => LaneStatus.BesideLanes,
+            RoadMatchOutcome.Ambiguous => LaneStatus.Ambiguous,
+            _ => LaneStatus.Known,
+        };
 
     private LaneObservation Measured(
-        LaneObservation observation, RoadStretch stretch, RoadMatch match, double headingDegrees, double speed, double length,
-        IReadOnlyList<TrafficVehicle> vehicles)
+        LaneObservation observation,
+        RoadStretch stretch,
+        RoadMatch match,
+        double headingDegrees,
+        double speed,
+        double length,
+        IReadOnlyList<TrafficVehicle> vehicles
+    )
     {
         double offset = match.LeftEdge + match.OffsetFromLeftEdge;
         double lookAhead = Math.Min(_lookAhead.DistanceAt(speed), stretch.EndStation);
@@ -92,7 +109,11 @@ public sealed class LaneObserver
             LookAheadMetres = lookAhead,
             Section = there.Section,
             Indicators = IndicatorCalculator.Compute(
-                AngleOf(there.DirectionAt(parameter), headingDegrees), offset - there.LeftEdge, there.Section, own),
+                AngleOf(there.DirectionAt(parameter), headingDegrees),
+                offset - there.LeftEdge,
+                there.Section,
+                own
+            ),
             SectionAtCar = here.Section,
             IndicatorsAtCar = IndicatorCalculator.Compute(match.HeadingError, match.OffsetFromLeftEdge, here.Section, own),
             CurvaturePerMetre = there.CurvatureAt(parameter),
@@ -138,11 +159,20 @@ public sealed class LaneObserver
         var found = new List<VehicleInLane>();
         foreach (TrafficVehicle vehicle in vehicles)
         {
-            if (stretch.Locate(vehicle.Position) is { Station: > 0 and <= IndicatorCalculator.VehicleRange } place
-                && LaneOf(place, vehicle.HeadingDegrees) is { } lane)
+            if (
+                stretch.Locate(vehicle.Position) is { Station: > 0 and <= IndicatorCalculator.VehicleRange } place
+                && LaneOf(place, vehicle.HeadingDegrees) is { } lane
+            )
             {
-                found.Add(new VehicleInLane(
-                    vehicle.Id, lane.Lane, lane.IsOncoming, place.Station, place.Station - ((length + vehicle.Length) / 2)));
+                found.Add(
+                    new VehicleInLane(
+                        vehicle.Id,
+                        lane.Lane,
+                        lane.IsOncoming,
+                        place.Station,
+                        place.Station - ((length + vehicle.Length) / 2)
+                    )
+                );
             }
         }
 

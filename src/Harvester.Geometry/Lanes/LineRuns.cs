@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Geometry.Lanes;
 
 /// <summary>Collects points into lines, one open run per number.</summary>

@@ -1,4 +1,3 @@
-using System;
 using System.Globalization;
 
 namespace Harvester.Geometry.Lanes;
@@ -42,8 +41,14 @@ public readonly record struct LookAhead
         Guard.NotNull(text, nameof(text));
         bool isTime = text.EndsWith("s", StringComparison.Ordinal);
         return !double.TryParse(
-            isTime ? text.Substring(0, text.Length - 1) : text, NumberStyles.Float, CultureInfo.InvariantCulture, out double value)
-            || !(value >= 0) || double.IsInfinity(value) ? null
+                isTime ? text.Substring(0, text.Length - 1) : text,
+                NumberStyles.Float,
+                CultureInfo.InvariantCulture,
+                out double value
+            )
+            || !(value >= 0)
+            || double.IsInfinity(value)
+                ? null
             : isTime ? OfSeconds(value)
             : OfMetres(value);
     }

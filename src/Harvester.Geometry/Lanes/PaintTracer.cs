@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Geometry.Lanes;
 
 /// <summary>Finds the painted lines that mark the boundaries of a road's lanes, and gives them the numbers of these.</summary>
@@ -30,7 +26,12 @@ public static class PaintTracer
     /// <param name="to">Last station.</param>
     /// <param name="paint">The painted lines around the car.</param>
     public static IReadOnlyList<LaneLine> Trace(
-        RoadStretch stretch, double carOffset, double from, double to, IEnumerable<PaintedLine> paint)
+        RoadStretch stretch,
+        double carOffset,
+        double from,
+        double to,
+        IEnumerable<PaintedLine> paint
+    )
     {
         Guard.NotNull(stretch, nameof(stretch));
         var lines = new List<LaneLine>();
@@ -46,7 +47,9 @@ public static class PaintTracer
     {
         var runs = new LineRuns();
         List<(LinePoint Point, StretchPlace? Place)> located =
-            [.. Thinned(painted.Points, stretch.PointAt(0), to).Select(point => (point, stretch.Locate(point.World)))];
+        [
+            .. Thinned(painted.Points, stretch.PointAt(0), to).Select(point => (point, stretch.Locate(point.World))),
+        ];
         for (int i = 0; i < located.Count; i++)
         {
             (LinePoint point, StretchPlace? place) = located[i];

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Lanes;
 
 /// <summary>A line painted on the ground, from the start of the paint to its end; the gaps of a dashed line are part of it.</summary>

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Lanes;
@@ -43,7 +41,13 @@ public sealed class RoadStretch
     /// <param name="ahead">How far ahead, metres; 0 or more.</param>
     /// <exception cref="ArgumentException">The match has no road.</exception>
     public static RoadStretch Follow(
-        RoadCurves curves, LaneModel lanes, JunctionExtents junctions, RoadMatch match, double behind, double ahead)
+        RoadCurves curves,
+        LaneModel lanes,
+        JunctionExtents junctions,
+        RoadMatch match,
+        double behind,
+        double ahead
+    )
     {
         Guard.NotNull(curves, nameof(curves));
         Guard.NotNull(lanes, nameof(lanes));
@@ -56,14 +60,22 @@ public sealed class RoadStretch
         own = own with { StartStation = -own.StationAt(match.Parameter) };
         var pieces = new List<StretchPiece> { own };
         var visited = new HashSet<int> { own.Link };
-        while (pieces[pieces.Count - 1] is var last && last.EndStation < ahead
-            && Beyond(curves, lanes, junctions, last, atEnd: true) is { } next && visited.Add(next.Link))
+        while (
+            pieces[pieces.Count - 1] is var last
+            && last.EndStation < ahead
+            && Beyond(curves, lanes, junctions, last, atEnd: true) is { } next
+            && visited.Add(next.Link)
+        )
         {
             pieces.Add(next with { StartStation = last.EndStation });
         }
 
-        while (pieces[0] is var first && first.StartStation > -behind
-            && Beyond(curves, lanes, junctions, first, atEnd: false) is { } previous && visited.Add(previous.Link))
+        while (
+            pieces[0] is var first
+            && first.StartStation > -behind
+            && Beyond(curves, lanes, junctions, first, atEnd: false) is { } previous
+            && visited.Add(previous.Link)
+        )
         {
             pieces.Insert(0, previous with { StartStation = first.StartStation - previous.Curve.Length });
         }
@@ -87,9 +99,10 @@ public sealed class RoadStretch
 
     /// <summary>The point of the centre line at a station within the stretch, metres, world.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The station is beyond the stretch's ends.</exception>
-    public Vector3D PointAt(double station) => PieceAt(station) is { } piece
-        ? piece.Curve.PointAt(piece.ParameterAt(station))
-        : throw new ArgumentOutOfRangeException(nameof(station), station, "The stretch does not reach there.");
+    public Vector3D PointAt(double station) =>
+        PieceAt(station) is { } piece
+            ? piece.Curve.PointAt(piece.ParameterAt(station))
+            : throw new ArgumentOutOfRangeException(nameof(station), station, "The stretch does not reach there.");
 
     /// <summary>Finds a point of the world on the road, beside the nearest link.</summary>
     /// <returns>Null if it is beside none of the stretch's links, or too far above or below them.</returns>
@@ -109,9 +122,11 @@ public sealed class RoadStretch
             Vector3D onLine = piece.Curve.PointAt(parameter);
             Vector2D direction = piece.DirectionAt(parameter);
             Vector2D apart = place - new Vector2D(onLine.X, onLine.Y);
-            if (Math.Abs(world.Z - onLine.Z) <= MaxHeightDifference
+            if (
+                Math.Abs(world.Z - onLine.Z) <= MaxHeightDifference
                 && Math.Abs(apart.Dot(direction)) <= OvershootTolerance
-                && apart.Length < nearest)
+                && apart.Length < nearest
+            )
             {
                 nearest = apart.Length;
                 found = new StretchPlace(piece, piece.StationAt(parameter), -direction.Cross(apart));
@@ -137,7 +152,13 @@ public sealed class RoadStretch
     }
 
     private static StretchPiece? PieceOf(
-        RoadCurves curves, LaneModel lanes, JunctionExtents junctions, int link, bool isForward, double startStation)
+        RoadCurves curves,
+        LaneModel lanes,
+        JunctionExtents junctions,
+        int link,
+        bool isForward,
+        double startStation
+    )
     {
         if (lanes.LanesOf(link, isForward) is not { } own)
         {
@@ -153,6 +174,7 @@ public sealed class RoadStretch
             own.Section,
             own.LeftEdge,
             lanes.LanesOf(link, !isForward),
-            isForward ? (fromStart, fromEnd) : (fromEnd, fromStart));
+            isForward ? (fromStart, fromEnd) : (fromEnd, fromStart)
+        );
     }
 }

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Lanes;
@@ -21,7 +20,8 @@ public sealed record StretchPiece(
     LaneSection Section,
     double LeftEdge,
     (LaneSection Section, double LeftEdge)? Oncoming,
-    (double AtEntry, double AtExit) Junctions)
+    (double AtEntry, double AtExit) Junctions
+)
 {
     /// <summary>A median narrower than this is a painted divider, metres.</summary>
     private const double NoMedian = 0.05;
@@ -30,12 +30,10 @@ public sealed record StretchPiece(
     public double EndStation => StartStation + Curve.Length;
 
     /// <summary>Whether a station of the stretch lies in a junction, where there are no lanes.</summary>
-    public bool IsInJunction(double station) =>
-        station < StartStation + Junctions.AtEntry || station > EndStation - Junctions.AtExit;
+    public bool IsInJunction(double station) => station < StartStation + Junctions.AtEntry || station > EndStation - Junctions.AtExit;
 
     /// <summary>The curve's parameter at a station of the stretch.</summary>
-    public double ParameterAt(double station) =>
-        Curve.ParameterAt(IsForward ? station - StartStation : EndStation - station);
+    public double ParameterAt(double station) => Curve.ParameterAt(IsForward ? station - StartStation : EndStation - station);
 
     /// <summary>The station of the stretch at a parameter of the curve.</summary>
     public double StationAt(double parameter)

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Lanes;
@@ -20,7 +19,10 @@ public static class TorcsEquivalent
     /// <param name="angleAtCar">The angle between road and car at the car, radians.</param>
     /// <exception cref="ArgumentNullException"><paramref name="indicators"/> is null.</exception>
     public static LaneIndicators Of(LaneIndicators indicators, LaneSection section, Indicator angleAtCar) =>
-        Of(indicators, section) with { Angle = angleAtCar };
+        Of(indicators, section) with
+        {
+            Angle = angleAtCar,
+        };
 
     /// <summary>Scales indicators measured at the car on lanes of a given width.</summary>
     public static LaneIndicators Of(LaneIndicators indicators, LaneSection section) =>
@@ -28,7 +30,8 @@ public static class TorcsEquivalent
 
     /// <summary>The inverse: indicators of a TORCS road in metres on lanes of a given width. Distances to vehicles stay limited.</summary>
     public static LaneIndicators InMetres(LaneIndicators torcsEquivalent, LaneSection section) =>
-        Guard.NotNull(torcsEquivalent, nameof(torcsEquivalent))
+        Guard
+            .NotNull(torcsEquivalent, nameof(torcsEquivalent))
             .Select(toMarking => Scaled(toMarking, 1 / section.TorcsScale), dist => dist);
 
     private static Indicator Scaled(Indicator indicator, double scale) =>

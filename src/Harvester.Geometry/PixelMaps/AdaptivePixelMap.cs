@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Geometry.Visibility;
 
 namespace Harvester.Geometry.PixelMaps;
@@ -19,4 +18,5 @@ public sealed record AdaptivePixelMap(
     bool IsComplete,
     int ResolutionPixels,
     int InterpolatedPixels,
-    IReadOnlyDictionary<ushort, Sight> Sights);
+    IReadOnlyDictionary<ushort, Sight> Sights
+);

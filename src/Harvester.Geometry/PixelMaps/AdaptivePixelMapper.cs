@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
 
@@ -51,8 +49,7 @@ public sealed class AdaptivePixelMapper
     /// <param name="options">Maximum cost and requested accuracy.</param>
     /// <exception cref="ArgumentException">Two targets have the same number or handle, or a number is 0.</exception>
     /// <exception cref="ArgumentOutOfRangeException">An option is out of its range.</exception>
-    public AdaptivePixelMapper(
-        Camera camera, IReadOnlyList<MapTarget> targets, int ignoredEntity, IRayCaster rays, PixelMapOptions options)
+    public AdaptivePixelMapper(Camera camera, IReadOnlyList<MapTarget> targets, int ignoredEntity, IRayCaster rays, PixelMapOptions options)
     {
         _camera = Guard.NotNull(camera, nameof(camera));
         _options = Guard.NotNull(options, nameof(options)).Checked();
@@ -191,8 +188,7 @@ public sealed class AdaptivePixelMapper
             {
                 return wanted;
             }
-        }
-        while (Search());
+        } while (Search());
         return null;
     }
 

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
@@ -185,7 +182,8 @@ internal sealed class CellBorder
             int middle = (low + high) / 2;
             var place = new SubpixelPoint(
                 (column * PixelSamples.Fine) + ((nextColumn - column) * middle),
-                (row * PixelSamples.Fine) + ((nextRow - row) * middle));
+                (row * PixelSamples.Fine) + ((nextRow - row) * middle)
+            );
             if (halved == halvings || _samples.NumberBetween(place) is not { } there)
             {
                 return (place, halved);
@@ -307,7 +305,9 @@ internal sealed class CellBorder
 
     // A walk has at most two rounds.
     private static int Wrapped(int step, int length) =>
-        step < length ? step : step < 2 * length ? step - length : step - (2 * length);
+        step < length ? step
+        : step < 2 * length ? step - length
+        : step - (2 * length);
 
     private bool IsAssumed(int step)
     {

@@ -13,6 +13,5 @@ internal readonly record struct CellCap(Vector2D Start, Vector2D End, int FirstN
     // The border is walked clockwise on the screen, so the cap lies to the left of its chord: a negative cross product with y downward.
     public bool Contains(Vector2D pixel) => (End - Start).Cross(pixel - Start) < 0;
 
-    public int NumberAt(Vector2D pixel) =>
-        HasTwoNumbers && (ChordMiddle - Change).Cross(pixel - Change) <= 0 ? SecondNumber : FirstNumber;
+    public int NumberAt(Vector2D pixel) => HasTwoNumbers && (ChordMiddle - Change).Cross(pixel - Change) <= 0 ? SecondNumber : FirstNumber;
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
@@ -80,7 +77,9 @@ internal sealed class CellExaminer
 
         int halvings = Halvings(cell, weight);
         return AgreeingModel(halvings) is { } model
-            ? Missing(model, halvings) is { } place ? CellVerdict.Sample(place, weight) : CellVerdict.Resolved(weight)
+            ? Missing(model, halvings) is { } place
+                ? CellVerdict.Sample(place, weight)
+                : CellVerdict.Resolved(weight)
             : CellVerdict.Divide(weight);
     }
 

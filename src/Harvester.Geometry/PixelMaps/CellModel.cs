@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
@@ -29,7 +26,7 @@ internal sealed class CellModel
             first++;
         }
 
-        for (int i = first; i < first + runs.Count;)
+        for (int i = first; i < first + runs.Count; )
         {
             int begin = i + 1;
             int end = begin;
@@ -48,12 +45,15 @@ internal sealed class CellModel
             {
                 BorderRun one = runs[begin % runs.Count];
                 BorderRun other = runs[(end - 1) % runs.Count];
-                caps.Add(new CellCap(
-                    crossingAfter(runs[i % runs.Count].End),
-                    crossingAfter(other.End),
-                    one.Number,
-                    other.Number,
-                    inCap == 2 ? crossingAfter(one.End) : default));
+                caps.Add(
+                    new CellCap(
+                        crossingAfter(runs[i % runs.Count].End),
+                        crossingAfter(other.End),
+                        one.Number,
+                        other.Number,
+                        inCap == 2 ? crossingAfter(one.End) : default
+                    )
+                );
             }
 
             i = end;

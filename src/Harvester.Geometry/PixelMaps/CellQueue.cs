@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
@@ -35,7 +33,9 @@ internal sealed class CellQueue
 
         int byRow = a.Cell.Top.CompareTo(b.Cell.Top);
         int byColumn = a.Cell.Left.CompareTo(b.Cell.Left);
-        return byRow != 0 ? byRow : byColumn != 0 ? byColumn : b.Cell.BorderLength.CompareTo(a.Cell.BorderLength);
+        return byRow != 0 ? byRow
+            : byColumn != 0 ? byColumn
+            : b.Cell.BorderLength.CompareTo(a.Cell.BorderLength);
     }
 
     /// <summary>The priority of an unresolved cell.</summary>

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
 
@@ -34,8 +33,7 @@ public static class ExhaustivePixelMapper
     /// <param name="ignoredEntity">Handle of an entity that rays pass through; <see cref="RayHit.World"/> if there is none.</param>
     /// <param name="rays">The ray caster.</param>
     /// <exception cref="ArgumentException">The map has another image size.</exception>
-    public static void MapInto(
-        InstanceMap map, Camera camera, Box2D region, Func<int, ushort> numberOf, int ignoredEntity, IRayCaster rays)
+    public static void MapInto(InstanceMap map, Camera camera, Box2D region, Func<int, ushort> numberOf, int ignoredEntity, IRayCaster rays)
     {
         Guard.NotNull(camera, nameof(camera));
         Guard.NotNull(numberOf, nameof(numberOf));

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
@@ -109,7 +105,10 @@ internal sealed class ExtentSearch(IReadOnlyList<TargetView> views, PixelSamples
     // A strip continues straight or diagonally outwards: beside the ends of a short side, and of a long one where the object reaches
     // farthest inwards.
     private static IEnumerable<(int Column, int Row)> Near(
-        List<(int Column, int Row)> side, (int Column, int Row) deepest, (int Column, int Row) outwards)
+        List<(int Column, int Row)> side,
+        (int Column, int Row) deepest,
+        (int Column, int Row) outwards
+    )
     {
         yield return Moved(deepest, outwards, Tolerance, 0);
         if (side.Count <= ShortSide)
@@ -127,8 +126,13 @@ internal sealed class ExtentSearch(IReadOnlyList<TargetView> views, PixelSamples
     }
 
     private IEnumerable<(int Column, int Row)> Far(
-        InstanceMap map, TargetView view, List<(int Column, int Row)> side, (int Column, int Row) deepest, (int Column, int Row) outwards,
-            int room)
+        InstanceMap map,
+        TargetView view,
+        List<(int Column, int Row)> side,
+        (int Column, int Row) deepest,
+        (int Column, int Row) outwards,
+        int room
+    )
     {
         foreach ((int Column, int Row) from in new[] { deepest, side[side.Count / 2] }.Distinct())
         {
@@ -144,9 +148,11 @@ internal sealed class ExtentSearch(IReadOnlyList<TargetView> views, PixelSamples
         }
     }
 
-    private static (int Column, int Row) Moved((int Column, int Row) from, (int Column, int Row) outwards, int away, int aside) => (
-        from.Column + (away * outwards.Column) + (aside * Math.Abs(outwards.Row)),
-        from.Row + (away * outwards.Row) + (aside * Math.Abs(outwards.Column)));
+    private static (int Column, int Row) Moved((int Column, int Row) from, (int Column, int Row) outwards, int away, int aside) =>
+        (
+            from.Column + (away * outwards.Column) + (aside * Math.Abs(outwards.Row)),
+            from.Row + (away * outwards.Row) + (aside * Math.Abs(outwards.Column))
+        );
 
     // Parts of the world lie nearer and farther everywhere, above all on the ground around a foot.
     private bool IsHiddenByObject(TargetView view, InstanceMap map, int column, int row) =>

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.PixelMaps;
@@ -10,7 +8,12 @@ namespace Harvester.Geometry.PixelMaps;
 /// share the points.
 /// </summary>
 internal sealed class FragmentSearch(
-    ImageSize image, IReadOnlyList<TargetView> views, PixelSamples samples, HiddenPlaces hiddenPlaces, double unsearchedFraction)
+    ImageSize image,
+    IReadOnlyList<TargetView> views,
+    PixelSamples samples,
+    HiddenPlaces hiddenPlaces,
+    double unsearchedFraction
+)
 {
     /// <summary>
     /// Minimum fraction of a silhouette that counts as visible when searching for more of it where nothing nearer is seen.

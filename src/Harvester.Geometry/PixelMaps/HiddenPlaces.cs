@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.PixelMaps;
@@ -17,10 +16,15 @@ internal sealed class HiddenPlaces(Camera camera, PixelSamples samples)
             return true;
         }
 
-        return samples.AreWithin(span.Entry, map[column, row], (
-            Math.Max(0, column - Reach),
-            Math.Max(0, row - Reach),
-            Math.Min(camera.Image.Width - 1, column + Reach),
-            Math.Min(camera.Image.Height - 1, row + Reach))) ?? false;
+        return samples.AreWithin(
+                span.Entry,
+                map[column, row],
+                (
+                    Math.Max(0, column - Reach),
+                    Math.Max(0, row - Reach),
+                    Math.Min(camera.Image.Width - 1, column + Reach),
+                    Math.Min(camera.Image.Height - 1, row + Reach)
+                )
+            ) ?? false;
     }
 }

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.PixelMaps;

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
@@ -42,14 +39,15 @@ internal readonly record struct MapCell(int Left, int Top, int Right, int Bottom
     }
 
     /// <summary>The step of the walk around the border at a corner; the fifth is the first again, a walk later.</summary>
-    public int Corner(int number) => number switch
-    {
-        0 => 0,
-        1 => Width,
-        2 => Width + Height,
-        3 => (2 * Width) + Height,
-        _ => BorderLength,
-    };
+    public int Corner(int number) =>
+        number switch
+        {
+            0 => 0,
+            1 => Width,
+            2 => Width + Height,
+            3 => (2 * Width) + Height,
+            _ => BorderLength,
+        };
 
     /// <summary>The pixel at a step of a walk around the border, clockwise on the screen from the upper left corner.</summary>
     public (int Column, int Row) Border(int step)

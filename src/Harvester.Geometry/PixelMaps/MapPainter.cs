@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.PixelMaps;
@@ -126,8 +124,10 @@ internal sealed class MapPainter(Camera camera, PixelSamples samples, CellExamin
         }
     }
 
-    private ushort NearestCorner(MapCell cell, int width, int column, int row) => _numbers[
-        ((row - cell.Top < cell.Bottom - row ? 0 : cell.Height) * width) + (column - cell.Left < cell.Right - column ? 0 : cell.Width)];
+    private ushort NearestCorner(MapCell cell, int width, int column, int row) =>
+        _numbers[
+            ((row - cell.Top < cell.Bottom - row ? 0 : cell.Height) * width) + (column - cell.Left < cell.Right - column ? 0 : cell.Width)
+        ];
 
     private void PaintUnasked(InstanceMap map, MapCell cell)
     {

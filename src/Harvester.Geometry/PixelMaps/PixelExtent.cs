@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>The range of columns and rows in which a map shows an object, inclusive.</summary>
@@ -35,13 +32,14 @@ internal readonly record struct PixelExtent(int Left, int Top, int Right, int Bo
     }
 
     /// <summary>Distance in pixels from a pixel to the end of a silhouette's box in a direction along rows or columns.</summary>
-    public static int Room(SilhouetteSpans within, (int Column, int Row) from, (int Column, int Row) outwards) => outwards switch
-    {
-        (0, < 0) => from.Row - within.FirstRow,
-        (0, _) => within.LastRow - from.Row,
-        ( < 0, _) => from.Column - within.FirstColumn,
-        _ => within.LastColumn - from.Column,
-    };
+    public static int Room(SilhouetteSpans within, (int Column, int Row) from, (int Column, int Row) outwards) =>
+        outwards switch
+        {
+            (0, < 0) => from.Row - within.FirstRow,
+            (0, _) => within.LastRow - from.Row,
+            (< 0, _) => from.Column - within.FirstColumn,
+            _ => within.LastColumn - from.Column,
+        };
 
     /// <summary>The object's pixels on one side of the extent, in order; the direction is along rows or columns.</summary>
     public List<(int Column, int Row)> Side(InstanceMap map, ushort number, (int Column, int Row) outwards)
@@ -50,7 +48,7 @@ internal readonly record struct PixelExtent(int Left, int Top, int Right, int Bo
         {
             (0, < 0) => (Left, Top, Right, Top),
             (0, _) => (Left, Bottom, Right, Bottom),
-            ( < 0, _) => (Left, Top, Left, Bottom),
+            (< 0, _) => (Left, Top, Left, Bottom),
             _ => (Right, Top, Right, Bottom),
         };
         var side = new List<(int, int)>();

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
 
@@ -164,7 +162,8 @@ internal sealed class PixelSamples
         RayHit? hit = _rays.Cast(
             _camera.RayThrough(((double)place.FineX / Fine) + 0.5, ((double)place.FineY / Fine) + 0.5),
             ExhaustivePixelMapper.RayLength,
-            _ignoredEntity);
+            _ignoredEntity
+        );
         RaysCast++;
         int number = hit is { Entity: not RayHit.World } seen && _numbers.TryGetValue(seen.Entity, out ushort own) ? own : 0;
         _met.Add(number);

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.PixelMaps;
@@ -86,8 +84,15 @@ internal sealed class SeedSamples(Camera camera, IReadOnlyList<TargetView> views
 
         int? number = null;
         float farthest = 0;
-        foreach ((int nearC, int nearR) in new[] { (c - aside, r - above), (c + aside, r - above), (c - aside, r + above),
-            (c + aside, r + above) })
+        foreach (
+            (int nearC, int nearR) in new[]
+            {
+                (c - aside, r - above),
+                (c + aside, r - above),
+                (c - aside, r + above),
+                (c + aside, r + above),
+            }
+        )
         {
             (int column, int row) = (grid.Columns[nearC], grid.Rows[nearR]);
             if (!samples.IsKnown(column, row) || (number ?? samples.Number(column, row)) != samples.Number(column, row))

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.PixelMaps;
@@ -16,11 +15,13 @@ public static class SilhouettePainter
     {
         var map = new InstanceMap(Guard.NotNull(camera, nameof(camera)).Image);
         var farthestFirst = new List<MapTarget>(Guard.NotNull(targets, nameof(targets)));
-        farthestFirst.Sort((a, b) =>
-        {
-            int byDistance = DistanceOf(camera, b).CompareTo(DistanceOf(camera, a));
-            return byDistance != 0 ? byDistance : a.Number.CompareTo(b.Number);
-        });
+        farthestFirst.Sort(
+            (a, b) =>
+            {
+                int byDistance = DistanceOf(camera, b).CompareTo(DistanceOf(camera, a));
+                return byDistance != 0 ? byDistance : a.Number.CompareTo(b.Number);
+            }
+        );
         foreach (MapTarget target in farthestFirst)
         {
             if (target.Projection.Box is { } box)

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.PixelMaps;
@@ -72,7 +70,13 @@ internal sealed class SilhouetteSpans
     }
 
     private static (int First, int Last) Span(
-        IReadOnlyList<Vector2D> silhouette, double at, Func<Vector2D, double> across, Func<Vector2D, double> along, int first, int last)
+        IReadOnlyList<Vector2D> silhouette,
+        double at,
+        Func<Vector2D, double> across,
+        Func<Vector2D, double> along,
+        int first,
+        int last
+    )
     {
         double low = double.PositiveInfinity;
         double high = double.NegativeInfinity;
@@ -92,8 +96,6 @@ internal sealed class SilhouetteSpans
             high = Math.Max(high, crossing);
         }
 
-        return high < low
-            ? (0, -1)
-            : ((int)Math.Max(first, Math.Ceiling(low - 0.5)), (int)Math.Min(last, Math.Ceiling(high - 0.5) - 1));
+        return high < low ? (0, -1) : ((int)Math.Max(first, Math.Ceiling(low - 0.5)), (int)Math.Min(last, Math.Ceiling(high - 0.5) - 1));
     }
 }

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
@@ -19,8 +17,7 @@ internal static class StripSearch
         {
             for (int column = cell.Left + 1; (column = samples.NextCast(column, cell.Right, row)) < cell.Right; column++)
             {
-                if (HardlyShows(border, samples.Number(column, row))
-                    && WayOut(cell, samples, column, row) is { } place)
+                if (HardlyShows(border, samples.Number(column, row)) && WayOut(cell, samples, column, row) is { } place)
                 {
                     return place;
                 }

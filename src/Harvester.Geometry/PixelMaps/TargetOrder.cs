@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>Sorts targets, so that the order in which they are given does not matter, and rejects ambiguous ones.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>A target with the pixels of its cuboid's silhouette and an estimate of how many are visible.</summary>
@@ -77,8 +74,7 @@ internal sealed class TargetView
         SetVisible(Spans.PixelCount * (met + 0.3) / (asked + 1));
     }
 
-    public void SetVisible(double pixels) =>
-        CountedPixels = pixels >= SmallPixels ? pixels : Math.Max(TinyPixels, SmallAllowance * pixels);
+    public void SetVisible(double pixels) => CountedPixels = pixels >= SmallPixels ? pixels : Math.Max(TinyPixels, SmallAllowance * pixels);
 
     private static double Fraction(double value) => value - Math.Floor(value);
 }

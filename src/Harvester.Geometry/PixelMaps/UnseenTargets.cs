@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
 
@@ -14,7 +13,13 @@ internal sealed class UnseenTargets
     private readonly Dictionary<ushort, Sight> _sights = [];
 
     public UnseenTargets(
-        Camera camera, IReadOnlyList<TargetView> views, PixelSamples samples, int[] shown, int ignoredEntity, IRayCaster rays)
+        Camera camera,
+        IReadOnlyList<TargetView> views,
+        PixelSamples samples,
+        int[] shown,
+        int ignoredEntity,
+        IRayCaster rays
+    )
     {
         foreach (TargetView view in views)
         {

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
@@ -41,8 +38,10 @@ internal static class EdgeEvidence
         }
 
         Vector3D right = new Vector3D(along.Y, -along.X, 0) * (1 / along.Length);
-        double least = double.PositiveInfinity, most = double.NegativeInfinity;
-        int onRight = 0, onLeft = 0;
+        double least = double.PositiveInfinity,
+            most = double.NegativeInfinity;
+        int onRight = 0,
+            onLeft = 0;
         foreach (RoadEdge edge in edges)
         {
             Vector3D apart = edge.Point - (edge.IsAtStart ? start : end);
@@ -59,15 +58,16 @@ internal static class EdgeEvidence
             onLeft += offset > 0 ? 0 : 1;
         }
 
-        bool isProven = onRight >= MinAnswers && onLeft >= MinAnswers
-            && least > MinLaneWidth && most < MaxLaneWidth && most - least <= MaxDisagreement;
+        bool isProven =
+            onRight >= MinAnswers && onLeft >= MinAnswers && least > MinLaneWidth && most < MaxLaneWidth && most - least <= MaxDisagreement;
         return isProven ? (least + most) / 2 : null;
     }
 
     /// <summary>
     /// The width by the rule of <see cref="RoadGeometry"/> if an edge lies at an offset; infinite on a side without lanes.
     /// </summary>
-    private static double LaneWidth(RoadLink link, double offset) => link.IsOneWay
-        ? 2 * Math.Abs(offset) / (link.LanesForward + link.LanesBackward)
-        : (Math.Abs(offset) - ((link.MedianWidth ?? 0) / 2)) / (offset > 0 ? link.LanesForward : link.LanesBackward);
+    private static double LaneWidth(RoadLink link, double offset) =>
+        link.IsOneWay
+            ? 2 * Math.Abs(offset) / (link.LanesForward + link.LanesBackward)
+            : (Math.Abs(offset) - ((link.MedianWidth ?? 0) / 2)) / (offset > 0 ? link.LanesForward : link.LanesBackward);
 }

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
@@ -75,8 +71,7 @@ public sealed class JunctionExtents
     /// <summary>Whether a point on a link lies in a junction.</summary>
     /// <param name="link">Index of the link.</param>
     /// <param name="station">Metres from the link's start.</param>
-    public bool Contains(int link, double station) =>
-        station < _fromStart[link] || station > _curves.Of(link).Length - _fromEnd[link];
+    public bool Contains(int link, double station) => station < _fromStart[link] || station > _curves.Of(link).Length - _fromEnd[link];
 
     private static bool IsJunction(RoadNetwork network, int node, int arms) =>
         arms > 2 || (arms > 0 && (network.Nodes[node].Flags & RoadNodeFlags.Junction) != 0);
@@ -103,7 +98,8 @@ public sealed class JunctionExtents
     {
         RoadLink road = _network.Links[link];
         return _curves.Of(link).Length <= MaxCrossoverLength
-            && DirectionThrough(road.From, link) is { } here && DirectionThrough(road.To, link) is { } there
+            && DirectionThrough(road.From, link) is { } here
+            && DirectionThrough(road.To, link) is { } there
             && Math.Abs(here.Cross(there)) < Math.Sin(MergingAngle);
     }
 

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
@@ -83,7 +81,8 @@ public sealed class NodeDatabase
             LaneWidth = width,
             LaneWidthSource = source,
             MedianWidth = road.MedianWidth,
-            Confidence = (source == LaneWidthSource.Calibrated ? 1 : ConstantWidth)
+            Confidence =
+                (source == LaneWidthSource.Calibrated ? 1 : ConstantWidth)
                 * (road.MedianWidth is null && !oneWay ? UnknownMedian : 1)
                 * (isJunction ? AtJunction : 1),
             IsJunction = isJunction,

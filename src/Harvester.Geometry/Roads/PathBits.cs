@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
@@ -48,19 +46,20 @@ public static class PathBits
     /// <summary>
     /// The flag of a node's kind, which text files give as a number; <see cref="RoadNodeFlags.None"/> for kinds of unknown meaning.
     /// </summary>
-    public static RoadNodeFlags FlagsOfSpecial(int special) => special switch
-    {
-        2 => RoadNodeFlags.Parking,
-        10 => RoadNodeFlags.PedestrianCrossing,
-        14 => RoadNodeFlags.PedestrianAssisted,
-        15 => RoadNodeFlags.TrafficLight,
-        16 => RoadNodeFlags.GiveWay,
-        17 => RoadNodeFlags.Caution,
-        18 => RoadNodeFlags.PedestrianCrossingWithoutWait,
-        19 => RoadNodeFlags.EmergencyOnly,
-        20 => RoadNodeFlags.OffRoadJunction,
-        _ => RoadNodeFlags.None,
-    };
+    public static RoadNodeFlags FlagsOfSpecial(int special) =>
+        special switch
+        {
+            2 => RoadNodeFlags.Parking,
+            10 => RoadNodeFlags.PedestrianCrossing,
+            14 => RoadNodeFlags.PedestrianAssisted,
+            15 => RoadNodeFlags.TrafficLight,
+            16 => RoadNodeFlags.GiveWay,
+            17 => RoadNodeFlags.Caution,
+            18 => RoadNodeFlags.PedestrianCrossingWithoutWait,
+            19 => RoadNodeFlags.EmergencyOnly,
+            20 => RoadNodeFlags.OffRoadJunction,
+            _ => RoadNodeFlags.None,
+        };
 
     /// <summary>Decodes the bits that the game's GET_VEHICLE_NODE_PROPERTIES returns.</summary>
     public static RoadNodeFlags FlagsOfProperties(int properties) =>

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
@@ -28,17 +26,21 @@ public static class PathGrid
     /// stands for both sides of zero.
     /// </summary>
     /// <param name="stored">Metres, world, as path files and the game's functions give it.</param>
-    public static Vector3D RemoveBias(Vector3D stored) => new(
-        stored.X + (Math.Sign(stored.X) * HorizontalStep / 2),
-        stored.Y + (Math.Sign(stored.Y) * HorizontalStep / 2),
-        stored.Z + (Math.Sign(stored.Z) * VerticalStep / 2));
+    public static Vector3D RemoveBias(Vector3D stored) =>
+        new(
+            stored.X + (Math.Sign(stored.X) * HorizontalStep / 2),
+            stored.Y + (Math.Sign(stored.Y) * HorizontalStep / 2),
+            stored.Z + (Math.Sign(stored.Z) * VerticalStep / 2)
+        );
 
     /// <summary>Truncates a position as path files store it.</summary>
     /// <param name="position">Metres, world.</param>
-    public static Vector3D Truncate(Vector3D position) => new(
-        Math.Truncate(position.X / HorizontalStep) * HorizontalStep,
-        Math.Truncate(position.Y / HorizontalStep) * HorizontalStep,
-        Math.Truncate(position.Z / VerticalStep) * VerticalStep);
+    public static Vector3D Truncate(Vector3D position) =>
+        new(
+            Math.Truncate(position.X / HorizontalStep) * HorizontalStep,
+            Math.Truncate(position.Y / HorizontalStep) * HorizontalStep,
+            Math.Truncate(position.Z / VerticalStep) * VerticalStep
+        );
 
     /// <summary>The number of the cell that contains a position; positions outside the grid count to its outermost cells.</summary>
     /// <param name="position">Metres, world.</param>

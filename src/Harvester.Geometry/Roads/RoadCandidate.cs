@@ -5,5 +5,14 @@ namespace Harvester.Geometry.Roads;
 /// the road followed before. The overshoot is how far the car is past the link's end, metres, or before its start (negative); 0 beside it.
 /// </summary>
 internal readonly record struct RoadCandidate(
-    int Link, bool IsForward, double Parameter, LaneSection Section, double LeftEdge, double Offset, double HeadingError, double Overshoot,
-        double CostOfPlace, double Cost);
+    int Link,
+    bool IsForward,
+    double Parameter,
+    LaneSection Section,
+    double LeftEdge,
+    double Offset,
+    double HeadingError,
+    double Overshoot,
+    double CostOfPlace,
+    double Cost
+);

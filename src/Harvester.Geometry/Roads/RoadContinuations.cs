@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
@@ -13,8 +10,11 @@ public sealed class RoadContinuations
     public const int None = -1;
 
     /// <summary>Nodes of these kinds are not on a road for cars.</summary>
-    private const RoadNodeFlags OffTheRoad = RoadNodeFlags.PedestrianCrossing | RoadNodeFlags.PedestrianCrossingWithoutWait
-        | RoadNodeFlags.PedestrianAssisted | RoadNodeFlags.Water;
+    private const RoadNodeFlags OffTheRoad =
+        RoadNodeFlags.PedestrianCrossing
+        | RoadNodeFlags.PedestrianCrossingWithoutWait
+        | RoadNodeFlags.PedestrianAssisted
+        | RoadNodeFlags.Water;
 
     /// <summary>If only two links meet, a sharper bend than this is a U-turn, radians.</summary>
     private const double MaxBend = 2.0;

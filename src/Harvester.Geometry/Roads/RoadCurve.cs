@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
@@ -180,11 +178,16 @@ public sealed class RoadCurve
     internal Vector2D GroundAt(double t)
     {
         double s = 1 - t;
-        return (_start * (s * s * (1 + (2 * t)))) + (_startTangent * (t * s * s))
-            + (_end * (t * t * (3 - (2 * t)))) - (_endTangent * (t * t * s));
+        return (_start * (s * s * (1 + (2 * t))))
+            + (_startTangent * (t * s * s))
+            + (_end * (t * t * (3 - (2 * t))))
+            - (_endTangent * (t * t * s));
     }
 
-    private static double Clamp(double parameter) => parameter < 0 ? 0 : parameter > 1 ? 1 : parameter;
+    private static double Clamp(double parameter) =>
+        parameter < 0 ? 0
+        : parameter > 1 ? 1
+        : parameter;
 
     private Vector2D VelocityAt(double t)
     {
@@ -201,7 +204,8 @@ public sealed class RoadCurve
         double middle = (from + to) / 2;
         double half = (to - from) / 2;
         double outer = half * Math.Sqrt(0.6);
-        return half * ((5 * VelocityAt(middle - outer).Length) + (8 * VelocityAt(middle).Length)
-            + (5 * VelocityAt(middle + outer).Length)) / 9;
+        return half
+            * ((5 * VelocityAt(middle - outer).Length) + (8 * VelocityAt(middle).Length) + (5 * VelocityAt(middle + outer).Length))
+            / 9;
     }
 }

@@ -44,7 +44,8 @@ public sealed class RoadCurves
             start,
             end,
             atStart ?? (atEnd is { } e ? Mirrored(e, along) : along),
-            atEnd ?? (atStart is { } s ? Mirrored(s, along) : along));
+            atEnd ?? (atStart is { } s ? Mirrored(s, along) : along)
+        );
     }
 
     /// <summary>The direction that a link and its continuation have at the node between them; null without a continuation.</summary>

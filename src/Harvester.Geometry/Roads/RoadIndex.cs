@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
@@ -31,7 +28,10 @@ public sealed class RoadIndex
         Guard.NotNull(reachOf, nameof(reachOf));
         RoadNetwork network = Guard.NotNull(curves, nameof(curves)).Network;
         var boxes = new List<(int Link, Box2D Box)>();
-        double west = double.PositiveInfinity, south = west, east = -west, north = -west;
+        double west = double.PositiveInfinity,
+            south = west,
+            east = -west,
+            north = -west;
         for (int i = 0; i < network.Links.Count; i++)
         {
             if (RoadContinuations.IsDrivable(network, network.Links[i]))
@@ -78,7 +78,10 @@ public sealed class RoadIndex
 
     private static Box2D BoxOf(RoadCurve curve, double reach)
     {
-        double west = double.PositiveInfinity, south = west, east = -west, north = -west;
+        double west = double.PositiveInfinity,
+            south = west,
+            east = -west,
+            north = -west;
         for (int i = 0; i <= BoxSteps; i++)
         {
             Vector2D point = curve.GroundAt(i / (double)BoxSteps);

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry.Roads;
 
 /// <summary>The flags of a link in the game's path data. Names follow Figure 17 of the thesis.</summary>

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
@@ -101,9 +99,11 @@ public sealed class RoadMatcher
         {
             int next = _curves.Continuations.Of(found.Link, beyondEnd: found.Overshoot > 0);
             bool isRoadNear = false;
-            if (next == RoadContinuations.None
+            if (
+                next == RoadContinuations.None
                 || Candidate(next, position, forward, previous, ref isRoadNear) is not { } beyond
-                || Math.Abs(beyond.Overshoot) >= Math.Abs(found.Overshoot))
+                || Math.Abs(beyond.Overshoot) >= Math.Abs(found.Overshoot)
+            )
             {
                 break;
             }
@@ -167,19 +167,32 @@ public sealed class RoadMatcher
 
         double withinLane = offset / there.Section.LaneWidth;
         double fromMiddle = outside > 0 ? 1 : Math.Abs(withinLane - Math.Floor(withinLane) - 0.5) * 2;
-        double cost = Math.Min(Square(outside / _options.LateralDeviation), MaxCostOfBeside)
+        double cost =
+            Math.Min(Square(outside / _options.LateralDeviation), MaxCostOfBeside)
             + Square(headingError / _headingDeviation)
             + Square(height)
             + Square(along.Dot(apart) / OvershootDeviation)
             + (CostOfLaneEdge * Square(fromMiddle));
-        return new RoadCandidate(link, isForward, parameter, there.Section, there.LeftEdge, offset, headingError, overshoot, cost,
-            cost + CostOfHistory(link, isForward, previous));
+        return new RoadCandidate(
+            link,
+            isForward,
+            parameter,
+            there.Section,
+            there.LeftEdge,
+            offset,
+            headingError,
+            overshoot,
+            cost,
+            cost + CostOfHistory(link, isForward, previous)
+        );
     }
 
     private double CostOfHistory(int link, bool isForward, RoadMatch? previous)
     {
-        if (previous is { HasRoad: true } before
-            && IsSameRoad(before.Link, before.IsForward, new RoadCandidate { Link = link, IsForward = isForward }))
+        if (
+            previous is { HasRoad: true } before
+            && IsSameRoad(before.Link, before.IsForward, new RoadCandidate { Link = link, IsForward = isForward })
+        )
         {
             return 0;
         }
@@ -237,11 +250,14 @@ public sealed class RoadMatcher
         double confidence = 1 / (1 + unknown + other);
         double width = found.Section.LaneCount * found.Section.LaneWidth;
         double outside = Math.Max(-found.Offset, found.Offset - width);
-        int? lane = outside * found.Section.TorcsScale > _options.EdgeTolerance ? null
-            : Math.Max(0, Math.Min(found.Section.LaneCount - 1, (int)Math.Floor(found.Offset / found.Section.LaneWidth)));
+        int? lane =
+            outside * found.Section.TorcsScale > _options.EdgeTolerance
+                ? null
+                : Math.Max(0, Math.Min(found.Section.LaneCount - 1, (int)Math.Floor(found.Offset / found.Section.LaneWidth)));
         return new RoadMatch
         {
-            Outcome = lane is null ? RoadMatchOutcome.BesideTheLanes
+            Outcome =
+                lane is null ? RoadMatchOutcome.BesideTheLanes
                 : confidence < _options.MinConfidence ? RoadMatchOutcome.Ambiguous
                 : RoadMatchOutcome.Matched,
             Link = found.Link,

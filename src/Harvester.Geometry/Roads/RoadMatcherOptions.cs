@@ -1,4 +1,3 @@
-
 namespace Harvester.Geometry.Roads;
 
 /// <summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Roads;
 
 /// <summary>Roads as nodes and the links between them. Immutable.</summary>
@@ -28,7 +25,8 @@ public sealed class RoadNetwork
             {
                 throw new ArgumentException(
                     FormattableString.Invariant($"Link {i} runs from node {link.From} to node {link.To}; there are {nodes.Count} nodes."),
-                        nameof(links));
+                    nameof(links)
+                );
             }
 
             (linksOfNode[link.From] ??= []).Add(i);
@@ -40,7 +38,9 @@ public sealed class RoadNetwork
             if (edge.Link < 0 || edge.Link >= links.Count)
             {
                 throw new ArgumentException(
-                    FormattableString.Invariant($"An edge is one of link {edge.Link}; there are {links.Count} links."), nameof(edges));
+                    FormattableString.Invariant($"An edge is one of link {edge.Link}; there are {links.Count} links."),
+                    nameof(edges)
+                );
             }
         }
 

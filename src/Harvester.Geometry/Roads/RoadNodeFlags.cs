@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry.Roads;
 
 /// <summary>The flags of a road node in the game's path data. Names follow Figure 16 of the thesis and the game's own tools.</summary>

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 
@@ -47,7 +45,13 @@ public sealed class OcclusionEstimator
     /// not hit it.
     /// </returns>
     public OcclusionEstimate Estimate(
-        Camera camera, Cuboid cuboid, CuboidProjection projection, int entity, int ignoredEntity, IRayCaster rays)
+        Camera camera,
+        Cuboid cuboid,
+        CuboidProjection projection,
+        int entity,
+        int ignoredEntity,
+        IRayCaster rays
+    )
     {
         OcclusionEstimate estimate = default;
         foreach (OcclusionEstimate? step in EstimateInSteps(camera, cuboid, projection, entity, ignoredEntity, rays))
@@ -67,7 +71,13 @@ public sealed class OcclusionEstimator
     /// <param name="rays">The ray caster.</param>
     /// <returns>Null after each <see cref="RaysOfAStep"/> rays; the estimate at the end.</returns>
     public IEnumerable<OcclusionEstimate?> EstimateInSteps(
-        Camera camera, Cuboid cuboid, CuboidProjection projection, int entity, int ignoredEntity, IRayCaster rays)
+        Camera camera,
+        Cuboid cuboid,
+        CuboidProjection projection,
+        int entity,
+        int ignoredEntity,
+        IRayCaster rays
+    )
     {
         Guard.NotNull(camera, nameof(camera));
         Guard.NotNull(cuboid, nameof(cuboid));
@@ -77,7 +87,13 @@ public sealed class OcclusionEstimator
     }
 
     private IEnumerable<OcclusionEstimate?> Steps(
-        Camera camera, Cuboid cuboid, CuboidProjection projection, int entity, int ignoredEntity, IRayCaster rays)
+        Camera camera,
+        Cuboid cuboid,
+        CuboidProjection projection,
+        int entity,
+        int ignoredEntity,
+        IRayCaster rays
+    )
     {
         if (projection.Box is not { } box)
         {

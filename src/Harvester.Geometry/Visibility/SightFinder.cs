@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 
@@ -54,7 +53,13 @@ public static class SightFinder
     /// <param name="rays">The ray caster.</param>
     /// <returns>Null after each <see cref="OcclusionEstimator.RaysOfAStep"/> rays; the finding at the end.</returns>
     public static IEnumerable<Sight?> FindInSteps(
-        Camera camera, Cuboid cuboid, CuboidProjection projection, int entity, int ignoredEntity, IRayCaster rays)
+        Camera camera,
+        Cuboid cuboid,
+        CuboidProjection projection,
+        int entity,
+        int ignoredEntity,
+        IRayCaster rays
+    )
     {
         Guard.NotNull(camera, nameof(camera));
         Guard.NotNull(cuboid, nameof(cuboid));
@@ -64,7 +69,13 @@ public static class SightFinder
     }
 
     private static IEnumerable<Sight?> Steps(
-        Camera camera, Cuboid cuboid, CuboidProjection projection, int entity, int ignoredEntity, IRayCaster rays)
+        Camera camera,
+        Cuboid cuboid,
+        CuboidProjection projection,
+        int entity,
+        int ignoredEntity,
+        IRayCaster rays
+    )
     {
         if (projection.Box is not { } box)
         {

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Text;
 
@@ -29,9 +26,7 @@ public sealed class LinePlot
     /// <param name="x">The horizontal axis.</param>
     /// <param name="y">The vertical axis.</param>
     public LinePlot(PlotAxis x, PlotAxis y)
-        : this(x, y, DefaultHeight)
-    {
-    }
+        : this(x, y, DefaultHeight) { }
 
     private LinePlot(PlotAxis x, PlotAxis y, double height)
     {
@@ -56,8 +51,10 @@ public sealed class LinePlot
         double middleX = minX + (spanX / 2);
         double middleY = minY + (spanY / 2);
         return new LinePlot(
-            new PlotAxis("east, m", middleX - halfX, middleX + halfX), new PlotAxis("north, m", middleY - halfY, middleY + halfY),
-                MapHeight);
+            new PlotAxis("east, m", middleX - halfX, middleX + halfX),
+            new PlotAxis("north, m", middleY - halfY, middleY + halfY),
+            MapHeight
+        );
     }
 
     /// <summary>Adds a line.</summary>
@@ -105,7 +102,12 @@ public sealed class LinePlot
             WriteTick(page, tick, new Vector2D(Left - 6, y + 4), "end");
         }
 
-        page.Start("text").With("x", (Left + Width - Right) / 2).With("y", _height - 6).With("text-anchor", "middle").Text(_x.Name).End()
+        page.Start("text")
+            .With("x", (Left + Width - Right) / 2)
+            .With("y", _height - 6)
+            .With("text-anchor", "middle")
+            .Text(_x.Name)
+            .End()
             .NewLine();
         page.Start("text").With("transform", FormattableString.Invariant($"translate(14 {(Top + floor) / 2}) rotate(-90)"));
         page.With("text-anchor", "middle").Text(_y.Name).End().NewLine();
@@ -115,10 +117,17 @@ public sealed class LinePlot
         page.Start("line").With("class", "grid").With("x1", from.X).With("y1", from.Y).With("x2", to.X).With("y2", to.Y).End();
 
     private static void WriteTick(MarkupWriter page, double tick, Vector2D place, string anchor) =>
-        page.Start("text").With("x", place.X).With("y", place.Y).With("text-anchor", anchor)
-            .Text(InvariantNumber.Format(tick, TickDecimals)).End().NewLine();
+        page.Start("text")
+            .With("x", place.X)
+            .With("y", place.Y)
+            .With("text-anchor", anchor)
+            .Text(InvariantNumber.Format(tick, TickDecimals))
+            .End()
+            .NewLine();
 
-    private Vector2D Pixel(Vector2D point) => new(
-        Left + ((point.X - _x.Min) / (_x.Max - _x.Min) * (Width - Left - Right)),
-        _height - Bottom - ((point.Y - _y.Min) / (_y.Max - _y.Min) * (_height - Top - Bottom)));
+    private Vector2D Pixel(Vector2D point) =>
+        new(
+            Left + ((point.X - _x.Min) / (_x.Max - _x.Min) * (Width - Left - Right)),
+            _height - Bottom - ((point.Y - _y.Min) / (_y.Max - _y.Min) * (_height - Top - Bottom))
+        );
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Pages.Plots;
 
 /// <summary>An axis of a plot.</summary>
@@ -27,7 +24,14 @@ public sealed record PlotAxis(string Name, double Min, double Max)
     {
         double minStep = (Max - Min) / MaxSteps;
         double power = Math.Pow(10, Math.Floor(Math.Log10(minStep)));
-        double step = power * (minStep <= power ? 1 : minStep <= 2 * power ? 2 : minStep <= 5 * power ? 5 : 10);
+        double step =
+            power
+            * (
+                minStep <= power ? 1
+                : minStep <= 2 * power ? 2
+                : minStep <= 5 * power ? 5
+                : 10
+            );
         for (double tick = Math.Ceiling((Min / step) - Rounding); tick <= (Max / step) + Rounding; tick++)
         {
             yield return tick * step;

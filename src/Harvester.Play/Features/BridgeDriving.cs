@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Bridge;
 using Harvester.Driving.Session;
@@ -72,8 +71,8 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
             return;
         }
 
-        string? obstacle = _settings.Kind == BridgeKind.Off ? "The bridge is off. Change Kind under [Bridge] in GtaDataHarvester.ini."
-            : Obstacle();
+        string? obstacle =
+            _settings.Kind == BridgeKind.Off ? "The bridge is off. Change Kind under [Bridge] in GtaDataHarvester.ini." : Obstacle();
         if (obstacle is not null)
         {
             _messages.Tell(obstacle);
@@ -165,7 +164,10 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
             string who = status.IsClientAlive ? "DRIVEN by the client" : "BRAKING, no client drives";
             string recorded = Recording?.Frames is { } frames ? FormattableString.Invariant($"  REC {frames}") : "";
             _display.Text(
-                FormattableString.Invariant($"{who} at {_settings.Place}  {Counted.Of(status.Frames, "frame")}{recorded}"), 0.02, 0.02);
+                FormattableString.Invariant($"{who} at {_settings.Place}  {Counted.Of(status.Frames, "frame")}{recorded}"),
+                0.02,
+                0.02
+            );
         }
     }
 

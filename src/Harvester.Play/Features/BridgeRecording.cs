@@ -1,5 +1,3 @@
-using System;
-using System.Threading;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
@@ -51,8 +49,15 @@ public sealed class BridgeRecording
     /// <param name="origin">Returns the origin of a session at its start.</param>
     /// <param name="lagTicks">Number of ticks by which the picture of a running game lags behind its entities, 0 or more.</param>
     public BridgeRecording(
-        double rateHz, HarvestOptions labels, string folder, PlayerMessages messages, GamePorts game, PlayerCar car,
-            Func<SessionOrigin> origin, int lagTicks = 0)
+        double rateHz,
+        HarvestOptions labels,
+        string folder,
+        PlayerMessages messages,
+        GamePorts game,
+        PlayerCar car,
+        Func<SessionOrigin> origin,
+        int lagTicks = 0
+    )
     {
         // The game reports the pose of an attached camera a tick late, so the picture is one tick less behind it.
         _lagTicks = lagTicks;
@@ -245,7 +250,10 @@ public sealed class BridgeRecording
         _lastWriter = fault is null ? _writer.Opened : null;
         _writer.Close();
         string leftOut = _leftOut > 0 ? $", {_leftOut} left out because the disk was busy" : "";
-        _messages.Tell(fault is null ? $"The drive was recorded: {Counted.Of(frames, "frame")}{leftOut}, in {_folder}."
-            : $"{fault.TrimEnd('.')}. The drive goes on without a recording.");
+        _messages.Tell(
+            fault is null
+                ? $"The drive was recorded: {Counted.Of(frames, "frame")}{leftOut}, in {_folder}."
+                : $"{fault.TrimEnd('.')}. The drive goes on without a recording."
+        );
     }
 }

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.PixelMaps.Coded;
 
@@ -11,8 +10,7 @@ namespace Harvester.Play.Features;
 /// <param name="display">Draws the sheets.</param>
 public sealed class DrawnSheets(IDisplay display) : ISheets, IFeature
 {
-    private static readonly Colour Magenta =
-        new((byte)ScreenSheet.Colour.X, (byte)ScreenSheet.Colour.Y, (byte)ScreenSheet.Colour.Z);
+    private static readonly Colour Magenta = new((byte)ScreenSheet.Colour.X, (byte)ScreenSheet.Colour.Y, (byte)ScreenSheet.Colour.Z);
 
     private IReadOnlyList<ScreenSheet> _sheets = [];
 

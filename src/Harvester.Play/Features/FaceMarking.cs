@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
@@ -38,8 +35,14 @@ public sealed class FaceMarking : ILastingFeature
     /// <param name="display">Draws the cuboid.</param>
     /// <param name="messages">Reports the result.</param>
     public FaceMarking(
-        GamePorts game, IProps props, IReadOnlyList<SignName> names, FaceTable shipped, MeasuredFaces measured, IDisplay display,
-            PlayerMessages messages)
+        GamePorts game,
+        IProps props,
+        IReadOnlyList<SignName> names,
+        FaceTable shipped,
+        MeasuredFaces measured,
+        IDisplay display,
+        PlayerMessages messages
+    )
     {
         _game = game;
         _props = props;
@@ -66,8 +69,10 @@ public sealed class FaceMarking : ILastingFeature
     public Func<bool> IsPictureNear { get; init; } = static () => false;
 
     /// <summary>A line about the face that is being marked; null if there is none.</summary>
-    public string? Line => _prop is { } prop
-        ? $"FACE  {prop.Model}  {_names[_name]}{(_marking!.IsComplete ? string.Empty : "  mark the opposite corner")}" : null;
+    public string? Line =>
+        _prop is { } prop
+            ? $"FACE  {prop.Model}  {_names[_name]}{(_marking!.IsComplete ? string.Empty : "  mark the opposite corner")}"
+            : null;
 
     /// <summary>Marks a corner at the middle of the screen.</summary>
     public void Mark()
@@ -75,8 +80,11 @@ public sealed class FaceMarking : ILastingFeature
         _measured.Open();
         Pose eye = _game.World.ReadCamera().Pose;
         var ray = new Ray(eye.Position, eye.Axes.Forward);
-        if (_game.Rays.Cast(ray, ReachMetres, _props.PlayersBody) is not { } hit || hit.Entity == RayHit.World
-            || _props.ReadProp(hit.Entity) is not { } prop)
+        if (
+            _game.Rays.Cast(ray, ReachMetres, _props.PlayersBody) is not { } hit
+            || hit.Entity == RayHit.World
+            || _props.ReadProp(hit.Entity) is not { } prop
+        )
         {
             _messages.Tell("There is no prop in the middle of the screen. Go nearer and aim at the face itself.");
             return;
@@ -118,8 +126,9 @@ public sealed class FaceMarking : ILastingFeature
         face = face with { Number = replaced?.Number ?? KeptFaces.FreeNumber(earlier) };
         folder.Finish(model, "byHand", [.. earlier.Where(other => other.Number != face.Number), face]);
         string start = IsHarvesting() ? "from the next harvest" : "from now";
-        _messages.Tell(FormattableString.Invariant(
-            $"Saved: face {face.Number} of {model}, {name}, in {_measured.Path}. It is in use {start} on."));
+        _messages.Tell(
+            FormattableString.Invariant($"Saved: face {face.Number} of {model}, {name}, in {_measured.Path}. It is in use {start} on.")
+        );
         Stop();
     }
 
@@ -157,11 +166,18 @@ public sealed class FaceMarking : ILastingFeature
     {
         (Vector3D aLow, Vector3D aHigh) = Corners(one);
         (Vector3D bLow, Vector3D bHigh) = Corners(other);
-        return one.Facing == other.Facing && aLow.X < bHigh.X && bLow.X < aHigh.X && aLow.Y <= bHigh.Y && bLow.Y <= aHigh.Y
-            && aLow.Z < bHigh.Z && bLow.Z < aHigh.Z;
+        return one.Facing == other.Facing
+            && aLow.X < bHigh.X
+            && bLow.X < aHigh.X
+            && aLow.Y <= bHigh.Y
+            && bLow.Y <= aHigh.Y
+            && aLow.Z < bHigh.Z
+            && bLow.Z < aHigh.Z;
     }
 
-    private static (Vector3D Low, Vector3D High) Corners(ModelFace face) => (
-        new(face.FrontUpperLeft.X, face.BackLowerRight.Y, face.BackLowerRight.Z),
-        new(face.BackLowerRight.X, face.FrontUpperLeft.Y, face.FrontUpperLeft.Z));
+    private static (Vector3D Low, Vector3D High) Corners(ModelFace face) =>
+        (
+            new(face.FrontUpperLeft.X, face.BackLowerRight.Y, face.BackLowerRight.Z),
+            new(face.BackLowerRight.X, face.FrontUpperLeft.Y, face.FrontUpperLeft.Z)
+        );
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Text;
 using Harvester.Surveys.Faces;
@@ -42,7 +39,8 @@ public sealed class FaceSurveying : ILastingFeature
         IMount mount,
         PlayerMessages messages,
         IClock clock,
-        double budgetMilliseconds)
+        double budgetMilliseconds
+    )
     {
         _stage = stage;
         _camera = camera;
@@ -160,8 +158,11 @@ public sealed class FaceSurveying : ILastingFeature
         else
         {
             Stop();
-            _messages.Tell(FormattableString.Invariant(
-                $"The survey of signs {how} after {survey.Done} of {_models.Count} models. The next survey continues there."));
+            _messages.Tell(
+                FormattableString.Invariant(
+                    $"The survey of signs {how} after {survey.Done} of {_models.Count} models. The next survey continues there."
+                )
+            );
         }
     }
 
@@ -169,7 +170,12 @@ public sealed class FaceSurveying : ILastingFeature
     {
         Stop();
         int faces = _measured.Open()?.Table.Faces.Count() ?? 0;
-        _messages.Tell(survey.Fault ?? FormattableString.Invariant(
-            $"All {_models.Count} models are surveyed: {Counted.Of(faces, "face")}, in {_measured.Path}. They are in use from now on."));
+        _messages.Tell(
+            survey.Fault
+                ?? FormattableString.Invariant(
+                    $"All {_models.Count} models are surveyed: {Counted.Of(faces, "face")}, in {_measured.Path}. They are in "
+                        + $"use from now on."
+                )
+        );
     }
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Linq;
-using System.Threading;
 using Harvester.Capture.Ports;
 
 namespace Harvester.Play.Features;

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Ports;
 
 namespace Harvester.Play.Features;

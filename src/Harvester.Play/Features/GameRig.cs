@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
 using Harvester.Geometry.Cameras;
@@ -67,7 +64,8 @@ public static class GameRig
     public static double SecondsPerMoment(HarvestOptions options)
     {
         Rig rig = options?.Rig ?? throw new ArgumentNullException(nameof(options));
-        double ticks = (rig.Cameras.Count * (double)(options.MaxPictureLagTicks + TicksOfView))
+        double ticks =
+            (rig.Cameras.Count * (double)(options.MaxPictureLagTicks + TicksOfView))
             + (RigBudget.RaysPerMoment(rig, options.Masks, options.Depth) / RaysPerTick);
         return ticks / TicksPerSecond;
     }
@@ -80,7 +78,9 @@ public static class GameRig
     public static string? BodyProblem(Rig rig, EgoState ego, IRayCaster rays)
     {
         _ = rig ?? throw new ArgumentNullException(nameof(rig));
-        return rig.Cameras.Select(camera => (camera.Name, camera.Mount)).Concat(rig.Lidars.Select(lidar => (lidar.Name, lidar.Mount)))
+        return rig
+            .Cameras.Select(camera => (camera.Name, camera.Mount))
+            .Concat(rig.Lidars.Select(lidar => (lidar.Name, lidar.Mount)))
             .Where(sensor => VehicleBody.Encloses(ego, rig.OnVehicle(sensor.Mount).Position, rays))
             .Select(sensor => $"'{sensor.Name}' of the rig '{rig.Name}' is inside the body of the vehicle. Move it outside.")
             .FirstOrDefault();
@@ -90,8 +90,12 @@ public static class GameRig
     /// <param name="rig">The rig as it was read.</param>
     /// <exception cref="ArgumentNullException"><paramref name="rig"/> is null.</exception>
     public static IEnumerable<string> LensWarnings(Rig rig) =>
-        (rig ?? throw new ArgumentNullException(nameof(rig))).Cameras.Where(camera => camera.Lens != Lens.Ideal).Take(1).Select(camera =>
-            $"The camera '{camera.Name}' of the rig '{rig.Name}' has a lens, which the game cannot imitate. That of [Lens] applies.");
+        (rig ?? throw new ArgumentNullException(nameof(rig)))
+            .Cameras.Where(camera => camera.Lens != Lens.Ideal)
+            .Take(1)
+            .Select(camera =>
+                $"The camera '{camera.Name}' of the rig '{rig.Name}' has a lens, which the game cannot imitate. That of [Lens] applies."
+            );
 
     /// <summary>A sentence about the first camera whose shape is not that of the window; null if all have it.</summary>
     /// <param name="rig">The rig.</param>
@@ -99,19 +103,28 @@ public static class GameRig
     /// <exception cref="ArgumentNullException"><paramref name="rig"/> is null.</exception>
     public static string? AspectWarning(Rig rig, double windowAspect)
     {
-        RigCamera? other = (rig ?? throw new ArgumentNullException(nameof(rig))).Cameras
-            .FirstOrDefault(camera => Math.Abs((camera.Image.Aspect / windowAspect) - 1) > AspectTolerance);
-        return other is null ? null : FormattableString.Invariant(
-            $"The game's window is {windowAspect:0.###} times as wide as high, but the images of '{other.Name}' are {other.Image.Width} x ")
-            + FormattableString.Invariant(
-                $"{other.Image.Height}: they are stretched, and their horizontal field of view is the window's. Labels account for that.");
+        RigCamera? other = (rig ?? throw new ArgumentNullException(nameof(rig))).Cameras.FirstOrDefault(camera =>
+            Math.Abs((camera.Image.Aspect / windowAspect) - 1) > AspectTolerance
+        );
+        return other is null
+            ? null
+            : FormattableString.Invariant(
+                $"The game's window is {windowAspect:0.###} times as wide as high, but the images of '{other.Name}' are "
+                    + $"{other.Image.Width} x "
+            )
+                + FormattableString.Invariant(
+                    $"{other.Image.Height}: they are stretched, and their horizontal field of view is the window's. Labels "
+                        + $"account for that."
+                );
     }
 
     private static string? ProblemOf(HarvestOptions options, Rig rig) =>
         !options.Freeze ? "Rig needs Mode = Freeze, because its camera goes from place to place while the world stands still."
         : options.MaskMethod != MaskMethod.Rays ? "Rig needs Masks = Rays or Off."
         : options.Pairs.IsAny ? "Rig cannot be used together with PairWeathers, PairHours and PairWithout."
-        : rig.Cameras.FirstOrDefault(camera => camera.VerticalFovDegrees > MaxFovDegrees) is { } wide ? FormattableString.Invariant(
-            $"The camera '{wide.Name}' of the rig needs a verticalFovDegrees of at most {MaxFovDegrees}, the widest of the game.")
+        : rig.Cameras.FirstOrDefault(camera => camera.VerticalFovDegrees > MaxFovDegrees) is { } wide
+            ? FormattableString.Invariant(
+                $"The camera '{wide.Name}' of the rig needs a verticalFovDegrees of at most {MaxFovDegrees}, the widest of the game."
+            )
         : RigBudget.ProblemOf(rig, SecondsPerMoment(options));
 }

@@ -1,5 +1,3 @@
-using System;
-using System.Threading.Tasks;
 using Harvester.Play.Settings;
 
 namespace Harvester.Play.Features;

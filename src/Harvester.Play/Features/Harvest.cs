@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
@@ -39,8 +37,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
     /// <param name="mount">The camera of the harvest.</param>
     /// <param name="game">The game.</param>
     /// <param name="origin">Returns the origin of a session at the start of a harvest.</param>
-    public Harvest(
-        HarvestOptions options, string folder, PlayerMessages messages, IMount mount, GamePorts game, Func<SessionOrigin> origin)
+    public Harvest(HarvestOptions options, string folder, PlayerMessages messages, IMount mount, GamePorts game, Func<SessionOrigin> origin)
     {
         Options = options;
         _folder = folder;
@@ -72,8 +69,8 @@ public sealed class Harvest : ILastingFeature, IDisposable
     public HarvestStatus? Status => _session?.Status;
 
     /// <summary>What could not be checked or done as asked in the running harvest, and its remedy; null without a warning.</summary>
-    public string? Warning => _session?.Warnings is { Count: > 0 } warnings
-        ? string.Join("  ", warnings.Select(HarvestAdvice.TextOf)) : null;
+    public string? Warning =>
+        _session?.Warnings is { Count: > 0 } warnings ? string.Join("  ", warnings.Select(HarvestAdvice.TextOf)) : null;
 
     /// <summary>Whether the running harvest was to photograph its masks and makes them from rays instead.</summary>
     public bool AreMasksReplaced => _session?.Warnings.Any(warning => warning.Code == FaultCode.NothingHidden) ?? false;
@@ -92,14 +89,17 @@ public sealed class Harvest : ILastingFeature, IDisposable
 
     /// <summary>Whether an image may be grabbed now or so soon that nothing may be drawn over it.</summary>
     public bool IsPictureNear =>
-        IsOn && (Status is not { } status || !_startedWith!.Freeze
-            || status.Phase is not (HarvestPhase.Waiting or HarvestPhase.WaitingForSink));
+        IsOn
+        && (Status is not { } status || !_startedWith!.Freeze || status.Phase is not (HarvestPhase.Waiting or HarvestPhase.WaitingForSink));
 
     /// <inheritdoc/>
     public bool IsBusy => _writer.IsBusy;
 
     /// <summary>Number of frames of the running harvest, or of the last one.</summary>
-    public int Captured => _session is { } session ? session.Status.Captured : IsOn ? 0 : _lastCaptured;
+    public int Captured =>
+        _session is { } session ? session.Status.Captured
+        : IsOn ? 0
+        : _lastCaptured;
 
     /// <summary>Why the last harvest ended early; null if it ended normally, or none has ended.</summary>
     public string? LastFault => _lastFault ?? (IsBusy ? null : _lastWriter?.Fault);
@@ -128,8 +128,12 @@ public sealed class Harvest : ILastingFeature, IDisposable
             SessionOrigin origin = _origin();
             _isSingle = false;
             Start(
-                Options with { Faces = FacesInUse() },
-                () => SessionPlace.Locked(SessionPlace.NewIn(_folder, "session"), origin, Options.ViewsPerMoment));
+                Options with
+                {
+                    Faces = FacesInUse(),
+                },
+                () => SessionPlace.Locked(SessionPlace.NewIn(_folder, "session"), origin, Options.ViewsPerMoment)
+            );
         }
         else
         {
@@ -162,7 +166,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
             ProbeLag = false,
             ChecksDisplay = false,
             Faces = FacesInUse(),
-            KnownFreezing = _freezing is { IsConclusive: true } ? _freezing : null
+            KnownFreezing = _freezing is { IsConclusive: true } ? _freezing : null,
         };
         SessionOrigin origin = _origin();
         _isSingle = true;
@@ -170,8 +174,14 @@ public sealed class Harvest : ILastingFeature, IDisposable
         {
             Start(
                 singles.CalibrationErrorPixels is { } known
-                    ? options with { MaxCalibrationErrorPixels = null, KnownCalibrationErrorPixels = known } : options,
-                () => SessionPlace.Locked(singles.Folder, origin, Options.ViewsPerMoment, resume: true));
+                    ? options with
+                    {
+                        MaxCalibrationErrorPixels = null,
+                        KnownCalibrationErrorPixels = known,
+                    }
+                    : options,
+                () => SessionPlace.Locked(singles.Folder, origin, Options.ViewsPerMoment, resume: true)
+            );
         }
         else
         {
@@ -299,8 +309,11 @@ public sealed class Harvest : ILastingFeature, IDisposable
 
         if (_startedWith!.Rig is { } rig)
         {
-            _messages.Log(FormattableString.Invariant(
-                $"The rig '{rig.Name}' takes about {GameRig.SecondsPerMoment(_startedWith):0.0} s per moment at 60 ticks a second."));
+            _messages.Log(
+                FormattableString.Invariant(
+                    $"The rig '{rig.Name}' takes about {GameRig.SecondsPerMoment(_startedWith):0.0} s per moment at 60 ticks a second."
+                )
+            );
             if (GameRig.AspectWarning(rig, _game.World.ReadCamera().WindowAspect) is { } warning)
             {
                 _messages.Tell(warning);
@@ -362,10 +375,11 @@ public sealed class Harvest : ILastingFeature, IDisposable
     private void Tell(HarvestSession session, bool isNew)
     {
         HarvestStatus status = session.Status;
-        string discards = string.Join(", ",
-            session.Counters.Discards.Select(discard => FormattableString.Invariant($"{discard.Value} {discard.Key}")));
-        string counts = Counted.Of(status.Captured, "frame")
-            + (discards.Length > 0 ? $", discarded: {discards}" : string.Empty);
+        string discards = string.Join(
+            ", ",
+            session.Counters.Discards.Select(discard => FormattableString.Invariant($"{discard.Value} {discard.Key}"))
+        );
+        string counts = Counted.Of(status.Captured, "frame") + (discards.Length > 0 ? $", discarded: {discards}" : string.Empty);
         if (session.Calls.Phases.Count > 0)
         {
             _messages.Log($"The harvest asked of the game: {session.Calls}");
@@ -377,9 +391,9 @@ public sealed class Harvest : ILastingFeature, IDisposable
         }
 
         string kept = status is { Captured: 0, Discarded: 0 } && isNew ? $"{counts}; its empty folder is removed" : counts;
-        _messages.Tell(session.Failure is { } fault
-            ? $"{HarvestAdvice.TextOf(fault)} ({kept})"
-            : $"The harvest ended: {counts}, in {_folder}.");
+        _messages.Tell(
+            session.Failure is { } fault ? $"{HarvestAdvice.TextOf(fault)} ({kept})" : $"The harvest ended: {counts}, in {_folder}."
+        );
     }
 
     /// <summary>The last frames are written when the harvest is over: their write errors are reported once they are known.</summary>

@@ -13,11 +13,12 @@ internal static class HarvestAdvice
     public static string TextOf(CaptureFault fault) =>
         SettingFor(fault.Code) is { } setting ? $"{fault.Message} {setting}" : FailureAdvice.AddTo(fault.Message);
 
-    private static string? SettingFor(FaultCode code) => code switch
-    {
-        FaultCode.PictureLate => "To allow more, raise MaxPictureLagTicks under [Harvest].",
-        FaultCode.MarkersHidden or FaultCode.CameraModelOff or FaultCode.CameraUnchecked or FaultCode.CalibrationFailed => SkipCheck,
-        FaultCode.LagUnknown => "Mode = Freeze under [Harvest] freezes the game.",
-        _ => null,
-    };
+    private static string? SettingFor(FaultCode code) =>
+        code switch
+        {
+            FaultCode.PictureLate => "To allow more, raise MaxPictureLagTicks under [Harvest].",
+            FaultCode.MarkersHidden or FaultCode.CameraModelOff or FaultCode.CameraUnchecked or FaultCode.CalibrationFailed => SkipCheck,
+            FaultCode.LagUnknown => "Mode = Freeze under [Harvest] freezes the game.",
+            _ => null,
+        };
 }

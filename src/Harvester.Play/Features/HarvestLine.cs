@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Threading.Tasks;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Text;
@@ -89,7 +84,8 @@ public sealed class HarvestLine : IFeature
         string state = status.Phase == HarvestPhase.WaitingForSink ? "WAITING FOR DISK" : "REC";
         string frames = Counted.Of(status.Captured, "frame") + (_harvest.AreMasksReplaced ? "  MASKS FROM RAYS" : string.Empty);
         string line = FormattableString.Invariant(
-            $"{state}  {frames}  {status.FramesPerSecond:0.0}/s  {status.Discarded} discarded  queue {_harvest.Queued}  {_disk}");
+            $"{state}  {frames}  {status.FramesPerSecond:0.0}/s  {status.Discarded} discarded  queue {_harvest.Queued}  {_disk}"
+        );
         line = string.Join("  ", new[] { line, PaceText.Of(_harvest.RealSecondsPerGameSecond) }.Where(part => part.Length > 0));
         _display.Text(line, 0.02, 0.02);
     }

@@ -1,9 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
-using System.Threading.Tasks;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Files;
 
@@ -20,7 +15,8 @@ namespace Harvester.Play.Features;
 /// <param name="messages">Says if the list cannot be written.</param>
 /// <param name="isNeeded">Whether a feature may need entities hidden.</param>
 public sealed class HiddenEntities(IShownEntities visibility, string path, PlayerMessages messages, Func<bool> isNeeded)
-    : IVisibility, ILastingFeature
+    : IVisibility,
+        ILastingFeature
 {
     private static readonly TimeSpan MaxWaitForDisk = TimeSpan.FromSeconds(2);
     private readonly HashSet<int> _hidden = [];
@@ -144,8 +140,11 @@ public sealed class HiddenEntities(IShownEntities visibility, string path, Playe
         {
             foreach (string line in lines.Skip(1))
             {
-                if (int.TryParse(line, NumberStyles.Integer, CultureInfo.InvariantCulture, out int entity)
-                    && visibility.Exists(entity) && !visibility.IsShown(entity))
+                if (
+                    int.TryParse(line, NumberStyles.Integer, CultureInfo.InvariantCulture, out int entity)
+                    && visibility.Exists(entity)
+                    && !visibility.IsShown(entity)
+                )
                 {
                     visibility.Show(entity, true);
                     shown++;

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Play.Features;
 
 /// <summary>Whether the game draws its entities.</summary>

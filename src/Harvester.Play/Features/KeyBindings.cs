@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Play.Features;
 
 /// <summary>The actions of keys, as set in the settings file.</summary>

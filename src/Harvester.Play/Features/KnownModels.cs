@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
 using Harvester.Geometry;
 using Harvester.Sessions.Faces;
@@ -25,13 +23,19 @@ public sealed class KnownModels(IModels models, FaceTable table)
     public ModelFacts OfPed(int hash) => Find(hash, () => (ObjectClass.Pedestrian, Hexadecimal(hash)));
 
     /// <summary>A prop's model, by its hash.</summary>
-    public ModelFacts OfProp(int hash) => Find(hash, () =>
-    {
-        IReadOnlyList<ModelFace> faces = table.Of(hash);
-        return faces.Count == 0
-            ? SignModels.UnnamedBy(hash) is { } name ? (ObjectClass.Sign, name) : (ObjectClass.Other, Hexadecimal(hash))
-            : (faces[0].Class, faces[0].Model.Length > 0 ? faces[0].Model : Hexadecimal(hash));
-    });
+    public ModelFacts OfProp(int hash) =>
+        Find(
+            hash,
+            () =>
+            {
+                IReadOnlyList<ModelFace> faces = table.Of(hash);
+                return faces.Count == 0
+                    ? SignModels.UnnamedBy(hash) is { } name
+                        ? (ObjectClass.Sign, name)
+                        : (ObjectClass.Other, Hexadecimal(hash))
+                    : (faces[0].Class, faces[0].Model.Length > 0 ? faces[0].Model : Hexadecimal(hash));
+            }
+        );
 
     private static string Hexadecimal(int hash) => "0x" + hash.ToString("X8", CultureInfo.InvariantCulture);
 

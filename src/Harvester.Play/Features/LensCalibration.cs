@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using Harvester.Capture.Calibration;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Ports;
@@ -70,7 +67,7 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
             var options = new CalibrationOptions
             {
                 Image = _harvest.Options.Image,
-                MaxPictureLagTicks = _harvest.Options.MaxPictureLagTicks
+                MaxPictureLagTicks = _harvest.Options.MaxPictureLagTicks,
             };
             _session = new CalibrationSession(options, _game);
         }
@@ -127,9 +124,11 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
         _harvest.Options = _harvest.Options with { Lens = result.Lens };
         IReadOnlyList<KeyValuePair<string, double>> values = HarvestSettings.ValuesOf(result.Lens);
         _disk.Add(() => IniEditor.Set(_iniPath, HarvestSettings.LensSection, values));
-        _messages.Tell(FormattableString.Invariant(
-            $"Calibrated: the error was {result.Before.RmsPixels:0.00} px and is {result.Validation.RmsPixels:0.00} px. ")
-            + $"The lens is in {Path.GetFileName(_iniPath)}.");
+        _messages.Tell(
+            FormattableString.Invariant(
+                $"Calibrated: the error was {result.Before.RmsPixels:0.00} px and is {result.Validation.RmsPixels:0.00} px. "
+            ) + $"The lens is in {Path.GetFileName(_iniPath)}."
+        );
     }
 
     /// <summary>A failed calibration is not a failed check, which could be skipped; only the limit of the lag applies to both.</summary>

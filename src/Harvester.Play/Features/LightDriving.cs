@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Threading;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Play.Settings;
@@ -93,14 +89,20 @@ public sealed class LightDriving : IFeature, ILights
     private static LightState StateAt(double seconds, bool isCrossing)
     {
         double time = (seconds + (isCrossing ? PhaseSeconds : 0)) % (2 * PhaseSeconds);
-        return time < GreenSeconds ? LightState.Green : time < GreenSeconds + AmberSeconds ? LightState.Amber : LightState.Red;
+        return time < GreenSeconds ? LightState.Green
+            : time < GreenSeconds + AmberSeconds ? LightState.Amber
+            : LightState.Red;
     }
 
     /// <summary>Takes over the lights that have come near, and gives back those that no longer are.</summary>
     private void Look()
     {
-        EntityState[] near = [.. _world.ReadEntities(_world.ReadCamera().Pose.Position, _rangeMetres)
-            .Where(entity => entity.Class == ObjectClass.TrafficLight)];
+        EntityState[] near =
+        [
+            .. _world
+                .ReadEntities(_world.ReadCamera().Pose.Position, _rangeMetres)
+                .Where(entity => entity.Class == ObjectClass.TrafficLight),
+        ];
         GiveBack([.. _driven.Keys.Except(near.Select(light => light.Handle))]);
         foreach (EntityState light in near.Where(light => !_driven.ContainsKey(light.Handle)))
         {
@@ -145,15 +147,16 @@ public sealed class LightDriving : IFeature, ILights
         }
     }
 
-    private int NumberOf(LightState state) => (_order, state) switch
-    {
-        (LightOrder.GreenRedAmber, LightState.Red) => 1,
-        (LightOrder.GreenRedAmber, LightState.Amber) => 2,
-        (LightOrder.GreenRedAmber, _) => 0,
-        (_, LightState.Red) => 0,
-        (_, LightState.Amber) => 1,
-        _ => 2,
-    };
+    private int NumberOf(LightState state) =>
+        (_order, state) switch
+        {
+            (LightOrder.GreenRedAmber, LightState.Red) => 1,
+            (LightOrder.GreenRedAmber, LightState.Amber) => 2,
+            (LightOrder.GreenRedAmber, _) => 0,
+            (_, LightState.Red) => 0,
+            (_, LightState.Amber) => 1,
+            _ => 2,
+        };
 
     private readonly record struct Driven(LightState State, long SinceFrame, bool IsCrossing);
 }

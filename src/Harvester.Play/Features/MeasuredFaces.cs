@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-using System.Threading.Tasks;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Faces;
 using Harvester.Surveys.Faces;

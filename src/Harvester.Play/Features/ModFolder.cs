@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Harvester.Play.Settings;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Rigs;
@@ -33,7 +28,8 @@ public sealed class ModFolder
         ShippedFaces = ReadFaces(Path.Combine(folder, FacesFile), FacesFile);
         string materials = Path.Combine(folder, MaterialTable.FileName);
         Materials = File.Exists(materials)
-            ? Read(() => ReadMaterials(materials), () => MaterialTable.BuiltIn, MaterialTable.FileName) : MaterialTable.BuiltIn;
+            ? Read(() => ReadMaterials(materials), () => MaterialTable.BuiltIn, MaterialTable.FileName)
+            : MaterialTable.BuiltIn;
         (Rig, RigProblem) = ReadRig(Settings.Text("Harvest", "Rig", string.Empty));
     }
 
@@ -82,7 +78,8 @@ public sealed class ModFolder
         try
         {
             string path = Path.Combine(_folder, Environment.ExpandEnvironmentVariables(name));
-            return new FileInfo(path) is { Exists: true, Length: <= MaxRigBytes } ? (RigParser.Parse(File.ReadAllText(path)), null)
+            return new FileInfo(path) is { Exists: true, Length: <= MaxRigBytes }
+                ? (RigParser.Parse(File.ReadAllText(path)), null)
                 : (null, Told($"Rig: there is no file {name} of at most {MaxRigBytes / 1024} KiB beside the mod."));
         }
 #pragma warning disable CA1031 // As in Read; a harvest with another rig than the player wants is refused.
@@ -116,7 +113,8 @@ public sealed class ModFolder
                 return FaceTableReader.Read(reader);
             },
             () => new FaceTableContent(FaceTable.Empty, []),
-            name);
+            name
+        );
         _complaints.AddRange(content.Problems.Select(problem => $"{name}: {problem}"));
         return content.Table;
     }

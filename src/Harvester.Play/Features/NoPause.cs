@@ -9,12 +9,8 @@ internal sealed class NoPause : IPause
     public FreezeMethod Method { get; set; }
 
     /// <inheritdoc/>
-    public void Freeze()
-    {
-    }
+    public void Freeze() { }
 
     /// <inheritdoc/>
-    public void Unfreeze()
-    {
-    }
+    public void Unfreeze() { }
 }

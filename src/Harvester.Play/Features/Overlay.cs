@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
@@ -83,7 +80,9 @@ public sealed class Overlay : IFeature
         HarvestOptions options = _harvest.Options;
         CameraState state = _sight.ReadCamera();
         var camera = new Camera(
-            state.Pose, new CameraIntrinsics(state.VerticalFovDegrees, Canvas, state.WindowAspect, state.NearClip, options.Lens));
+            state.Pose,
+            new CameraIntrinsics(state.VerticalFovDegrees, Canvas, state.WindowAspect, state.NearClip, options.Lens)
+        );
         foreach (SeenEntity entity in _sight.Around(state.Pose, options.RangeMetres))
         {
             if (options.Classes?.Contains(entity.Model.Class) ?? true)
@@ -121,8 +120,11 @@ public sealed class Overlay : IFeature
         }
 
         double carOffset = seen.Match.LeftEdge + seen.Match.OffsetFromLeftEdge;
-        foreach (LaneLineView view in LaneLineTracer.Trace(stretch, carOffset, 0, LaneReach)
-            .SelectMany(line => LaneLineProjector.Project(camera, line, 0, null)))
+        foreach (
+            LaneLineView view in LaneLineTracer
+                .Trace(stretch, carOffset, 0, LaneReach)
+                .SelectMany(line => LaneLineProjector.Project(camera, line, 0, null))
+        )
         {
             DrawDots(view);
         }
@@ -162,9 +164,7 @@ public sealed class Overlay : IFeature
     private IEnumerable<Cuboid> CuboidsOf(SeenEntity entity)
     {
         IReadOnlyList<ModelFace> faces = _harvest.Faces.Of(entity.Model.Name);
-        return faces.Count > 0
-            ? faces.Select(face => face.CuboidAt(entity.Place.Pose))
-            : [entity.Cuboid];
+        return faces.Count > 0 ? faces.Select(face => face.CuboidAt(entity.Place.Pose)) : [entity.Cuboid];
     }
 
     private void Outline(Box2D box, Colour colour)
@@ -181,6 +181,6 @@ public sealed class Overlay : IFeature
         Fill(left + width, middleY, LineFraction, height, colour);
     }
 
-    private void Fill(double centreX, double centreY, double width, double height, Colour colour) => _display.Rectangle(
-        new Box2D(centreX - (width / 2), centreY - (height / 2), centreX + (width / 2), centreY + (height / 2)), colour);
+    private void Fill(double centreX, double centreY, double width, double height, Colour colour) =>
+        _display.Rectangle(new Box2D(centreX - (width / 2), centreY - (height / 2), centreX + (width / 2), centreY + (height / 2)), colour);
 }

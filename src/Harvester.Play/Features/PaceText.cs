@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Play.Features;
 
 /// <summary>The pace of a harvest, as the player reads it.</summary>

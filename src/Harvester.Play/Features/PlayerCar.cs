@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Bridge;
 using Harvester.Geometry;

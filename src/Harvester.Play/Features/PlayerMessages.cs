@@ -1,9 +1,5 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
-using System.IO;
-using System.Threading;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 

@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-using System.Threading.Tasks;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Geometry;
@@ -42,8 +39,7 @@ public sealed class RoadSurveying : ILastingFeature
     /// <param name="roads">Receives the roads as the survey finds them.</param>
     /// <param name="messages">Reports the result.</param>
     /// <param name="clock">Real time.</param>
-    public RoadSurveying(
-        IRoadSource source, Func<Vector3D> place, string path, GrowingRoads roads, PlayerMessages messages, IClock clock)
+    public RoadSurveying(IRoadSource source, Func<Vector3D> place, string path, GrowingRoads roads, PlayerMessages messages, IClock clock)
     {
         _source = source;
         _place = place;
@@ -60,10 +56,11 @@ public sealed class RoadSurveying : ILastingFeature
     public bool IsOn { get; private set; }
 
     /// <summary>A line about the survey; null if it is off.</summary>
-    public string? Line => IsOn
-        ? FormattableString.Invariant($"SURVEY  {_status.Nodes} nodes  {_status.Links} links  {_status.Waiting} waiting")
-            + (_status.IsLoaded ? string.Empty : "  (the game is loading)")
-        : null;
+    public string? Line =>
+        IsOn
+            ? FormattableString.Invariant($"SURVEY  {_status.Nodes} nodes  {_status.Links} links  {_status.Waiting} waiting")
+                + (_status.IsLoaded ? string.Empty : "  (the game is loading)")
+            : null;
 
     /// <summary>Whether a feature needs lanes: the survey then switches itself on.</summary>
     public Func<bool> AreLanesWanted { get; init; } = static () => false;

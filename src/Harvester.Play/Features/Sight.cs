@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
@@ -77,9 +75,12 @@ public sealed class Sight(ISightReader reader)
     }
 
     /// <summary>Removes what is no longer listed: its handle may be reused for another entity.</summary>
-    private void List(Pose camera, double range) => _known = Kinds
-        .SelectMany(kind => reader.Near(kind, camera.Position, range).Select(entity => (kind, entity)))
-        .Distinct()
-        .ToDictionary(key =>
-            key, key => _known.TryGetValue(key, out Sighting? known) ? known : new Sighting(reader, key.kind, key.entity, _met++));
+    private void List(Pose camera, double range) =>
+        _known = Kinds
+            .SelectMany(kind => reader.Near(kind, camera.Position, range).Select(entity => (kind, entity)))
+            .Distinct()
+            .ToDictionary(
+                key => key,
+                key => _known.TryGetValue(key, out Sighting? known) ? known : new Sighting(reader, key.kind, key.entity, _met++)
+            );
 }

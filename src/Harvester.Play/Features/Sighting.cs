@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 
@@ -78,12 +77,15 @@ internal sealed class Sighting(ISightReader reader, EntityKind kind, int entity,
         Vector3D corner = new(
             Math.Max(Math.Abs(model.Min.X), Math.Abs(model.Max.X)),
             Math.Max(Math.Abs(model.Min.Y), Math.Abs(model.Max.Y)),
-            Math.Max(Math.Abs(model.Min.Z), Math.Abs(model.Max.Z)));
+            Math.Max(Math.Abs(model.Min.Z), Math.Abs(model.Max.Z))
+        );
         return corner.Length;
     }
 
     private int TicksOfPlace(Pose camera) =>
-        kind == EntityKind.Prop ? TicksOfAProp : _place is { } place && IsBehind(camera, place) ? TicksBehind : 1;
+        kind == EntityKind.Prop ? TicksOfAProp
+        : _place is { } place && IsBehind(camera, place) ? TicksBehind
+        : 1;
 
     /// <summary>Whether the whole entity is well behind the camera.</summary>
     private bool IsBehind(Pose camera, ScaledPose place)

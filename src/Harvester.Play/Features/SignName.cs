@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Sessions.Faces;
 
 namespace Harvester.Play.Features;
@@ -28,8 +25,8 @@ public readonly record struct SignName(string Name, string MutcdCode)
         }
 
         SignName[] listed = [.. list.Split(';').Where(part => part.Trim().Length > 0).Select(Parse)];
-        IEnumerable<SignName> known = table.Faces
-            .Where(face => face.Name.Length > 0)
+        IEnumerable<SignName> known = table
+            .Faces.Where(face => face.Name.Length > 0)
             .Select(face => new SignName(face.Name, face.MutcdCode))
             .Distinct()
             .OrderBy(name => name.Name, StringComparer.Ordinal);
@@ -37,7 +34,10 @@ public readonly record struct SignName(string Name, string MutcdCode)
     }
 
     /// <summary>The name for display.</summary>
-    public override string ToString() => Name.Length == 0 ? "(unnamed)" : MutcdCode.Length == 0 ? Name : $"{Name} {MutcdCode}";
+    public override string ToString() =>
+        Name.Length == 0 ? "(unnamed)"
+        : MutcdCode.Length == 0 ? Name
+        : $"{Name} {MutcdCode}";
 
     private static SignName Parse(string part)
     {

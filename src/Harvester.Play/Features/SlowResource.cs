@@ -1,5 +1,3 @@
-using System;
-using System.Threading.Tasks;
 using Harvester.Capture.Ports;
 
 namespace Harvester.Play.Features;
@@ -48,7 +46,9 @@ internal sealed class SlowResource<T>
         {
             _opening = null;
             _closing = opening.ContinueWith(
-                static opened => (opened.Status == TaskStatus.RanToCompletion ? opened.Result : null)?.Dispose(), TaskScheduler.Default);
+                static opened => (opened.Status == TaskStatus.RanToCompletion ? opened.Result : null)?.Dispose(),
+                TaskScheduler.Default
+            );
         }
     }
 

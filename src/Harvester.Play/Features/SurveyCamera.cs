@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
@@ -62,7 +61,8 @@ public sealed class SurveyCamera(ICameras cameras, IScreen screen, Func<double> 
                 ((row * whole.Size.Width) + left) * PixelBuffer.BytesPerPixel,
                 middle.Bytes,
                 row * Side * PixelBuffer.BytesPerPixel,
-                Side * PixelBuffer.BytesPerPixel);
+                Side * PixelBuffer.BytesPerPixel
+            );
         }
 
         return middle;

@@ -1,6 +1,3 @@
-using System;
-using System.Linq;
-
 namespace Harvester.Play.Features;
 
 /// <summary>

@@ -1,6 +1,4 @@
-using System;
 using System.Globalization;
-using System.IO;
 using System.Text;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
@@ -83,9 +81,7 @@ public sealed class UnknownModelsList : ILastingFeature
     }
 
     /// <inheritdoc/>
-    public void Stop()
-    {
-    }
+    public void Stop() { }
 
     /// <inheritdoc/>
     public void Finish()

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Scenes;
@@ -21,14 +20,21 @@ internal static class VehicleBody
     /// <param name="point">The point in the frame of the vehicle's model, metres.</param>
     /// <param name="rays">Rays, which meet the vehicle.</param>
     public static bool Encloses(EgoState ego, Vector3D point, IRayCaster rays) =>
-        IsBetween(ego.ModelMin, point, ego.ModelMax) && Array.TrueForAll(Sides, side =>
-        {
-            Vector3D corner = new(
-                side.X > 0 ? ego.ModelMax.X : ego.ModelMin.X, side.Y > 0 ? ego.ModelMax.Y : ego.ModelMin.Y, ego.ModelMax.Z);
-            double distance = Math.Abs((corner - point).Dot(side)) + Room;
-            var ray = new Ray(ego.Pose.ToWorld(point + (side * distance)), ego.Pose.Axes.ToWorld(side * -1));
-            return rays.Cast(ray, distance, RayHit.World)?.Entity == ego.Handle;
-        });
+        IsBetween(ego.ModelMin, point, ego.ModelMax)
+        && Array.TrueForAll(
+            Sides,
+            side =>
+            {
+                Vector3D corner = new(
+                    side.X > 0 ? ego.ModelMax.X : ego.ModelMin.X,
+                    side.Y > 0 ? ego.ModelMax.Y : ego.ModelMin.Y,
+                    ego.ModelMax.Z
+                );
+                double distance = Math.Abs((corner - point).Dot(side)) + Room;
+                var ray = new Ray(ego.Pose.ToWorld(point + (side * distance)), ego.Pose.Axes.ToWorld(side * -1));
+                return rays.Cast(ray, distance, RayHit.World)?.Entity == ego.Handle;
+            }
+        );
 
     private static bool IsBetween(Vector3D low, Vector3D point, Vector3D high) =>
         point.X > low.X && point.X < high.X && point.Y > low.Y && point.Y < high.Y && point.Z > low.Z && point.Z < high.Z;

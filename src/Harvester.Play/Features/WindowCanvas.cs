@@ -15,7 +15,9 @@ internal sealed class WindowCanvas(IDisplay display, CameraState seen)
     private static readonly ImageSize Size = new(1000, 1000);
 
     private readonly Camera _camera = new(
-        seen.Pose, new CameraIntrinsics(seen.VerticalFovDegrees, Size, seen.WindowAspect, seen.NearClip, Lens.Ideal));
+        seen.Pose,
+        new CameraIntrinsics(seen.VerticalFovDegrees, Size, seen.WindowAspect, seen.NearClip, Lens.Ideal)
+    );
 
     /// <summary>Draws the twelve edges of a cuboid.</summary>
     public void Edges(Cuboid cuboid, Colour colour)
@@ -36,6 +38,6 @@ internal sealed class WindowCanvas(IDisplay display, CameraState seen)
     /// <summary>Marks the middle of the window.</summary>
     public void Cross(Colour colour) => Dot(0.5, 0.5, colour);
 
-    private void Dot(double x, double y, Colour colour) => display.Rectangle(
-        new Box2D(x - (DotFraction / 2), y - (DotFraction / 2), x + (DotFraction / 2), y + (DotFraction / 2)), colour);
+    private void Dot(double x, double y, Colour colour) =>
+        display.Rectangle(new Box2D(x - (DotFraction / 2), y - (DotFraction / 2), x + (DotFraction / 2), y + (DotFraction / 2)), colour);
 }

@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Text;
 
@@ -12,9 +10,11 @@ internal static class AttemptFile
     private const int MaxCharacters = 4096;
 
     /// <summary>Notes an attempt; it is on the disk when this returns.</summary>
-    public static void Write(string folder, string trial, int attempt) => AtomicFile.Write(
-        Path.Combine(folder, Name),
-        new JsonText().BeginObject().Key("trial").String(trial).Key("attempt").Integer(attempt).EndObject() + "\n");
+    public static void Write(string folder, string trial, int attempt) =>
+        AtomicFile.Write(
+            Path.Combine(folder, Name),
+            new JsonText().BeginObject().Key("trial").String(trial).Key("attempt").Integer(attempt).EndObject() + "\n"
+        );
 
     /// <summary>The attempt; null for none, or for a file of something else.</summary>
     public static (string Trial, int Attempt)? Read(string folder)

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 
 namespace Harvester.Play.Plans;
@@ -39,17 +38,18 @@ public sealed class MishapWatch
     }
 
     /// <summary>A mishap in words.</summary>
-    public static string TextOf(Mishap mishap) => mishap switch
-    {
-        Mishap.Dead => "The player died.",
-        Mishap.CutScene => "A cut scene began.",
-        Mishap.PlayerSwitch => "The game changed to another character.",
-        Mishap.Wanted => "The player was wanted.",
-        Mishap.OnFoot => "The player left the vehicle.",
-        Mishap.InWater => "The vehicle was in water.",
-        Mishap.UpsideDown => "The vehicle lay on its roof.",
-        Mishap.Stuck => FormattableString.Invariant($"The vehicle was stuck: it moved less than {StuckMetres} m in {StuckSeconds} s."),
-        Mishap.OffPath => "The vehicle left its path.",
-        _ => throw new ArgumentOutOfRangeException(nameof(mishap), mishap, "Not a mishap."),
-    };
+    public static string TextOf(Mishap mishap) =>
+        mishap switch
+        {
+            Mishap.Dead => "The player died.",
+            Mishap.CutScene => "A cut scene began.",
+            Mishap.PlayerSwitch => "The game changed to another character.",
+            Mishap.Wanted => "The player was wanted.",
+            Mishap.OnFoot => "The player left the vehicle.",
+            Mishap.InWater => "The vehicle was in water.",
+            Mishap.UpsideDown => "The vehicle lay on its roof.",
+            Mishap.Stuck => FormattableString.Invariant($"The vehicle was stuck: it moved less than {StuckMetres} m in {StuckSeconds} s."),
+            Mishap.OffPath => "The vehicle left its path.",
+            _ => throw new ArgumentOutOfRangeException(nameof(mishap), mishap, "Not a mishap."),
+        };
 }

@@ -1,7 +1,3 @@
-using System;
-using System.Linq;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Play.Features;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Plans;
@@ -62,10 +58,12 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
     public string? Weather => _world.Grip.Weather;
 
     /// <summary>A line about the trial under way; null without one.</summary>
-    public string? Line => _run is { } run && _folder.Opened is { } folder
-        ? FormattableString.Invariant($"PLAN  {folder.Status.Last.Values.Count(result => result.IsLast)} of {folder.Trials.Count} done  ")
-            + $"{JsonName.Of(run.Phase)}  {_trial!.Id}  {PaceText.Of(_world.Harvest.RealSecondsPerGameSecond)}".TrimEnd()
-        : null;
+    public string? Line =>
+        _run is { } run && _folder.Opened is { } folder
+            ? FormattableString.Invariant(
+                $"PLAN  {folder.Status.Last.Values.Count(result => result.IsLast)} of {folder.Trials.Count} done  "
+            ) + $"{JsonName.Of(run.Phase)}  {_trial!.Id}  {PaceText.Of(_world.Harvest.RealSecondsPerGameSecond)}".TrimEnd()
+            : null;
 
     /// <summary>Starts or continues the plan, or stops it.</summary>
     public void Toggle()
@@ -205,7 +203,10 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
 
         bool isDriving = run.Phase == TrialPhase.Driving;
         _heartbeat!.Beat(
-            isDriving ? HeartbeatState.Running : HeartbeatState.Starting, _trial!.Id, _frames + (isDriving ? _world.Harvest.Captured : 0));
+            isDriving ? HeartbeatState.Running : HeartbeatState.Starting,
+            _trial!.Id,
+            _frames + (isDriving ? _world.Harvest.Captured : 0)
+        );
         if (run.Ending is { IsSpaceLow: true } fault)
         {
             StopForDisk(fault.Reason!);
@@ -217,15 +218,17 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
     }
 
     /// <summary>Why the settings do not suit the plan; null if they do.</summary>
-    private string? ProblemOf(PlanFolder folder) => folder.Trials
-        .Select(trial => GameRig.ProblemOf(TrialOptions.Of(_world.Options, folder.Plan, trial, folder.RigOf(trial))))
-        .FirstOrDefault(problem => problem is not null);
+    private string? ProblemOf(PlanFolder folder) =>
+        folder
+            .Trials.Select(trial => GameRig.ProblemOf(TrialOptions.Of(_world.Options, folder.Plan, trial, folder.RigOf(trial))))
+            .FirstOrDefault(problem => problem is not null);
 
     private void Note(PlanFolder folder, TrialEnding ending)
     {
         Trial trial = _trial!;
         int attempt = folder.Status.NextAttempt(trial.Id)!.Value;
-        TrialResult result = ending.Reason is { } reason ? TrialResult.OfFailure(trial.Id, attempt, ending.Frames, reason)
+        TrialResult result = ending.Reason is { } reason
+            ? TrialResult.OfFailure(trial.Id, attempt, ending.Frames, reason)
             : new TrialResult(trial.Id, TrialState.Done, attempt, ending.Frames, null);
         (_run, _trial) = (null, null);
         _frames += result.State == TrialState.Done ? ending.Frames : 0;
@@ -241,9 +244,11 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
         _disk = Task.Run(() => folder.End(result));
     }
 
-    private void TellFailure(TrialResult result) => _messages.Tell(
-        FormattableString.Invariant($"{result.Trial}, attempt {result.Attempt} of {TrialResult.MaxAttempts}: {result.Reason}")
-        + (result.State == TrialState.Skipped ? " It is skipped." : " It is repeated."));
+    private void TellFailure(TrialResult result) =>
+        _messages.Tell(
+            FormattableString.Invariant($"{result.Trial}, attempt {result.Attempt} of {TrialResult.MaxAttempts}: {result.Reason}")
+                + (result.State == TrialState.Skipped ? " It is skipped." : " It is repeated.")
+        );
 
     private void StopForDisk(string reason)
     {
@@ -253,12 +258,16 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
 
     private void Complete(PlanFolder folder)
     {
-        TrialResult[] skipped = [.. folder.Trials.Select(trial => folder.Status.Last[trial.Id])
-            .Where(result => result.State == TrialState.Skipped)];
+        TrialResult[] skipped =
+        [
+            .. folder.Trials.Select(trial => folder.Status.Last[trial.Id]).Where(result => result.State == TrialState.Skipped),
+        ];
         End(skipped.Length == 0 ? HeartbeatState.Finished : HeartbeatState.Incomplete);
-        _messages.Tell($"The plan {folder.Plan.Name} is over: {Counted.Of(folder.Trials.Count - skipped.Length, "trial")} done, "
-            + (skipped.Length == 0 ? "none skipped, " : $"skipped: {string.Join(", ", skipped.Select(result => result.Trial))}, ")
-            + $"in {folder.Folder}.");
+        _messages.Tell(
+            $"The plan {folder.Plan.Name} is over: {Counted.Of(folder.Trials.Count - skipped.Length, "trial")} done, "
+                + (skipped.Length == 0 ? "none skipped, " : $"skipped: {string.Join(", ", skipped.Select(result => result.Trial))}, ")
+                + $"in {folder.Folder}."
+        );
         _world.Grip.GiveAllBack();
     }
 

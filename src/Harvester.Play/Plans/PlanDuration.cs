@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Harvester.Play.Features;
 using Harvester.Sessions.Plans;
 using Harvester.Sessions.Text;
@@ -19,7 +17,8 @@ internal static class PlanDuration
         Trial[] left = [.. folder.Trials.Where(trial => folder.Status.NextAttempt(trial.Id) is not null)];
         double minutes = left.Sum(trial => folder.Plan.FramesAt(trial.Place)) / folder.Plan.Hz / SecondsPerMinute;
         string driving = FormattableString.Invariant(
-            $"The plan has {Counted.Of(left.Length, "trial")} left, {minutes:0.#} minutes of driving. ");
+            $"The plan has {Counted.Of(left.Length, "trial")} left, {minutes:0.#} minutes of driving. "
+        );
         return pace is { } measured
             ? FormattableString.Invariant($"{driving}{PaceText.Of(measured)}, so that they take about {measured * minutes:0.#} minutes.")
             : driving + "How long a minute of driving takes is shown once it is measured.";

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Plans;
 using Harvester.Sessions.Rigs;
@@ -73,11 +69,15 @@ public sealed class PlanFolder : IDisposable
         {
             Directory.CreateDirectory(Path.Combine(folder, "trials"));
             Directory.CreateDirectory(Path.Combine(folder, Rigs));
-            if (new[] { (Copy, text) }.Concat(rigs.Select(rig => (Path.Combine(Rigs, rig.Key + ".json"), rig.Value.Text)))
-                .Any(input => !Keep(Path.Combine(folder, input.Item1), input.Item2)))
+            if (
+                new[] { (Copy, text) }
+                    .Concat(rigs.Select(rig => (Path.Combine(Rigs, rig.Key + ".json"), rig.Value.Text)))
+                    .Any(input => !Keep(Path.Combine(folder, input.Item1), input.Item2))
+            )
             {
                 throw new FormatException(
-                    $"'{folder}' has results of another plan, or of this one before it was changed. Give the plan another name.");
+                    $"'{folder}' has results of another plan, or of this one before it was changed. Give the plan another name."
+                );
             }
 
             var opened = new PlanFolder(folder, held, plan, rigs, PlanStatus.Open(folder, Shard.Whole));
@@ -188,7 +188,8 @@ public sealed class PlanFolder : IDisposable
     private static string? ProblemOf(Plan plan)
     {
         PlanPlace? open = plan.Places.FirstOrDefault(place => place.Start is null);
-        return open is null ? null
+        return open is null
+            ? null
             : $"the place '{open.Name}' needs x and y, or a path: 'harvester plan resolve' chooses places for the game.";
     }
 
@@ -206,7 +207,9 @@ public sealed class PlanFolder : IDisposable
             catch (Exception e) when (e is FormatException or IOException or UnauthorizedAccessException)
             {
                 throw new FormatException(
-                    $"{Path.GetFileName(file)}: the rig {camera.RigFile} of the camera '{camera.Name}' cannot be used: {e.Message}", e);
+                    $"{Path.GetFileName(file)}: the rig {camera.RigFile} of the camera '{camera.Name}' cannot be used: {e.Message}",
+                    e
+                );
             }
         }
 

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Play.Features;
 
@@ -73,36 +71,40 @@ public sealed class TrialGrip(ITrialGame game, ICarControls controls)
     }
 
     /// <summary>Gives everything back except the weather, which the next trial sets again. Calling it again has no effect.</summary>
-    public void GiveBack() => Try(
-        EndLoading,
-        () =>
-        {
-            if (_isDriven)
+    public void GiveBack() =>
+        Try(
+            EndLoading,
+            () =>
             {
-                game.StopDriving();
-                _isDriven = false;
-            }
-        },
-        () =>
-        {
-            if (_protected != 0)
+                if (_isDriven)
+                {
+                    game.StopDriving();
+                    _isDriven = false;
+                }
+            },
+            () =>
             {
-                game.Unprotect(_protected);
-                _protected = 0;
+                if (_protected != 0)
+                {
+                    game.Unprotect(_protected);
+                    _protected = 0;
+                }
             }
-        });
+        );
 
     /// <summary>Gives everything back. Calling it again has no effect.</summary>
-    public void GiveAllBack() => Try(
-        GiveBack,
-        () =>
-        {
-            if (Weather is not null)
+    public void GiveAllBack() =>
+        Try(
+            GiveBack,
+            () =>
             {
-                controls.KeepWeather(null);
-                Weather = null;
+                if (Weather is not null)
+                {
+                    controls.KeepWeather(null);
+                    Weather = null;
+                }
             }
-        });
+        );
 
     /// <summary>Does each of several things, also after one that fails; the first failure is thrown in the end.</summary>
     private static void Try(params Action[] works)

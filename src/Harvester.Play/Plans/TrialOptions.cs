@@ -14,15 +14,17 @@ internal static class TrialOptions
     /// <param name="plan">The plan.</param>
     /// <param name="trial">The trial.</param>
     /// <param name="rig">The rig of the trial's camera; null for a single camera.</param>
-    public static HarvestOptions Of(HarvestOptions options, Plan plan, Trial trial, Rig? rig) => GameRig.AppliedTo(
-        options with
-        {
-            Rig = null,
-            Image = trial.Camera.Image,
-            RateHz = plan.Hz,
-            MaxFrames = plan.FramesAt(trial.Place) * (rig?.Cameras.Count ?? 1),
-            Masks = plan.Masks != PlanMasks.Off || options.Semantics is not null,
-            MaskMethod = plan.Masks == PlanMasks.Coded ? MaskMethod.Coded : MaskMethod.Rays,
-        },
-        rig);
+    public static HarvestOptions Of(HarvestOptions options, Plan plan, Trial trial, Rig? rig) =>
+        GameRig.AppliedTo(
+            options with
+            {
+                Rig = null,
+                Image = trial.Camera.Image,
+                RateHz = plan.Hz,
+                MaxFrames = plan.FramesAt(trial.Place) * (rig?.Cameras.Count ?? 1),
+                Masks = plan.Masks != PlanMasks.Off || options.Semantics is not null,
+                MaskMethod = plan.Masks == PlanMasks.Coded ? MaskMethod.Coded : MaskMethod.Rays,
+            },
+            rig
+        );
 }

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Harvesting;
 using Harvester.Driving.Controllers;
 using Harvester.Geometry;
@@ -59,8 +58,8 @@ public sealed class TrialRun
         _trial = trial ?? throw new ArgumentNullException(nameof(trial));
         _folder = folder;
         _options = TrialOptions.Of(world.Options, plan, trial, rig);
-        Vector2D start = trial.Place.Start
-            ?? throw new ArgumentException("The place of a trial is chosen before it begins.", nameof(trial));
+        Vector2D start =
+            trial.Place.Start ?? throw new ArgumentException("The place of a trial is chosen before it begins.", nameof(trial));
         _start = new Vector3D(start.X, start.Y, 0);
         _follower = trial.Place.Path.Count > 0 ? new PathFollower(trial.Place.Path, plan.SpeedMetresPerSecond) : null;
         _phaseBegan = world.Clock.Milliseconds;
@@ -130,10 +129,12 @@ public sealed class TrialRun
         }
         else if (InPhaseMilliseconds > MaxBoardingMilliseconds)
         {
-            Stop(now.IsDead ? MishapWatch.TextOf(Mishap.Dead)
+            Stop(
+                now.IsDead ? MishapWatch.TextOf(Mishap.Dead)
                 : now.IsInCutScene ? MishapWatch.TextOf(Mishap.CutScene)
                 : now.IsSwitching ? MishapWatch.TextOf(Mishap.PlayerSwitch)
-                : "The player has no vehicle.");
+                : "The player has no vehicle."
+            );
         }
     }
 

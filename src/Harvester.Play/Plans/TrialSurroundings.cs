@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Play.Features;

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Play.Screen;
 
 /// <summary>The desktop at one moment.</summary>

@@ -18,4 +18,5 @@ internal sealed record TopLevelWindow(
     bool ShowsNothing,
     PixelRectangle Bounds,
     PixelRectangle Client,
-    long RestoredArea);
+    long RestoredArea
+);

@@ -1,5 +1,3 @@
-using System.Linq;
-
 namespace Harvester.Play.Screen;
 
 /// <summary>Describes how a game's window is displayed.</summary>
@@ -32,6 +30,8 @@ public static class WindowDescription
     private static string ModeOf(DesktopView view, TopLevelWindow window, DisplayFacts facts)
     {
         bool fillsMonitor = window.Bounds == window.Client && view.Monitors.Contains(window.Client);
-        return !fillsMonitor ? Windowed : facts.IsExclusive ? ExclusiveFullScreen : Borderless;
+        return !fillsMonitor ? Windowed
+            : facts.IsExclusive ? ExclusiveFullScreen
+            : Borderless;
     }
 }

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Play.Screen;
 
 /// <summary>Finds a process's main window on the desktop, and decides whether a copy of the screen would show it completely.</summary>
@@ -44,8 +41,8 @@ internal static class WindowJudge
             return GrabRefusals.OffScreen;
         }
 
-        bool covered = view.Windows
-            .TakeWhile(above => above.Handle != window.Handle)
+        bool covered = view
+            .Windows.TakeWhile(above => above.Handle != window.Handle)
             .Any(above => !above.IsMinimised && !above.ShowsNothing && above.Bounds.Overlaps(window.Client));
         return covered ? GrabRefusals.Covered : null;
     }

@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using System.IO.Compression;
 using System.Text;
 using Harvester.Capture.SelfTests;
@@ -21,22 +19,25 @@ internal static class SelfTestArchive
     public static void Write(string path, string json, SelfTest test)
     {
         Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(path))!);
-        AtomicFile.Write(path, stream =>
-        {
-            using var zip = new ZipArchive(stream, ZipArchiveMode.Create, leaveOpen: true);
-            using (Stream entry = Entry(zip, SelfTestJson.FileName))
+        AtomicFile.Write(
+            path,
+            stream =>
             {
-                byte[] text = new UTF8Encoding(encoderShouldEmitUTF8Identifier: false).GetBytes(json);
-                entry.Write(text, 0, text.Length);
-            }
+                using var zip = new ZipArchive(stream, ZipArchiveMode.Create, leaveOpen: true);
+                using (Stream entry = Entry(zip, SelfTestJson.FileName))
+                {
+                    byte[] text = new UTF8Encoding(encoderShouldEmitUTF8Identifier: false).GetBytes(json);
+                    entry.Write(text, 0, text.Length);
+                }
 
-            var encoder = new PngEncoder();
-            foreach (SelfTestPicture picture in test.Pictures)
-            {
-                using Stream entry = Entry(zip, picture.Name + ".png");
-                encoder.Write(picture.Picture, entry);
+                var encoder = new PngEncoder();
+                foreach (SelfTestPicture picture in test.Pictures)
+                {
+                    using Stream entry = Entry(zip, picture.Name + ".png");
+                    encoder.Write(picture.Picture, entry);
+                }
             }
-        });
+        );
     }
 
     private static Stream Entry(ZipArchive zip, string name)

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Capture.SelfTests;
 using Harvester.Capture.Storage;
@@ -24,8 +20,14 @@ namespace Harvester.Play.SelfTests;
 /// <param name="iniPath">The settings file.</param>
 /// <param name="origin">Names the mod and the game.</param>
 public sealed class SelfTesting(
-    Harvest harvest, GamePorts game, IMount mount, PlayerMessages messages, string folder, string iniPath, Func<SessionOrigin> origin)
-    : ILastingFeature, IDisposable
+    Harvest harvest,
+    GamePorts game,
+    IMount mount,
+    PlayerMessages messages,
+    string folder,
+    string iniPath,
+    Func<SessionOrigin> origin
+) : ILastingFeature, IDisposable
 {
     /// <summary>Ticks between two checks: a second, in which the line of progress is shown until the lag of pictures forbids it.</summary>
     private const int PauseTicks = PictureLag.MaxTicks;
@@ -140,10 +142,14 @@ public sealed class SelfTesting(
         string json = SelfTestJson.Text(named.Tool, named.Game, test, changes);
         string path = SessionPlace.NewIn(folder, "selftest") + ".zip";
         int problems = test.Lines.Count(line => line.Verdict == SelfTestVerdict.Problem);
-        _written = $"The self-test ended: {Counted.Of(problems, "problem")}. {path} has the results; harvester doctor explains them."
-            + (changes.Length == 0 ? string.Empty
-                : $" {string.Join(", ", changes.Select(change => $"{change.Key} = {change.Value}"))} was written to the ini; "
-                    + "restart the scripts to use it.");
+        _written =
+            $"The self-test ended: {Counted.Of(problems, "problem")}. {path} has the results; harvester doctor explains them."
+            + (
+                changes.Length == 0
+                    ? string.Empty
+                    : $" {string.Join(", ", changes.Select(change => $"{change.Key} = {change.Value}"))} was written to the ini; "
+                        + "restart the scripts to use it."
+            );
         _disk.Add(() =>
         {
             SelfTestArchive.Write(path, json, test);
@@ -205,7 +211,6 @@ public sealed class SelfTesting(
         }
 
         _written = null;
-        messages.Tell(_disk.TakeFailure() is { } failure
-            ? $"The results of the self-test cannot be written: {failure.Message}" : written);
+        messages.Tell(_disk.TakeFailure() is { } failure ? $"The results of the self-test cannot be written: {failure.Message}" : written);
     }
 }

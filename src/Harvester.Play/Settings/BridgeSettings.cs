@@ -1,4 +1,3 @@
-using System;
 using System.Net;
 using Harvester.Driving.Bridge;
 using Harvester.Driving.Controllers;
@@ -50,12 +49,13 @@ public sealed record BridgeSettings
     /// <exception cref="System.Net.Sockets.SocketException">The address or port is not available.</exception>
     /// <exception cref="ArgumentException">The address is not a loopback address and there is no token.</exception>
     /// <exception cref="InvalidOperationException">The bridge is off.</exception>
-    public IDrivingBridge Open() => Kind switch
-    {
-        BridgeKind.Folder => new FolderBridge(Folder, Driving.Picture, ClientPatienceSeconds),
-        BridgeKind.Socket => new SocketBridge(Socket, Driving.Picture),
-        _ => throw new InvalidOperationException("The bridge is off."),
-    };
+    public IDrivingBridge Open() =>
+        Kind switch
+        {
+            BridgeKind.Folder => new FolderBridge(Folder, Driving.Picture, ClientPatienceSeconds),
+            BridgeKind.Socket => new SocketBridge(Socket, Driving.Picture),
+            _ => throw new InvalidOperationException("The bridge is off."),
+        };
 
     /// <summary>The settings of a file; missing and invalid values have their defaults.</summary>
     /// <param name="ini">The file.</param>
@@ -77,11 +77,17 @@ public sealed record BridgeSettings
             Kind = ini.Choice(Bridge, "Kind", BridgeKind.Socket, "Socket, Folder or Off"),
             Folder = pathOf(ini.Text(Bridge, "Folder", defaultFolder)),
             ClientPatienceSeconds = ini.Number(
-                Bridge, "ClientPatience", ini.Number(Bridge, OldClientPatience, FolderBridge.DefaultPatienceSeconds, 1, 86_400), 1, 86_400),
+                Bridge,
+                "ClientPatience",
+                ini.Number(Bridge, OldClientPatience, FolderBridge.DefaultPatienceSeconds, 1, 86_400),
+                1,
+                86_400
+            ),
             Socket = new SocketBridgeOptions(
                 ini.Address(Bridge, "Address", IPAddress.Loopback),
                 ini.Whole(Bridge, "Port", SocketBridgeOptions.DefaultPort, 1, 65_535),
-                token.Length > 0 ? token : null),
+                token.Length > 0 ? token : null
+            ),
             Controller = new ControllerPlan
             {
                 LookAheadMetres = 0,
@@ -93,7 +99,8 @@ public sealed record BridgeSettings
                 RateHz = ini.Number(Bridge, "Rate", driving.RateHz, 0.1, 60),
                 Picture = new ImageSize(
                     ini.Whole(Bridge, "Width", driving.Picture.Width, 16, 1920),
-                        ini.Whole(Bridge, "Height", driving.Picture.Height, 16, 1080)),
+                    ini.Whole(Bridge, "Height", driving.Picture.Height, 16, 1080)
+                ),
             },
             RecordLagTicks = ini.Whole(Bridge, "RecordLag", 0, 0, driving.SettleTicks),
             RecordSeconds = isRecorded ? recordSeconds : null,

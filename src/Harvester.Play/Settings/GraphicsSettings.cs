@@ -1,6 +1,4 @@
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
 using System.Xml;
 
 namespace Harvester.Play.Settings;
@@ -86,24 +84,26 @@ public sealed record GraphicsSettings
         return settings;
     }
 
-    private GraphicsSettings With(string element, string value) => element switch
-    {
-        "MotionBlurStrength" => this with { MotionBlur = Number(value) },
-        "DoF" => this with { DepthOfField = Flag(value) },
-        "MSAA" => this with { Msaa = Number(value) },
-        "TXAA_Enabled" => this with { Txaa = Flag(value) },
-        "PostFX" => this with { PostFx = Number(value) },
-        "PauseOnFocusLoss" => this with { PausesWithoutFocus = Flag(value) },
-        _ => this,
-    };
+    private GraphicsSettings With(string element, string value) =>
+        element switch
+        {
+            "MotionBlurStrength" => this with { MotionBlur = Number(value) },
+            "DoF" => this with { DepthOfField = Flag(value) },
+            "MSAA" => this with { Msaa = Number(value) },
+            "TXAA_Enabled" => this with { Txaa = Flag(value) },
+            "PostFX" => this with { PostFx = Number(value) },
+            "PauseOnFocusLoss" => this with { PausesWithoutFocus = Flag(value) },
+            _ => this,
+        };
 
     private static double? Number(string value) =>
         double.TryParse(value, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) ? number : null;
 
-    private static bool? Flag(string value) => value switch
-    {
-        "true" or "1" => true,
-        "false" or "0" => false,
-        _ => null,
-    };
+    private static bool? Flag(string value) =>
+        value switch
+        {
+            "true" or "1" => true,
+            "false" or "0" => false,
+            _ => null,
+        };
 }

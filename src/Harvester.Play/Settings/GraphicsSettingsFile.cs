@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using System.Xml;
 
 namespace Harvester.Play.Settings;
@@ -11,11 +9,13 @@ public static class GraphicsSettingsFile
 
     /// <summary>The path of the file.</summary>
     /// <param name="isEnhanced">Whether the game is Enhanced, which has a folder of its own.</param>
-    public static string PathOf(bool isEnhanced) => Path.Combine(
-        Environment.GetFolderPath(Environment.SpecialFolder.MyDocuments),
-        "Rockstar Games",
-        isEnhanced ? "GTAV Enhanced" : "GTA V",
-        "settings.xml");
+    public static string PathOf(bool isEnhanced) =>
+        Path.Combine(
+            Environment.GetFolderPath(Environment.SpecialFolder.MyDocuments),
+            "Rockstar Games",
+            isEnhanced ? "GTAV Enhanced" : "GTA V",
+            "settings.xml"
+        );
 
     /// <summary>Reads the file; of a longer one at most 1 MiB and a byte.</summary>
     /// <param name="path">The file, which the game may have open.</param>

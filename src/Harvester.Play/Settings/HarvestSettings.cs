@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
@@ -47,13 +44,19 @@ public static class HarvestSettings
 
         var fallback = new HarvestOptions { RateHz = RateByHandHz };
         IReadOnlyList<ObjectClass> classes = ini.Choices<ObjectClass>(
-            Harvest, "Classes", [], "a list of " + string.Join(", ", typeof(ObjectClass).GetEnumNames()));
+            Harvest,
+            "Classes",
+            [],
+            "a list of " + string.Join(", ", typeof(ObjectClass).GetEnumNames())
+        );
         MaskChoice masks = ini.Choice(Harvest, "Masks", MaskChoice.Off, "Off, Rays, Coded or Both");
         bool semantics = ini.Choice(Harvest, "Semantics", Switch.Off, "On or Off") == Switch.On;
         return fallback with
         {
             Image = new ImageSize(
-                ini.Whole(Harvest, "Width", fallback.Image.Width, 16, 7680), ini.Whole(Harvest, "Height", fallback.Image.Height, 16, 4320)),
+                ini.Whole(Harvest, "Width", fallback.Image.Width, 16, 7680),
+                ini.Whole(Harvest, "Height", fallback.Image.Height, 16, 4320)
+            ),
             Format = ini.Choice(Harvest, "ImageFormat", fallback.Format, "Png, Bmp or Jpeg"),
             JpegQuality = ini.Whole(Harvest, "JpegQuality", fallback.JpegQuality, JpegEncoder.MinQuality, JpegEncoder.MaxQuality),
             RateHz = ini.Number(Harvest, "Rate", fallback.RateHz, 0.01, 60),
@@ -70,8 +73,11 @@ public static class HarvestSettings
                 _ => MaskMethod.Rays,
             },
             Semantics = semantics ? SemanticsMethod.Rays : null,
-            Channels = new ChannelKeys(FrameChannels.All.Where(channel => channel.Switch is { } own
-                && ini.Choice(Harvest, own.Name, Switch.Off, "On or Off") == Switch.On).Select(channel => channel.Key)),
+            Channels = new ChannelKeys(
+                FrameChannels
+                    .All.Where(channel => channel.Switch is { } own && ini.Choice(Harvest, own.Name, Switch.Off, "On or Off") == Switch.On)
+                    .Select(channel => channel.Key)
+            ),
             Motion = ini.Choice(Harvest, "Motion", Switch.Off, "On or Off") == Switch.On,
             Pairs = PairsOf(ini),
             RayBudget = ini.Whole(Harvest, "Rays", fallback.RayBudget, 0, LabellingOptions.MaxRays),
@@ -85,44 +91,55 @@ public static class HarvestSettings
             MinFreeBytes = (long)(ini.Number(Harvest, "MinFree", fallback.MinFreeBytes / BytesPerGigabyte, 0, 1e6) * BytesPerGigabyte),
             QueueCapacity = ini.Whole(Harvest, "Queue", fallback.QueueCapacity, 1, 1000),
             Lens = LensOf(ini),
-            MaxCalibrationErrorPixels = ini.Number(LensSection, "MaxError", fallback.MaxCalibrationErrorPixels ?? 0, 0, 100) is > 0
-                and var error ? error : null,
+            MaxCalibrationErrorPixels = ini.Number(LensSection, "MaxError", fallback.MaxCalibrationErrorPixels ?? 0, 0, 100)
+                is > 0
+                    and var error
+                ? error
+                : null,
         };
     }
 
     /// <summary>The values of a lens in a settings file.</summary>
     public static IReadOnlyList<KeyValuePair<string, double>> ValuesOf(Lens lens) =>
-    [
-        new(FocalScale, lens.FocalScale),
-        new(CentreOffsetX, lens.CentreOffsetX),
-        new(CentreOffsetY, lens.CentreOffsetY),
-        new(K1, lens.K1),
-        new(K2, lens.K2),
-    ];
+        [
+            new(FocalScale, lens.FocalScale),
+            new(CentreOffsetX, lens.CentreOffsetX),
+            new(CentreOffsetY, lens.CentreOffsetY),
+            new(K1, lens.K1),
+            new(K2, lens.K2),
+        ];
 
     private static PairOptions PairsOf(IniFile ini)
     {
         var fallback = new PairOptions();
         string[] allHours = [.. Enumerable.Range(0, 24).Select(hour => hour.ToString(CultureInfo.InvariantCulture))];
         IReadOnlyList<string> hours = ini.List(
-            Harvest, "PairHours", "a list of whole hours from 0 to 23", text => allHours.Contains(text) ? text : null);
+            Harvest,
+            "PairHours",
+            "a list of whole hours from 0 to 23",
+            text => allHours.Contains(text) ? text : null
+        );
         return fallback with
         {
             Weathers = ini.List(
-                Harvest, "PairWeathers", "a list of " + string.Join(", ", WeatherNames.All),
-                text => WeatherNames.IsKnown(text.ToLowerInvariant()) ? text.ToLowerInvariant() : null),
+                Harvest,
+                "PairWeathers",
+                "a list of " + string.Join(", ", WeatherNames.All),
+                text => WeatherNames.IsKnown(text.ToLowerInvariant()) ? text.ToLowerInvariant() : null
+            ),
             Hours = hours.Count == 0 ? fallback.Hours : [.. hours.Select(text => int.Parse(text, CultureInfo.InvariantCulture))],
             Without = ini.List(Harvest, "PairWithout", "a list of " + HiddenChoice.Form, HiddenChoice.Parse),
             MaxTicks = ini.Whole(Harvest, "PairTicks", fallback.MaxTicks, 10, 10_000),
         };
     }
 
-    private static FreezeMethod? FreezeByOf(FreezeChoice choice) => choice switch
-    {
-        FreezeChoice.Paused => FreezeMethod.Paused,
-        FreezeChoice.TimeScale => FreezeMethod.TimeScale,
-        _ => null,
-    };
+    private static FreezeMethod? FreezeByOf(FreezeChoice choice) =>
+        choice switch
+        {
+            FreezeChoice.Paused => FreezeMethod.Paused,
+            FreezeChoice.TimeScale => FreezeMethod.TimeScale,
+            _ => null,
+        };
 
     /// <summary>The lens of a settings file; missing and invalid values are those of a pinhole camera.</summary>
     public static Lens LensOf(IniFile ini)
@@ -138,6 +155,7 @@ public static class HarvestSettings
             ini.Number(LensSection, CentreOffsetX, 0, -maxShift, maxShift),
             ini.Number(LensSection, CentreOffsetY, 0, -maxShift, maxShift),
             ini.Number(LensSection, K1, 0, -1, 1),
-            ini.Number(LensSection, K2, 0, -1, 1));
+            ini.Number(LensSection, K2, 0, -1, 1)
+        );
     }
 }

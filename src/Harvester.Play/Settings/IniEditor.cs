@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Text;
 using Harvester.Sessions.Files;
 
@@ -18,11 +14,17 @@ public static class IniEditor
     /// <param name="section">Name of the section.</param>
     /// <param name="values">Names and numbers.</param>
     /// <exception cref="IOException">The file cannot be read or written.</exception>
-    public static void Set(string path, string section, IReadOnlyList<KeyValuePair<string, double>> values) => Set(
-        path,
-        section,
-        [.. values.Select(value => new KeyValuePair<string, string>(
-            value.Key, string.Format(CultureInfo.InvariantCulture, "{0:0.########}", value.Value == 0 ? 0 : value.Value)))]);
+    public static void Set(string path, string section, IReadOnlyList<KeyValuePair<string, double>> values) =>
+        Set(
+            path,
+            section,
+            [
+                .. values.Select(value => new KeyValuePair<string, string>(
+                    value.Key,
+                    string.Format(CultureInfo.InvariantCulture, "{0:0.########}", value.Value == 0 ? 0 : value.Value)
+                )),
+            ]
+        );
 
     /// <summary>Sets one value of a section, which is added if it is missing. The file is replaced completely or not at all.</summary>
     /// <param name="path">The file; created if it does not exist.</param>
@@ -56,7 +58,10 @@ public static class IniEditor
             int next = lines.FindIndex(header + 1, text => text.TrimStart().StartsWith("[", StringComparison.Ordinal));
             int end = next < 0 ? lines.Count : next;
             int place = lines.FindIndex(
-                header + 1, end - header - 1, text => IsName(text.Split('=')[0].Trim(), value.Key) && text.Contains("="));
+                header + 1,
+                end - header - 1,
+                text => IsName(text.Split('=')[0].Trim(), value.Key) && text.Contains("=")
+            );
             if (place < 0)
             {
                 lines.Insert(header + 1, line);

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Net;
 
 namespace Harvester.Play.Settings;
@@ -19,17 +15,19 @@ public sealed class IniFile
     private readonly List<(int Line, string Text)> _complaints = [];
     private readonly Dictionary<int, string> _changes = [];
 
-    private IniFile()
-    {
-    }
+    private IniFile() { }
 
     /// <summary>The problems found so far, in the order of the lines: one sentence each.</summary>
-    public IReadOnlyList<string> Complaints => _complaints
-        .Concat(_values.Where(value => !_asked.Contains(value.Key))
-            .Select(value => (value.Value.Line, Text: $"there is no setting {NameOf(value.Key)}.")))
-        .OrderBy(complaint => complaint.Line)
-        .Select(complaint => string.Format(CultureInfo.InvariantCulture, "Line {0}: {1}", complaint.Line, complaint.Text))
-        .ToArray();
+    public IReadOnlyList<string> Complaints =>
+        _complaints
+            .Concat(
+                _values
+                    .Where(value => !_asked.Contains(value.Key))
+                    .Select(value => (value.Value.Line, Text: $"there is no setting {NameOf(value.Key)}."))
+            )
+            .OrderBy(complaint => complaint.Line)
+            .Select(complaint => string.Format(CultureInfo.InvariantCulture, "Line {0}: {1}", complaint.Line, complaint.Text))
+            .ToArray();
 
     /// <summary>The settings read so far that differ from their defaults, in the order of their lines: "[Section] Name = value".</summary>
     public IReadOnlyList<string> Changes => [.. _changes.OrderBy(change => change.Key).Select(change => change.Value)];
@@ -73,24 +71,43 @@ public sealed class IniFile
 
     /// <summary>A number within a range.</summary>
     public double Number(string section, string name, double fallback, double minimum, double maximum) =>
-        Parse(section, name, fallback, FormattableString.Invariant($"a number from {minimum} to {maximum}"), text =>
-            double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double value)
-                && value >= minimum && value <= maximum
-                ? (true, value)
-                : (false, fallback));
+        Parse(
+            section,
+            name,
+            fallback,
+            FormattableString.Invariant($"a number from {minimum} to {maximum}"),
+            text =>
+                double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double value)
+                && value >= minimum
+                && value <= maximum
+                    ? (true, value)
+                    : (false, fallback)
+        );
 
     /// <summary>A whole number within a range.</summary>
     public int Whole(string section, string name, int fallback, int minimum, int maximum) =>
-        Parse(section, name, fallback, FormattableString.Invariant($"a whole number from {minimum} to {maximum}"), text =>
-            int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value)
-                && value >= minimum && value <= maximum
-                ? (true, value)
-                : (false, fallback));
+        Parse(
+            section,
+            name,
+            fallback,
+            FormattableString.Invariant($"a whole number from {minimum} to {maximum}"),
+            text =>
+                int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value)
+                && value >= minimum
+                && value <= maximum
+                    ? (true, value)
+                    : (false, fallback)
+        );
 
     /// <summary>An IP address.</summary>
     public IPAddress Address(string section, string name, IPAddress fallback) =>
-        Parse(section, name, fallback, "an address such as 127.0.0.1", text =>
-            IPAddress.TryParse(text, out IPAddress? address) ? (true, address) : (false, fallback));
+        Parse(
+            section,
+            name,
+            fallback,
+            "an address such as 127.0.0.1",
+            text => IPAddress.TryParse(text, out IPAddress? address) ? (true, address) : (false, fallback)
+        );
 
     /// <summary>A member of an enumeration; the name is not case-sensitive.</summary>
     /// <typeparam name="T">The enumeration.</typeparam>
@@ -102,17 +119,24 @@ public sealed class IniFile
     /// <typeparam name="T">The enumeration.</typeparam>
     public IReadOnlyList<T> Choices<T>(string section, string name, IReadOnlyList<T> fallback, string expected)
         where T : struct, Enum =>
-        Parse(section, name, fallback, expected, text =>
-        {
-            var chosen = new List<T>();
-            bool good = text.Split(',').All(part =>
+        Parse(
+            section,
+            name,
+            fallback,
+            expected,
+            text =>
             {
-                bool known = TryName(part.Trim(), out T value);
-                chosen.Add(value);
-                return known;
-            });
-            return (good, good && chosen.SequenceEqual(fallback) ? fallback : chosen);
-        });
+                var chosen = new List<T>();
+                bool good = text.Split(',')
+                    .All(part =>
+                    {
+                        bool known = TryName(part.Trim(), out T value);
+                        chosen.Add(value);
+                        return known;
+                    });
+                return (good, good && chosen.SequenceEqual(fallback) ? fallback : chosen);
+            }
+        );
 
     /// <summary>Different values separated by commas; none by default.</summary>
     /// <typeparam name="T">Their type.</typeparam>
@@ -122,19 +146,27 @@ public sealed class IniFile
     /// <param name="parse">Reads a value; null if the text is not one.</param>
     public IReadOnlyList<T> List<T>(string section, string name, string expected, Func<string, T?> parse)
         where T : class =>
-        Parse<IReadOnlyList<T>>(section, name, [], expected, text =>
-        {
-            string[] parts = [.. text.Split(',').Select(part => part.Trim())];
-            T[] values = [.. parts.Select(parse).OfType<T>()];
-            return (values.Length == parts.Length && parts.Distinct().Count() == parts.Length, values);
-        });
+        Parse<IReadOnlyList<T>>(
+            section,
+            name,
+            [],
+            expected,
+            text =>
+            {
+                string[] parts = [.. text.Split(',').Select(part => part.Trim())];
+                T[] values = [.. parts.Select(parse).OfType<T>()];
+                return (values.Length == parts.Length && parts.Distinct().Count() == parts.Length, values);
+            }
+        );
 
     private static bool TryName<T>(string text, out T value)
         where T : struct, Enum
     {
         // Enum.TryParse alone would also accept numbers and lists.
         value = default;
-        return text.Length > 0 && text.All(char.IsLetterOrDigit) && char.IsLetter(text[0])
+        return text.Length > 0
+            && text.All(char.IsLetterOrDigit)
+            && char.IsLetter(text[0])
             && Enum.TryParse(text, ignoreCase: true, out value);
     }
 
@@ -192,7 +224,6 @@ public sealed class IniFile
         {
             _complaints.Add((found.Line, $"{name} = {found.Text} is not {expected}; the default is used."));
         }
-
         else if (!EqualityComparer<T>.Default.Equals(value, fallback))
         {
             _changes[found.Line] = $"[{section}] {name} = {found.Text}";

@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
 using Harvester.Capture.Harvesting;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
@@ -44,11 +41,11 @@ public sealed record PlayerSettings
 
     /// <summary>The settings of the lanes that a session records, so that they can be measured again in the same way.</summary>
     public IReadOnlyList<KeyValuePair<string, string>> LaneSettings =>
-    [
-        new("lookAhead", LookAhead.Thesis.ToString()),
-        new("laneWidth", LaneWidthMetres.ToString(CultureInfo.InvariantCulture)),
-        new("narrowLaneWidth", NarrowLaneWidthMetres.ToString(CultureInfo.InvariantCulture)),
-    ];
+        [
+            new("lookAhead", LookAhead.Thesis.ToString()),
+            new("laneWidth", LaneWidthMetres.ToString(CultureInfo.InvariantCulture)),
+            new("narrowLaneWidth", NarrowLaneWidthMetres.ToString(CultureInfo.InvariantCulture)),
+        ];
 
     /// <summary>The file of the road survey.</summary>
     public required string SurveyFile { get; init; }
@@ -135,7 +132,10 @@ public sealed record PlayerSettings
         double Offset(string name, double fallback) => ini.Number("Camera", name, fallback, -MaxOffsetMetres, MaxOffsetMetres);
     }
 
-    private static TapeOptions TapeOf(IniFile ini, string folder) => new(
-        ini.Choice("Tape", "Record", TapeChoice.Off, "Off, Natives or NativesAndPictures"),
-        ini.Number("Tape", "Minutes", 2, 0.1, 10), folder);
+    private static TapeOptions TapeOf(IniFile ini, string folder) =>
+        new(
+            ini.Choice("Tape", "Record", TapeChoice.Off, "Off, Natives or NativesAndPictures"),
+            ini.Number("Tape", "Minutes", 2, 0.1, 10),
+            folder
+        );
 }

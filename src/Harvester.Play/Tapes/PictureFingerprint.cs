@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Play.Tapes;
 
 /// <summary>A fingerprint of pictures that is fast enough for the game's thread. It protects against chance, not against intent.</summary>

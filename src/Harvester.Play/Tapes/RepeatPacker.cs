@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-
 namespace Harvester.Play.Tapes;
 
 /// <summary>
@@ -67,7 +64,8 @@ internal sealed class RepeatPacker
     {
         ulong hash = unchecked(
             (BitConverter.ToUInt64(_window.Bytes, at) * FirstFactor)
-            ^ (BitConverter.ToUInt64(_window.Bytes, at + sizeof(ulong)) * SecondFactor));
+            ^ (BitConverter.ToUInt64(_window.Bytes, at + sizeof(ulong)) * SecondFactor)
+        );
         hash = unchecked(hash * FirstFactor);
         if ((hash >> 32) % Sampling != 0)
         {

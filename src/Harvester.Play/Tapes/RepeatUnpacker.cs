@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-
 namespace Harvester.Play.Tapes;
 
 /// <summary>Restores chunks of a <see cref="RepeatPacker"/>, in order.</summary>
@@ -34,7 +31,7 @@ internal sealed class RepeatUnpacker
 
     private void Copy(Stream source, int length)
     {
-        for (int end = _window.End + length; _window.End < end;)
+        for (int end = _window.End + length; _window.End < end; )
         {
             int read = source.Read(_window.Bytes, _window.End, end - _window.End);
             _window.End += read > 0 ? read : throw new InvalidDataException();

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Play.Tapes;
 
 /// <summary>The last bytes of the chunks so far, and the chunk in hand after them.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Play.Tapes;
 
 /// <summary>A call to the game and its answer.</summary>
@@ -7,5 +5,5 @@ namespace Harvester.Play.Tapes;
 /// <param name="Asked">The arguments.</param>
 /// <param name="Answer">The result; a failure if the call failed.</param>
 /// <param name="Written">What the memory among the arguments holds after the call, one int per slot, without zeros at the end.</param>
-public sealed record TapeCall(
-    ulong Target, IReadOnlyList<TapeValue> Asked, TapeValue Answer, IReadOnlyList<IReadOnlyList<int>> Written) : TapeEntry;
+public sealed record TapeCall(ulong Target, IReadOnlyList<TapeValue> Asked, TapeValue Answer, IReadOnlyList<IReadOnlyList<int>> Written)
+    : TapeEntry;

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.Text;
 
 namespace Harvester.Play.Tapes;
@@ -31,19 +28,20 @@ internal sealed class TapeDecoder
         }
     }
 
-    private TapeEntry Entry() => (TapeTag)Byte() switch
-    {
-        TapeTag.Fact => new TapeFact(Text(), Text()),
-        TapeTag.Tick => new TapeTick(),
-        TapeTag.KeyUp => new TapeKey(Whole(), false),
-        TapeTag.KeyDown => new TapeKey(Whole(), true),
-        TapeTag.Call => Call(),
-        TapeTag.Clock => new TapeClock(_lastClock = unchecked(_lastClock + Signed())),
-        TapeTag.Grab => Grab(),
-        TapeTag.Work => new TapeWork(Reference(_works, Name), Boolean()),
-        TapeTag.End => new TapeEnd(Text()),
-        _ => throw Damaged("an unknown entry"),
-    };
+    private TapeEntry Entry() =>
+        (TapeTag)Byte() switch
+        {
+            TapeTag.Fact => new TapeFact(Text(), Text()),
+            TapeTag.Tick => new TapeTick(),
+            TapeTag.KeyUp => new TapeKey(Whole(), false),
+            TapeTag.KeyDown => new TapeKey(Whole(), true),
+            TapeTag.Call => Call(),
+            TapeTag.Clock => new TapeClock(_lastClock = unchecked(_lastClock + Signed())),
+            TapeTag.Grab => Grab(),
+            TapeTag.Work => new TapeWork(Reference(_works, Name), Boolean()),
+            TapeTag.End => new TapeEnd(Text()),
+            _ => throw Damaged("an unknown entry"),
+        };
 
     private TapeCall Call()
     {
@@ -157,12 +155,13 @@ internal sealed class TapeDecoder
         return count;
     }
 
-    private bool Boolean() => Whole() switch
-    {
-        0 => false,
-        1 => true,
-        _ => throw Damaged("a boolean that is neither 0 nor 1"),
-    };
+    private bool Boolean() =>
+        Whole() switch
+        {
+            0 => false,
+            1 => true,
+            _ => throw Damaged("a boolean that is neither 0 nor 1"),
+        };
 
     private int Whole()
     {

@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using System.IO.Compression;
 using Harvester.Sessions.Imaging.Pictures;
 
@@ -19,9 +17,7 @@ public sealed class TapeFile(Func<Stream> create) : IDisposable
         {
             Directory.CreateDirectory(Path.GetDirectoryName(path)!);
             return new FileStream(path, FileMode.CreateNew, FileAccess.Write, FileShare.Read);
-        })
-    {
-    }
+        }) { }
 
     /// <summary>
     /// Compresses and appends a chunk; returns the bytes appended. After a failure nothing more is appended, because the last chunk may be

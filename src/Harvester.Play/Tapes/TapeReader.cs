@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.IO.Compression;
-using System.Linq;
 using Harvester.Sessions.Imaging.Pictures;
 
 namespace Harvester.Play.Tapes;
@@ -55,8 +51,9 @@ public sealed class TapeReader(Stream file)
         int version = head[TapeFormat.Magic.Length];
         if (version is not (first or last))
         {
-            throw new InvalidDataException(FormattableString.Invariant(
-                $"it has version {version} of the format; this program reads versions {first} and {last}."));
+            throw new InvalidDataException(
+                FormattableString.Invariant($"it has version {version} of the format; this program reads versions {first} and {last}.")
+            );
         }
 
         _repeats = version == first ? null : new RepeatUnpacker();

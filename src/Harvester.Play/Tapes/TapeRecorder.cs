@@ -1,7 +1,4 @@
-using System;
 using System.Globalization;
-using System.IO;
-using System.Threading;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Sessions.Imaging;
@@ -136,8 +133,15 @@ public sealed class TapeRecorder : IDisposable
         if (_isOn && picture is not null)
         {
             bool isKept = result.IsGood && _options.Choice == TapeChoice.NativesAndPictures;
-            _encoder.Add(new TapeGrab(picture.Size.Width, picture.Size.Height, result.Refusal,
-                result.IsGood ? PictureFingerprint.Of(picture.Bytes) : 0, isKept ? picture.Bytes : null));
+            _encoder.Add(
+                new TapeGrab(
+                    picture.Size.Width,
+                    picture.Size.Height,
+                    result.Refusal,
+                    result.IsGood ? PictureFingerprint.Of(picture.Bytes) : 0,
+                    isKept ? picture.Bytes : null
+                )
+            );
             FlushIfFull();
         }
     }
@@ -152,8 +156,10 @@ public sealed class TapeRecorder : IDisposable
     }
 
     /// <summary>The message for the player when the recording begins.</summary>
-    public string Greeting => FormattableString.Invariant(
-        $"A tape is being recorded for {_options.Minutes} minutes, in the sessions folder. The setting Record under [Tape] ends that.");
+    public string Greeting =>
+        FormattableString.Invariant(
+            $"A tape is being recorded for {_options.Minutes} minutes, in the sessions folder. The setting Record under [Tape] ends that."
+        );
 
     /// <summary>
     /// Ends the recording with the script. May come on another thread while the script's own is stopped within an event; what that thread

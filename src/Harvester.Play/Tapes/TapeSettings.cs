@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-using System.Linq;
 using System.Text;
 
 namespace Harvester.Play.Tapes;
@@ -13,7 +10,21 @@ public static class TapeSettings
 {
     /// <summary>Settings that name files, folders, computers or the player.</summary>
     private static readonly string[] LeftOut =
-        ["Folder", "File", "Rig", "Plate", "Address", "Port", "Token", "Kind", "Start", "MinFree", "Queue", "Record", "Minutes"];
+    [
+        "Folder",
+        "File",
+        "Rig",
+        "Plate",
+        "Address",
+        "Port",
+        "Token",
+        "Kind",
+        "Start",
+        "MinFree",
+        "Queue",
+        "Record",
+        "Minutes",
+    ];
 
     private static readonly char[] OfPaths = ['/', '\\', ':', '%', '"', '<', '>', '@'];
 
@@ -38,15 +49,18 @@ public static class TapeSettings
         return kept.ToString();
     }
 
-    private static bool IsSection(string line) => line[0] == '[' && line[line.Length - 1] == ']' && line.Skip(1).Take(line.Length - 2)
-        .All(char.IsLetter);
+    private static bool IsSection(string line) =>
+        line[0] == '[' && line[line.Length - 1] == ']' && line.Skip(1).Take(line.Length - 2).All(char.IsLetter);
 
     private static bool IsKept(string line)
     {
         string[] parts = line.Split(['='], 2);
         string name = parts[0].Trim();
-        return parts.Length == 2 && name.Length > 0 && name.All(char.IsLetterOrDigit)
+        return parts.Length == 2
+            && name.Length > 0
+            && name.All(char.IsLetterOrDigit)
             && !LeftOut.Contains(name, StringComparer.OrdinalIgnoreCase)
-            && !parts[1].Any(OfPaths.Contains) && !parts[1].Contains("..");
+            && !parts[1].Any(OfPaths.Contains)
+            && !parts[1].Contains("..");
     }
 }

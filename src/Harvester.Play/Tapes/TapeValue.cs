@@ -1,4 +1,3 @@
-using System;
 using System.Globalization;
 
 namespace Harvester.Play.Tapes;
@@ -46,21 +45,21 @@ public readonly record struct TapeValue(TapeValueKind Kind, int Whole, float X, 
 
     /// <summary>Whether two arguments are the same: floats within the tolerance, everything else exactly.</summary>
     public bool IsSameAs(TapeValue other) =>
-        Kind == other.Kind && Whole == other.Whole && Text == other.Text
-        && IsNear(X, other.X) && IsNear(Y, other.Y) && IsNear(Z, other.Z);
+        Kind == other.Kind && Whole == other.Whole && Text == other.Text && IsNear(X, other.X) && IsNear(Y, other.Y) && IsNear(Z, other.Z);
 
     /// <summary>The value as text, for messages.</summary>
-    public override string ToString() => Kind switch
-    {
-        TapeValueKind.False => "false",
-        TapeValueKind.True => "true",
-        TapeValueKind.Whole => Whole.ToString(CultureInfo.InvariantCulture),
-        TapeValueKind.Real => X.ToString("R", CultureInfo.InvariantCulture),
-        TapeValueKind.Vector => FormattableString.Invariant($"<{X:R}, {Y:R}, {Z:R}>"),
-        TapeValueKind.Text => $"'{Text}'",
-        TapeValueKind.Memory => FormattableString.Invariant($"memory holding {Whole}"),
-        _ => Kind == TapeValueKind.NoText ? "null" : Kind.ToString(),
-    };
+    public override string ToString() =>
+        Kind switch
+        {
+            TapeValueKind.False => "false",
+            TapeValueKind.True => "true",
+            TapeValueKind.Whole => Whole.ToString(CultureInfo.InvariantCulture),
+            TapeValueKind.Real => X.ToString("R", CultureInfo.InvariantCulture),
+            TapeValueKind.Vector => FormattableString.Invariant($"<{X:R}, {Y:R}, {Z:R}>"),
+            TapeValueKind.Text => $"'{Text}'",
+            TapeValueKind.Memory => FormattableString.Invariant($"memory holding {Whole}"),
+            _ => Kind == TapeValueKind.NoText ? "null" : Kind.ToString(),
+        };
 
     private static bool IsNear(float a, float b) =>
         a.Equals(b) || Math.Abs(a - b) <= Math.Max(AbsoluteTolerance, RelativeTolerance * Math.Max(Math.Abs(a), Math.Abs(b)));

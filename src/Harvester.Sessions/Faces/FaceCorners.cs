@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using Harvester.Geometry;
 
 namespace Harvester.Sessions.Faces;
@@ -33,11 +30,16 @@ internal readonly struct FaceCorners
         for (int i = 0; i < corner.Length; i++)
         {
             string field = fields[FaceColumns.FirstCorner + i];
-            if (!double.TryParse(field, NumberStyles.Float, CultureInfo.InvariantCulture, out corner[i])
-                || !(Math.Abs(corner[i]) <= MaxCoordinate))
+            if (
+                !double.TryParse(field, NumberStyles.Float, CultureInfo.InvariantCulture, out corner[i])
+                || !(Math.Abs(corner[i]) <= MaxCoordinate)
+            )
             {
                 return new FaceCorners(
-                    default, default, (NameOf(i), $"'{field}' is not a number from -100 to 100 (metres, with a decimal point)."));
+                    default,
+                    default,
+                    (NameOf(i), $"'{field}' is not a number from -100 to 100 (metres, with a decimal point).")
+                );
             }
         }
 
@@ -50,9 +52,14 @@ internal readonly struct FaceCorners
         int[] wrong = [.. Enumerable.Range(0, Axes).Where(axis => !axes[axis].IsRight)];
         return wrong.Length == 0
             ? new FaceCorners(new Vector3D(corner[0], corner[1], corner[2]), new Vector3D(corner[3], corner[4], corner[5]), null)
-            : new FaceCorners(default, default, (
-                string.Join(", ", wrong.Select(axis => $"{NameOf(axis)}, {NameOf(axis + Axes)}")),
-                $"the cuboid is inside out: {string.Join(", ", wrong.Select(axis => RuleOf(axis, axes[axis].Rule)))}."));
+            : new FaceCorners(
+                default,
+                default,
+                (
+                    string.Join(", ", wrong.Select(axis => $"{NameOf(axis)}, {NameOf(axis + Axes)}")),
+                    $"the cuboid is inside out: {string.Join(", ", wrong.Select(axis => RuleOf(axis, axes[axis].Rule)))}."
+                )
+            );
     }
 
     private static string RuleOf(int axis, string rule) => $"{NameOf(axis)} must be {rule} {NameOf(axis + Axes)}";

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 
@@ -54,25 +52,35 @@ public static class FaceOutline
             Vector3D left = face.FrontUpperLeft;
             Vector3D right = face.BackLowerRight;
             bool isAcrossX = face.Facing is Facing.Back or Facing.Front;
-            return entity.ToWorld(new Vector3D(
-                Between(left.X, right.X, isAcrossX ? corner.Across : deep),
-                Between(right.Y, left.Y, isAcrossX ? deep : corner.Across),
-                Between(right.Z, left.Z, corner.Up)));
+            return entity.ToWorld(
+                new Vector3D(
+                    Between(left.X, right.X, isAcrossX ? corner.Across : deep),
+                    Between(right.Y, left.Y, isAcrossX ? deep : corner.Across),
+                    Between(right.Z, left.Z, corner.Up)
+                )
+            );
         }
     }
 
     /// <summary>Corners in order, as fractions of the rectangle's width and height.</summary>
-    private static (double Across, double Up)[] Outline(SignShape shape) => shape switch
-    {
-        SignShape.Octagon =>
-        [
-            (OctagonCut, 0), (1 - OctagonCut, 0), (1, OctagonCut), (1, 1 - OctagonCut),
-            (1 - OctagonCut, 1), (OctagonCut, 1), (0, 1 - OctagonCut), (0, OctagonCut),
-        ],
-        SignShape.Triangle => [(0.5, 0), (1, 1), (0, 1)],
-        SignShape.Diamond => [(0.5, 0), (1, 0.5), (0.5, 1), (0, 0.5)],
-        _ => [(0, 0), (1, 0), (1, 1), (0, 1)],
-    };
+    private static (double Across, double Up)[] Outline(SignShape shape) =>
+        shape switch
+        {
+            SignShape.Octagon =>
+            [
+                (OctagonCut, 0),
+                (1 - OctagonCut, 0),
+                (1, OctagonCut),
+                (1, 1 - OctagonCut),
+                (1 - OctagonCut, 1),
+                (OctagonCut, 1),
+                (0, 1 - OctagonCut),
+                (0, OctagonCut),
+            ],
+            SignShape.Triangle => [(0.5, 0), (1, 1), (0, 1)],
+            SignShape.Diamond => [(0.5, 0), (1, 0.5), (0.5, 1), (0, 0.5)],
+            _ => [(0, 0), (1, 0), (1, 1), (0, 1)],
+        };
 
     private static double Between(double from, double to, double share) => from + ((to - from) * share);
 }

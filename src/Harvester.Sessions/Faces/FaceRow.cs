@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 
@@ -25,7 +22,7 @@ internal readonly struct FaceRow
 
     public static bool IsHeader(string line) =>
         CsvFields.Split(line) is { } fields
-            && fields.Select(field => field.Trim()).SequenceEqual(FaceColumns.Names, StringComparer.OrdinalIgnoreCase);
+        && fields.Select(field => field.Trim()).SequenceEqual(FaceColumns.Names, StringComparer.OrdinalIgnoreCase);
 
     public static FaceRow FromCommas(string line)
     {
@@ -37,8 +34,10 @@ internal readonly struct FaceRow
 
         if (fields.Count != FaceColumns.Names.Length)
         {
-            return Refused("row",
-                FormattableString.Invariant($"{fields.Count} fields instead of {FaceColumns.Names.Length}: {FaceColumns.Header}."));
+            return Refused(
+                "row",
+                FormattableString.Invariant($"{fields.Count} fields instead of {FaceColumns.Names.Length}: {FaceColumns.Header}.")
+            );
         }
 
         return Checked(fields);
@@ -49,8 +48,10 @@ internal readonly struct FaceRow
         string[] tokens = line.Split([' ', '\t'], StringSplitOptions.RemoveEmptyEntries);
         if (tokens.Length != 8)
         {
-            return Refused("row",
-                FormattableString.Invariant($"{tokens.Length} fields instead of 8: hash name fulX fulY fulZ blrX blrY blrZ."));
+            return Refused(
+                "row",
+                FormattableString.Invariant($"{tokens.Length} fields instead of 8: hash name fulX fulY fulZ blrX blrY blrZ.")
+            );
         }
 
         if (!ModelHash.TryParse(tokens[0], out int hash))
@@ -60,8 +61,21 @@ internal readonly struct FaceRow
 
         nextFaces.TryGetValue(hash, out int face);
         FaceRow row = Checked([
-            string.Empty, tokens[0], "sign", tokens[1], string.Empty, face.ToString(CultureInfo.InvariantCulture),
-            tokens[2], tokens[3], tokens[4], tokens[5], tokens[6], tokens[7], "-y", "estimated", "a file of the thesis's form",
+            string.Empty,
+            tokens[0],
+            "sign",
+            tokens[1],
+            string.Empty,
+            face.ToString(CultureInfo.InvariantCulture),
+            tokens[2],
+            tokens[3],
+            tokens[4],
+            tokens[5],
+            tokens[6],
+            tokens[7],
+            "-y",
+            "estimated",
+            "a file of the thesis's form",
         ]);
         nextFaces[hash] = row.Face is null ? face : face + 1;
         return row;
@@ -109,9 +123,20 @@ internal readonly struct FaceRow
 
         return new FaceRow(
             new ModelFace(
-                model, hash, kind, fields[3].Trim(), fields[4].Trim(), face, corners.FrontUpperLeft, corners.BackLowerRight, facing,
-                    provenance, fields[14].Trim()),
-            null);
+                model,
+                hash,
+                kind,
+                fields[3].Trim(),
+                fields[4].Trim(),
+                face,
+                corners.FrontUpperLeft,
+                corners.BackLowerRight,
+                facing,
+                provenance,
+                fields[14].Trim()
+            ),
+            null
+        );
     }
 
     private static bool TryHash(string model, string text, out int hash, out string problem)

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Sessions.Faces;
@@ -28,11 +25,12 @@ public sealed class FaceTable
     public static FaceTable Empty { get; } = new([]);
 
     /// <summary>All faces, ordered by model and face.</summary>
-    public IEnumerable<ModelFace> Faces => _byHash.Values
-        .SelectMany(faces => faces)
-        .OrderBy(face => face.Model, StringComparer.Ordinal)
-        .ThenBy(face => face.Hash)
-        .ThenBy(face => face.Number);
+    public IEnumerable<ModelFace> Faces =>
+        _byHash
+            .Values.SelectMany(faces => faces)
+            .OrderBy(face => face.Model, StringComparer.Ordinal)
+            .ThenBy(face => face.Hash)
+            .ThenBy(face => face.Number);
 
     /// <summary>The faces of a model in order; empty for a model that is not in the table.</summary>
     public IReadOnlyList<ModelFace> Of(int hash) => _byHash.TryGetValue(hash, out IReadOnlyList<ModelFace>? faces) ? faces : None;

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Sessions.Faces;
 
 /// <summary>The content of a table file: the valid rows, and why the others were rejected.</summary>

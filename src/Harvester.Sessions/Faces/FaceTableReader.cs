@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-
 namespace Harvester.Sessions.Faces;
 
 /// <summary>
@@ -50,8 +46,13 @@ public static class FaceTableReader
             {
                 if (firstLines.TryGetValue((face.Hash, face.Number), out int first))
                 {
-                    problems.Add(new FaceTableProblem(
-                        number, "face", FormattableString.Invariant($"face {face.Number} of this model is already in line {first}.")));
+                    problems.Add(
+                        new FaceTableProblem(
+                            number,
+                            "face",
+                            FormattableString.Invariant($"face {face.Number} of this model is already in line {first}.")
+                        )
+                    );
                     continue;
                 }
 

@@ -1,6 +1,4 @@
-using System;
 using System.Globalization;
-using System.IO;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 
@@ -64,18 +62,20 @@ public static class FaceTableWriter
         return (millimetres < 0 ? "-" : string.Empty) + digits.Substring(0, point) + "." + digits.Substring(point);
     }
 
-    private static string FacingText(Facing facing) => facing switch
-    {
-        Facing.Front => "+y",
-        Facing.Left => "-x",
-        Facing.Right => "+x",
-        _ => "-y",
-    };
+    private static string FacingText(Facing facing) =>
+        facing switch
+        {
+            Facing.Front => "+y",
+            Facing.Left => "-x",
+            Facing.Right => "+x",
+            _ => "-y",
+        };
 
-    private static string ProvenanceText(Provenance provenance) => provenance switch
-    {
-        Provenance.Measured => "measured",
-        Provenance.Derived => "derived",
-        _ => "estimated",
-    };
+    private static string ProvenanceText(Provenance provenance) =>
+        provenance switch
+        {
+            Provenance.Measured => "measured",
+            Provenance.Derived => "derived",
+            _ => "estimated",
+        };
 }

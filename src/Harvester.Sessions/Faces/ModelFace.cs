@@ -28,21 +28,24 @@ public sealed record ModelFace(
     Vector3D BackLowerRight,
     Facing Facing,
     Provenance Provenance,
-    string Source)
+    string Source
+)
 {
     /// <summary>The face's cuboid in the world, for an entity of its model at a pose.</summary>
     public Cuboid CuboidAt(Pose entity) =>
         Cuboid.FromModel(
             new Vector3D(FrontUpperLeft.X, BackLowerRight.Y, BackLowerRight.Z),
             new Vector3D(BackLowerRight.X, FrontUpperLeft.Y, FrontUpperLeft.Z),
-            entity);
+            entity
+        );
 
     /// <summary>The direction in the world in which the face looks, for an entity of its model at a pose.</summary>
-    public Vector3D DirectionAt(Pose entity) => Facing switch
-    {
-        Facing.Front => entity.Axes.Forward,
-        Facing.Left => -entity.Axes.Right,
-        Facing.Right => entity.Axes.Right,
-        _ => -entity.Axes.Forward,
-    };
+    public Vector3D DirectionAt(Pose entity) =>
+        Facing switch
+        {
+            Facing.Front => entity.Axes.Forward,
+            Facing.Left => -entity.Axes.Right,
+            Facing.Right => entity.Axes.Right,
+            _ => -entity.Axes.Forward,
+        };
 }

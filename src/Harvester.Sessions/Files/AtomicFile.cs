@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using System.Text;
 using System.Text.RegularExpressions;
 
@@ -13,7 +11,9 @@ public static class AtomicFile
 {
     private const string Suffix = ".partial";
     private static readonly Regex TemporaryName = new(
-        @"\A(.+)\.[0-9a-f]{16}\.partial\z", RegexOptions.CultureInvariant | RegexOptions.Singleline);
+        @"\A(.+)\.[0-9a-f]{16}\.partial\z",
+        RegexOptions.CultureInvariant | RegexOptions.Singleline
+    );
 
     /// <summary>Writes a file, in place of an older one.</summary>
     /// <param name="path">The file; its folder must exist.</param>
@@ -39,8 +39,7 @@ public static class AtomicFile
     /// <param name="isDurable">As for a file that is not a text.</param>
     /// <exception cref="IOException">The file cannot be written or closed; an older one is unchanged.</exception>
     /// <exception cref="UnauthorizedAccessException">The file cannot be written; an older one is unchanged.</exception>
-    public static void Write(string path, string text, bool isDurable = true) =>
-        Write(path, stream => WriteText(stream, text), isDurable);
+    public static void Write(string path, string text, bool isDurable = true) => Write(path, stream => WriteText(stream, text), isDurable);
 
     /// <summary>Writes a text file unless there is one already.</summary>
     /// <param name="path">The file; its folder must exist.</param>

@@ -1,9 +1,8 @@
-using System;
-using System.IO;
+using Microsoft.Win32.SafeHandles;
 #if NET
 using System.Runtime.InteropServices;
 #endif
-using Microsoft.Win32.SafeHandles;
+
 
 namespace Harvester.Sessions.Files;
 

@@ -1,5 +1,3 @@
-using System.IO;
-
 namespace Harvester.Sessions.Files;
 
 /// <summary>Another process writes to the folder. The message says which, since when, and what to do.</summary>
@@ -7,7 +5,5 @@ public sealed class FolderLockedException : IOException
 {
     /// <summary>Makes the exception with a message for people.</summary>
     public FolderLockedException(string message)
-        : base(message)
-    {
-    }
+        : base(message) { }
 }

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
 using Harvester.Sessions.Text;
 
@@ -52,9 +50,15 @@ public static class Manifest
     public static int? FrameOf(string line)
     {
         int end = line.IndexOf(',');
-        return line.StartsWith(FrameBegin, StringComparison.Ordinal) && end > 0
+        return
+            line.StartsWith(FrameBegin, StringComparison.Ordinal)
+            && end > 0
             && int.TryParse(
-                line.Substring(FrameBegin.Length, end - FrameBegin.Length), NumberStyles.None, CultureInfo.InvariantCulture, out int frame)
+                line.Substring(FrameBegin.Length, end - FrameBegin.Length),
+                NumberStyles.None,
+                CultureInfo.InvariantCulture,
+                out int frame
+            )
             ? frame
             : null;
     }

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text;
 
 namespace Harvester.Sessions.Files;
@@ -31,7 +27,9 @@ public static class ManifestTidy
     /// <param name="lines">The lines in the order in which they were written.</param>
     /// <param name="keepsReplaced">Whether lines of files that were replaced since stay too.</param>
     internal static IEnumerable<string> InOrder(IEnumerable<string> lines, bool keepsReplaced) =>
-        lines.GroupBy(Manifest.PathOf, StringComparer.Ordinal).OrderBy(file => file.Key, StringComparer.Ordinal)
+        lines
+            .GroupBy(Manifest.PathOf, StringComparer.Ordinal)
+            .OrderBy(file => file.Key, StringComparer.Ordinal)
             .SelectMany(file => keepsReplaced ? file.Distinct() : [file.Last()]);
 
     private static void Copy(string from, Stream to, Predicate<int> isFrame, bool keepsReplaced)

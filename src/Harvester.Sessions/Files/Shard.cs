@@ -1,4 +1,3 @@
-using System;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Sessions.Files;

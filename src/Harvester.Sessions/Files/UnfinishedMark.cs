@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-
 namespace Harvester.Sessions.Files;
 
 /// <summary>
@@ -60,8 +56,7 @@ public static class UnfinishedMark
     /// <summary>Whether a folder has nothing but its mark, also when writing that was stopped; true for an empty folder.</summary>
     /// <exception cref="IOException">The folder cannot be read.</exception>
     /// <exception cref="System.UnauthorizedAccessException">The folder cannot be read.</exception>
-    public static bool IsAllOf(string folder) =>
-        Directory.EnumerateFileSystemEntries(folder).All(entry => Is(Path.GetFileName(entry)));
+    public static bool IsAllOf(string folder) => Directory.EnumerateFileSystemEntries(folder).All(entry => Is(Path.GetFileName(entry)));
 
     private static string PathIn(string folder) => Path.Combine(folder, FileName);
 

@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
 using System.Runtime.InteropServices;
 using System.Text;
 
@@ -68,7 +65,8 @@ public sealed class WriterLock : IDisposable
         {
             throw new FolderLockedException(
                 $"'{folder}' is being written by another harvester{OwnerIn(OwnerOf(path))}. "
-                + "Wait until it has ended, or name another output.");
+                    + "Wait until it has ended, or name another output."
+            );
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Sessions.Imaging;
@@ -69,7 +68,9 @@ public sealed class ImageScaler
         if (buffer.Size != expected)
         {
             throw new ArgumentException(
-                $"The image is {buffer.Size.Width}x{buffer.Size.Height}; this scaler takes {expected.Width}x{expected.Height}.", name);
+                $"The image is {buffer.Size.Width}x{buffer.Size.Height}; this scaler takes {expected.Width}x{expected.Height}.",
+                name
+            );
         }
     }
 

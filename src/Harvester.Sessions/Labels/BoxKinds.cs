@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Sessions.Labels;
 
 /// <summary>The kinds of boxes that a label has.</summary>
@@ -13,11 +11,12 @@ public static class BoxKinds
     /// <summary>The boxes of a label; those of the cuboid are always known.</summary>
     /// <param name="isVisibleKnown">Whether the label has the box of its visible pixels.</param>
     /// <param name="isWholeKnown">Whether it has the box of all its pixels, hidden ones included.</param>
-    public static IReadOnlyList<BoxKind> Known(bool isVisibleKnown, bool isWholeKnown = false) => (isVisibleKnown, isWholeKnown) switch
-    {
-        (true, true) => All,
-        (true, false) => WithVisible,
-        (false, true) => WithWhole,
-        _ => OfCuboid,
-    };
+    public static IReadOnlyList<BoxKind> Known(bool isVisibleKnown, bool isWholeKnown = false) =>
+        (isVisibleKnown, isWholeKnown) switch
+        {
+            (true, true) => All,
+            (true, false) => WithVisible,
+            (false, true) => WithWhole,
+            _ => OfCuboid,
+        };
 }

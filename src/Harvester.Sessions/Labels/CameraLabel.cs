@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 
@@ -27,7 +26,8 @@ public sealed record CameraLabel(
     double Fy,
     double Cx,
     double Cy,
-    DistortionLabel Distortion)
+    DistortionLabel Distortion
+)
 {
     /// <summary>Creates the label of a camera.</summary>
     /// <exception cref="ArgumentNullException"><paramref name="camera"/> is null.</exception>
@@ -45,7 +45,8 @@ public sealed record CameraLabel(
             intrinsics.Fy,
             intrinsics.Cx,
             intrinsics.Cy,
-            new DistortionLabel(intrinsics.Lens.FocalScale, intrinsics.Lens.K1, intrinsics.Lens.K2));
+            new DistortionLabel(intrinsics.Lens.FocalScale, intrinsics.Lens.K1, intrinsics.Lens.K2)
+        );
     }
 
     /// <summary>

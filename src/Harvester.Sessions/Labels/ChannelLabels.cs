@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Sessions.Labels;
 
 /// <summary>What the channels of a frame say in its label, at most one of each type. It does not change.</summary>
@@ -38,6 +34,10 @@ public sealed class ChannelLabels
     public ChannelLabels And(IChannelLabel label) => new([.. _labels, label ?? throw new ArgumentNullException(nameof(label))]);
 
     /// <summary>Those that still hold when labels are recomputed with another lens.</summary>
-    public ChannelLabels WithoutLens() => new([.. FrameChannels.All
-        .Select(channel => channel.LabelIn(this) is { } label && channel.OutlivesLens(label) ? label : null).OfType<IChannelLabel>()]);
+    public ChannelLabels WithoutLens() =>
+        new([
+            .. FrameChannels
+                .All.Select(channel => channel.LabelIn(this) is { } label && channel.OutlivesLens(label) ? label : null)
+                .OfType<IChannelLabel>(),
+        ]);
 }

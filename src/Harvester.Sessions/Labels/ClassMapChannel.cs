@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Semantics;
 using Harvester.Sessions.Text;
@@ -34,17 +33,25 @@ public sealed class ClassMapChannel : FrameChannel
     {
         IJsonFields map = frame.Fields(Key);
         return new ClassMapLabel(
-            PictureName(map, "file"), map.Name<SemanticsMethod>("method"), map.Integer("raysCast"), map.Integer("interpolatedPixels"));
+            PictureName(map, "file"),
+            map.Name<SemanticsMethod>("method"),
+            map.Integer("raysCast"),
+            map.Integer("interpolatedPixels")
+        );
     }
 
     internal override void Append(JsonText json, IChannelLabel label)
     {
         var classes = (ClassMapLabel)label;
         json.BeginObject()
-            .Key("file").String(classes.File)
-            .Key("method").String(JsonName.Of(classes.Method))
-            .Key("raysCast").Integer(classes.RaysCast)
-            .Key("interpolatedPixels").Integer(classes.InterpolatedPixels)
+            .Key("file")
+            .String(classes.File)
+            .Key("method")
+            .String(JsonName.Of(classes.Method))
+            .Key("raysCast")
+            .Integer(classes.RaysCast)
+            .Key("interpolatedPixels")
+            .Integer(classes.InterpolatedPixels)
             .EndObject();
     }
 }

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Text;
 
@@ -14,12 +13,10 @@ public sealed class DepthChannel : FrameChannel
     public override string FileKind => "depth map";
 
     /// <inheritdoc />
-    public override IReadOnlyList<string> Folders { get; } =
-        [FramePaths.DepthMaps, FramePaths.CompletedDepths, FramePaths.DepthErrors];
+    public override IReadOnlyList<string> Folders { get; } = [FramePaths.DepthMaps, FramePaths.CompletedDepths, FramePaths.DepthErrors];
 
     /// <inheritdoc />
-    public override ChannelSwitch Switch { get; } =
-        new("Depth", "depth maps; with masks also completed ones and their estimated errors");
+    public override ChannelSwitch Switch { get; } = new("Depth", "depth maps; with masks also completed ones and their estimated errors");
 
     /// <inheritdoc />
     public override string RaysKey => "depth";
@@ -39,18 +36,24 @@ public sealed class DepthChannel : FrameChannel
             depth.Has("completed") ? PictureName(depth, "completed") : null,
             depth.Has("error") ? PictureName(depth, "error") : null,
             depth.Integer("raysCast"),
-            depth.Integer("measuredPixels"));
+            depth.Integer("measuredPixels")
+        );
     }
 
     internal override void Append(JsonText json, IChannelLabel label)
     {
         var depth = (DepthLabel)label;
         json.BeginObject()
-            .Key("sparse").String(depth.Sparse)
-            .Key("completed").String(depth.Completed)
-            .Key("error").String(depth.Error)
-            .Key("raysCast").Integer(depth.RaysCast)
-            .Key("measuredPixels").Integer(depth.MeasuredPixels)
+            .Key("sparse")
+            .String(depth.Sparse)
+            .Key("completed")
+            .String(depth.Completed)
+            .Key("error")
+            .String(depth.Error)
+            .Key("raysCast")
+            .Integer(depth.RaysCast)
+            .Key("measuredPixels")
+            .Integer(depth.MeasuredPixels)
             .EndObject();
     }
 }

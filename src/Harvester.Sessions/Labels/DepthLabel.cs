@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Sessions.Labels;
 
 /// <summary>The depth maps of a frame. File format: docs/depth.md.</summary>

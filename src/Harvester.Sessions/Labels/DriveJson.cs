@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Sessions.Text;
 
@@ -20,17 +19,19 @@ internal static class DriveJson
             return;
         }
 
-        json.Key("drive").BeginObject()
-            .Key("driver").String(JsonName.Of(drive.Driver));
+        json.Key("drive").BeginObject().Key("driver").String(JsonName.Of(drive.Driver));
         Append(json.Key("controls"), drive.Controls);
         json.Key("answerSeconds").Number(drive.AnswerSeconds, LabelDecimals.Seconds);
         Append(json.Key("applied"), drive.Applied);
         json.Key("disturbed").Boolean(drive.IsDisturbed);
         Append(json.Key("indicators"), drive.Indicators);
         Append(json.Key("target"), drive.Target);
-        json.Key("route").String(drive.Route)
-            .Key("routeMetres").Number(drive.RouteMetres, LabelDecimals.Metres)
-            .Key("speed").Number(drive.SpeedMetresPerSecond, LabelDecimals.Speed);
+        json.Key("route")
+            .String(drive.Route)
+            .Key("routeMetres")
+            .Number(drive.RouteMetres, LabelDecimals.Metres)
+            .Key("speed")
+            .Number(drive.SpeedMetresPerSecond, LabelDecimals.Speed);
         Append(json.Key("acceleration"), drive.Acceleration);
         Append(json.Key("angularRate"), drive.AngularRate);
         json.Key("bridgeFrame").Integer(drive.BridgeFrame);
@@ -39,9 +40,12 @@ internal static class DriveJson
         foreach (DriveTick tick in drive.Ticks)
         {
             json.BeginObject()
-                .Key("timeSeconds").Number(tick.TimeSeconds, LabelDecimals.Seconds)
-                .Key("driver").String(JsonName.Of(tick.Driver))
-                .Key("speed").Number(tick.SpeedMetresPerSecond, LabelDecimals.Speed);
+                .Key("timeSeconds")
+                .Number(tick.TimeSeconds, LabelDecimals.Seconds)
+                .Key("driver")
+                .String(JsonName.Of(tick.Driver))
+                .Key("speed")
+                .Number(tick.SpeedMetresPerSecond, LabelDecimals.Speed);
             Append(json.Key("acceleration"), tick.Acceleration);
             Append(json.Key("angularRate"), tick.AngularRate);
             Append(json.Key("applied"), tick.Applied);
@@ -60,9 +64,12 @@ internal static class DriveJson
         }
 
         json.BeginObject()
-            .Key("steering").Number(set.Steering, ControlDecimals)
-            .Key("throttle").Number(set.Throttle, ControlDecimals)
-            .Key("brake").Number(set.Brake, ControlDecimals)
+            .Key("steering")
+            .Number(set.Steering, ControlDecimals)
+            .Key("throttle")
+            .Number(set.Throttle, ControlDecimals)
+            .Key("brake")
+            .Number(set.Brake, ControlDecimals)
             .EndObject();
     }
 
@@ -75,8 +82,10 @@ internal static class DriveJson
         }
 
         json.BeginObject()
-            .Key("speed").Number(known.SpeedMetresPerSecond, LabelDecimals.Speed)
-            .Key("rightMetres").Number(known.RightMetres, LabelDecimals.Metres)
+            .Key("speed")
+            .Number(known.SpeedMetresPerSecond, LabelDecimals.Speed)
+            .Key("rightMetres")
+            .Number(known.RightMetres, LabelDecimals.Metres)
             .EndObject();
     }
 
@@ -118,16 +127,26 @@ internal static class DriveJson
         }
 
         json.BeginObject()
-            .Key("drivenMetres").Number(truth.DrivenMetres, LabelDecimals.Metres)
-            .Key("collision").String(truth.Collision)
-            .Key("outsideLanes").Boolean(truth.IsOutsideLanes)
-            .Key("laneOffsetMetres").Number(truth.LaneOffsetMetres, LabelDecimals.Metres)
-            .Key("laneAngleRadians").Number(truth.LaneAngleRadians, AngleDecimals)
-            .Key("light").String(truth.Light)
-            .Key("stopSign").Boolean(truth.HasStopSign)
-            .Key("redLightsRun").Integer(truth.RedLightsRun)
-            .Key("stopSignsRun").Integer(truth.StopSignsRun)
-            .Key("repositioned").Integer(truth.Repositioned)
+            .Key("drivenMetres")
+            .Number(truth.DrivenMetres, LabelDecimals.Metres)
+            .Key("collision")
+            .String(truth.Collision)
+            .Key("outsideLanes")
+            .Boolean(truth.IsOutsideLanes)
+            .Key("laneOffsetMetres")
+            .Number(truth.LaneOffsetMetres, LabelDecimals.Metres)
+            .Key("laneAngleRadians")
+            .Number(truth.LaneAngleRadians, AngleDecimals)
+            .Key("light")
+            .String(truth.Light)
+            .Key("stopSign")
+            .Boolean(truth.HasStopSign)
+            .Key("redLightsRun")
+            .Integer(truth.RedLightsRun)
+            .Key("stopSignsRun")
+            .Integer(truth.StopSignsRun)
+            .Key("repositioned")
+            .Integer(truth.Repositioned)
             .EndObject();
     }
 }

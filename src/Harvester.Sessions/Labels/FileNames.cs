@@ -1,4 +1,3 @@
-using System;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Sessions.Labels;
@@ -14,7 +13,8 @@ public static class FileNames
     public static string Picture(IJsonFields fields, string field)
     {
         string name = NotNull(fields).Text(field);
-        return Array.Exists(PictureEndings, ending => name.EndsWith(ending, StringComparison.OrdinalIgnoreCase)) ? name
+        return Array.Exists(PictureEndings, ending => name.EndsWith(ending, StringComparison.OrdinalIgnoreCase))
+            ? name
             : throw fields.Refusal($"{field} must name a picture ({string.Join(", ", PictureEndings)}), not \"{name}\".");
     }
 
@@ -22,7 +22,8 @@ public static class FileNames
     public static string Sweep(IJsonFields fields, string field)
     {
         string name = NotNull(fields).Text(field);
-        return name.EndsWith(SweepEnding, StringComparison.OrdinalIgnoreCase) ? name
+        return name.EndsWith(SweepEnding, StringComparison.OrdinalIgnoreCase)
+            ? name
             : throw fields.Refusal($"{field} of lidar must name points ({SweepEnding}), not \"{name}\".");
     }
 

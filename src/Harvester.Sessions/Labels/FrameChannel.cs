@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Sessions.Labels;

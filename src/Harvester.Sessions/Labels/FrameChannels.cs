@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Sessions.Labels;
@@ -34,5 +32,5 @@ public static class FrameChannels
 
     /// <summary>The folders of a session that hold files of frames.</summary>
     public static IReadOnlyList<string> Folders { get; } =
-        [FramePaths.Frames, FramePaths.Masks, .. All.SelectMany(channel => channel.Folders), FramePaths.Scenes];
+    [FramePaths.Frames, FramePaths.Masks, .. All.SelectMany(channel => channel.Folders), FramePaths.Scenes];
 }

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Sessions.Labels;
@@ -28,7 +27,8 @@ public sealed record FrameLabel(
     CameraLabel Camera,
     EgoLabel Ego,
     EnvironmentState Environment,
-    IReadOnlyList<ObjectLabel> Objects)
+    IReadOnlyList<ObjectLabel> Objects
+)
 {
     /// <summary>Paths within the session of the files that the label names: image, mask, and the files of the channels.</summary>
     public IEnumerable<string> Files => [Image, .. Mask is null ? [] : new[] { Mask }, .. Channels.Files];
@@ -52,10 +52,18 @@ public sealed record FrameLabel(
     public PixelMapLabel? PixelMap { get; init; }
 
     /// <summary>The class map; null without one.</summary>
-    public ClassMapLabel? ClassMap { get => Channels.Get<ClassMapLabel>(); init => Channels = Channels.With(value); }
+    public ClassMapLabel? ClassMap
+    {
+        get => Channels.Get<ClassMapLabel>();
+        init => Channels = Channels.With(value);
+    }
 
     /// <summary>The depth maps; null without any.</summary>
-    public DepthLabel? Depth { get => Channels.Get<DepthLabel>(); init => Channels = Channels.With(value); }
+    public DepthLabel? Depth
+    {
+        get => Channels.Get<DepthLabel>();
+        init => Channels = Channels.With(value);
+    }
 
     /// <summary>What the LiDARs of the rig saw at the moment; empty except in the frame of its first view.</summary>
     public IReadOnlyList<SweepLabel> Lidar

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Sessions.Labels;
 
 /// <summary>What a channel says of a frame in its label.</summary>

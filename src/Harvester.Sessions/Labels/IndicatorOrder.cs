@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Lanes;
 
 namespace Harvester.Sessions.Labels;
@@ -15,8 +12,7 @@ public static class IndicatorOrder
 
     /// <summary>The values in order; an inactive indicator has its inactive value.</summary>
     /// <exception cref="ArgumentNullException"><paramref name="indicators"/> is null.</exception>
-    public static double[] Values(LaneIndicators indicators) =>
-        [.. IndicatorTable.All.Select(indicator => indicator.Of(indicators).Value)];
+    public static double[] Values(LaneIndicators indicators) => [.. IndicatorTable.All.Select(indicator => indicator.Of(indicators).Value)];
 
     /// <summary>
     /// Creates indicators from values as a network estimates them, scaled to a road of TORCS. A network gives no flags and does not output
@@ -33,7 +29,9 @@ public static class IndicatorOrder
         if (!values.All(static value => Math.Abs(value) <= MaxValue))
         {
             throw new ArgumentException(
-                FormattableString.Invariant($"An indicator is not in the range -{MaxValue} to {MaxValue}."), nameof(values));
+                FormattableString.Invariant($"An indicator is not in the range -{MaxValue} to {MaxValue}."),
+                nameof(values)
+            );
         }
 
         int next = 0;

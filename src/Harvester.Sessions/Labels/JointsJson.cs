@@ -13,8 +13,10 @@ internal static class JointsJson
         {
             JointLabel joint = label.Joints[i];
             json.BeginObject()
-                .Key("joint").String(JointNames.All[i])
-                .Key("position").Vector(joint.Position, LabelDecimals.Metres)
+                .Key("joint")
+                .String(JointNames.All[i])
+                .Key("position")
+                .Vector(joint.Position, LabelDecimals.Metres)
                 .Key("pixel");
             if (joint.Pixel is { } pixel)
             {

@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Sessions.Scenes;
@@ -22,8 +19,7 @@ public static class JsonLabelWriter
         }
 
         var json = new JsonText();
-        json.BeginObject()
-            .Key("frame").Integer(frame.Frame);
+        json.BeginObject().Key("frame").Integer(frame.Frame);
         if (frame.Moment is not null)
         {
             json.Key("moment").Integer(frame.Moment).Key("view").String(frame.View);
@@ -34,12 +30,18 @@ public static class JsonLabelWriter
             json.Key("place").Integer(frame.Place).Key("placeFrame").Integer(frame.PlaceFrame);
         }
 
-        json.Key("gameFrame").Integer(frame.GameFrame)
-            .Key("timeSeconds").Number(frame.TimeSeconds, LabelDecimals.Seconds)
-            .Key("lagFrames").Integer(frame.LagFrames)
-            .Key("lagSeconds").Number(frame.LagSeconds, LabelDecimals.Seconds)
-            .Key("image").String(frame.Image)
-            .Key("mask").String(frame.Mask);
+        json.Key("gameFrame")
+            .Integer(frame.GameFrame)
+            .Key("timeSeconds")
+            .Number(frame.TimeSeconds, LabelDecimals.Seconds)
+            .Key("lagFrames")
+            .Integer(frame.LagFrames)
+            .Key("lagSeconds")
+            .Number(frame.LagSeconds, LabelDecimals.Seconds)
+            .Key("image")
+            .String(frame.Image)
+            .Key("mask")
+            .String(frame.Mask);
         Append(json.Key("pixelMap"), frame.PixelMap);
         Append(json, FrameChannels.Maps, frame.Channels);
         Append(json.Key("rays"), frame.Rays);
@@ -86,22 +88,34 @@ public static class JsonLabelWriter
 
     internal static void Append(JsonText json, CameraLabel camera)
     {
-        json.BeginObject()
-            .Key("position").Vector(camera.Pose.Position, LabelDecimals.Metres);
+        json.BeginObject().Key("position").Vector(camera.Pose.Position, LabelDecimals.Metres);
         Append(json, camera.Pose.Axes);
-        json.Key("verticalFovDegrees").Number(camera.VerticalFovDegrees, LabelDecimals.CameraRatio)
-            .Key("width").Integer(camera.Width)
-            .Key("height").Integer(camera.Height)
-            .Key("windowAspect").Number(camera.WindowAspect, LabelDecimals.CameraRatio)
-            .Key("nearClip").Number(camera.NearClip, LabelDecimals.Metres)
-            .Key("fx").Number(camera.Fx, LabelDecimals.Intrinsics)
-            .Key("fy").Number(camera.Fy, LabelDecimals.Intrinsics)
-            .Key("cx").Number(camera.Cx, LabelDecimals.Intrinsics)
-            .Key("cy").Number(camera.Cy, LabelDecimals.Intrinsics)
-            .Key("distortion").BeginObject()
-            .Key("focalScale").Number(camera.Distortion.FocalScale, LabelDecimals.CameraRatio)
-            .Key("k1").Number(camera.Distortion.K1, LabelDecimals.CameraRatio)
-            .Key("k2").Number(camera.Distortion.K2, LabelDecimals.CameraRatio)
+        json.Key("verticalFovDegrees")
+            .Number(camera.VerticalFovDegrees, LabelDecimals.CameraRatio)
+            .Key("width")
+            .Integer(camera.Width)
+            .Key("height")
+            .Integer(camera.Height)
+            .Key("windowAspect")
+            .Number(camera.WindowAspect, LabelDecimals.CameraRatio)
+            .Key("nearClip")
+            .Number(camera.NearClip, LabelDecimals.Metres)
+            .Key("fx")
+            .Number(camera.Fx, LabelDecimals.Intrinsics)
+            .Key("fy")
+            .Number(camera.Fy, LabelDecimals.Intrinsics)
+            .Key("cx")
+            .Number(camera.Cx, LabelDecimals.Intrinsics)
+            .Key("cy")
+            .Number(camera.Cy, LabelDecimals.Intrinsics)
+            .Key("distortion")
+            .BeginObject()
+            .Key("focalScale")
+            .Number(camera.Distortion.FocalScale, LabelDecimals.CameraRatio)
+            .Key("k1")
+            .Number(camera.Distortion.K1, LabelDecimals.CameraRatio)
+            .Key("k2")
+            .Number(camera.Distortion.K2, LabelDecimals.CameraRatio)
             .EndObject()
             .EndObject();
     }
@@ -126,9 +140,12 @@ public static class JsonLabelWriter
         }
 
         json.BeginObject()
-            .Key("resolutionPixels").Integer(map.ResolutionPixels)
-            .Key("interpolatedPixels").Integer(map.InterpolatedPixels)
-            .Key("raysCast").Integer(map.RaysCast);
+            .Key("resolutionPixels")
+            .Integer(map.ResolutionPixels)
+            .Key("interpolatedPixels")
+            .Integer(map.InterpolatedPixels)
+            .Key("raysCast")
+            .Integer(map.RaysCast);
         if (map.Pictures is not null)
         {
             json.Key("pictures").Integer(map.Pictures).Key("undeterminedPixels").Integer(map.UndeterminedPixels);
@@ -139,9 +156,16 @@ public static class JsonLabelWriter
 
     private static void Append(JsonText json, AmodalMask mask)
     {
-        json.BeginObject().Key("box").BeginArray()
-            .Integer(mask.Left).Integer(mask.Top).Integer(mask.Width).Integer(mask.Height)
-            .EndArray().Key("runs").BeginArray();
+        json.BeginObject()
+            .Key("box")
+            .BeginArray()
+            .Integer(mask.Left)
+            .Integer(mask.Top)
+            .Integer(mask.Width)
+            .Integer(mask.Height)
+            .EndArray()
+            .Key("runs")
+            .BeginArray();
         foreach (int run in mask.Runs)
         {
             json.Integer(run);
@@ -159,13 +183,20 @@ public static class JsonLabelWriter
         }
 
         json.BeginObject()
-            .Key("total").Integer(rays.Total)
-            .Key("map").Integer(rays.Map)
-            .Key("occlusion").Integer(rays.Occlusion)
-            .Key("faces").Integer(rays.Faces)
-            .Key("ignoreRegions").Integer(rays.IgnoreRegions)
-            .Key("lanes").Integer(rays.Lanes)
-            .Key("joints").Integer(rays.Joints);
+            .Key("total")
+            .Integer(rays.Total)
+            .Key("map")
+            .Integer(rays.Map)
+            .Key("occlusion")
+            .Integer(rays.Occlusion)
+            .Key("faces")
+            .Integer(rays.Faces)
+            .Key("ignoreRegions")
+            .Integer(rays.IgnoreRegions)
+            .Key("lanes")
+            .Integer(rays.Lanes)
+            .Key("joints")
+            .Integer(rays.Joints);
         foreach (string key in FrameChannels.All.Select(channel => channel.RaysKey).OfType<string>().Where(key => rays.Of(key) > 0))
         {
             json.Key(key).Integer(rays.Of(key));
@@ -177,16 +208,21 @@ public static class JsonLabelWriter
     private static void Append(JsonText json, EgoLabel ego)
     {
         json.BeginObject()
-            .Key("position").Vector(ego.Position, LabelDecimals.Metres)
-            .Key("headingDegrees").Number(RoundedHeading(ego.HeadingDegrees), LabelDecimals.Degrees);
+            .Key("position")
+            .Vector(ego.Position, LabelDecimals.Metres)
+            .Key("headingDegrees")
+            .Number(RoundedHeading(ego.HeadingDegrees), LabelDecimals.Degrees);
         if (ego.Axes is { } axes)
         {
             Append(json, axes);
         }
 
-        json.Key("heightAboveGroundMetres").Number(ego.HeightAboveGroundMetres, LabelDecimals.Metres)
-            .Key("velocity").Vector(ego.Velocity, LabelDecimals.Speed)
-            .Key("model").String(ego.Model);
+        json.Key("heightAboveGroundMetres")
+            .Number(ego.HeightAboveGroundMetres, LabelDecimals.Metres)
+            .Key("velocity")
+            .Vector(ego.Velocity, LabelDecimals.Speed)
+            .Key("model")
+            .String(ego.Model);
         if (ego.Motion is { } motion)
         {
             EgoMotionJson.Append(json, motion);
@@ -204,28 +240,40 @@ public static class JsonLabelWriter
 
     private static void Append(JsonText json, EnvironmentState environment) =>
         json.BeginObject()
-            .Key("weather").String(environment.Weather)
-            .Key("timeOfDay").String(environment.TimeOfDay.ToString("hh\\:mm\\:ss", CultureInfo.InvariantCulture))
+            .Key("weather")
+            .String(environment.Weather)
+            .Key("timeOfDay")
+            .String(environment.TimeOfDay.ToString("hh\\:mm\\:ss", CultureInfo.InvariantCulture))
             .EndObject();
 
     private static void Append(JsonText json, ObjectLabel label)
     {
         json.BeginObject()
-            .Key("id").Integer(label.Id)
-            .Key("class").String(JsonName.Of(label.Class))
-            .Key("model").String(label.Model)
-            .Key("name").String(label.Name)
-            .Key("parent").Integer(label.Parent)
-            .Key("knownParts").Integer(label.KnownParts)
-            .Key("hasRider").Boolean(label.HasRider);
+            .Key("id")
+            .Integer(label.Id)
+            .Key("class")
+            .String(JsonName.Of(label.Class))
+            .Key("model")
+            .String(label.Model)
+            .Key("name")
+            .String(label.Name)
+            .Key("parent")
+            .Integer(label.Parent)
+            .Key("knownParts")
+            .Integer(label.KnownParts)
+            .Key("hasRider")
+            .Boolean(label.HasRider);
         if (label.Class == ObjectClass.Rider)
         {
             json.Key("vehicle").Integer(label.Vehicle);
         }
 
-        json.Key("box2d").Box(label.Box2D, LabelDecimals.Pixels)
-            .Key("box2dAmodal").Box(label.Box2DAmodal, LabelDecimals.Pixels)
-            .Key("box2dVisible").Box(label.Box2DVisible, LabelDecimals.Pixels);
+        json.Key("box2d")
+            .Box(label.Box2D, LabelDecimals.Pixels)
+            .Key("box2dAmodal")
+            .Box(label.Box2DAmodal, LabelDecimals.Pixels)
+            .Key("box2dVisible")
+            .Box(label.Box2DVisible, LabelDecimals.Pixels);
         if (label.Box2DWhole is { } whole)
         {
             json.Key("box2dWhole").Box(whole, LabelDecimals.Pixels);
@@ -238,18 +286,24 @@ public static class JsonLabelWriter
         }
 
         json.EndArray()
-            .Key("truncatedFraction").Number(label.TruncatedFraction, LabelDecimals.Fraction)
-            .Key("occludedFraction").Number(label.OccludedFraction, LabelDecimals.Fraction)
-            .Key("occlusionMethod").String(JsonName.Of(label.OcclusionMethod))
-            .Key("visibleFraction").Number(label.VisibleFraction, LabelDecimals.Fraction);
+            .Key("truncatedFraction")
+            .Number(label.TruncatedFraction, LabelDecimals.Fraction)
+            .Key("occludedFraction")
+            .Number(label.OccludedFraction, LabelDecimals.Fraction)
+            .Key("occlusionMethod")
+            .String(JsonName.Of(label.OcclusionMethod))
+            .Key("visibleFraction")
+            .Number(label.VisibleFraction, LabelDecimals.Fraction);
         if (label.TrueOccludedFraction is { } hidden)
         {
             json.Key("trueOccludedFraction").Number(hidden, LabelDecimals.Fraction);
         }
 
         Append(json.Key("box3d"), label.Box3D);
-        json.Key("distanceMetres").Number(label.DistanceMetres, LabelDecimals.Metres)
-            .Key("velocity").Vector(label.Velocity, LabelDecimals.Speed);
+        json.Key("distanceMetres")
+            .Number(label.DistanceMetres, LabelDecimals.Metres)
+            .Key("velocity")
+            .Vector(label.Velocity, LabelDecimals.Speed);
         if (label.AmodalMask is { } amodal)
         {
             Append(json.Key("amodalMask"), amodal);
@@ -267,10 +321,14 @@ public static class JsonLabelWriter
 
     private static void Append(JsonText json, IgnoreRegion region) =>
         json.BeginObject()
-            .Key("reason").String(JsonName.Of(region.Reason))
-            .Key("class").String(JsonName.Of(region.Class))
-            .Key("box2d").Box(region.Box2D, LabelDecimals.Pixels)
-            .Key("distanceMetres").Number(region.DistanceMetres, LabelDecimals.Metres)
+            .Key("reason")
+            .String(JsonName.Of(region.Reason))
+            .Key("class")
+            .String(JsonName.Of(region.Class))
+            .Key("box2d")
+            .Box(region.Box2D, LabelDecimals.Pixels)
+            .Key("distanceMetres")
+            .Number(region.DistanceMetres, LabelDecimals.Metres)
             .EndObject();
 
     private static void Append(JsonText json, FaceLabel? face)
@@ -282,18 +340,26 @@ public static class JsonLabelWriter
         }
 
         json.BeginObject()
-            .Key("face").Integer(face.Number)
-            .Key("mutcd").String(face.MutcdCode)
-            .Key("facesCamera").Boolean(face.FacesCamera)
-            .Key("facingAngleDegrees").Number(face.FacingAngleDegrees, LabelDecimals.Degrees)
-            .Key("provenance").String(JsonName.Of(face.Provenance));
+            .Key("face")
+            .Integer(face.Number)
+            .Key("mutcd")
+            .String(face.MutcdCode)
+            .Key("facesCamera")
+            .Boolean(face.FacesCamera)
+            .Key("facingAngleDegrees")
+            .Number(face.FacingAngleDegrees, LabelDecimals.Degrees)
+            .Key("provenance")
+            .String(JsonName.Of(face.Provenance));
         json.Key("light");
         if (face.Light is { } light)
         {
             json.BeginObject()
-                .Key("state").String(JsonName.Of(light.State))
-                .Key("method").String(JsonName.Of(light.Method))
-                .Key("litFraction").Number(light.LitFraction, LabelDecimals.Fraction)
+                .Key("state")
+                .String(JsonName.Of(light.State))
+                .Key("method")
+                .String(JsonName.Of(light.Method))
+                .Key("litFraction")
+                .Number(light.LitFraction, LabelDecimals.Fraction)
                 .EndObject();
         }
         else
@@ -307,14 +373,19 @@ public static class JsonLabelWriter
     private static void Append(JsonText json, Cuboid cuboid)
     {
         json.BeginObject()
-            .Key("centre").Vector(cuboid.Centre, LabelDecimals.Metres)
-            .Key("halfExtents").Vector(cuboid.HalfExtents, LabelDecimals.Metres);
+            .Key("centre")
+            .Vector(cuboid.Centre, LabelDecimals.Metres)
+            .Key("halfExtents")
+            .Vector(cuboid.HalfExtents, LabelDecimals.Metres);
         Append(json, cuboid.Axes);
         json.EndObject();
     }
 
     private static void Append(JsonText json, Axes axes) =>
-        json.Key("right").Vector(axes.Right, LabelDecimals.Axis)
-            .Key("forward").Vector(axes.Forward, LabelDecimals.Axis)
-            .Key("up").Vector(axes.Up, LabelDecimals.Axis);
+        json.Key("right")
+            .Vector(axes.Right, LabelDecimals.Axis)
+            .Key("forward")
+            .Vector(axes.Forward, LabelDecimals.Axis)
+            .Key("up")
+            .Vector(axes.Up, LabelDecimals.Axis);
 }

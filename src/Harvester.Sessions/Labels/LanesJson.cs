@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Text;
 
@@ -14,18 +12,30 @@ internal static class LanesJson
     public static void Append(JsonText json, LanesLabel lanes)
     {
         json.BeginObject()
-            .Key("status").String(JsonName.Of(lanes.Status))
-            .Key("source").String(lanes.Source)
-            .Key("confidence").Number(lanes.Confidence, LabelDecimals.Fraction)
-            .Key("inJunction").Boolean(lanes.InJunction)
-            .Key("laneCount").Integer(lanes.LaneCount)
-            .Key("lane").Integer(lanes.Lane)
-            .Key("laneWidthMetres").Number(lanes.LaneWidthMetres, LabelDecimals.Metres)
-            .Key("laneWidthSource").String(lanes.LaneWidthSource is { } source ? JsonName.Of(source) : null)
-            .Key("offsetFromLaneCentreMetres").Number(lanes.OffsetFromLaneCentreMetres, LabelDecimals.Metres)
-            .Key("lookAheadMetres").Number(lanes.LookAheadMetres, LabelDecimals.Metres)
-            .Key("curvaturePerMetre").Number(lanes.CurvaturePerMetre, CurvatureDecimals)
-            .Key("fast").Boolean(lanes.IsFast);
+            .Key("status")
+            .String(JsonName.Of(lanes.Status))
+            .Key("source")
+            .String(lanes.Source)
+            .Key("confidence")
+            .Number(lanes.Confidence, LabelDecimals.Fraction)
+            .Key("inJunction")
+            .Boolean(lanes.InJunction)
+            .Key("laneCount")
+            .Integer(lanes.LaneCount)
+            .Key("lane")
+            .Integer(lanes.Lane)
+            .Key("laneWidthMetres")
+            .Number(lanes.LaneWidthMetres, LabelDecimals.Metres)
+            .Key("laneWidthSource")
+            .String(lanes.LaneWidthSource is { } source ? JsonName.Of(source) : null)
+            .Key("offsetFromLaneCentreMetres")
+            .Number(lanes.OffsetFromLaneCentreMetres, LabelDecimals.Metres)
+            .Key("lookAheadMetres")
+            .Number(lanes.LookAheadMetres, LabelDecimals.Metres)
+            .Key("curvaturePerMetre")
+            .Number(lanes.CurvaturePerMetre, CurvatureDecimals)
+            .Key("fast")
+            .Boolean(lanes.IsFast);
         AppendValues(json.Key("indicators"), lanes.Indicators);
         AppendFlags(json.Key("valid"), lanes.Indicators);
         AppendValues(json.Key("torcsEquivalent"), lanes.TorcsEquivalent);
@@ -76,11 +86,16 @@ internal static class LanesJson
         foreach (VehicleInLane vehicle in vehicles)
         {
             json.BeginObject()
-                .Key("id").Integer(vehicle.Id)
-                .Key("lane").Integer(vehicle.Lane)
-                .Key("oncoming").Boolean(vehicle.IsOncoming)
-                .Key("distanceMetres").Number(vehicle.DistanceMetres, LabelDecimals.Metres)
-                .Key("bumperDistanceMetres").Number(vehicle.BumperDistanceMetres, LabelDecimals.Metres)
+                .Key("id")
+                .Integer(vehicle.Id)
+                .Key("lane")
+                .Integer(vehicle.Lane)
+                .Key("oncoming")
+                .Boolean(vehicle.IsOncoming)
+                .Key("distanceMetres")
+                .Number(vehicle.DistanceMetres, LabelDecimals.Metres)
+                .Key("bumperDistanceMetres")
+                .Number(vehicle.BumperDistanceMetres, LabelDecimals.Metres)
                 .EndObject();
         }
 
@@ -92,21 +107,26 @@ internal static class LanesJson
         json.BeginArray();
         foreach (LaneLineView line in lines)
         {
-            json.BeginObject()
-                .Key("index").Integer(line.Index)
-                .Key("side").String(line.IsLeftOfCar ? "left" : "right");
+            json.BeginObject().Key("index").Integer(line.Index).Key("side").String(line.IsLeftOfCar ? "left" : "right");
             if (line.Paint is { } paint)
             {
-                json.Key("style").String(JsonName.Of(paint.Style))
-                    .Key("colour").String(JsonName.Of(paint.Colour))
-                    .Key("widthMetres").Number(paint.WidthMetres, LabelDecimals.Metres);
+                json.Key("style")
+                    .String(JsonName.Of(paint.Style))
+                    .Key("colour")
+                    .String(JsonName.Of(paint.Colour))
+                    .Key("widthMetres")
+                    .Number(paint.WidthMetres, LabelDecimals.Metres);
                 AppendEach(json.Key("painted"), line, point => json.Boolean(point.IsPainted));
             }
 
             AppendEach(json.Key("points"), line, point => json.Vector(point.World, LabelDecimals.Metres));
             AppendEach(json.Key("inCamera"), line, point => json.Vector(point.InCamera, LabelDecimals.Metres));
-            AppendEach(json.Key("pixels"), line, point =>
-                json.BeginArray().Number(point.Pixel.X, LabelDecimals.Pixels).Number(point.Pixel.Y, LabelDecimals.Pixels).EndArray());
+            AppendEach(
+                json.Key("pixels"),
+                line,
+                point =>
+                    json.BeginArray().Number(point.Pixel.X, LabelDecimals.Pixels).Number(point.Pixel.Y, LabelDecimals.Pixels).EndArray()
+            );
             AppendEach(json.Key("hidden"), line, point => json.Boolean(point.IsHidden));
             json.EndObject();
         }

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 
@@ -73,7 +71,11 @@ public sealed record LanesLabel
     /// <param name="boundaries">The boundaries of the lanes in the image; empty if there is no image.</param>
     /// <param name="markings">The painted markings in the image; null if the paint is unknown.</param>
     public static LanesLabel Of(
-        LaneObservation seen, string source, IReadOnlyList<LaneLineView> boundaries, IReadOnlyList<LaneLineView>? markings)
+        LaneObservation seen,
+        string source,
+        IReadOnlyList<LaneLineView> boundaries,
+        IReadOnlyList<LaneLineView>? markings
+    )
     {
         if (seen is null)
         {
@@ -97,7 +99,8 @@ public sealed record LanesLabel
             IsFast = seen.IsFast,
             Indicators = seen.Indicators,
             TorcsEquivalent = seen.Section is { } section
-                ? Geometry.Lanes.TorcsEquivalent.Of(seen.Indicators, section, seen.IndicatorsAtCar.Angle) : LaneIndicators.Unknown,
+                ? Geometry.Lanes.TorcsEquivalent.Of(seen.Indicators, section, seen.IndicatorsAtCar.Angle)
+                : LaneIndicators.Unknown,
             IndicatorsAtCar = seen.IndicatorsAtCar,
             Vehicles = seen.Vehicles,
             Boundaries = boundaries,

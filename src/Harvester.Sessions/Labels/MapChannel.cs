@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Semantics;
 using Harvester.Sessions.Text;
@@ -49,9 +48,12 @@ public sealed class MapChannel(string key, string fileKind, int bitsPerPixel, Ch
     {
         var map = (MapLabel)label;
         json.BeginObject()
-            .Key("file").String(map.File)
-            .Key("method").String(JsonName.Of(map.Method))
-            .Key("raysCast").Integer(map.RaysCast)
+            .Key("file")
+            .String(map.File)
+            .Key("method")
+            .String(JsonName.Of(map.Method))
+            .Key("raysCast")
+            .Integer(map.RaysCast)
             .EndObject();
     }
 }

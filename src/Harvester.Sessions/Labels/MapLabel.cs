@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Sessions.Semantics;
 
 namespace Harvester.Sessions.Labels;

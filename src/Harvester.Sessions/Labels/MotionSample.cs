@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 
@@ -12,7 +11,13 @@ namespace Harvester.Sessions.Labels;
 /// <param name="Velocity">Metres per second, world.</param>
 /// <param name="Motion">How it moves and its controls; null if unknown. The manoeuvre is not recorded.</param>
 public sealed record MotionSample(
-    double TimeSeconds, Vector3D Position, Vector3D Right, Vector3D Forward, Vector3D Velocity, EgoMotion? Motion)
+    double TimeSeconds,
+    Vector3D Position,
+    Vector3D Right,
+    Vector3D Forward,
+    Vector3D Velocity,
+    EgoMotion? Motion
+)
 {
     /// <summary>Position and orientation of the body.</summary>
     /// <exception cref="ArgumentException">The directions are no unit vectors at right angles.</exception>
@@ -20,7 +25,8 @@ public sealed record MotionSample(
 
     /// <summary>The sample of a vehicle.</summary>
     /// <exception cref="ArgumentNullException"><paramref name="ego"/> is null.</exception>
-    public static MotionSample Of(double timeSeconds, EgoState ego) => ego is null ? throw new ArgumentNullException(nameof(ego))
-        : new MotionSample(
-            timeSeconds, ego.Pose.Position, ego.Pose.Axes.Right, ego.Pose.Axes.Forward, ego.Velocity, ego.Motion);
+    public static MotionSample Of(double timeSeconds, EgoState ego) =>
+        ego is null
+            ? throw new ArgumentNullException(nameof(ego))
+            : new MotionSample(timeSeconds, ego.Pose.Position, ego.Pose.Axes.Right, ego.Pose.Axes.Forward, ego.Velocity, ego.Motion);
 }

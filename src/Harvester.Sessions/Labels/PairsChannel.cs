@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Text;
 
@@ -34,10 +31,14 @@ public sealed class PairsChannel : FrameChannel
         foreach (PairLabel pair in ((PairsLabel)label).Pairs)
         {
             json.BeginObject()
-                .Key("file").String(pair.File)
-                .Key("weather").String(pair.Weather)
-                .Key("timeOfDay").String(pair.TimeOfDay.ToString(TimeFormat, CultureInfo.InvariantCulture))
-                .Key("without").BeginArray();
+                .Key("file")
+                .String(pair.File)
+                .Key("weather")
+                .String(pair.Weather)
+                .Key("timeOfDay")
+                .String(pair.TimeOfDay.ToString(TimeFormat, CultureInfo.InvariantCulture))
+                .Key("without")
+                .BeginArray();
             foreach (int id in pair.Without)
             {
                 json.Integer(id);
@@ -59,7 +60,8 @@ public sealed class PairsChannel : FrameChannel
     {
         string weather = pair.Text("weather");
         string text = pair.Text("timeOfDay");
-        TimeSpan time = TimeSpan.TryParseExact(text, TimeFormat, CultureInfo.InvariantCulture, out TimeSpan read) ? read
+        TimeSpan time = TimeSpan.TryParseExact(text, TimeFormat, CultureInfo.InvariantCulture, out TimeSpan read)
+            ? read
             : throw pair.Refusal($"timeOfDay of pairs must be a time such as 13:05:00, not \"{text}\".");
         string? file = pair.Has("file") ? PictureName(pair, "file") : null;
         PairDrop? dropped = pair.Has("dropped") ? pair.Name<PairDrop>("dropped") : null;
@@ -69,6 +71,7 @@ public sealed class PairsChannel : FrameChannel
     }
 
     private static int ReadId(IJsonFields pair, double number) =>
-        number is >= 1 and <= ushort.MaxValue && number == Math.Floor(number) ? (int)number
+        number is >= 1 and <= ushort.MaxValue && number == Math.Floor(number)
+            ? (int)number
             : throw pair.Refusal($"without of pairs must hold ids from 1 to {ushort.MaxValue}.");
 }

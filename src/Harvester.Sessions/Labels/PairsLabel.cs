@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Sessions.Labels;
 
 /// <summary>The further pictures of a frame's moment.</summary>

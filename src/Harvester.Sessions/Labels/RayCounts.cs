@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Sessions.Labels;
 
 /// <summary>The rays used for the labels of a frame, by purpose.</summary>

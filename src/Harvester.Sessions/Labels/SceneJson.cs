@@ -13,37 +13,54 @@ internal static class SceneJson
         var json = new JsonText();
         json.BeginObject().Key("camera").BeginObject();
         Append(json, snapshot.Camera.Pose)
-            .Key("verticalFovDegrees").Exact(snapshot.Camera.VerticalFovDegrees)
-            .Key("nearClip").Exact(snapshot.Camera.NearClip)
-            .Key("windowAspect").Exact(snapshot.Camera.WindowAspect)
+            .Key("verticalFovDegrees")
+            .Exact(snapshot.Camera.VerticalFovDegrees)
+            .Key("nearClip")
+            .Exact(snapshot.Camera.NearClip)
+            .Key("windowAspect")
+            .Exact(snapshot.Camera.WindowAspect)
             .EndObject()
-            .Key("lens").BeginObject()
-            .Key("focalScale").Exact(scene.Lens.FocalScale)
-            .Key("centreOffsetX").Exact(scene.Lens.CentreOffsetX)
-            .Key("centreOffsetY").Exact(scene.Lens.CentreOffsetY)
-            .Key("k1").Exact(scene.Lens.K1)
-            .Key("k2").Exact(scene.Lens.K2)
+            .Key("lens")
+            .BeginObject()
+            .Key("focalScale")
+            .Exact(scene.Lens.FocalScale)
+            .Key("centreOffsetX")
+            .Exact(scene.Lens.CentreOffsetX)
+            .Key("centreOffsetY")
+            .Exact(scene.Lens.CentreOffsetY)
+            .Key("k1")
+            .Exact(scene.Lens.K1)
+            .Key("k2")
+            .Exact(scene.Lens.K2)
             .EndObject()
-            .Key("ego").BeginObject()
-            .Key("handle").Integer(snapshot.Ego.Handle)
-            .Key("model").String(snapshot.Ego.Model);
+            .Key("ego")
+            .BeginObject()
+            .Key("handle")
+            .Integer(snapshot.Ego.Handle)
+            .Key("model")
+            .String(snapshot.Ego.Model);
         Append(json, snapshot.Ego.Pose)
-            .Key("modelMin").Exact(snapshot.Ego.ModelMin)
-            .Key("modelMax").Exact(snapshot.Ego.ModelMax)
-            .Key("heightAboveGround").Exact(snapshot.Ego.HeightAboveGroundMetres)
-            .Key("velocity").Exact(snapshot.Ego.Velocity);
+            .Key("modelMin")
+            .Exact(snapshot.Ego.ModelMin)
+            .Key("modelMax")
+            .Exact(snapshot.Ego.ModelMax)
+            .Key("heightAboveGround")
+            .Exact(snapshot.Ego.HeightAboveGroundMetres)
+            .Key("velocity")
+            .Exact(snapshot.Ego.Velocity);
         if (snapshot.Ego.Motion is { } motion)
         {
             EgoMotionJson.AppendExact(json, motion);
         }
 
-        json.EndObject()
-            .Key("entities").BeginArray();
+        json.EndObject().Key("entities").BeginArray();
         foreach (EntityState entity in snapshot.Entities)
         {
             json.BeginObject()
-                .Key("handle").Integer(entity.Handle)
-                .Key("id").Integer(scene.Ids.TryGetValue(entity.Handle, out int id) ? id : null);
+                .Key("handle")
+                .Integer(entity.Handle)
+                .Key("id")
+                .Integer(scene.Ids.TryGetValue(entity.Handle, out int id) ? id : null);
             Append(json, entity).EndObject();
         }
 
@@ -51,13 +68,20 @@ internal static class SceneJson
         foreach (RecordedOcclusion found in scene.Occlusions)
         {
             json.BeginObject()
-                .Key("handle").Integer(found.Handle)
-                .Key("face").Integer(found.Face)
-                .Key("id").Integer(found.Id)
-                .Key("sight").String(JsonName.Of(found.Sight))
-                .Key("method").String(JsonName.Of(found.Method))
-                .Key("occludedFraction").Exact(found.OccludedFraction)
-                .Key("setLight").String(found.SetLight is { } state ? JsonName.Of(state) : null)
+                .Key("handle")
+                .Integer(found.Handle)
+                .Key("face")
+                .Integer(found.Face)
+                .Key("id")
+                .Integer(found.Id)
+                .Key("sight")
+                .String(JsonName.Of(found.Sight))
+                .Key("method")
+                .String(JsonName.Of(found.Method))
+                .Key("occludedFraction")
+                .Exact(found.OccludedFraction)
+                .Key("setLight")
+                .String(found.SetLight is { } state ? JsonName.Of(state) : null)
                 .EndObject();
         }
 
@@ -85,19 +109,26 @@ internal static class SceneJson
         }
 
         VehicleLightsJson.Append(json, entity.Lights);
-        json.Key("class").String(JsonName.Of(entity.Class))
-            .Key("model").String(entity.Model);
+        json.Key("class").String(JsonName.Of(entity.Class)).Key("model").String(entity.Model);
         Append(json, entity.Pose)
-            .Key("modelMin").Exact(entity.ModelMin)
-            .Key("modelMax").Exact(entity.ModelMax)
-            .Key("velocity").Exact(entity.Velocity)
-            .Key("hasRider").Boolean(entity.HasRider);
+            .Key("modelMin")
+            .Exact(entity.ModelMin)
+            .Key("modelMax")
+            .Exact(entity.ModelMax)
+            .Key("velocity")
+            .Exact(entity.Velocity)
+            .Key("hasRider")
+            .Boolean(entity.HasRider);
         return entity.VehicleHandle is { } vehicle ? json.Key("vehicle").Integer(vehicle) : json;
     }
 
     private static JsonText Append(JsonText json, Pose pose) =>
-        json.Key("position").Exact(pose.Position)
-            .Key("right").Exact(pose.Axes.Right)
-            .Key("forward").Exact(pose.Axes.Forward)
-            .Key("up").Exact(pose.Axes.Up);
+        json.Key("position")
+            .Exact(pose.Position)
+            .Key("right")
+            .Exact(pose.Axes.Right)
+            .Key("forward")
+            .Exact(pose.Axes.Forward)
+            .Key("up")
+            .Exact(pose.Axes.Up);
 }

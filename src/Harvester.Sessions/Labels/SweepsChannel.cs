@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Text;
 
@@ -30,16 +28,20 @@ public sealed class SweepsChannel : FrameChannel
         foreach (SweepLabel sweep in ((SweepsLabel)label).Sweeps)
         {
             json.BeginObject()
-                .Key("sensor").String(sweep.Sensor)
-                .Key("file").String(sweep.File)
-                .Key("points").Integer(sweep.Points)
-                .Key("raysCast").Integer(sweep.RaysCast)
+                .Key("sensor")
+                .String(sweep.Sensor)
+                .Key("file")
+                .String(sweep.File)
+                .Key("points")
+                .Integer(sweep.Points)
+                .Key("raysCast")
+                .Integer(sweep.RaysCast)
                 .EndObject();
         }
 
         json.EndArray();
     }
 
-    private static SweepLabel ReadSweep(IJsonFields sweep) => new(
-        sweep.Text("sensor"), FileNames.Sweep(sweep, "file"), sweep.Integer("points"), sweep.Integer("raysCast"));
+    private static SweepLabel ReadSweep(IJsonFields sweep) =>
+        new(sweep.Text("sensor"), FileNames.Sweep(sweep, "file"), sweep.Integer("points"), sweep.Integer("raysCast"));
 }

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Sessions.Labels;
 
 /// <summary>What the LiDARs of a rig saw at a moment.</summary>

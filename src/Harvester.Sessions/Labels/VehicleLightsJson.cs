@@ -11,11 +11,16 @@ internal static class VehicleLightsJson
     {
         if (lights is { } known)
         {
-            json.Key("lights").BeginObject()
-                .Key("brake").Boolean(known.Brake)
-                .Key("left").Boolean(known.Left)
-                .Key("right").Boolean(known.Right)
-                .Key("head").Boolean(known.Head)
+            json.Key("lights")
+                .BeginObject()
+                .Key("brake")
+                .Boolean(known.Brake)
+                .Key("left")
+                .Boolean(known.Left)
+                .Key("right")
+                .Boolean(known.Right)
+                .Key("head")
+                .Boolean(known.Head)
                 .EndObject();
         }
     }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using Harvester.Sessions.Semantics;
 
 namespace Harvester.Sessions.Lidar;
@@ -46,8 +43,9 @@ public static class LidarFile
         _ = content ?? throw new ArgumentNullException(nameof(content));
         if (content.Length % BytesPerPoint != 0)
         {
-            throw new FormatException(FormattableString.Invariant(
-                $"it has {content.Length} bytes, which is no multiple of the {BytesPerPoint} of a point."));
+            throw new FormatException(
+                FormattableString.Invariant($"it has {content.Length} bytes, which is no multiple of the {BytesPerPoint} of a point.")
+            );
         }
 
         using var reader = new BinaryReader(new MemoryStream(content));
@@ -55,8 +53,15 @@ public static class LidarFile
         for (int i = 0; i < points.Length; i++)
         {
             var point = new LidarPoint(
-                reader.ReadSingle(), reader.ReadSingle(), reader.ReadSingle(), reader.ReadSingle(), reader.ReadUInt16(),
-                reader.ReadUInt16(), reader.ReadUInt16(), (SemanticClass)reader.ReadByte());
+                reader.ReadSingle(),
+                reader.ReadSingle(),
+                reader.ReadSingle(),
+                reader.ReadSingle(),
+                reader.ReadUInt16(),
+                reader.ReadUInt16(),
+                reader.ReadUInt16(),
+                (SemanticClass)reader.ReadByte()
+            );
             byte flags = reader.ReadByte();
             points[i] = point with { IsInterpolated = (flags & Interpolated) != 0 };
             if (Problem(point, flags) is { } problem)
@@ -70,10 +75,10 @@ public static class LidarFile
 
     private static string? Problem(LidarPoint point, byte flags) =>
         !IsFinite(point.X) || !IsFinite(point.Y) || !IsFinite(point.Z) ? "has no finite position."
-            : !(point.Intensity >= 0 && point.Intensity <= 1) ? "has an intensity outside 0 to 1."
-            : (int)point.Class > SemanticClasses.Greatest ? "has an unknown class."
-            : flags > Interpolated ? "has unknown flags."
-            : null;
+        : !(point.Intensity >= 0 && point.Intensity <= 1) ? "has an intensity outside 0 to 1."
+        : (int)point.Class > SemanticClasses.Greatest ? "has an unknown class."
+        : flags > Interpolated ? "has unknown flags."
+        : null;
 
     private static bool IsFinite(float value) => !float.IsNaN(value) && !float.IsInfinity(value);
 }

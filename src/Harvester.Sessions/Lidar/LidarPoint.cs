@@ -12,7 +12,15 @@ namespace Harvester.Sessions.Lidar;
 /// <param name="ObjectId">Id of the object that was hit; 0 for everything that has none.</param>
 /// <param name="Class">What was hit.</param>
 public readonly record struct LidarPoint(
-    float X, float Y, float Z, float Intensity, ushort Column, ushort Beam, ushort ObjectId, SemanticClass Class)
+    float X,
+    float Y,
+    float Z,
+    float Intensity,
+    ushort Column,
+    ushort Beam,
+    ushort ObjectId,
+    SemanticClass Class
+)
 {
     /// <summary>Whether no ray of its own measured the point.</summary>
     public bool IsInterpolated { get; init; }

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Sessions.Lidar;
 
 /// <summary>The points of one turn of a LiDAR, all of the same moment.</summary>

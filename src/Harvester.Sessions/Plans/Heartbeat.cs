@@ -1,4 +1,3 @@
-using System;
 using System.Globalization;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Text;
@@ -15,16 +14,24 @@ namespace Harvester.Sessions.Plans;
 public sealed record Heartbeat(int Process, DateTime Utc, HeartbeatState State, string Plan, string? Trial, int Frames)
 {
     /// <summary>Name of the file of a whole run or of a shard, in the folder of the plan's output.</summary>
-    public static string FileNameOf(Shard shard) => shard.Count == 1 ? "heartbeat.json"
-        : FormattableString.Invariant($"heartbeat-{shard.Number}-of-{shard.Count}.json");
+    public static string FileNameOf(Shard shard) =>
+        shard.Count == 1 ? "heartbeat.json" : FormattableString.Invariant($"heartbeat-{shard.Number}-of-{shard.Count}.json");
 
     /// <summary>The content of the file.</summary>
-    public string ToJson() => new JsonText().BeginObject()
-        .Key("process").Integer(Process)
-        .Key("time").String(Utc.ToString("yyyy-MM-ddTHH:mm:ss.fffZ", CultureInfo.InvariantCulture))
-        .Key("state").String(JsonName.Of(State))
-        .Key("plan").String(Plan)
-        .Key("trial").String(Trial)
-        .Key("frames").Integer(Frames)
-        .EndObject() + "\n";
+    public string ToJson() =>
+        new JsonText()
+            .BeginObject()
+            .Key("process")
+            .Integer(Process)
+            .Key("time")
+            .String(Utc.ToString("yyyy-MM-ddTHH:mm:ss.fffZ", CultureInfo.InvariantCulture))
+            .Key("state")
+            .String(JsonName.Of(State))
+            .Key("plan")
+            .String(Plan)
+            .Key("trial")
+            .String(Trial)
+            .Key("frames")
+            .Integer(Frames)
+            .EndObject() + "\n";
 }

@@ -1,7 +1,4 @@
-using System;
 using System.Diagnostics;
-using System.IO;
-using System.Threading.Tasks;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Sessions.Plans;
@@ -49,23 +46,26 @@ public sealed class HeartbeatFile(string folder, string plan, Shard shard)
     private void Write(HeartbeatState state, string? trial, int frames)
     {
         string text = new Heartbeat(_process, DateTime.UtcNow, state, plan, trial, frames).ToJson();
-        _writing = _writing.ContinueWith(_ =>
-        {
-            try
+        _writing = _writing.ContinueWith(
+            _ =>
             {
-                if (!_isClean)
+                try
                 {
-                    // What a program left that was stopped while it wrote.
-                    AtomicFile.DeleteLeftovers(folder, name => name == _name);
-                    _isClean = true;
-                }
+                    if (!_isClean)
+                    {
+                        // What a program left that was stopped while it wrote.
+                        AtomicFile.DeleteLeftovers(folder, name => name == _name);
+                        _isClean = true;
+                    }
 
-                AtomicFile.Write(Path.Combine(folder, _name), text, isDurable: false);
-            }
-            catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-            {
-                return;
-            }
-        }, TaskScheduler.Default);
+                    AtomicFile.Write(Path.Combine(folder, _name), text, isDurable: false);
+                }
+                catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+                {
+                    return;
+                }
+            },
+            TaskScheduler.Default
+        );
     }
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Sessions.Plans;
 
 /// <summary>The trials of an experiment, as a plan file describes them. File format: docs/plans.md.</summary>
@@ -45,6 +42,8 @@ public sealed record Plan(string Name, IReadOnlyList<PlanPlace> Places)
     public PlanMasks Masks { get; init; }
 
     /// <summary>Number of frames of a trial at a place, where its drive has a limit of time: fewer if the drive is shorter.</summary>
-    public int FramesAt(PlanPlace place) => (place ?? throw new ArgumentNullException(nameof(place))).Seconds is { } seconds
-        ? Math.Max(1, (int)Math.Min(Frames, Math.Floor(seconds * Hz))) : Frames;
+    public int FramesAt(PlanPlace place) =>
+        (place ?? throw new ArgumentNullException(nameof(place))).Seconds is { } seconds
+            ? Math.Max(1, (int)Math.Min(Frames, Math.Floor(seconds * Hz)))
+            : Frames;
 }

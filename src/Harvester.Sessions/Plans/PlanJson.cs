@@ -1,4 +1,3 @@
-using System;
 using System.Globalization;
 using Harvester.Geometry;
 using Harvester.Sessions.Text;
@@ -11,10 +10,14 @@ public static class PlanJson
     /// <summary>The text of the file.</summary>
     public static string Of(Plan plan)
     {
-        JsonText json = new JsonText(indented: true).BeginObject()
-            .Key("name").String((plan ?? throw new ArgumentNullException(nameof(plan))).Name)
-            .Key("seed").Integer(plan.Seed)
-            .Key("places").BeginArray();
+        JsonText json = new JsonText(indented: true)
+            .BeginObject()
+            .Key("name")
+            .String((plan ?? throw new ArgumentNullException(nameof(plan))).Name)
+            .Key("seed")
+            .Integer(plan.Seed)
+            .Key("places")
+            .BeginArray();
         foreach (PlanPlace place in plan.Places)
         {
             Append(json, place);
@@ -36,22 +39,35 @@ public static class PlanJson
         foreach (PlanCamera camera in plan.Cameras)
         {
             json.BeginObject().Key("name").String(camera.Name);
-            _ = camera.RigFile is { } rig ? json.Key("rig").String(rig)
-                : json.Key("width").Integer(camera.Image.Width).Key("height").Integer(camera.Image.Height)
-                    .Key("verticalFovDegrees").Exact(camera.VerticalFovDegrees);
+            _ = camera.RigFile is { } rig
+                ? json.Key("rig").String(rig)
+                : json.Key("width")
+                    .Integer(camera.Image.Width)
+                    .Key("height")
+                    .Integer(camera.Image.Height)
+                    .Key("verticalFovDegrees")
+                    .Exact(camera.VerticalFovDegrees);
             json.EndObject();
         }
 
         return json.EndArray()
-            .Key("repetitions").Integer(plan.Repetitions)
-            .Key("frames").Integer(plan.Frames)
-            .Key("hz").Exact(plan.Hz)
-            .Key("speed").Exact(plan.SpeedMetresPerSecond)
-            .Key("traffic").Exact(plan.Traffic)
-            .Key("pedestrians").Exact(plan.Pedestrians)
-            .Key("parked").Exact(plan.Parked)
-            .Key("masks").String(JsonName.Of(plan.Masks))
-            .EndObject() + "\n";
+                .Key("repetitions")
+                .Integer(plan.Repetitions)
+                .Key("frames")
+                .Integer(plan.Frames)
+                .Key("hz")
+                .Exact(plan.Hz)
+                .Key("speed")
+                .Exact(plan.SpeedMetresPerSecond)
+                .Key("traffic")
+                .Exact(plan.Traffic)
+                .Key("pedestrians")
+                .Exact(plan.Pedestrians)
+                .Key("parked")
+                .Exact(plan.Parked)
+                .Key("masks")
+                .String(JsonName.Of(plan.Masks))
+                .EndObject() + "\n";
     }
 
     private static void Append(JsonText json, PlanPlace place)

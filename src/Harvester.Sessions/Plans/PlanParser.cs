@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using System.Text.RegularExpressions;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Scenes;
@@ -73,12 +70,15 @@ public sealed class PlanParser
             _problems.Add("masks must be off or rays: with a rig, masks come from rays.");
         }
 
-        double trials = plan.Places.Sum(place => place.Spread ?? 1.0)
-            * plan.Weathers.Count * plan.Hours.Count * plan.Cameras.Count * plan.Repetitions;
+        double trials =
+            plan.Places.Sum(place => place.Spread ?? 1.0) * plan.Weathers.Count * plan.Hours.Count * plan.Cameras.Count * plan.Repetitions;
         if (trials > MaxTrials)
         {
-            _problems.Add(FormattableString.Invariant(
-                $"places, weathers, hours, cameras and repetitions give {trials} trials; at most {MaxTrials} are allowed."));
+            _problems.Add(
+                FormattableString.Invariant(
+                    $"places, weathers, hours, cameras and repetitions give {trials} trials; at most {MaxTrials} are allowed."
+                )
+            );
         }
 
         _problems.AddRange(_file.Unknown);
@@ -100,8 +100,12 @@ public sealed class PlanParser
         string[] kinds = [.. PlaceKinds.Where(place.Has)];
         if (kinds.Length != 1)
         {
-            throw place.Wrong("name", kinds.Length == 0 ? $"followed by a place: '{name}' needs x and y, space, spread or path"
-                : $"followed by one kind of place: '{name}' has {string.Join(" and ", kinds)}");
+            throw place.Wrong(
+                "name",
+                kinds.Length == 0
+                    ? $"followed by a place: '{name}' needs x and y, space, spread or path"
+                    : $"followed by one kind of place: '{name}' has {string.Join(" and ", kinds)}"
+            );
         }
 
         var made = new PlanPlace(name)
@@ -124,7 +128,10 @@ public sealed class PlanParser
             default:
                 Geometry.Vector2D[] path = place.Points("path", reach);
                 return path.Length is >= 2 and <= 100_000 && path.Zip(path.Skip(1), (a, b) => (b - a).Length).All(length => length > 0)
-                    ? made with { Path = path }
+                    ? made with
+                    {
+                        Path = path,
+                    }
                     : throw place.Wrong("path", "a list of 2 to 100000 points, each unlike the one before");
         }
     }
@@ -149,7 +156,8 @@ public sealed class PlanParser
         if (camera.Has("rig"))
         {
             string file = camera.Text("rig");
-            return FileForm.IsMatch(file) && !file.Split('/').Contains("..") ? new PlanCamera(name, new ImageSize(800, 600), 50, file)
+            return FileForm.IsMatch(file) && !file.Split('/').Contains("..")
+                ? new PlanCamera(name, new ImageSize(800, 600), 50, file)
                 : throw camera.Wrong("rig", "a path within the plan's folder, with forward slashes");
         }
 
@@ -157,7 +165,8 @@ public sealed class PlanParser
             name,
             new ImageSize(camera.Whole("width", MinSide, MaxSide, 800), camera.Whole("height", MinSide, MaxSide, 600)),
             camera.Number("verticalFovDegrees", 1, 130, 50),
-            null);
+            null
+        );
     }
 
     private string[] WeathersOf()
@@ -167,8 +176,9 @@ public sealed class PlanParser
         {
             if (!WeatherNames.IsKnown(weathers[i]))
             {
-                _problems.Add(FormattableString.Invariant(
-                    $"weathers[{i}] must be one of {string.Join(", ", WeatherNames.All)}, not '{weathers[i]}'."));
+                _problems.Add(
+                    FormattableString.Invariant($"weathers[{i}] must be one of {string.Join(", ", WeatherNames.All)}, not '{weathers[i]}'.")
+                );
             }
         }
 
@@ -194,13 +204,14 @@ public sealed class PlanParser
         return [.. hours];
     }
 
-    private PlanMasks MasksOf() => _file.Text("masks", "off") switch
-    {
-        "off" => PlanMasks.Off,
-        "rays" => PlanMasks.Rays,
-        "coded" => PlanMasks.Coded,
-        var other => throw _file.Wrong("masks", $"off, rays or coded, not '{other}'"),
-    };
+    private PlanMasks MasksOf() =>
+        _file.Text("masks", "off") switch
+        {
+            "off" => PlanMasks.Off,
+            "rays" => PlanMasks.Rays,
+            "coded" => PlanMasks.Coded,
+            var other => throw _file.Wrong("masks", $"off, rays or coded, not '{other}'"),
+        };
 
     /// <summary>Reads an object; null if it has a problem. Its unknown fields are known only if nothing else is wrong.</summary>
     private T? Whole<T>(JsonFields fields, Func<JsonFields, T> read)
@@ -242,13 +253,18 @@ public sealed class PlanParser
     }
 
     private void CheckNames(string list, IEnumerable<string> names) =>
-        _problems.AddRange(names.GroupBy(name => name, StringComparer.OrdinalIgnoreCase).Where(group => group.Count() > 1)
-            .Select(group => $"{list} must have names that all differ, in capitals or not; '{group.Key}' occurs twice."));
+        _problems.AddRange(
+            names
+                .GroupBy(name => name, StringComparer.OrdinalIgnoreCase)
+                .Where(group => group.Count() > 1)
+                .Select(group => $"{list} must have names that all differ, in capitals or not; '{group.Key}' occurs twice.")
+        );
 
     private static string NameOf(JsonFields named)
     {
         string name = named.Text("name");
-        return IsName(name) ? name
+        return IsName(name)
+            ? name
             : throw named.Wrong("name", $"1 to 30 letters, digits and -, beginning with a letter or digit, not '{name}'");
     }
 

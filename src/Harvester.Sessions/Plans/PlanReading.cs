@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Sessions.Plans;
 
 /// <summary>What was read from a plan file.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.Text;
 using Harvester.Sessions.Files;
 
@@ -21,8 +18,8 @@ public sealed class PlanStatus
     public IReadOnlyDictionary<string, TrialResult> Last => _last;
 
     /// <summary>Name of the file of a whole run or of a shard.</summary>
-    public static string FileNameOf(Shard shard) => shard.Count == 1 ? "plan-status.jsonl"
-        : FormattableString.Invariant($"plan-status-{shard.Number}-of-{shard.Count}.jsonl");
+    public static string FileNameOf(Shard shard) =>
+        shard.Count == 1 ? "plan-status.jsonl" : FormattableString.Invariant($"plan-status-{shard.Number}-of-{shard.Count}.jsonl");
 
     /// <summary>Opens the file of a folder; it need not exist.</summary>
     /// <param name="folder">The folder of the plan's output; it must exist.</param>
@@ -42,7 +39,9 @@ public sealed class PlanStatus
     }
 
     /// <summary>Number of the next attempt at a trial, from 1; null for a trial that needs none.</summary>
-    public int? NextAttempt(string trial) => !_last.TryGetValue(trial, out TrialResult? result) ? 1 : result.IsLast ? null
+    public int? NextAttempt(string trial) =>
+        !_last.TryGetValue(trial, out TrialResult? result) ? 1
+        : result.IsLast ? null
         : result.Attempt + 1;
 
     /// <summary>Adds a result; it is on the disk when this returns.</summary>

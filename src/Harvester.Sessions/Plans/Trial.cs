@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Sessions.Plans;
 
 /// <summary>One trial of a plan: one drive under one set of conditions, which becomes one session.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Sessions.Plans;
 
 /// <summary>The trials of a plan, in their order.</summary>
@@ -19,11 +15,11 @@ public static class TrialList
         return
         [
             .. from place in places
-               from weather in plan.Weathers
-               from hour in plan.Hours
-               from camera in plan.Cameras
-               from repetition in Enumerable.Range(1, plan.Repetitions)
-               select new Trial(place, weather, hour, camera, repetition),
+            from weather in plan.Weathers
+            from hour in plan.Hours
+            from camera in plan.Cameras
+            from repetition in Enumerable.Range(1, plan.Repetitions)
+            select new Trial(place, weather, hour, camera, repetition),
         ];
     }
 }

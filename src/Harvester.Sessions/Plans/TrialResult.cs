@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Sessions.Plans;
@@ -32,8 +30,16 @@ public sealed record TrialResult(string Trial, TrialState State, int Attempt, in
     /// <summary>The line of the file, without a line feed.</summary>
     public string ToJson()
     {
-        JsonText json = new JsonText().BeginObject().Key("trial").String(Trial).Key("state").String(JsonName.Of(State))
-            .Key("attempt").Integer(Attempt).Key("frames").Integer(Frames);
+        JsonText json = new JsonText()
+            .BeginObject()
+            .Key("trial")
+            .String(Trial)
+            .Key("state")
+            .String(JsonName.Of(State))
+            .Key("attempt")
+            .Integer(Attempt)
+            .Key("frames")
+            .Integer(Frames);
         return (Reason is null ? json : json.Key("reason").String(Reason)).EndObject().ToString();
     }
 
@@ -47,7 +53,8 @@ public sealed record TrialResult(string Trial, TrialState State, int Attempt, in
             States.TryGetValue(fields.Text("state"), out TrialState state) ? state : throw fields.Wrong("state", "done, failed or skipped"),
             fields.Whole("attempt", 1, MaxAttempts),
             fields.Whole("frames", 0, int.MaxValue),
-            fields.Has("reason") ? fields.Text("reason") : null);
+            fields.Has("reason") ? fields.Text("reason") : null
+        );
         fields.End();
         return read;
     }

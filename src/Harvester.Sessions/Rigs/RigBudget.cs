@@ -1,6 +1,3 @@
-using System;
-using System.Linq;
-
 namespace Harvester.Sessions.Rigs;
 
 /// <summary>Estimates how long a moment of a rig takes, so that an unreasonable rig is refused before a harvest begins.</summary>
@@ -54,13 +51,15 @@ public static class RigBudget
     public static string? ProblemOf(Rig rig, double secondsPerMoment)
     {
         _ = rig ?? throw new ArgumentNullException(nameof(rig));
-        return secondsPerMoment <= MaxSeconds ? null : FormattableString.Invariant(
-            $"A moment of the rig '{rig.Name}' takes about {secondsPerMoment:0} s; at most {MaxSeconds} s are allowed. ")
-            + "Give it fewer rays or smaller images.";
+        return secondsPerMoment <= MaxSeconds
+            ? null
+            : FormattableString.Invariant(
+                $"A moment of the rig '{rig.Name}' takes about {secondsPerMoment:0} s; at most {MaxSeconds} s are allowed. "
+            ) + "Give it fewer rays or smaller images.";
     }
 
-    private static double Pixels(Rig rig) => (rig ?? throw new ArgumentNullException(nameof(rig))).Cameras
-        .Sum(camera => (double)camera.Image.Width * camera.Image.Height);
+    private static double Pixels(Rig rig) =>
+        (rig ?? throw new ArgumentNullException(nameof(rig))).Cameras.Sum(camera => (double)camera.Image.Width * camera.Image.Height);
 
     private static double LidarRays(Rig rig) => rig.Lidars.Sum(lidar => lidar.RayFraction * lidar.Rays);
 }

@@ -17,17 +17,26 @@ internal static class RigJson
         {
             json.BeginObject().Key("name").String(camera.Name);
             Append(json, camera.Mount)
-                .Key("verticalFovDegrees").Exact(camera.VerticalFovDegrees)
-                .Key("width").Integer(camera.Image.Width)
-                .Key("height").Integer(camera.Image.Height);
+                .Key("verticalFovDegrees")
+                .Exact(camera.VerticalFovDegrees)
+                .Key("width")
+                .Integer(camera.Image.Width)
+                .Key("height")
+                .Integer(camera.Image.Height);
             if (camera.Lens != Lens.Ideal)
             {
-                json.Key("lens").BeginObject()
-                    .Key("focalScale").Exact(camera.Lens.FocalScale)
-                    .Key("centreOffsetX").Exact(camera.Lens.CentreOffsetX)
-                    .Key("centreOffsetY").Exact(camera.Lens.CentreOffsetY)
-                    .Key("k1").Exact(camera.Lens.K1)
-                    .Key("k2").Exact(camera.Lens.K2)
+                json.Key("lens")
+                    .BeginObject()
+                    .Key("focalScale")
+                    .Exact(camera.Lens.FocalScale)
+                    .Key("centreOffsetX")
+                    .Exact(camera.Lens.CentreOffsetX)
+                    .Key("centreOffsetY")
+                    .Exact(camera.Lens.CentreOffsetY)
+                    .Key("k1")
+                    .Exact(camera.Lens.K1)
+                    .Key("k2")
+                    .Exact(camera.Lens.K2)
                     .EndObject();
             }
 
@@ -58,12 +67,18 @@ internal static class RigJson
         }
 
         json.EndArray()
-            .Key("columns").Integer(lidar.Columns)
-            .Key("rateHz").Exact(lidar.RateHz)
-            .Key("minRangeMetres").Exact(lidar.MinRangeMetres)
-            .Key("rangeMetres").Exact(lidar.RangeMetres)
-            .Key("rangeNoiseMetres").Exact(lidar.RangeNoiseMetres)
-            .Key("dropOutFraction").Exact(lidar.DropOutFraction);
+            .Key("columns")
+            .Integer(lidar.Columns)
+            .Key("rateHz")
+            .Exact(lidar.RateHz)
+            .Key("minRangeMetres")
+            .Exact(lidar.MinRangeMetres)
+            .Key("rangeMetres")
+            .Exact(lidar.RangeMetres)
+            .Key("rangeNoiseMetres")
+            .Exact(lidar.RangeNoiseMetres)
+            .Key("dropOutFraction")
+            .Exact(lidar.DropOutFraction);
         if (lidar.RayFraction < 1)
         {
             json.Key("rayFraction").Exact(lidar.RayFraction);
@@ -80,9 +95,13 @@ internal static class RigJson
     private static JsonText Append(JsonText json, Pose mount)
     {
         EulerAngles angles = mount.Axes.ToEuler();
-        return json.Key("position").Exact(mount.Position)
-            .Key("yawDegrees").Number(angles.YawDegrees, AngleDecimals)
-            .Key("pitchDegrees").Number(angles.PitchDegrees, AngleDecimals)
-            .Key("rollDegrees").Number(angles.RollDegrees, AngleDecimals);
+        return json.Key("position")
+            .Exact(mount.Position)
+            .Key("yawDegrees")
+            .Number(angles.YawDegrees, AngleDecimals)
+            .Key("pitchDegrees")
+            .Number(angles.PitchDegrees, AngleDecimals)
+            .Key("rollDegrees")
+            .Number(angles.RollDegrees, AngleDecimals);
     }
 }

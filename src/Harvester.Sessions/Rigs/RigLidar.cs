@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Geometry;
 
 namespace Harvester.Sessions.Rigs;
@@ -12,7 +11,14 @@ namespace Harvester.Sessions.Rigs;
 /// <param name="MinRangeMetres">Nearest distance that gives a point, metres.</param>
 /// <param name="RangeMetres">Farthest distance that gives a point, metres.</param>
 public sealed record RigLidar(
-    string Name, Pose Mount, IReadOnlyList<double> BeamsDegrees, int Columns, double RateHz, double MinRangeMetres, double RangeMetres)
+    string Name,
+    Pose Mount,
+    IReadOnlyList<double> BeamsDegrees,
+    int Columns,
+    double RateHz,
+    double MinRangeMetres,
+    double RangeMetres
+)
 {
     /// <summary>The predefined model that it is; null for explicit beams.</summary>
     public string? Model { get; init; }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.RegularExpressions;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
@@ -38,8 +35,10 @@ public static class RigParser
     private static readonly Regex NameForm = new(@"\A[A-Za-z0-9][A-Za-z0-9_-]{0,39}\z", RegexOptions.CultureInvariant);
 
     /// <summary>Names of devices, which Windows does not allow for folders.</summary>
-    private static readonly Regex DeviceName =
-        new(@"\A(CON|NUL|AUX|PRN|COM[1-9]|LPT[1-9])\z", RegexOptions.CultureInvariant | RegexOptions.IgnoreCase);
+    private static readonly Regex DeviceName = new(
+        @"\A(CON|NUL|AUX|PRN|COM[1-9]|LPT[1-9])\z",
+        RegexOptions.CultureInvariant | RegexOptions.IgnoreCase
+    );
 
     /// <summary>Reads the text of a rig file.</summary>
     /// <exception cref="FormatException">The text is not a rig; the message names the field.</exception>
@@ -78,7 +77,8 @@ public static class RigParser
             MountOf(camera),
             camera.Number("verticalFovDegrees", MinFovDegrees, MaxFovDegrees),
             new ImageSize(camera.Whole("width", MinSide, MaxSide), camera.Whole("height", MinSide, MaxSide)),
-            LensOf(camera.Fields("lens")));
+            LensOf(camera.Fields("lens"))
+        );
         camera.End();
         return made;
     }
@@ -95,7 +95,8 @@ public static class RigParser
             lens.Number("centreOffsetX", -1, 1, 0),
             lens.Number("centreOffsetY", -1, 1, 0),
             lens.Number("k1", -1, 1, 0),
-            lens.Number("k2", -1, 1, 0));
+            lens.Number("k2", -1, 1, 0)
+        );
         lens.End();
         return made;
     }
@@ -104,9 +105,14 @@ public static class RigParser
     {
         string name = UniqueNameOf(lidar, names);
         string? modelName = lidar.Has("model") ? lidar.Text("model") : null;
-        LidarModel? model = modelName is null ? null : LidarModel.Find(modelName)
-            ?? throw lidar.Wrong("model", $"one of {string.Join(", ", LidarModel.All.Select(each => each.Name))}; "
-                + "for another sensor leave it out and give beamsDegrees and columns");
+        LidarModel? model = modelName is null
+            ? null
+            : LidarModel.Find(modelName)
+                ?? throw lidar.Wrong(
+                    "model",
+                    $"one of {string.Join(", ", LidarModel.All.Select(each => each.Name))}; "
+                        + "for another sensor leave it out and give beamsDegrees and columns"
+                );
         IReadOnlyList<double> beams = lidar.Has("beamsDegrees") || model is null ? BeamsOf(lidar) : model.BeamsDegrees;
         double rate = lidar.Number("rateHz", MinRateHz, MaxRateHz, model?.RateHz ?? UsualRateHz);
         int columns = lidar.Has("columns") || model is null ? lidar.Whole("columns", 1, MaxColumns) : model.ColumnsAt(rate);
@@ -147,17 +153,23 @@ public static class RigParser
             : beams;
     }
 
-    private static Pose MountOf(JsonFields sensor) => new(
-        sensor.Vector("position", MaxOffsetMetres),
-        Axes.FromEuler(new EulerAngles(
-            sensor.Number("pitchDegrees", -90, 90, 0),
-            sensor.Number("rollDegrees", -180, 180, 0),
-            sensor.Number("yawDegrees", -360, 360, 0))));
+    private static Pose MountOf(JsonFields sensor) =>
+        new(
+            sensor.Vector("position", MaxOffsetMetres),
+            Axes.FromEuler(
+                new EulerAngles(
+                    sensor.Number("pitchDegrees", -90, 90, 0),
+                    sensor.Number("rollDegrees", -180, 180, 0),
+                    sensor.Number("yawDegrees", -360, 360, 0)
+                )
+            )
+        );
 
     private static string UniqueNameOf(JsonFields sensor, HashSet<string> names)
     {
         string name = NameOf(sensor);
-        return names.Add(name) ? name
+        return names.Add(name)
+            ? name
             : throw sensor.Wrong("name", $"unlike that of every other sensor, in capitals or not; '{name}' occurs twice");
     }
 

@@ -31,11 +31,12 @@ public static class RoadCsv
 
     internal static readonly FlagNames<RoadLinkFlags> LinkFlags = new();
 
-    internal static string NameOf(RoadSpeed speed) => speed switch
-    {
-        RoadSpeed.Slow => "slow",
-        RoadSpeed.Fast => "fast",
-        RoadSpeed.Faster => "faster",
-        _ => "normal",
-    };
+    internal static string NameOf(RoadSpeed speed) =>
+        speed switch
+        {
+            RoadSpeed.Slow => "slow",
+            RoadSpeed.Fast => "fast",
+            RoadSpeed.Faster => "faster",
+            _ => "normal",
+        };
 }

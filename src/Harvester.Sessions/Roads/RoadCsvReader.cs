@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Text;
@@ -28,9 +25,7 @@ public sealed class RoadCsvReader
     private int _line;
     private bool _ended;
 
-    private RoadCsvReader()
-    {
-    }
+    private RoadCsvReader() { }
 
     /// <summary>Reads a file to its end.</summary>
     /// <exception cref="FormatException">The file is invalid; the message names the line.</exception>
@@ -57,8 +52,10 @@ public sealed class RoadCsvReader
             else if (line.Length > 0 && line[0] != '#')
             {
                 Require(!_ended, "nothing may follow the line that begins with end.");
-                Require(Math.Max(_nodes.Count, Math.Max(_links.Count, _edges.Count / 4)) < MaxRows,
-                    FormattableString.Invariant($"more than {MaxRows} nodes or links; the game's road network is smaller."));
+                Require(
+                    Math.Max(_nodes.Count, Math.Max(_links.Count, _edges.Count / 4)) < MaxRows,
+                    FormattableString.Invariant($"more than {MaxRows} nodes or links; the game's road network is smaller.")
+                );
                 ReadRow(CsvFields.Split(line) ?? throw Wrong(CsvFields.Problem));
             }
         }
@@ -74,16 +71,19 @@ public sealed class RoadCsvReader
             case "node":
                 Require(fields.Count == 10, "a node has 10 fields.");
                 Require(_links.Count == 0 && _edges.Count == 0, "a node must come before all links and edges.");
-                _nodes.Add(new RoadNode(
-                    fields[1].Length == 0 ? RoadNode.NoArea : Whole(fields[1], "area", 0, int.MaxValue),
-                    Whole(fields[2], "number", 0, int.MaxValue),
-                    Place(fields, 3),
-                    fields[6],
-                    (RoadNodeFlags)(RoadCsv.NodeFlags.Read(fields[7]) ?? throw Wrong("unknown flags: " + fields[7] + ".")))
-                {
-                    Speed = Speed(fields[8]),
-                    Density = fields[9].Length == 0 ? null : Whole(fields[9], "density", 0, MaxDensity),
-                });
+                _nodes.Add(
+                    new RoadNode(
+                        fields[1].Length == 0 ? RoadNode.NoArea : Whole(fields[1], "area", 0, int.MaxValue),
+                        Whole(fields[2], "number", 0, int.MaxValue),
+                        Place(fields, 3),
+                        fields[6],
+                        (RoadNodeFlags)(RoadCsv.NodeFlags.Read(fields[7]) ?? throw Wrong("unknown flags: " + fields[7] + "."))
+                    )
+                    {
+                        Speed = Speed(fields[8]),
+                        Density = fields[9].Length == 0 ? null : Whole(fields[9], "density", 0, MaxDensity),
+                    }
+                );
                 break;
             case "link":
                 Require(fields.Count == 8, "a link has 8 fields.");
@@ -91,13 +91,16 @@ public sealed class RoadCsvReader
                 int from = Whole(fields[1], "from", 0, _nodes.Count - 1);
                 int to = Whole(fields[2], "to", 0, _nodes.Count - 1);
                 Require(from != to, "a link must lead from one node to another.");
-                _links.Add(new RoadLink(
-                    from,
-                    to,
-                    Whole(fields[3], "lanesForward", 0, MaxLanes),
-                    Whole(fields[4], "lanesBackward", 0, MaxLanes),
-                    fields[5].Length == 0 ? null : Metres(fields[5], "medianWidth"),
-                    (RoadLinkFlags)(RoadCsv.LinkFlags.Read(fields[6]) ?? throw Wrong("unknown flags: " + fields[6] + "."))));
+                _links.Add(
+                    new RoadLink(
+                        from,
+                        to,
+                        Whole(fields[3], "lanesForward", 0, MaxLanes),
+                        Whole(fields[4], "lanesBackward", 0, MaxLanes),
+                        fields[5].Length == 0 ? null : Metres(fields[5], "medianWidth"),
+                        (RoadLinkFlags)(RoadCsv.LinkFlags.Read(fields[6]) ?? throw Wrong("unknown flags: " + fields[6] + "."))
+                    )
+                );
                 break;
             case "edge":
                 Require(fields.Count == 6, "an edge must have 6 fields.");
@@ -135,7 +138,8 @@ public sealed class RoadCsvReader
 
     private int Whole(string text, string name, int minimum, int maximum) =>
         int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value)
-        && value >= minimum && value <= maximum
+        && value >= minimum
+        && value <= maximum
             ? value
             : throw Wrong(FormattableString.Invariant($"{name} must be a whole number from {minimum} to {maximum}, not {text}."));
 
@@ -143,8 +147,12 @@ public sealed class RoadCsvReader
         new(Metres(fields[first], "x"), Metres(fields[first + 1], "y"), Metres(fields[first + 2], "z"));
 
     private double Metres(string text, string name) =>
-        double.TryParse(text, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture,
-            out double value)
+        double.TryParse(
+            text,
+            NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint,
+            CultureInfo.InvariantCulture,
+            out double value
+        )
         && Math.Abs(value) <= MaxCoordinate
             ? value
             : throw Wrong(FormattableString.Invariant($"{name} must be a number of at most {MaxCoordinate}, not {text}."));

@@ -1,6 +1,4 @@
-using System;
 using System.Globalization;
-using System.IO;
 using System.Text;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
@@ -29,18 +27,36 @@ public static class RoadCsvWriter
         Line(text, RoadCsv.NodeColumns);
         foreach (RoadNode node in network.Nodes)
         {
-            Line(text, "node", node.Area == RoadNode.NoArea ? string.Empty
-                : Whole(node.Area), Whole(node.Number), Metres(node.Position.X), Metres(node.Position.Y), Metres(node.Position.Z),
-                CsvFields.Quote(node.Street), RoadCsv.NodeFlags.Write((int)node.Flags), node.Speed is { } speed ? RoadCsv.NameOf(speed)
-                    : "", node.Density is { } density ? Whole(density) : "");
+            Line(
+                text,
+                "node",
+                node.Area == RoadNode.NoArea ? string.Empty : Whole(node.Area),
+                Whole(node.Number),
+                Metres(node.Position.X),
+                Metres(node.Position.Y),
+                Metres(node.Position.Z),
+                CsvFields.Quote(node.Street),
+                RoadCsv.NodeFlags.Write((int)node.Flags),
+                node.Speed is { } speed ? RoadCsv.NameOf(speed) : "",
+                node.Density is { } density ? Whole(density) : ""
+            );
         }
 
         Line(text, RoadCsv.LinkColumns);
         foreach (RoadLink link in network.Links)
         {
             Vector3D along = network.Nodes[link.To].Position - network.Nodes[link.From].Position;
-            Line(text, "link", Whole(link.From), Whole(link.To), Whole(link.LanesForward), Whole(link.LanesBackward),
-                link.MedianWidth is { } median ? Metres(median) : "", RoadCsv.LinkFlags.Write((int)link.Flags), Metres(along.Length));
+            Line(
+                text,
+                "link",
+                Whole(link.From),
+                Whole(link.To),
+                Whole(link.LanesForward),
+                Whole(link.LanesBackward),
+                link.MedianWidth is { } median ? Metres(median) : "",
+                RoadCsv.LinkFlags.Write((int)link.Flags),
+                Metres(along.Length)
+            );
         }
 
         if (network.Edges.Count > 0)
@@ -50,8 +66,15 @@ public static class RoadCsvWriter
 
         foreach (RoadEdge edge in network.Edges)
         {
-            Line(text, "edge", Whole(edge.Link), edge.IsAtStart ? RoadCsv.Start
-                : RoadCsv.End, Metres(edge.Point.X), Metres(edge.Point.Y), Metres(edge.Point.Z));
+            Line(
+                text,
+                "edge",
+                Whole(edge.Link),
+                edge.IsAtStart ? RoadCsv.Start : RoadCsv.End,
+                Metres(edge.Point.X),
+                Metres(edge.Point.Y),
+                Metres(edge.Point.Z)
+            );
         }
 
         Line(text, "end", Whole(network.Nodes.Count), Whole(network.Links.Count));

@@ -11,7 +11,14 @@ namespace Harvester.Sessions.Scenes;
 /// <param name="ModelMax">Front, right, upper corner of the model's box in its own frame, metres.</param>
 /// <param name="Velocity">Metres per second, world.</param>
 public sealed record EntityState(
-    int Handle, ObjectClass Class, string Model, Pose Pose, Vector3D ModelMin, Vector3D ModelMax, Vector3D Velocity)
+    int Handle,
+    ObjectClass Class,
+    string Model,
+    Pose Pose,
+    Vector3D ModelMin,
+    Vector3D ModelMax,
+    Vector3D Velocity
+)
 {
     /// <summary>Whether somebody sits on a motorcycle or bicycle; null for other classes and if unknown.</summary>
     public bool? HasRider { get; init; }

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Sessions.Scenes;
 
 /// <summary>Weather and time of day of a scene.</summary>

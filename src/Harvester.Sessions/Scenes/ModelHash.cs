@@ -1,4 +1,3 @@
-using System;
 using System.Globalization;
 
 namespace Harvester.Sessions.Scenes;
@@ -15,7 +14,6 @@ public static class ModelHash
         {
             throw new ArgumentNullException(nameof(model));
         }
-
         unchecked
         {
             uint hash = 0;

@@ -13,7 +13,14 @@ namespace Harvester.Sessions.Scenes;
 /// <param name="OccludedFraction">Fraction of its silhouette in the image that is hidden, 0 to 1; 0 if it was not determined.</param>
 /// <param name="SetLight">The state to which this traffic light was set; null for everything else.</param>
 public sealed record RecordedOcclusion(
-    int Handle, int? Face, int Id, Sight Sight, OcclusionMethod Method, double OccludedFraction, LightState? SetLight)
+    int Handle,
+    int? Face,
+    int Id,
+    Sight Sight,
+    OcclusionMethod Method,
+    double OccludedFraction,
+    LightState? SetLight
+)
 {
     /// <summary>The finding as an estimate.</summary>
     public OcclusionEstimate Estimate => new(OccludedFraction, 0, 0, Method) { Sight = Sight };

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Sessions.Scenes;
@@ -11,7 +10,11 @@ namespace Harvester.Sessions.Scenes;
 /// <param name="Ids">The ids of entities in labels, by handle; not all of them have one.</param>
 /// <param name="Occlusions">The findings about the entities and faces in the image.</param>
 public sealed record RecordedScene(
-    SceneSnapshot Snapshot, Lens Lens, IReadOnlyDictionary<int, int> Ids, IReadOnlyList<RecordedOcclusion> Occlusions)
+    SceneSnapshot Snapshot,
+    Lens Lens,
+    IReadOnlyDictionary<int, int> Ids,
+    IReadOnlyList<RecordedOcclusion> Occlusions
+)
 {
     /// <summary>The entities beyond the labelling range that are in the image, and whether they were visible.</summary>
     public IReadOnlyList<DistantEntity> Distant { get; init; } = [];

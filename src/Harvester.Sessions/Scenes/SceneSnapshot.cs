@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Sessions.Scenes;
 
 /// <summary>Everything from which a frame's labels are made, read once. After it, the game is asked only for rays.</summary>
@@ -15,7 +13,8 @@ public sealed record SceneSnapshot(
     CameraState Camera,
     EgoState Ego,
     IReadOnlyList<EntityState> Entities,
-    EnvironmentState Environment)
+    EnvironmentState Environment
+)
 {
     /// <summary>The entities beyond the labelling range that are near enough to be visible, in the order of their handles.</summary>
     public IReadOnlyList<EntityState> Distant { get; init; } = [];

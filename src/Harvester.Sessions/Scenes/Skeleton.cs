@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 
 namespace Harvester.Sessions.Scenes;
@@ -16,12 +13,13 @@ public sealed class Skeleton : IEquatable<Skeleton>
     /// <summary>Takes the positions in the order of <see cref="Joint"/>, metres.</summary>
     /// <exception cref="ArgumentException">There are more or fewer than 22.</exception>
     public Skeleton(IEnumerable<Vector3D> joints)
-        : this([.. joints ?? throw new ArgumentNullException(nameof(joints))])
-    {
-    }
+        : this([.. joints ?? throw new ArgumentNullException(nameof(joints))]) { }
 
-    private Skeleton(Vector3D[] joints) => _joints = joints.Length == Count ? joints
-        : throw new ArgumentException($"A skeleton has {Count} joints, not {joints.Length}.", nameof(joints));
+    private Skeleton(Vector3D[] joints) =>
+        _joints =
+            joints.Length == Count
+                ? joints
+                : throw new ArgumentException($"A skeleton has {Count} joints, not {joints.Length}.", nameof(joints));
 
     /// <summary>The positions in the order of <see cref="Joint"/>.</summary>
     public IReadOnlyList<Vector3D> Joints => _joints;

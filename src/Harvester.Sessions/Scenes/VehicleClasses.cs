@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Sessions.Scenes;
 
 /// <summary>
@@ -16,8 +13,9 @@ public static class VehicleClasses
         (
             ObjectClass.Trailer,
             "armytanker armytrailer armytrailer2 baletrailer boattrailer docktrailer freighttrailer graintrailer proptrailer raketrailer"
-            + " tanker tanker2 tr2 tr3 tr4 trailerlarge trailerlogs trailers trailers2 trailers3 trailers4 trailersmall"
-            + " trailersmall2 trflat tvtrailer"),
+                + " tanker tanker2 tr2 tr3 tr4 trailerlarge trailerlogs trailers trailers2 trailers3 trailers4 trailersmall"
+                + " trailersmall2 trflat tvtrailer"
+        ),
     }
         .SelectMany(kind => kind.Item2.Split(' ').Select(model => (Hash: ModelHash.Of(model), Class: kind.Item1)))
         .ToDictionary(model => model.Hash, model => model.Class);
@@ -27,7 +25,14 @@ public static class VehicleClasses
     /// <param name="gameClass">Number of the game's vehicle class.</param>
     public static ObjectClass Of(int model, int gameClass)
     {
-        const int motorcycles = 8, industrial = 10, cycles = 13, boats = 14, helicopters = 15, planes = 16, commercial = 20, trains = 21;
+        const int motorcycles = 8,
+            industrial = 10,
+            cycles = 13,
+            boats = 14,
+            helicopters = 15,
+            planes = 16,
+            commercial = 20,
+            trains = 21;
         if (ByModel.TryGetValue(model, out ObjectClass known))
         {
             return known;
@@ -45,8 +50,13 @@ public static class VehicleClasses
 
     /// <summary>Whether objects of a class are vehicles, which count as traffic in lanes.</summary>
     public static bool AreVehicles(ObjectClass kind) =>
-        kind is ObjectClass.Car or ObjectClass.Truck or ObjectClass.Bus or ObjectClass.Motorcycle or ObjectClass.Bicycle
-            or ObjectClass.Trailer;
+        kind
+            is ObjectClass.Car
+                or ObjectClass.Truck
+                or ObjectClass.Bus
+                or ObjectClass.Motorcycle
+                or ObjectClass.Bicycle
+                or ObjectClass.Trailer;
 
     /// <summary>Whether objects of a class have riders, who sit on them and not in them.</summary>
     public static bool HaveRiders(ObjectClass kind) => kind is ObjectClass.Motorcycle or ObjectClass.Bicycle;

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Sessions.Scenes;
 
 /// <summary>The game's names of weathers, in lower case.</summary>

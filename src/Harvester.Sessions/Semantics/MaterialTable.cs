@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
 using System.Text;
 
 namespace Harvester.Sessions.Semantics;
@@ -22,9 +19,7 @@ public sealed class MaterialTable
 
     private readonly Dictionary<uint, (SemanticClass Level, SemanticClass Upright)> _classes = [];
 
-    private MaterialTable()
-    {
-    }
+    private MaterialTable() { }
 
     /// <summary>The table that is shipped, as it was at compile time.</summary>
     public static MaterialTable BuiltIn => Shipped.Value;
@@ -64,7 +59,8 @@ public sealed class MaterialTable
     /// <returns>The class; <see cref="SemanticClass.Other"/> for a material without a row.</returns>
     public SemanticClass ClassOf(uint material, double? normalZ) =>
         !_classes.TryGetValue(material, out (SemanticClass Level, SemanticClass Upright) found) ? SemanticClass.Other
-            : normalZ < MinLevel ? found.Upright : found.Level;
+        : normalZ < MinLevel ? found.Upright
+        : found.Level;
 
     private void Add(int line, string[] fields)
     {
@@ -74,8 +70,10 @@ public sealed class MaterialTable
         }
 
         string hash = fields[1].Trim();
-        if (!hash.StartsWith("0x", StringComparison.OrdinalIgnoreCase)
-            || !uint.TryParse(hash.Substring(2), NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out uint material))
+        if (
+            !hash.StartsWith("0x", StringComparison.OrdinalIgnoreCase)
+            || !uint.TryParse(hash.Substring(2), NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out uint material)
+        )
         {
             throw Refused(line, $"column hash: '{hash}' is no hash; write it as 0x and 8 hexadecimal digits.");
         }
@@ -90,16 +88,17 @@ public sealed class MaterialTable
         _classes.Add(material, (level, upright));
     }
 
-    private static SemanticClass ClassIn(int line, string column, string field) => SemanticClasses.Named(field.Trim()) is { } found
-        ? found
-        : throw Refused(line, $"column {column}: '{field.Trim()}' is no class of class maps.");
+    private static SemanticClass ClassIn(int line, string column, string field) =>
+        SemanticClasses.Named(field.Trim()) is { } found
+            ? found
+            : throw Refused(line, $"column {column}: '{field.Trim()}' is no class of class maps.");
 
-    private static FormatException Refused(int line, string why) =>
-        new($"line {line.ToString(CultureInfo.InvariantCulture)}: {why}");
+    private static FormatException Refused(int line, string why) => new($"line {line.ToString(CultureInfo.InvariantCulture)}: {why}");
 
     private static MaterialTable ReadShipped()
     {
-        using Stream stream = typeof(MaterialTable).Assembly.GetManifestResourceStream(FileName)
+        using Stream stream =
+            typeof(MaterialTable).Assembly.GetManifestResourceStream(FileName)
             ?? throw new InvalidOperationException($"The program was built without {FileName}.");
         using var reader = new StreamReader(stream, Encoding.UTF8);
         return Read(reader);

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using System.Text;
 
 namespace Harvester.Sessions.Text;
@@ -59,6 +58,5 @@ internal static class CsvFields
     }
 
     /// <summary>A field as written in a line: in quotation marks if it needs them.</summary>
-    public static string Quote(string field) =>
-        field.IndexOfAny([',', '"']) < 0 ? field : "\"" + field.Replace("\"", "\"\"") + "\"";
+    public static string Quote(string field) => field.IndexOfAny([',', '"']) < 0 ? field : "\"" + field.Replace("\"", "\"\"") + "\"";
 }

@@ -1,4 +1,3 @@
-using System;
 using System.Globalization;
 using System.Text;
 
@@ -42,7 +41,10 @@ public static class InvariantNumber
         if (!(scaled <= MaxScaled))
         {
             throw new ArgumentOutOfRangeException(
-                nameof(value), value, FormattableString.Invariant($"{value} cannot be written with {decimals} decimals."));
+                nameof(value),
+                value,
+                FormattableString.Invariant($"{value} cannot be written with {decimals} decimals.")
+            );
         }
 
         long digits = (long)scaled;

@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using Harvester.Geometry;
 
 namespace Harvester.Sessions.Text;
@@ -50,29 +47,43 @@ internal sealed class JsonFields
         return Math.Floor(number).Equals(number) ? (int)number : throw Wrong(name, "a whole number");
     }
 
-    public bool Flag(string name, bool otherwise) => !Has(name) ? Skipped(name, otherwise)
-        : Required(name) is bool flag ? flag : throw Wrong(name, "true or false");
+    public bool Flag(string name, bool otherwise) =>
+        !Has(name) ? Skipped(name, otherwise)
+        : Required(name) is bool flag ? flag
+        : throw Wrong(name, "true or false");
 
-    public double[] Numbers(string name, double minimum, double maximum) => Required(name) is List<object?> list
-        ? [.. list.Select((item, index) => Checked($"{name}[{Text(index)}]", item, minimum, maximum))]
-        : throw Wrong(name, "a list of numbers");
+    public double[] Numbers(string name, double minimum, double maximum) =>
+        Required(name) is List<object?> list
+            ? [.. list.Select((item, index) => Checked($"{name}[{Text(index)}]", item, minimum, maximum))]
+            : throw Wrong(name, "a list of numbers");
 
-    public string[] Texts(string name) => Required(name) is List<object?> list
-        ? [.. list.Select((item, index) => item as string ?? throw Wrong($"{name}[{Text(index)}]", "a text"))]
-        : throw Wrong(name, "a list of texts");
+    public string[] Texts(string name) =>
+        Required(name) is List<object?> list
+            ? [.. list.Select((item, index) => item as string ?? throw Wrong($"{name}[{Text(index)}]", "a text"))]
+            : throw Wrong(name, "a list of texts");
 
     /// <summary>Points of the ground, each a list of x and y.</summary>
-    public Vector2D[] Points(string name, double limit) => Required(name) is List<object?> list
-        ? [.. list.Select((item, index) => item is List<object?> { Count: 2 } pair
-            ? new Vector2D(Checked($"{name}[{Text(index)}][0]", pair[0], -limit, limit),
-                Checked($"{name}[{Text(index)}][1]", pair[1], -limit, limit))
-            : throw Wrong($"{name}[{Text(index)}]", "two numbers: x and y, in metres"))]
-        : throw Wrong(name, "a list of points");
+    public Vector2D[] Points(string name, double limit) =>
+        Required(name) is List<object?> list
+            ?
+            [
+                .. list.Select(
+                    (item, index) =>
+                        item is List<object?> { Count: 2 } pair
+                            ? new Vector2D(
+                                Checked($"{name}[{Text(index)}][0]", pair[0], -limit, limit),
+                                Checked($"{name}[{Text(index)}][1]", pair[1], -limit, limit)
+                            )
+                            : throw Wrong($"{name}[{Text(index)}]", "two numbers: x and y, in metres")
+                ),
+            ]
+            : throw Wrong(name, "a list of points");
 
     public Vector3D Vector(string name, double limit)
     {
         double[] numbers = Numbers(name, -limit, limit);
-        return numbers.Length == 3 ? new Vector3D(numbers[0], numbers[1], numbers[2])
+        return numbers.Length == 3
+            ? new Vector3D(numbers[0], numbers[1], numbers[2])
             : throw Wrong(name, "three numbers: right, forward and up, in metres");
     }
 
@@ -100,18 +111,22 @@ internal sealed class JsonFields
     }
 
     /// <summary>A message for each field that nothing has read.</summary>
-    public IEnumerable<string> Unknown => _values.Keys.Where(name => !_read.Contains(name))
-        .Select(name => $"{PathOf(name)} is not a field of {_kind}. Correct its name or delete it.");
+    public IEnumerable<string> Unknown =>
+        _values
+            .Keys.Where(name => !_read.Contains(name))
+            .Select(name => $"{PathOf(name)} is not a field of {_kind}. Correct its name or delete it.");
 
     /// <summary>The error that a field is not what it must be.</summary>
     public FormatException Wrong(string name, string wanted) => new($"{PathOf(name)} must be {wanted}.");
 
-    private static JsonFields Of(object? value, string path, string kind) => value is Dictionary<string, object?> values
-        ? new JsonFields(values, path, kind)
-        : throw new FormatException($"{(path.Length == 0 ? "the file" : path)} must be an object.");
+    private static JsonFields Of(object? value, string path, string kind) =>
+        value is Dictionary<string, object?> values
+            ? new JsonFields(values, path, kind)
+            : throw new FormatException($"{(path.Length == 0 ? "the file" : path)} must be an object.");
 
     private double Checked(string name, object? value, double minimum, double maximum) =>
-        value is double number && number >= minimum && number <= maximum ? number
+        value is double number && number >= minimum && number <= maximum
+            ? number
             : throw Wrong(name, FormattableString.Invariant($"a number from {minimum} to {maximum}"));
 
     private object? Required(string name)

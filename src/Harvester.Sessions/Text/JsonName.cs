@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Sessions.Text;
 
 /// <summary>The names of enumeration values in files: with a lower-case first letter.</summary>

@@ -1,4 +1,3 @@
-using System;
 using System.Globalization;
 using System.Text;
 
@@ -32,12 +31,17 @@ internal sealed class JsonReader(string text)
     }
 
     /// <summary>Reads an object. The callback gets the name of each field and must read its value.</summary>
-    public void Object(Action<string> readField) => Items('{', '}', () =>
-    {
-        string name = String();
-        Expect(':');
-        readField(name);
-    });
+    public void Object(Action<string> readField) =>
+        Items(
+            '{',
+            '}',
+            () =>
+            {
+                string name = String();
+                Expect(':');
+                readField(name);
+            }
+        );
 
     /// <summary>Reads a list. The callback must read one item.</summary>
     public void List(Action readItem) => Items('[', ']', readItem);
@@ -50,7 +54,11 @@ internal sealed class JsonReader(string text)
         while (_at < text.Length && text[_at] != '"')
         {
             char letter = text[_at++];
-            value.Append(letter == '\\' ? Escape() : letter >= ' ' ? letter : throw Wrong("a control character in a string"));
+            value.Append(
+                letter == '\\' ? Escape()
+                : letter >= ' ' ? letter
+                : throw Wrong("a control character in a string")
+            );
         }
 
         if (_at >= text.Length)
@@ -76,7 +84,8 @@ internal sealed class JsonReader(string text)
             text.Substring(start, _at - start),
             NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent,
             CultureInfo.InvariantCulture,
-            out double number);
+            out double number
+        );
         return isNumber && !double.IsInfinity(number) && !double.IsNaN(number)
             ? number
             : throw Wrong(first == '\0' ? "the end of the text instead of a value" : "an invalid number");
@@ -160,8 +169,7 @@ internal sealed class JsonReader(string text)
             do
             {
                 readItem();
-            }
-            while (Take(','));
+            } while (Take(','));
         }
 
         Expect(end);
@@ -196,8 +204,14 @@ internal sealed class JsonReader(string text)
                 return '\r';
             case 't':
                 return '\t';
-            case 'u' when _at + 4 <= text.Length
-                && ushort.TryParse(text.Substring(_at, 4), NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out ushort code):
+            case 'u'
+                when _at + 4 <= text.Length
+                    && ushort.TryParse(
+                        text.Substring(_at, 4),
+                        NumberStyles.AllowHexSpecifier,
+                        CultureInfo.InvariantCulture,
+                        out ushort code
+                    ):
                 _at += 4;
                 return (char)code;
             default:

@@ -70,8 +70,11 @@ internal sealed class JsonText(bool indented = false)
 #else
         // .NET Framework's shortest form does not always read back; seventeen digits do.
         string shortest = number.ToString("R", CultureInfo.InvariantCulture);
-        return Word(double.Parse(shortest, CultureInfo.InvariantCulture).Equals(number) ? shortest
-            : number.ToString("G17", CultureInfo.InvariantCulture));
+        return Word(
+            double.Parse(shortest, CultureInfo.InvariantCulture).Equals(number)
+                ? shortest
+                : number.ToString("G17", CultureInfo.InvariantCulture)
+        );
 #endif
     }
 
@@ -111,7 +114,11 @@ internal sealed class JsonText(bool indented = false)
 
     public JsonText Box(Box2D? value, int decimals) =>
         value is { } box
-            ? BeginArray().Number(box.XMin, decimals).Number(box.YMin, decimals).Number(box.XMax, decimals).Number(box.YMax, decimals)
+            ? BeginArray()
+                .Number(box.XMin, decimals)
+                .Number(box.YMin, decimals)
+                .Number(box.XMax, decimals)
+                .Number(box.YMax, decimals)
                 .EndArray()
             : Word("null");
 

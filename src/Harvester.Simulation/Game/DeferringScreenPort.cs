@@ -1,4 +1,3 @@
-using System.Threading.Tasks;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Imaging;
 

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Scenes;
@@ -44,7 +42,8 @@ internal sealed class DrawnOcclusionPort(SimulatedGame game) : IDrawnOcclusion
         foreach (int handle in handles)
         {
             _renderer.Render(new RenderScene(Empty, _fixed[handle].Concat(moving[handle])), eye, _alone!);
-            int drawn = 0, hidden = 0;
+            int drawn = 0,
+                hidden = 0;
             for (int pixel = 0; pixel < _alone!.Handles.Length; pixel++)
             {
                 if (_alone.Handles[pixel] == handle)

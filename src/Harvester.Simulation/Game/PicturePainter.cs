@@ -1,6 +1,4 @@
-using System;
 using System.Numerics;
-using System.Threading.Tasks;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
@@ -43,8 +41,7 @@ internal sealed class PicturePainter(RenderScene world, Detail detail, PictureNo
     public Task PaintLater(Moment moment, PixelBuffer target)
     {
         RenderScene scene = moment.SceneIn(world);
-        _last = _last.ContinueWith(
-            _ => Copy(PaintNow(moment, scene, target.Size), moment, target), TaskScheduler.Default);
+        _last = _last.ContinueWith(_ => Copy(PaintNow(moment, scene, target.Size), moment, target), TaskScheduler.Default);
         return _last;
     }
 

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.PixelMaps.Coded;
 

@@ -1,9 +1,5 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics.CodeAnalysis;
-using System.Linq;
 using System.Numerics;
-using System.Threading.Tasks;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Calibration;
@@ -57,7 +53,11 @@ public sealed class SimulatedGame
         _options = options;
 
         _view = new MountedView(
-            new Pose(new Vector3D(0, 2, 0.4), Axes.Identity), options.VerticalFovDegrees, options.WindowAspect, options.Lens);
+            new Pose(new Vector3D(0, 2, 0.4), Axes.Identity),
+            options.VerticalFovDegrees,
+            options.WindowAspect,
+            options.Lens
+        );
         View = _view;
         _weather = new WeatherClock(options);
         _fade = new SkyFade(options.Quirks.SlowSkyTicks);
@@ -72,7 +72,8 @@ public sealed class SimulatedGame
             options.DefersPictures ? new DeferringScreenPort(this) : new ScreenPort(this),
             new PausePort(this),
             new ClockPort(this),
-            new MarkersPort(this))
+            new MarkersPort(this)
+        )
         {
             Car = new CarPort(this),
             MountedCamera = new MountedCameraPort(this),
@@ -190,8 +191,7 @@ public sealed class SimulatedGame
 
     private Lighting Light => _fade.Shown(_weather.LightingAt(WeatherSeconds));
 
-    private CameraState Camera =>
-        new(_world.Ego.Pose.Compose(_view.Mount), _view.VerticalFovDegrees, _options.NearClip, _view.Aspect);
+    private CameraState Camera => new(_world.Ego.Pose.Compose(_view.Mount), _view.VerticalFovDegrees, _options.NearClip, _view.Aspect);
 
     /// <summary>The present moment, which rays meet and which a frozen game shows.</summary>
     internal Moment Present
@@ -204,11 +204,21 @@ public sealed class SimulatedGame
                 Vector3D eye = Camera.Pose.Position;
                 _present = new Moment(
                     _state,
-                    new SceneSnapshot(GameFrame, _world.TimeSeconds, Camera, _world.EgoState,
-                        _world.EntitiesNear(eye, double.PositiveInfinity), Environment),
+                    new SceneSnapshot(
+                        GameFrame,
+                        _world.TimeSeconds,
+                        Camera,
+                        _world.EgoState,
+                        _world.EntitiesNear(eye, double.PositiveInfinity),
+                        Environment
+                    ),
                     [.. _world.MovingNear(eye, SightRange), .. Markers.Select(MarkerModel.Of), .. Sheets.Select(SheetModel.Of)],
-                    Light with { PrecipitationSeed = _precipitation },
-                    _world.LightsNear(eye))
+                    Light with
+                    {
+                        PrecipitationSeed = _precipitation,
+                    },
+                    _world.LightsNear(eye)
+                )
                 {
                     Hidden = Hidden.Current,
                     Lens = _view.Lens,
@@ -373,12 +383,16 @@ public sealed class SimulatedGame
         if (Quirks.ModelMarginMetres > 0)
         {
             var margin = new Vector3D(Quirks.ModelMarginMetres, Quirks.ModelMarginMetres, Quirks.ModelMarginMetres);
-            entities = [.. entities.Select(
-                entity => entity with { ModelMin = entity.ModelMin - margin, ModelMax = entity.ModelMax + margin })];
+            entities =
+            [
+                .. entities.Select(entity => entity with { ModelMin = entity.ModelMin - margin, ModelMax = entity.ModelMax + margin }),
+            ];
         }
 
-        if (_options.Quirks.VanishingFraction > 0
-            && _vanishing.AfterReading([.. entities.Where(entity => IsVehicle(entity.Handle)).Select(entity => entity.Handle)], GameFrame))
+        if (
+            _options.Quirks.VanishingFraction > 0
+            && _vanishing.AfterReading([.. entities.Where(entity => IsVehicle(entity.Handle)).Select(entity => entity.Handle)], GameFrame)
+        )
         {
             Hide();
         }
@@ -404,7 +418,10 @@ public sealed class SimulatedGame
 
     private void Hide()
     {
-        int hidden = _vanishing.Handle != 0 ? _vanishing.Handle : Freezing.HidesVehicle ? _world.VehicleNearest(Camera.Pose.Position) : 0;
+        int hidden =
+            _vanishing.Handle != 0 ? _vanishing.Handle
+            : Freezing.HidesVehicle ? _world.VehicleNearest(Camera.Pose.Position)
+            : 0;
         if (hidden != _world.HiddenHandle)
         {
             _world.HiddenHandle = hidden;

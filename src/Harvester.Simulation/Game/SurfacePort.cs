@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
@@ -28,17 +25,18 @@ internal sealed class SurfacePort(SimulatedGame game) : ISurfaceTruth
     public IReadOnlyList<Vector3D> Normals(ImageSize image) =>
         [.. game.RenderNormals(image).Select(static normal => new Vector3D(normal.X, normal.Y, normal.Z))];
 
-    private static SemanticClass ClassOf(SurfaceKind kind) => kind switch
-    {
-        SurfaceKind.Road => SemanticClass.Road,
-        SurfaceKind.Pavement => SemanticClass.Pavement,
-        SurfaceKind.Marking => SemanticClass.LaneMarking,
-        SurfaceKind.Building => SemanticClass.Building,
-        SurfaceKind.Vegetation => SemanticClass.Vegetation,
-        SurfaceKind.Terrain => SemanticClass.Terrain,
-        SurfaceKind.Sky => SemanticClass.Sky,
-        SurfaceKind.Pole => SemanticClass.Pole,
-        SurfaceKind.Fence => SemanticClass.Fence,
-        _ => SemanticClass.Other,
-    };
+    private static SemanticClass ClassOf(SurfaceKind kind) =>
+        kind switch
+        {
+            SurfaceKind.Road => SemanticClass.Road,
+            SurfaceKind.Pavement => SemanticClass.Pavement,
+            SurfaceKind.Marking => SemanticClass.LaneMarking,
+            SurfaceKind.Building => SemanticClass.Building,
+            SurfaceKind.Vegetation => SemanticClass.Vegetation,
+            SurfaceKind.Terrain => SemanticClass.Terrain,
+            SurfaceKind.Sky => SemanticClass.Sky,
+            SurfaceKind.Pole => SemanticClass.Pole,
+            SurfaceKind.Fence => SemanticClass.Fence,
+            _ => SemanticClass.Other,
+        };
 }

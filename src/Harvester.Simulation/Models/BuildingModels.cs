@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 using Harvester.Simulation.Rendering;
 
@@ -11,8 +10,13 @@ public static class BuildingModels
     private const double LitShare = 0.4;
     private static readonly Rgb[] Plaster =
     [
-        new(206, 192, 166), new(186, 170, 148), new(160, 96, 76), new(196, 190, 182), new(172, 178, 184), new(214, 178, 140),
-            new(146, 136, 124),
+        new(206, 192, 166),
+        new(186, 170, 148),
+        new(160, 96, 76),
+        new(196, 190, 182),
+        new(172, 178, 184),
+        new(214, 178, 140),
+        new(146, 136, 124),
     ];
 
     private static readonly Rgb[] Roofs = [new(142, 74, 54), new(96, 90, 88), new(118, 84, 62)];
@@ -67,12 +71,19 @@ public static class BuildingModels
         var parapet = new Vector3D(0.15, 0.15, 0);
         builder.AddBox((min - parapet) with { Z = max.Z - 0.3 }, max + parapet + new Vector3D(0, 0, 0.5), wall.Scaled(0.86));
         builder.AddQuad(
-            new(min.X + 0.2, min.Y + 0.2, max.Z + 0.51), new(max.X - 0.2, min.Y + 0.2, max.Z + 0.51),
-            new(max.X - 0.2, max.Y - 0.2, max.Z + 0.51), new(min.X + 0.2, max.Y - 0.2, max.Z + 0.51), Tar);
+            new(min.X + 0.2, min.Y + 0.2, max.Z + 0.51),
+            new(max.X - 0.2, min.Y + 0.2, max.Z + 0.51),
+            new(max.X - 0.2, max.Y - 0.2, max.Z + 0.51),
+            new(min.X + 0.2, max.Y - 0.2, max.Z + 0.51),
+            Tar
+        );
         double x = min.X + ((max.X - min.X) * (0.25 + (random.NextDouble() * 0.3)));
         double y = min.Y + ((max.Y - min.Y) * (0.25 + (random.NextDouble() * 0.3)));
-        builder.AddBox(new(x, y, max.Z + 0.5), new(x + ((max.X - min.X) * 0.2), y + ((max.Y - min.Y) * 0.2), max.Z + 2.6),
-            wall.Scaled(0.75));
+        builder.AddBox(
+            new(x, y, max.Z + 0.5),
+            new(x + ((max.X - min.X) * 0.2), y + ((max.Y - min.Y) * 0.2), max.Z + 2.6),
+            wall.Scaled(0.75)
+        );
     }
 
     /// <summary>Puts windows on walls.</summary>
@@ -105,8 +116,7 @@ public static class BuildingModels
             Vector3D across = along * windowWidth;
             Vector3D low = foot + new Vector3D(0, 0, sill);
             Vector3D high = foot + new Vector3D(0, 0, top);
-            builder.AddQuad(
-                low, low + across, high + across, high, isLit ? lamp : DarkGlass, isLit ? Surface.LitWindow : Surface.Glass);
+            builder.AddQuad(low, low + across, high + across, high, isLit ? lamp : DarkGlass, isLit ? Surface.LitWindow : Surface.Glass);
         }
     }
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Simulation.Rendering;
 
@@ -46,8 +43,12 @@ internal sealed class CarBody(ModelFrame frame, CarProfile profile, MeshBuilder 
     {
         (double At, double Height)[] edge =
         [
-            (Inset, profile.Tail - 0.03), (0.03, profile.Tail), (profile.CabinRear, profile.HasBed ? profile.Tail : profile.Belt),
-            (profile.CabinRear + 0.001, profile.Belt), (profile.CabinFront, profile.Belt), (0.95, profile.Nose),
+            (Inset, profile.Tail - 0.03),
+            (0.03, profile.Tail),
+            (profile.CabinRear, profile.HasBed ? profile.Tail : profile.Belt),
+            (profile.CabinRear + 0.001, profile.Belt),
+            (profile.CabinFront, profile.Belt),
+            (0.95, profile.Nose),
             (1 - Inset, profile.Nose - 0.06),
         ];
         int after = Array.FindIndex(edge, point => point.At >= forward);
@@ -71,10 +72,7 @@ internal sealed class CarBody(ModelFrame frame, CarProfile profile, MeshBuilder 
 
     private List<double> Stations()
     {
-        SortedSet<double> stations =
-        [
-            Inset, 0.03, 0.95, 1 - Inset, profile.CabinFront, (profile.CabinFront + 0.95) / 2,
-        ];
+        SortedSet<double> stations = [Inset, 0.03, 0.95, 1 - Inset, profile.CabinFront, (profile.CabinFront + 0.95) / 2];
         if (profile.CabinRear > 0.03)
         {
             stations.UnionWith([profile.CabinRear, profile.CabinRear + 0.001]);
@@ -144,10 +142,16 @@ internal sealed class CarBody(ModelFrame frame, CarProfile profile, MeshBuilder 
     private void AddUnderbody()
     {
         double top = Math.Min(profile.Nose, profile.Tail) - 0.1;
-        builder.AddBox(frame.At(0.15, 0.03, profile.Sill * 0.75), frame.At(0.85, 0.97, Math.Max(top, profile.Sill + 0.05)),
-            VehiclePaint.DarkPlastic);
-        builder.AddBox(frame.At(0.04, profile.RearAxle + 0.09, profile.Sill * 0.8),
-            frame.At(0.96, profile.FrontAxle - 0.09, profile.Sill + 0.02), VehiclePaint.DarkPlastic);
+        builder.AddBox(
+            frame.At(0.15, 0.03, profile.Sill * 0.75),
+            frame.At(0.85, 0.97, Math.Max(top, profile.Sill + 0.05)),
+            VehiclePaint.DarkPlastic
+        );
+        builder.AddBox(
+            frame.At(0.04, profile.RearAxle + 0.09, profile.Sill * 0.8),
+            frame.At(0.96, profile.FrontAxle - 0.09, profile.Sill + 0.02),
+            VehiclePaint.DarkPlastic
+        );
     }
 
     private void AddBumpers()
@@ -159,9 +163,17 @@ internal sealed class CarBody(ModelFrame frame, CarProfile profile, MeshBuilder 
         {
             double half = HalfWidthAt(face);
             builder.AddBox(
-                frame.At(0.5 - half, Math.Min(face, inner), low), frame.At(0.5 + half, Math.Max(face, inner), high), shade, Surface.Paint);
-            builder.AddBox(frame.At(0.5 - half, Math.Min(rib, inner), high - 0.05), frame.At(0.5 + half, Math.Max(rib, inner), high),
-                shade, Surface.Paint);
+                frame.At(0.5 - half, Math.Min(face, inner), low),
+                frame.At(0.5 + half, Math.Max(face, inner), high),
+                shade,
+                Surface.Paint
+            );
+            builder.AddBox(
+                frame.At(0.5 - half, Math.Min(rib, inner), high - 0.05),
+                frame.At(0.5 + half, Math.Max(rib, inner), high),
+                shade,
+                Surface.Paint
+            );
         }
 
         builder.AddBox(frame.At(0.28, 0.98, profile.Sill + 0.02), frame.At(0.72, 0.9965, high - 0.07), VehiclePaint.DarkPlastic);
@@ -203,8 +215,12 @@ internal sealed class CarBody(ModelFrame frame, CarProfile profile, MeshBuilder 
         Vector3D At(double right, double forward, double up) => frame.At(right, forward, up);
         builder.AddBox(At(left + BedWall, BedWall, BedFloor - 0.02), At(1 - left - BedWall, front, BedFloor), VehiclePaint.DarkPlastic);
         builder.AddBox(At(left + 0.004, BedWall, BedFloor), At(left + BedWall, front, profile.Tail), colour.Scaled(0.9), Surface.Paint);
-        builder.AddBox(At(1 - left - BedWall, BedWall, BedFloor), At(1 - left - 0.004, front, profile.Tail), colour.Scaled(0.9),
-            Surface.Paint);
+        builder.AddBox(
+            At(1 - left - BedWall, BedWall, BedFloor),
+            At(1 - left - 0.004, front, profile.Tail),
+            colour.Scaled(0.9),
+            Surface.Paint
+        );
         builder.AddBox(At(left, 0.02, BedFloor), At(1 - left, BedWall, profile.Tail), colour.Scaled(0.95), Surface.Paint);
         builder.AddBox(At(left, front, BedFloor), At(1 - left, front + 0.01, profile.Tail), colour, Surface.Paint);
     }

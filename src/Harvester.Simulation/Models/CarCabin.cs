@@ -19,30 +19,63 @@ internal sealed class CarCabin(ModelFrame frame, CarProfile profile, MeshBuilder
         Vector3D roofHigh = frame.At(1 - profile.RoofInset, profile.RoofFront, RoofLine);
         builder.AddFrustum(low, high, roofLow, roofHigh, colour, Surface.Paint);
         builder.AddFrustum(
-            roofLow, roofHigh with { Z = frame.Max.Z }, frame.At(profile.RoofInset + 0.03, profile.RoofRear + 0.015, 1),
-            frame.At(1 - profile.RoofInset - 0.03, profile.RoofFront - 0.02, 1), colour, Surface.Paint);
+            roofLow,
+            roofHigh with
+            {
+                Z = frame.Max.Z,
+            },
+            frame.At(profile.RoofInset + 0.03, profile.RoofRear + 0.015, 1),
+            frame.At(1 - profile.RoofInset - 0.03, profile.RoofFront - 0.02, 1),
+            colour,
+            Surface.Paint
+        );
         foreach (int side in new[] { -1, 1 })
         {
             foreach ((double from, double to) in profile.Windows)
             {
-                AddPane(new(side, 0, 0), SidePoint(side, from, PaneBottom), SidePoint(side, to, PaneBottom), SidePoint(side, to, PaneTop),
-                    SidePoint(side, from, PaneTop));
+                AddPane(
+                    new(side, 0, 0),
+                    SidePoint(side, from, PaneBottom),
+                    SidePoint(side, to, PaneBottom),
+                    SidePoint(side, to, PaneTop),
+                    SidePoint(side, from, PaneTop)
+                );
             }
         }
 
-        AddPane(new(0, 1, 0), EndPoint(true, 0.03, PaneBottom), EndPoint(true, 0.97, PaneBottom), EndPoint(true, 0.94, PaneTop),
-            EndPoint(true, 0.06, PaneTop));
+        AddPane(
+            new(0, 1, 0),
+            EndPoint(true, 0.03, PaneBottom),
+            EndPoint(true, 0.97, PaneBottom),
+            EndPoint(true, 0.94, PaneTop),
+            EndPoint(true, 0.06, PaneTop)
+        );
         if (profile.HasRearWindow)
         {
-            AddPane(new(0, -1, 0), EndPoint(false, 0.08, 0.1), EndPoint(false, 0.92, 0.1), EndPoint(false, 0.9, PaneTop),
-                EndPoint(false, 0.1, PaneTop));
+            AddPane(
+                new(0, -1, 0),
+                EndPoint(false, 0.08, 0.1),
+                EndPoint(false, 0.92, 0.1),
+                EndPoint(false, 0.9, PaneTop),
+                EndPoint(false, 0.1, PaneTop)
+            );
         }
         else
         {
-            AddPane(new(0, -1, 0), EndPoint(false, 0.1, 0.3), EndPoint(false, 0.46, 0.3), EndPoint(false, 0.46, 0.88),
-                EndPoint(false, 0.1, 0.88));
-            AddPane(new(0, -1, 0), EndPoint(false, 0.54, 0.3), EndPoint(false, 0.9, 0.3), EndPoint(false, 0.9, 0.88),
-                EndPoint(false, 0.54, 0.88));
+            AddPane(
+                new(0, -1, 0),
+                EndPoint(false, 0.1, 0.3),
+                EndPoint(false, 0.46, 0.3),
+                EndPoint(false, 0.46, 0.88),
+                EndPoint(false, 0.1, 0.88)
+            );
+            AddPane(
+                new(0, -1, 0),
+                EndPoint(false, 0.54, 0.3),
+                EndPoint(false, 0.9, 0.3),
+                EndPoint(false, 0.9, 0.88),
+                EndPoint(false, 0.54, 0.88)
+            );
         }
     }
 

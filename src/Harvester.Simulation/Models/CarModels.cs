@@ -1,4 +1,3 @@
-using System;
 using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Models;
@@ -38,8 +37,10 @@ internal static class CarModels
         {
             builder.AddBox(
                 frame.At(Math.Min(outer, inner), forward, profile.Belt),
-                    frame.At(Math.Max(outer, inner), forward + 0.026, profile.Belt + 0.09),
-                colour.Scaled(0.8), Surface.Paint);
+                frame.At(Math.Max(outer, inner), forward + 0.026, profile.Belt + 0.09),
+                colour.Scaled(0.8),
+                Surface.Paint
+            );
         }
     }
 
@@ -59,8 +60,13 @@ internal static class CarModels
         {
             double x = frame.X(0.5) + (side * ((frame.Width * (0.5 - CarBody.Inset)) + 0.003));
             builder.AddQuad(
-                new(x, frame.Y(0.33), frame.Z(0.3)), new(x, frame.Y(0.68), frame.Z(0.3)), new(x, frame.Y(0.66), frame.Z(0.44)),
-                new(x, frame.Y(0.35), frame.Z(0.44)), new(222, 222, 222), Surface.Paint);
+                new(x, frame.Y(0.33), frame.Z(0.3)),
+                new(x, frame.Y(0.68), frame.Z(0.3)),
+                new(x, frame.Y(0.66), frame.Z(0.44)),
+                new(x, frame.Y(0.35), frame.Z(0.44)),
+                new(222, 222, 222),
+                Surface.Paint
+            );
         }
     }
 }

@@ -19,7 +19,8 @@ internal sealed record CarProfile(
     double RoofFront,
     double CabinFront,
     double RearAxle,
-    double FrontAxle)
+    double FrontAxle
+)
 {
     /// <summary>Height of the body's lower edge between the wheels.</summary>
     public double Sill { get; init; } = 0.13;
@@ -42,61 +43,62 @@ internal sealed record CarProfile(
     /// <summary>Whether it has an open bed behind the cabin.</summary>
     public bool HasBed { get; init; }
 
-    public static CarProfile Of(VehicleShape shape) => shape switch
-    {
-        VehicleShape.Hatchback => new(0.56, 0.46, 0.58, 0.02, 0.15, 0.50, 0.74, 0.17, 0.83) { WheelRadius = 0.24 },
-        VehicleShape.Coupe => new(0.62, 0.49, 0.62, 0.06, 0.30, 0.44, 0.62, 0.18, 0.82)
+    public static CarProfile Of(VehicleShape shape) =>
+        shape switch
         {
-            Sill = 0.12,
-            WheelRadius = 0.27,
-            RoofInset = 0.13,
-            Taper = 0.01,
-            Windows = [(0.2, 0.92)],
-        },
-        VehicleShape.Supercar => new(0.62, 0.34, 0.68, 0.10, 0.38, 0.50, 0.80, 0.18, 0.80)
-        {
-            Sill = 0.09,
-            WheelRadius = 0.31,
-            RoofInset = 0.19,
-            Taper = 0.03,
-            Windows = [(0.3, 0.93)],
-        },
-        VehicleShape.Estate => new(0.60, 0.50, 0.58, 0.012, 0.06, 0.54, 0.70, 0.20, 0.82)
-        {
-            Windows = [(0.05, 0.3), (0.35, 0.62), (0.66, 0.94)],
-        },
-        VehicleShape.Suv => new(0.58, 0.56, 0.58, 0.012, 0.035, 0.60, 0.71, 0.19, 0.82)
-        {
-            Sill = 0.16,
-            WheelRadius = 0.215,
-            RoofInset = 0.05,
-            Taper = 0.01,
-            Windows = [(0.05, 0.3), (0.35, 0.63), (0.68, 0.95)],
-        },
-        VehicleShape.Minivan => new(0.53, 0.43, 0.54, 0.012, 0.05, 0.62, 0.88, 0.19, 0.82)
-        {
-            WheelRadius = 0.2,
-            RoofInset = 0.11,
-            Windows = [(0.04, 0.32), (0.36, 0.63), (0.67, 0.93)],
-        },
-        VehicleShape.Van => new(0.50, 0.47, 0.5, 0.008, 0.015, 0.73, 0.87, 0.19, 0.83)
-        {
-            Sill = 0.12,
-            WheelRadius = 0.175,
-            RoofInset = 0.06,
-            Taper = 0.012,
-            Windows = [(0.74, 0.95)],
-            HasRearWindow = false,
-        },
-        VehicleShape.Pickup => new(0.58, 0.54, 0.57, 0.40, 0.425, 0.57, 0.69, 0.19, 0.82)
-        {
-            Sill = 0.22,
-            WheelRadius = 0.215,
-            RoofInset = 0.12,
-            Taper = 0.012,
-            Windows = [(0.1, 0.92)],
-            HasBed = true,
-        },
-        _ => new(0.60, 0.50, 0.58, 0.13, 0.27, 0.51, 0.70, 0.20, 0.81),
-    };
+            VehicleShape.Hatchback => new(0.56, 0.46, 0.58, 0.02, 0.15, 0.50, 0.74, 0.17, 0.83) { WheelRadius = 0.24 },
+            VehicleShape.Coupe => new(0.62, 0.49, 0.62, 0.06, 0.30, 0.44, 0.62, 0.18, 0.82)
+            {
+                Sill = 0.12,
+                WheelRadius = 0.27,
+                RoofInset = 0.13,
+                Taper = 0.01,
+                Windows = [(0.2, 0.92)],
+            },
+            VehicleShape.Supercar => new(0.62, 0.34, 0.68, 0.10, 0.38, 0.50, 0.80, 0.18, 0.80)
+            {
+                Sill = 0.09,
+                WheelRadius = 0.31,
+                RoofInset = 0.19,
+                Taper = 0.03,
+                Windows = [(0.3, 0.93)],
+            },
+            VehicleShape.Estate => new(0.60, 0.50, 0.58, 0.012, 0.06, 0.54, 0.70, 0.20, 0.82)
+            {
+                Windows = [(0.05, 0.3), (0.35, 0.62), (0.66, 0.94)],
+            },
+            VehicleShape.Suv => new(0.58, 0.56, 0.58, 0.012, 0.035, 0.60, 0.71, 0.19, 0.82)
+            {
+                Sill = 0.16,
+                WheelRadius = 0.215,
+                RoofInset = 0.05,
+                Taper = 0.01,
+                Windows = [(0.05, 0.3), (0.35, 0.63), (0.68, 0.95)],
+            },
+            VehicleShape.Minivan => new(0.53, 0.43, 0.54, 0.012, 0.05, 0.62, 0.88, 0.19, 0.82)
+            {
+                WheelRadius = 0.2,
+                RoofInset = 0.11,
+                Windows = [(0.04, 0.32), (0.36, 0.63), (0.67, 0.93)],
+            },
+            VehicleShape.Van => new(0.50, 0.47, 0.5, 0.008, 0.015, 0.73, 0.87, 0.19, 0.83)
+            {
+                Sill = 0.12,
+                WheelRadius = 0.175,
+                RoofInset = 0.06,
+                Taper = 0.012,
+                Windows = [(0.74, 0.95)],
+                HasRearWindow = false,
+            },
+            VehicleShape.Pickup => new(0.58, 0.54, 0.57, 0.40, 0.425, 0.57, 0.69, 0.19, 0.82)
+            {
+                Sill = 0.22,
+                WheelRadius = 0.215,
+                RoofInset = 0.12,
+                Taper = 0.012,
+                Windows = [(0.1, 0.92)],
+                HasBed = true,
+            },
+            _ => new(0.60, 0.50, 0.58, 0.13, 0.27, 0.51, 0.70, 0.20, 0.81),
+        };
 }

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 using Harvester.Simulation.Rendering;
 
@@ -46,18 +45,27 @@ internal static class CycleModels
         double inner = radius - Math.Min(0.07, breadth * 0.8);
         var hub = new Vector3D(frame.X(0.5), end + (inward * radius), frame.Min.Z + radius);
         Vector3D half = new(breadth / 2, 0, 0);
-        Vector3D Around(double corner) =>
-            new(0, Math.Sin(2 * Math.PI * corner / sides), -Math.Cos(2 * Math.PI * corner / sides));
+        Vector3D Around(double corner) => new(0, Math.Sin(2 * Math.PI * corner / sides), -Math.Cos(2 * Math.PI * corner / sides));
         for (int side = 0; side < sides; side++)
         {
             Vector3D a = Around(side);
             Vector3D b = Around(side + 1);
-            builder.AddQuad(hub + (a * radius) - half, hub + (b * radius) - half, hub + (b * radius) + half, hub + (a * radius) + half,
-                VehiclePaint.Rubber);
+            builder.AddQuad(
+                hub + (a * radius) - half,
+                hub + (b * radius) - half,
+                hub + (b * radius) + half,
+                hub + (a * radius) + half,
+                VehiclePaint.Rubber
+            );
             foreach (Vector3D face in new[] { half, -half })
             {
-                builder.AddQuad(hub + (a * radius) + face, hub + (b * radius) + face, hub + (b * inner) + face, hub + (a * inner) + face,
-                    VehiclePaint.Rubber);
+                builder.AddQuad(
+                    hub + (a * radius) + face,
+                    hub + (b * radius) + face,
+                    hub + (b * inner) + face,
+                    hub + (a * inner) + face,
+                    VehiclePaint.Rubber
+                );
             }
         }
 
@@ -75,15 +83,39 @@ internal static class CycleModels
     private static void AddSportsMachine(MeshBuilder builder, ModelFrame frame, double radius, Rgb colour)
     {
         builder.AddFrustum(frame.At(0.2, 0.3, 0.16), frame.At(0.8, 0.66, 0.55), frame.At(0.16, 0.3, 0), frame.At(0.84, 0.72, 0), Steel);
-        builder.AddFrustum(frame.At(0.24, 0.42, 0.55), frame.At(0.76, 0.76, 0.82), frame.At(0.34, 0.46, 0), frame.At(0.66, 0.68, 0), colour,
-            Surface.Paint);
+        builder.AddFrustum(
+            frame.At(0.24, 0.42, 0.55),
+            frame.At(0.76, 0.76, 0.82),
+            frame.At(0.34, 0.46, 0),
+            frame.At(0.66, 0.68, 0),
+            colour,
+            Surface.Paint
+        );
         builder.AddFrustum(frame.At(0.3, 0.2, 0.6), frame.At(0.7, 0.46, 0.74), frame.At(0.3, 0.2, 0), frame.At(0.7, 0.46, 0), Leather);
-        builder.AddFrustum(frame.At(0.3, 0.02, 0.64), frame.At(0.7, 0.26, 0.84), frame.At(0.36, 0.0, 0), frame.At(0.64, 0.22, 0), colour,
-            Surface.Paint);
-        builder.AddFrustum(frame.At(0.18, 0.66, 0.3), frame.At(0.82, 0.93, 0.8), frame.At(0.14, 0.66, 0), frame.At(0.86, 0.88, 0), colour,
-            Surface.Paint);
-        builder.AddFrustum(frame.At(0.2, 0.68, 0.8), frame.At(0.8, 0.87, 1), frame.At(0.28, 0.66, 0), frame.At(0.72, 0.74, 0),
-            VehiclePaint.Window, Surface.Glass);
+        builder.AddFrustum(
+            frame.At(0.3, 0.02, 0.64),
+            frame.At(0.7, 0.26, 0.84),
+            frame.At(0.36, 0.0, 0),
+            frame.At(0.64, 0.22, 0),
+            colour,
+            Surface.Paint
+        );
+        builder.AddFrustum(
+            frame.At(0.18, 0.66, 0.3),
+            frame.At(0.82, 0.93, 0.8),
+            frame.At(0.14, 0.66, 0),
+            frame.At(0.86, 0.88, 0),
+            colour,
+            Surface.Paint
+        );
+        builder.AddFrustum(
+            frame.At(0.2, 0.68, 0.8),
+            frame.At(0.8, 0.87, 1),
+            frame.At(0.28, 0.66, 0),
+            frame.At(0.72, 0.74, 0),
+            VehiclePaint.Window,
+            Surface.Glass
+        );
         AddFork(builder, frame, radius, 0.74, 0.82, 0.42);
         AddHandlebar(builder, frame, 0.67, 0.8);
         AddSwingArm(builder, frame, radius);
@@ -92,11 +124,23 @@ internal static class CycleModels
     private static void AddChopper(MeshBuilder builder, ModelFrame frame, double radius, Rgb colour)
     {
         builder.AddFrustum(frame.At(0.22, 0.34, 0.14), frame.At(0.78, 0.6, 0.5), frame.At(0.28, 0.36, 0), frame.At(0.72, 0.58, 0), Steel);
-        builder.AddFrustum(frame.At(0.34, 0.42, 0.54), frame.At(0.66, 0.66, 0.72), frame.At(0.42, 0.44, 0), frame.At(0.58, 0.62, 0), colour,
-            Surface.Paint);
+        builder.AddFrustum(
+            frame.At(0.34, 0.42, 0.54),
+            frame.At(0.66, 0.66, 0.72),
+            frame.At(0.42, 0.44, 0),
+            frame.At(0.58, 0.62, 0),
+            colour,
+            Surface.Paint
+        );
         builder.AddFrustum(frame.At(0.28, 0.16, 0.48), frame.At(0.72, 0.42, 0.58), frame.At(0.3, 0.14, 0), frame.At(0.7, 0.4, 0), Leather);
-        builder.AddFrustum(frame.At(0.36, 0.02, 0.4), frame.At(0.64, 0.24, 0.56), frame.At(0.4, 0.06, 0), frame.At(0.6, 0.2, 0), colour,
-            Surface.Paint);
+        builder.AddFrustum(
+            frame.At(0.36, 0.02, 0.4),
+            frame.At(0.64, 0.24, 0.56),
+            frame.At(0.4, 0.06, 0),
+            frame.At(0.6, 0.2, 0),
+            colour,
+            Surface.Paint
+        );
         builder.AddBox(frame.At(0.38, 0.84, 0.44), frame.At(0.62, 0.97, 0.48), colour, Surface.Paint);
         builder.AddFrustum(frame.At(0.4, 0.1, 0.5), frame.At(0.6, 0.14, 1), frame.At(0.38, 0.06, 0), frame.At(0.62, 0.09, 0), Leather);
         AddFork(builder, frame, radius, 0.66, 0.84, 0.44);

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Models;
@@ -38,9 +37,12 @@ internal static class LorryModels
                 bool isFireEngine = row.Model == "firetruk";
                 AddChassis(builder, frame, SideInset, [0.2, 0.82]);
                 AddCab(builder, frame, 0.7, isFireEngine ? 0.88 : 0.84, colour);
-                builder.AddBox(frame.At(0.012, BoxRear, Chassis), frame.At(0.988, 0.69, isFireEngine ? 0.9 : 1),
+                builder.AddBox(
+                    frame.At(0.012, BoxRear, Chassis),
+                    frame.At(0.988, 0.69, isFireEngine ? 0.9 : 1),
                     isFireEngine ? colour : BoxWhite,
-                    Surface.Paint);
+                    Surface.Paint
+                );
                 AddRearDoors(builder, frame, isFireEngine ? colour : BoxWhite);
                 AddFireEngine(builder, frame, isFireEngine);
                 break;
@@ -56,8 +58,11 @@ internal static class LorryModels
         builder.AddBox(frame.At(inset + 0.12, 0.012, Chassis * 0.5), frame.At(0.88 - inset, 0.98, Chassis * 1.2), VehiclePaint.DarkPlastic);
         builder.AddBox(frame.At(inset, 0.002, Chassis * 0.35), frame.At(1 - inset, 0.016, Chassis), VehiclePaint.DarkPlastic);
         double from = (axles.Length > 2 ? axles[1] : axles[0]) + 0.1;
-        builder.AddBox(frame.At(inset, from, Chassis * 0.4), frame.At(1 - inset, Math.Max(from, axles[^1] - 0.12), Chassis),
-            VehiclePaint.DarkPlastic);
+        builder.AddBox(
+            frame.At(inset, from, Chassis * 0.4),
+            frame.At(1 - inset, Math.Max(from, axles[^1] - 0.12), Chassis),
+            VehiclePaint.DarkPlastic
+        );
         foreach (double axle in axles)
         {
             VehicleParts.AddAxle(builder, frame, axle, Math.Min(0.52, frame.Height * 0.165), 0.34, Math.Max(0.004, inset - 0.026));
@@ -73,19 +78,47 @@ internal static class LorryModels
         builder.AddBox(frame.At(SideInset, 0.97, Chassis * 0.25), frame.At(1 - SideInset, 0.998, Chassis * 1.3), VehiclePaint.DarkPlastic);
         builder.AddBox(frame.At(0.2, 0.985, Chassis * 1.4), frame.At(0.8, 0.994, sill * 0.8), VehiclePaint.DarkPlastic);
         builder.AddBox(frame.At(0.4, 0.99, Chassis * 0.7), frame.At(0.6, 1, Chassis * 1.0), VehiclePaint.Plate);
-        builder.AddFrustum(frame.At(SideInset, rear, sill), frame.At(1 - SideInset, 0.99, glassTop), frame.At(SideInset + 0.02, rear, 0),
-            frame.At(0.98 - SideInset, 0.97, 0), colour, Surface.Paint);
-        builder.AddFrustum(frame.At(SideInset + 0.02, rear, glassTop), frame.At(0.98 - SideInset, 0.97, top),
-            frame.At(0.08, rear, 0), frame.At(0.92, 0.95, 0), colour, Surface.Paint);
-        VehicleParts.AddPane(builder, new(0, 1, 0), frame.At(0.07, 0.9895, sill + 0.01), frame.At(0.93, 0.9895, sill + 0.01),
-            frame.At(0.91, 0.971, glassTop - 0.01), frame.At(0.09, 0.971, glassTop - 0.01), VehiclePaint.Window, Surface.Glass);
+        builder.AddFrustum(
+            frame.At(SideInset, rear, sill),
+            frame.At(1 - SideInset, 0.99, glassTop),
+            frame.At(SideInset + 0.02, rear, 0),
+            frame.At(0.98 - SideInset, 0.97, 0),
+            colour,
+            Surface.Paint
+        );
+        builder.AddFrustum(
+            frame.At(SideInset + 0.02, rear, glassTop),
+            frame.At(0.98 - SideInset, 0.97, top),
+            frame.At(0.08, rear, 0),
+            frame.At(0.92, 0.95, 0),
+            colour,
+            Surface.Paint
+        );
+        VehicleParts.AddPane(
+            builder,
+            new(0, 1, 0),
+            frame.At(0.07, 0.9895, sill + 0.01),
+            frame.At(0.93, 0.9895, sill + 0.01),
+            frame.At(0.91, 0.971, glassTop - 0.01),
+            frame.At(0.09, 0.971, glassTop - 0.01),
+            VehiclePaint.Window,
+            Surface.Glass
+        );
         double from = Math.Max(rear + ((1 - rear) * 0.3), 0.76);
         foreach (int side in new[] { -1, 1 })
         {
             double low = side < 0 ? SideInset : 1 - SideInset;
             double high = low - (side * 0.02);
-            VehicleParts.AddPane(builder, new(side, 0, 0), frame.At(low, from, sill + 0.01), frame.At(low, 0.975, sill + 0.01),
-                frame.At(high, 0.957, glassTop - 0.01), frame.At(high, from, glassTop - 0.01), VehiclePaint.Window, Surface.Glass);
+            VehicleParts.AddPane(
+                builder,
+                new(side, 0, 0),
+                frame.At(low, from, sill + 0.01),
+                frame.At(low, 0.975, sill + 0.01),
+                frame.At(high, 0.957, glassTop - 0.01),
+                frame.At(high, from, glassTop - 0.01),
+                VehiclePaint.Window,
+                Surface.Glass
+            );
         }
 
         AddMirrors(builder, frame, 0.955, SideInset + 0.02, sill);
@@ -101,9 +134,16 @@ internal static class LorryModels
     {
         foreach (double left in new[] { 0.04, 0.51 })
         {
-            VehicleParts.AddPane(builder, new(0, -1, 0), frame.At(left, 0.0012, Chassis + 0.04),
+            VehicleParts.AddPane(
+                builder,
+                new(0, -1, 0),
+                frame.At(left, 0.0012, Chassis + 0.04),
                 frame.At(left + 0.45, 0.0012, Chassis + 0.04),
-                frame.At(left + 0.45, 0.0012, 0.85), frame.At(left, 0.0012, 0.85), colour.Scaled(0.86), Surface.Paint);
+                frame.At(left + 0.45, 0.0012, 0.85),
+                frame.At(left, 0.0012, 0.85),
+                colour.Scaled(0.86),
+                Surface.Paint
+            );
         }
 
         builder.AddBox(frame.At(0.485, 0, Chassis + 0.2), frame.At(0.515, BoxRear, Chassis + 0.5), VehiclePaint.Rim);
@@ -116,9 +156,13 @@ internal static class LorryModels
         builder.AddFrustum(frame.At(0.08, 0.03, 0.27), frame.At(0.92, 0.66, 0.97), frame.At(0.012, 0, 1), frame.At(0.988, 0.68, 1), steel);
         for (double rib = 0.08; rib < 0.62; rib += 0.14)
         {
-            builder.AddFrustum(frame.At(0.06, rib, 0.3), frame.At(0.94, rib + 0.025, 0.97), frame.At(0.004, rib, 1),
+            builder.AddFrustum(
+                frame.At(0.06, rib, 0.3),
+                frame.At(0.94, rib + 0.025, 0.97),
+                frame.At(0.004, rib, 1),
                 frame.At(0.996, rib + 0.025, 1),
-                steel.Scaled(0.8));
+                steel.Scaled(0.8)
+            );
         }
 
         builder.AddBox(frame.At(0.05, 0.62, 0.9), frame.At(0.95, 0.86, 1), steel);
@@ -134,26 +178,58 @@ internal static class LorryModels
         AddChassis(builder, frame, inset, [0.12, 0.27, 1 - (1.15 / frame.Length)]);
         builder.AddBox(frame.At(inset, 0, 0.11), frame.At(1 - inset, 0.012, 0.16), VehiclePaint.DarkPlastic);
         builder.AddBox(frame.At(0.3, 0.1, 0.21), frame.At(0.7, 0.28, 0.26), VehiclePaint.DarkPlastic);
-        builder.AddFrustum(frame.At(inset + 0.06, cab - 0.01, 0.16), frame.At(0.94 - inset, 0.985, 0.44),
+        builder.AddFrustum(
+            frame.At(inset + 0.06, cab - 0.01, 0.16),
+            frame.At(0.94 - inset, 0.985, 0.44),
             frame.At(inset + 0.1, cab - 0.01, 0),
-            frame.At(0.9 - inset, 0.97, 0), colour, Surface.Paint);
+            frame.At(0.9 - inset, 0.97, 0),
+            colour,
+            Surface.Paint
+        );
         builder.AddBox(frame.At(0.34, 0.975, 0.17), frame.At(0.66, 0.99, 0.4), Steel);
         builder.AddBox(frame.At(inset, 0.96, 0.09), frame.At(1 - inset, 1, 0.16), Steel);
         builder.AddBox(frame.At(inset, 1 - (1.75 / frame.Length), 0.22), frame.At(1 - inset, 0.985, 0.27), colour, Surface.Paint);
         builder.AddBox(frame.At(inset, rear, 0.15), frame.At(1 - inset, cab, 0.47), colour, Surface.Paint);
-        builder.AddFrustum(frame.At(inset, rear, 0.47), frame.At(1 - inset, cab, 0.7), frame.At(inset + 0.02, rear, 0),
-            frame.At(0.98 - inset, cab - 0.03, 0), colour, Surface.Paint);
-        builder.AddFrustum(frame.At(inset + 0.02, rear, 0.7), frame.At(0.98 - inset, cab - 0.03, 0.9), frame.At(inset + 0.06, rear, 0),
-            frame.At(0.94 - inset, rear + ((cab - rear) * 0.35), 0), colour, Surface.Paint);
-        VehicleParts.AddPane(builder, new(0, 1, 0), frame.At(inset + 0.03, cab - 0.002, 0.485), frame.At(0.97 - inset, cab - 0.002, 0.485),
-            frame.At(0.96 - inset, cab - 0.029, 0.69), frame.At(inset + 0.04, cab - 0.029, 0.69), VehiclePaint.Window, Surface.Glass);
+        builder.AddFrustum(
+            frame.At(inset, rear, 0.47),
+            frame.At(1 - inset, cab, 0.7),
+            frame.At(inset + 0.02, rear, 0),
+            frame.At(0.98 - inset, cab - 0.03, 0),
+            colour,
+            Surface.Paint
+        );
+        builder.AddFrustum(
+            frame.At(inset + 0.02, rear, 0.7),
+            frame.At(0.98 - inset, cab - 0.03, 0.9),
+            frame.At(inset + 0.06, rear, 0),
+            frame.At(0.94 - inset, rear + ((cab - rear) * 0.35), 0),
+            colour,
+            Surface.Paint
+        );
+        VehicleParts.AddPane(
+            builder,
+            new(0, 1, 0),
+            frame.At(inset + 0.03, cab - 0.002, 0.485),
+            frame.At(0.97 - inset, cab - 0.002, 0.485),
+            frame.At(0.96 - inset, cab - 0.029, 0.69),
+            frame.At(inset + 0.04, cab - 0.029, 0.69),
+            VehiclePaint.Window,
+            Surface.Glass
+        );
         foreach (int side in new[] { -1, 1 })
         {
             double low = side < 0 ? inset : 1 - inset;
             double high = low - (side * 0.018);
-            VehicleParts.AddPane(builder, new(side, 0, 0), frame.At(low, cab - (1.15 / frame.Length), 0.485),
+            VehicleParts.AddPane(
+                builder,
+                new(side, 0, 0),
+                frame.At(low, cab - (1.15 / frame.Length), 0.485),
                 frame.At(low, cab - 0.02, 0.485),
-                frame.At(high, cab - 0.042, 0.68), frame.At(high, cab - (1.15 / frame.Length), 0.68), VehiclePaint.Window, Surface.Glass);
+                frame.At(high, cab - 0.042, 0.68),
+                frame.At(high, cab - (1.15 / frame.Length), 0.68),
+                VehiclePaint.Window,
+                Surface.Glass
+            );
             double stack = side < 0 ? inset - 0.01 : 1.01 - inset;
             builder.AddCylinder(frame.At(stack, rear - 0.02, 0.2), frame.At(stack, rear - 0.02, 0.7), 0.12, 0.12, 8, Steel);
             builder.AddCylinder(frame.At(stack, rear - 0.02, 0.7), frame.At(stack, rear - 0.02, 1), 0.07, 0.07, 8, Steel);

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Models;
@@ -21,8 +18,10 @@ public sealed class ModelCatalogue
         StreetLamp = StreetModels.StreetLamp();
         Bench = StreetModels.Bench();
         Trees = StreetModels.Trees().ToArray();
-        _byName = ((IEnumerable<Model>)[.. Vehicles, .. Pedestrians, .. Signs, .. TrafficLights, StreetLamp, Bench, .. Trees])
-            .ToDictionary(model => model.Name, StringComparer.Ordinal);
+        _byName = ((IEnumerable<Model>)[.. Vehicles, .. Pedestrians, .. Signs, .. TrafficLights, StreetLamp, Bench, .. Trees]).ToDictionary(
+            model => model.Name,
+            StringComparer.Ordinal
+        );
     }
 
     /// <summary>One catalogue for all worlds; models are immutable.</summary>
@@ -54,7 +53,6 @@ public sealed class ModelCatalogue
 
     /// <summary>The model with a name.</summary>
     /// <exception cref="KeyNotFoundException">There is no such model.</exception>
-    public Model this[string name] => _byName.TryGetValue(name, out Model? model)
-        ? model
-        : throw new KeyNotFoundException($"The simulated game has no model '{name}'.");
+    public Model this[string name] =>
+        _byName.TryGetValue(name, out Model? model) ? model : throw new KeyNotFoundException($"The simulated game has no model '{name}'.");
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Scenes;
@@ -32,10 +29,9 @@ public static class ModelFaces
         ["prop_sign_road_06j"] = ("SPEED LIMIT 55", "R2-1"),
     };
 
-    private static readonly Lazy<FaceTable> LazyTable = new(() => new FaceTable([
-        .. SignModels.All().Select(FaceOf),
-        .. SignalModels.All().SelectMany(HeadsOf),
-    ]));
+    private static readonly Lazy<FaceTable> LazyTable = new(() =>
+        new FaceTable([.. SignModels.All().Select(FaceOf), .. SignalModels.All().SelectMany(HeadsOf)])
+    );
 
     /// <summary>The table of all of them. Its corners are derived from the shapes, not measured.</summary>
     public static FaceTable Table => LazyTable.Value;
@@ -49,16 +45,18 @@ public static class ModelFaces
     private static IEnumerable<ModelFace> HeadsOf(Model light) =>
         SignalModels.Heads(light.Name).Select((box, number) => FaceOf(light, "TRAFFIC LIGHT", string.Empty, number, box));
 
-    private static ModelFace FaceOf(Model model, string name, string code, int face, (Vector3D Min, Vector3D Max) box) => new(
-        model.Name,
-        ModelHash.Of(model.Name),
-        model.Class,
-        name,
-        code,
-        face,
-        new Vector3D(box.Min.X, box.Max.Y, box.Max.Z),
-        new Vector3D(box.Max.X, box.Min.Y, box.Min.Z),
-        Facing.Back,
-        Provenance.Derived,
-        Source);
+    private static ModelFace FaceOf(Model model, string name, string code, int face, (Vector3D Min, Vector3D Max) box) =>
+        new(
+            model.Name,
+            ModelHash.Of(model.Name),
+            model.Class,
+            name,
+            code,
+            face,
+            new Vector3D(box.Min.X, box.Max.Y, box.Max.Z),
+            new Vector3D(box.Max.X, box.Min.Y, box.Min.Z),
+            Facing.Back,
+            Provenance.Derived,
+            Source
+        );
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Rendering;
@@ -22,8 +19,10 @@ internal static class RiderModels
 
     private static readonly (Rgb Jacket, Rgb Trousers, Rgb Helmet)[] Clothes =
     [
-        (new(40, 42, 48), new(44, 48, 60), new(200, 40, 40)), (new(150, 40, 36), new(36, 38, 44), new(230, 230, 226)),
-        (new(60, 90, 150), new(70, 72, 78), new(34, 34, 38)), (new(214, 190, 60), new(50, 54, 66), new(210, 210, 214)),
+        (new(40, 42, 48), new(44, 48, 60), new(200, 40, 40)),
+        (new(150, 40, 36), new(36, 38, 44), new(230, 230, 226)),
+        (new(60, 90, 150), new(70, 72, 78), new(34, 34, 38)),
+        (new(214, 190, 60), new(50, 54, 66), new(210, 210, 214)),
     ];
 
     /// <summary>The riders of a machine, one for each set of clothes.</summary>
@@ -75,12 +74,13 @@ internal static class RiderModels
     }
 
     /// <summary>The pedals of a bicycle stand upright, so one foot is low and the other high.</summary>
-    private static Vector3D FootAt(VehicleShape shape, ModelFrame frame, int side) => shape switch
-    {
-        VehicleShape.Bicycle => frame.At(0.5, 0.46, 0.3) + new Vector3D(side * 0.13, 0.02, side * 0.16),
-        VehicleShape.Chopper => frame.At(0.5, 0.66, 0.22) + new Vector3D(side * 0.24, 0, 0),
-        _ => frame.At(0.5, 0.36, 0.32) + new Vector3D(side * 0.2, 0, 0),
-    };
+    private static Vector3D FootAt(VehicleShape shape, ModelFrame frame, int side) =>
+        shape switch
+        {
+            VehicleShape.Bicycle => frame.At(0.5, 0.46, 0.3) + new Vector3D(side * 0.13, 0.02, side * 0.16),
+            VehicleShape.Chopper => frame.At(0.5, 0.66, 0.22) + new Vector3D(side * 0.24, 0, 0),
+            _ => frame.At(0.5, 0.36, 0.32) + new Vector3D(side * 0.2, 0, 0),
+        };
 
     private static void AddTrunk(MeshBuilder builder, Vector3D hips, Vector3D neck, Rgb jacket)
     {

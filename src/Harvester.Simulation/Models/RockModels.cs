@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Rendering;
@@ -53,7 +52,12 @@ internal static class RockModels
         {
             Vector3D centre = new(size * (random.NextDouble() - 0.5), size * (random.NextDouble() - 0.5), size * 0.4);
             builder.AddEllipsoid(
-                centre, new Vector3D(size * 0.6, size * 0.6, size * 0.5), 7, 4, Leaf.Scaled(0.8 + (0.4 * random.NextDouble())));
+                centre,
+                new Vector3D(size * 0.6, size * 0.6, size * 0.5),
+                7,
+                4,
+                Leaf.Scaled(0.8 + (0.4 * random.NextDouble()))
+            );
         }
 
         return builder.Build();

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Rendering;
@@ -33,8 +30,18 @@ internal static class SignModels
         yield return Build("prop_sign_road_05a", Pedestrian);
         yield return Build("prop_sign_road_05e", builder => Turn(builder, -1));
         yield return Build("prop_sign_road_05f", builder => Turn(builder, 1));
-        foreach ((string letter, string limit) in new[] { ("a", "15"), ("b", "5"), ("d", "25"), ("e", "35"), ("f", "50"), ("g", "60"),
-            ("j", "55") })
+        foreach (
+            (string letter, string limit) in new[]
+            {
+                ("a", "15"),
+                ("b", "5"),
+                ("d", "25"),
+                ("e", "35"),
+                ("f", "50"),
+                ("g", "60"),
+                ("j", "55"),
+            }
+        )
         {
             yield return Build("prop_sign_road_06" + letter, builder => SpeedLimit(builder, limit));
         }
@@ -166,13 +173,16 @@ internal static class SignModels
     private static Vector3D At(double x, double z, int layer) => new(x, FaceY - (Ink * (layer + 0.5)), z);
 
     private static Vector3D[] Rectangle(double halfWidth, double halfHeight, double middle) =>
-    [
-        new(-halfWidth, FaceY, middle - halfHeight), new(halfWidth, FaceY, middle - halfHeight),
-        new(halfWidth, FaceY, middle + halfHeight), new(-halfWidth, FaceY, middle + halfHeight),
-    ];
+        [
+            new(-halfWidth, FaceY, middle - halfHeight),
+            new(halfWidth, FaceY, middle - halfHeight),
+            new(halfWidth, FaceY, middle + halfHeight),
+            new(-halfWidth, FaceY, middle + halfHeight),
+        ];
 
     private static Vector3D[] Corners(int count, double radius, double middle, double firstTurn) =>
-        Enumerable.Range(0, count)
+        Enumerable
+            .Range(0, count)
             .Select(i => firstTurn + (2 * Math.PI * i / count))
             .Select(turn => new Vector3D(radius * Math.Cos(turn), FaceY, middle + (radius * Math.Sin(turn))))
             .ToArray();

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Rendering;
@@ -34,10 +31,15 @@ internal static class SignalModels
     public static IEnumerable<Model> All() => Frames.Select(frame => Build(frame.Key, frame.Value));
 
     /// <summary>The box of each head of a model: housing and visors, without the backplate.</summary>
-    public static IEnumerable<(Vector3D Min, Vector3D Max)> Heads(string model) => Frames[model](new MeshBuilder())
-        .Select(middle => (
-            middle - new Vector3D(HeadHalfWidth, HeadFront + VisorLength, HeadHeight / 2),
-            middle + new Vector3D(HeadHalfWidth, HeadBack, HeadHeight / 2)));
+    public static IEnumerable<(Vector3D Min, Vector3D Max)> Heads(string model) =>
+        Frames[model]
+            (new MeshBuilder())
+            .Select(middle =>
+                (
+                    middle - new Vector3D(HeadHalfWidth, HeadFront + VisorLength, HeadHeight / 2),
+                    middle + new Vector3D(HeadHalfWidth, HeadBack, HeadHeight / 2)
+                )
+            );
 
     private static Model Build(string name, Func<MeshBuilder, IEnumerable<Vector3D>> addFrame) =>
         Model.Of(name, ObjectClass.TrafficLight, Enum.GetValues<SignalState>().Select(state => BuildState(addFrame, state)).ToArray());
@@ -82,19 +84,27 @@ internal static class SignalModels
         builder.AddBox(
             new(middle.X - HeadHalfWidth, front, middle.Z - (HeadHeight / 2)),
             new(middle.X + HeadHalfWidth, middle.Y + HeadBack, middle.Z + (HeadHeight / 2)),
-            Housing);
+            Housing
+        );
         builder.AddBox(
-            new(middle.X - 0.3, middle.Y + 0.02, middle.Z - 0.63), new(middle.X + 0.3, middle.Y + 0.04, middle.Z + 0.63),
-                Housing.Scaled(0.6));
+            new(middle.X - 0.3, middle.Y + 0.02, middle.Z - 0.63),
+            new(middle.X + 0.3, middle.Y + 0.04, middle.Z + 0.63),
+            Housing.Scaled(0.6)
+        );
         for (int lamp = 0; lamp < Lit.Length; lamp++)
         {
             bool burns = lamp == (int)state;
             var lens = new Vector3D(middle.X, front, middle.Z + ((1 - lamp) * lensStep));
             builder.AddCylinder(
-                lens, lens - new Vector3D(0, 0.02, 0), lensRadius, lensRadius, 14, burns ? Lit[lamp] : Lit[lamp].Scaled(0.16), burns
-                    ? Surface.Lamp : Surface.Matte);
-            builder.AddBox(
-                lens + new Vector3D(-0.14, -VisorLength, 0.13), lens + new Vector3D(0.14, 0, 0.145), Housing);
+                lens,
+                lens - new Vector3D(0, 0.02, 0),
+                lensRadius,
+                lensRadius,
+                14,
+                burns ? Lit[lamp] : Lit[lamp].Scaled(0.16),
+                burns ? Surface.Lamp : Surface.Matte
+            );
+            builder.AddBox(lens + new Vector3D(-0.14, -VisorLength, 0.13), lens + new Vector3D(0.14, 0, 0.145), Housing);
         }
     }
 }

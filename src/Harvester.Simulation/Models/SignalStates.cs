@@ -6,9 +6,19 @@ namespace Harvester.Simulation.Models;
 internal static class SignalStates
 {
     public static LightState AsLight(this SignalState state) =>
-        state switch { SignalState.Red => LightState.Red, SignalState.Amber => LightState.Amber, _ => LightState.Green };
+        state switch
+        {
+            SignalState.Red => LightState.Red,
+            SignalState.Amber => LightState.Amber,
+            _ => LightState.Green,
+        };
 
     /// <summary>The lit lamp; green if the state is unknown.</summary>
     public static SignalState AsSignal(this LightState state) =>
-        state switch { LightState.Red => SignalState.Red, LightState.Amber => SignalState.Amber, _ => SignalState.Green };
+        state switch
+        {
+            LightState.Red => SignalState.Red,
+            LightState.Amber => SignalState.Amber,
+            _ => SignalState.Green,
+        };
 }

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Simulation.Models;
 
 /// <summary>
@@ -67,7 +64,8 @@ public static class StrokeGlyphs
 
     /// <summary>The strokes of a letter, each of two points or more; none for a blank, null for a letter that the font lacks.</summary>
     /// <param name="letter">A capital letter, a digit, a punctuation mark or a blank.</param>
-    public static IReadOnlyList<IReadOnlyList<(int Column, int Row)>>? StrokesOf(char letter) => letter == ' ' ? []
+    public static IReadOnlyList<IReadOnlyList<(int Column, int Row)>>? StrokesOf(char letter) =>
+        letter == ' ' ? []
         : Glyphs.TryGetValue(letter, out string? glyph) ? [.. glyph.Split('|').Select(PointsOf)]
         : null;
 

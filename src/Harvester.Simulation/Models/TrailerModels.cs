@@ -53,8 +53,16 @@ internal static class TrailerModels
         builder.AddBox(frame.At(0, 0.02, 0.55), frame.At(1, 0.98, 0.72), colour);
         foreach (double left in new[] { 0.04, 0.51 })
         {
-            VehicleParts.AddPane(builder, new(0, -1, 0), frame.At(left, 0.0006, Deck + 0.03), frame.At(left + 0.45, 0.0006, Deck + 0.03),
-                frame.At(left + 0.45, 0.0006, 0.97), frame.At(left, 0.0006, 0.97), BoxWhite.Scaled(0.85), Surface.Matte);
+            VehicleParts.AddPane(
+                builder,
+                new(0, -1, 0),
+                frame.At(left, 0.0006, Deck + 0.03),
+                frame.At(left + 0.45, 0.0006, Deck + 0.03),
+                frame.At(left + 0.45, 0.0006, 0.97),
+                frame.At(left, 0.0006, 0.97),
+                BoxWhite.Scaled(0.85),
+                Surface.Matte
+            );
         }
     }
 
@@ -93,10 +101,21 @@ internal static class TrailerModels
                 double z = first + (row * 0.45);
                 double shift = ((row * 5) + log) % 3 * 0.012;
                 builder.AddCylinder(
-                    new(x, frame.Y(0.02 + shift), z), new(x, frame.Y(0.95 + shift), z), radius, radius * 0.9, 8,
-                    ((row + log) & 1) == 0 ? Bark : Bark.Scaled(0.85));
+                    new(x, frame.Y(0.02 + shift), z),
+                    new(x, frame.Y(0.95 + shift), z),
+                    radius,
+                    radius * 0.9,
+                    8,
+                    ((row + log) & 1) == 0 ? Bark : Bark.Scaled(0.85)
+                );
                 builder.AddCylinder(
-                    new(x, frame.Y(0.0195 + shift), z), new(x, frame.Y(0.0205 + shift), z), radius * 0.86, radius * 0.86, 8, Cut);
+                    new(x, frame.Y(0.0195 + shift), z),
+                    new(x, frame.Y(0.0205 + shift), z),
+                    radius * 0.86,
+                    radius * 0.86,
+                    8,
+                    Cut
+                );
             }
         }
     }

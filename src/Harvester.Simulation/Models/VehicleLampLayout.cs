@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Models;
@@ -56,8 +55,14 @@ internal static class VehicleLampLayout
     {
         CarProfile profile = CarProfile.Of(shape);
         double outer = 0.008 + profile.Taper + CarBody.Inset;
-        bool isUpright = shape is VehicleShape.Van or VehicleShape.Suv or VehicleShape.Pickup or VehicleShape.Minivan
-            or VehicleShape.Estate or VehicleShape.Hatchback;
+        bool isUpright =
+            shape
+            is VehicleShape.Van
+                or VehicleShape.Suv
+                or VehicleShape.Pickup
+                or VehicleShape.Minivan
+                or VehicleShape.Estate
+                or VehicleShape.Hatchback;
         double high = profile.Nose - 0.066;
         double low = high - (isUpright ? 0.09 : 0.07);
         AddPair(lamps, frame, LampKind.Head, LampKind.Head, outer + 0.045, outer + 0.2, 0.955, 0.9925, low, high);
@@ -74,8 +79,13 @@ internal static class VehicleLampLayout
             AddPair(lamps, frame, LampKind.Left, LampKind.Right, outer + 0.15, outer + 0.22, 0.007, 0.04, top - 0.1, top);
         }
 
-        lamps.Add(new VehicleLamp(
-            LampKind.HighBrake, frame.At(0.42, profile.RoofRear - 0.004, 0.95), frame.At(0.58, profile.RoofRear + 0.02, 0.972)));
+        lamps.Add(
+            new VehicleLamp(
+                LampKind.HighBrake,
+                frame.At(0.42, profile.RoofRear - 0.004, 0.95),
+                frame.At(0.58, profile.RoofRear + 0.02, 0.972)
+            )
+        );
     }
 
     private static void AddMotorcycle(List<VehicleLamp> lamps, ModelFrame frame, bool isChopper)
@@ -88,7 +98,14 @@ internal static class VehicleLampLayout
     }
 
     private static void AddFront(
-        List<VehicleLamp> lamps, ModelFrame frame, double from, double to, double low, double high, double indicator)
+        List<VehicleLamp> lamps,
+        ModelFrame frame,
+        double from,
+        double to,
+        double low,
+        double high,
+        double indicator
+    )
     {
         double near = (frame.Length - FromEnd - Depth) / frame.Length;
         double far = (frame.Length - FromEnd) / frame.Length;
@@ -97,7 +114,15 @@ internal static class VehicleLampLayout
     }
 
     private static void AddRear(
-        List<VehicleLamp> lamps, ModelFrame frame, double from, double to, double low, double high, double indicator, bool above)
+        List<VehicleLamp> lamps,
+        ModelFrame frame,
+        double from,
+        double to,
+        double low,
+        double high,
+        double indicator,
+        bool above
+    )
     {
         double near = FromEnd / frame.Length;
         double far = (FromEnd + Depth) / frame.Length;
@@ -109,8 +134,17 @@ internal static class VehicleLampLayout
 
     /// <summary>Adds a lamp on the left and its mirror image on the right; positions are fractions of the box.</summary>
     private static void AddPair(
-        List<VehicleLamp> lamps, ModelFrame frame, LampKind left, LampKind right, double from, double to, double rear, double front,
-        double low, double high)
+        List<VehicleLamp> lamps,
+        ModelFrame frame,
+        LampKind left,
+        LampKind right,
+        double from,
+        double to,
+        double rear,
+        double front,
+        double low,
+        double high
+    )
     {
         lamps.Add(new VehicleLamp(left, frame.At(from, rear, low), frame.At(to, front, high)));
         lamps.Add(new VehicleLamp(right, frame.At(1 - to, rear, low), frame.At(1 - from, front, high)));

@@ -1,6 +1,4 @@
 using System.Collections.Concurrent;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Rendering;
@@ -31,12 +29,15 @@ public sealed class VehicleLampMeshes
         return lit.Length == 0 ? null : builder.Build();
     }
 
-    private static Rgb? ColourOf(LampKind kind, VehicleLights lights) => kind switch
-    {
-        LampKind.Head => lights.Head ? VehiclePaint.HeadLight : null,
-        LampKind.Tail => lights.Brake ? VehiclePaint.BrakeLight : lights.Head ? VehiclePaint.TailLight : null,
-        LampKind.HighBrake => lights.Brake ? VehiclePaint.BrakeLight : null,
-        LampKind.Left => lights.Left ? VehiclePaint.IndicatorLight : null,
-        _ => lights.Right ? VehiclePaint.IndicatorLight : null,
-    };
+    private static Rgb? ColourOf(LampKind kind, VehicleLights lights) =>
+        kind switch
+        {
+            LampKind.Head => lights.Head ? VehiclePaint.HeadLight : null,
+            LampKind.Tail => lights.Brake ? VehiclePaint.BrakeLight
+            : lights.Head ? VehiclePaint.TailLight
+            : null,
+            LampKind.HighBrake => lights.Brake ? VehiclePaint.BrakeLight : null,
+            LampKind.Left => lights.Left ? VehiclePaint.IndicatorLight : null,
+            _ => lights.Right ? VehiclePaint.IndicatorLight : null,
+        };
 }

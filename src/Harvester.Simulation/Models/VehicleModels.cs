@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Rendering;
 
@@ -22,23 +19,28 @@ internal static class VehicleModels
             Lamps = new VehicleLampMeshes(VehicleLampLayout.Of(row)),
         };
 
-    private static Mesh MeshOf(VehicleRow row, Rgb colour) => row.Shape switch
-    {
-        VehicleShape.Motorcycle or VehicleShape.Chopper or VehicleShape.Bicycle => CycleModels.Build(row, colour),
-        VehicleShape.BoxVan or VehicleShape.BoxTruck or VehicleShape.DumpTruck or VehicleShape.Tractor => LorryModels.Build(row, colour),
-        VehicleShape.Trailer or VehicleShape.Tanker or VehicleShape.LogTrailer => TrailerModels.Build(row, colour),
-        VehicleShape.Bus => BusModels.Build(row, colour),
-        VehicleShape.Boat => BoatModels.Build(row, colour),
-        _ => CarModels.Build(row, colour),
-    };
+    private static Mesh MeshOf(VehicleRow row, Rgb colour) =>
+        row.Shape switch
+        {
+            VehicleShape.Motorcycle or VehicleShape.Chopper or VehicleShape.Bicycle => CycleModels.Build(row, colour),
+            VehicleShape.BoxVan or VehicleShape.BoxTruck or VehicleShape.DumpTruck or VehicleShape.Tractor => LorryModels.Build(
+                row,
+                colour
+            ),
+            VehicleShape.Trailer or VehicleShape.Tanker or VehicleShape.LogTrailer => TrailerModels.Build(row, colour),
+            VehicleShape.Bus => BusModels.Build(row, colour),
+            VehicleShape.Boat => BoatModels.Build(row, colour),
+            _ => CarModels.Build(row, colour),
+        };
 
-    private static Rgb[] ColoursOf(VehicleRow row) => row switch
-    {
-        { Model: "firetruk" } => [FireRed],
-        { Model: "pbus" } => [PrisonGrey],
-        _ when row.Model.StartsWith("police", StringComparison.Ordinal) => [PoliceBlack],
-        { Shape: VehicleShape.Motorcycle or VehicleShape.Chopper or VehicleShape.Bicycle } => VehiclePaint.Cycles,
-        { Class: ObjectClass.Car } => VehiclePaint.Cars,
-        _ => VehiclePaint.Lorries,
-    };
+    private static Rgb[] ColoursOf(VehicleRow row) =>
+        row switch
+        {
+            { Model: "firetruk" } => [FireRed],
+            { Model: "pbus" } => [PrisonGrey],
+            _ when row.Model.StartsWith("police", StringComparison.Ordinal) => [PoliceBlack],
+            { Shape: VehicleShape.Motorcycle or VehicleShape.Chopper or VehicleShape.Bicycle } => VehiclePaint.Cycles,
+            { Class: ObjectClass.Car } => VehiclePaint.Cars,
+            _ => VehiclePaint.Lorries,
+        };
 }

@@ -20,8 +20,16 @@ internal static class VehiclePaint
 
     public static readonly Rgb[] Cars =
     [
-        new(214, 216, 218), new(30, 31, 34), new(128, 132, 138), new(150, 24, 28), new(34, 62, 118),
-        new(182, 184, 180), new(72, 78, 86), new(22, 74, 58), new(196, 150, 52), new(108, 66, 42),
+        new(214, 216, 218),
+        new(30, 31, 34),
+        new(128, 132, 138),
+        new(150, 24, 28),
+        new(34, 62, 118),
+        new(182, 184, 180),
+        new(72, 78, 86),
+        new(22, 74, 58),
+        new(196, 150, 52),
+        new(108, 66, 42),
     ];
 
     public static readonly Rgb[] Lorries = [new(224, 224, 220), new(168, 32, 30), new(38, 76, 138), new(210, 166, 40), new(62, 92, 66)];

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Simulation.Rendering;
 
@@ -32,7 +30,15 @@ internal static class VehicleParts
     /// <param name="colour">Its colour.</param>
     /// <param name="surface">Its surface.</param>
     public static void AddPane(
-        MeshBuilder builder, Vector3D outward, Vector3D a, Vector3D b, Vector3D c, Vector3D d, Rgb colour, Surface surface)
+        MeshBuilder builder,
+        Vector3D outward,
+        Vector3D a,
+        Vector3D b,
+        Vector3D c,
+        Vector3D d,
+        Rgb colour,
+        Surface surface
+    )
     {
         Vector3D normal = (b - a).Cross(d - a).Normalized();
         Vector3D proud = normal * (normal.Dot(outward) < 0 ? -PaneProud : PaneProud);
@@ -66,10 +72,20 @@ internal static class VehicleParts
         {
             Vector3D a = Around(side);
             Vector3D b = Around(side + 1);
-            builder.AddQuad(hub + (a * radius), hub + (b * radius), hub + (b * radius) + deep, hub + (a * radius) + deep,
-                VehiclePaint.Rubber);
-            builder.AddQuad(hub + (a * radius), hub + (b * radius), hub + (b * (radius * wall)), hub + (a * (radius * wall)),
-                VehiclePaint.Rubber);
+            builder.AddQuad(
+                hub + (a * radius),
+                hub + (b * radius),
+                hub + (b * radius) + deep,
+                hub + (a * radius) + deep,
+                VehiclePaint.Rubber
+            );
+            builder.AddQuad(
+                hub + (a * radius),
+                hub + (b * radius),
+                hub + (b * (radius * wall)),
+                hub + (a * (radius * wall)),
+                VehiclePaint.Rubber
+            );
             builder.AddQuad(hub + (a * radius) + deep, hub + (b * radius) + deep, hub + deep, hub + deep, VehiclePaint.Rubber);
             builder.AddTriangle(hub + (a * (radius * wall)), hub + (b * (radius * wall)), hub + sunk, VehiclePaint.Rim, Surface.Paint);
         }
@@ -80,8 +96,11 @@ internal static class VehicleParts
             Vector3D outer = Around(middle) * (radius * wall * 0.9);
             Vector3D aside = (Around(middle + 1.2) - Around(middle - 1.2)) * (radius * wall * 0.25);
             builder.AddTriangle(
-                hub + outer + aside - (sunk * 0.05), hub + outer - aside - (sunk * 0.05), hub + (outer * 0.35) + (sunk * 0.4),
-                VehiclePaint.DarkPlastic);
+                hub + outer + aside - (sunk * 0.05),
+                hub + outer - aside - (sunk * 0.05),
+                hub + (outer * 0.35) + (sunk * 0.4),
+                VehiclePaint.DarkPlastic
+            );
         }
     }
 

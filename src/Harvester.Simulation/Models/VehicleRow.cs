@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 
@@ -14,7 +11,8 @@ internal sealed record VehicleRow(string Model, ObjectClass Class, VehicleShape 
 
     public static IEnumerable<VehicleRow> ReadAll()
     {
-        using Stream stream = typeof(VehicleRow).Assembly.GetManifestResourceStream(Resource)
+        using Stream stream =
+            typeof(VehicleRow).Assembly.GetManifestResourceStream(Resource)
             ?? throw new InvalidOperationException($"The embedded list {Resource} is missing.");
         using var reader = new StreamReader(stream);
         _ = reader.ReadLine();
@@ -24,12 +22,14 @@ internal sealed record VehicleRow(string Model, ObjectClass Class, VehicleShape 
         }
     }
 
-    private static VehicleRow Parse(string[] cells) => new(
-        cells[0],
-        Enum.Parse<ObjectClass>(cells[1]),
-        Enum.Parse<VehicleShape>(cells[2]),
-        new(Number(cells[3]), Number(cells[4]), Number(cells[5])),
-        new(Number(cells[6]), Number(cells[7]), Number(cells[8])));
+    private static VehicleRow Parse(string[] cells) =>
+        new(
+            cells[0],
+            Enum.Parse<ObjectClass>(cells[1]),
+            Enum.Parse<VehicleShape>(cells[2]),
+            new(Number(cells[3]), Number(cells[4]), Number(cells[5])),
+            new(Number(cells[6]), Number(cells[7]), Number(cells[8]))
+        );
 
     private static double Number(string cell) => double.Parse(cell, CultureInfo.InvariantCulture);
 }

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Rendering;
@@ -91,8 +90,11 @@ internal sealed class BodyMesher(Person person, BodyPose pose, Func<BodyPart, Me
         hair.Add(head + (up * (0.07 * size)), right * (0.018 * size), face * (0.026 * size));
         hair.AddTo(builder, person.Hair);
         builder.AddTriangle(
-            head + (face * (0.072 * size)) - (up * (0.008 * size)), head + (face * (0.052 * size)) + (right * (0.008 * size)),
-            head + (face * (0.052 * size)) + (up * (0.014 * size)) - (right * (0.008 * size)), person.Skin);
+            head + (face * (0.072 * size)) - (up * (0.008 * size)),
+            head + (face * (0.052 * size)) + (right * (0.008 * size)),
+            head + (face * (0.052 * size)) + (up * (0.014 * size)) - (right * (0.008 * size)),
+            person.Skin
+        );
     }
 
     private void AddArm(Joint first, LimbEnds ends, BodyPart part)

@@ -11,4 +11,10 @@ namespace Harvester.Simulation.People;
 /// <param name="ChestForward">Unit vector forward of the shoulders.</param>
 /// <param name="FaceForward">Unit vector in which the face looks.</param>
 internal sealed record BodyPose(
-    Skeleton Skeleton, LimbEnds Right, LimbEnds Left, Vector3D ChestRight, Vector3D ChestForward, Vector3D FaceForward);
+    Skeleton Skeleton,
+    LimbEnds Right,
+    LimbEnds Left,
+    Vector3D ChestRight,
+    Vector3D ChestForward,
+    Vector3D FaceForward
+);

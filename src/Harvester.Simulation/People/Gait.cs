@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Simulation.People;
 
 /// <summary>
@@ -63,12 +61,14 @@ internal sealed class Gait(Proportions sizes, double pace)
             Between(off.Forward, strike.Forward, Eased(part)),
             Between(off.Height, strike.Height, Eased(part)) + lift,
             Between(off.Pitch, strike.Pitch, Eased(Math.Min(1, part * 1.25))),
-            Narrow);
+            Narrow
+        );
     }
 
     private FootPosture Standing(double phase)
     {
-        double pitch = phase < FootFlat ? StrikePitch * (1 - Eased(phase / FootFlat))
+        double pitch =
+            phase < FootFlat ? StrikePitch * (1 - Eased(phase / FootFlat))
             : phase > HeelRises ? MaxHeelPitch * Math.Pow((phase - HeelRises) / (Stance - HeelRises), 1.6)
             : 0;
         double ball = (0.55 * sizes.AnkleToBall) + (StrideLength * ((Stance / 2) - phase));
@@ -79,7 +79,10 @@ internal sealed class Gait(Proportions sizes, double pace)
         return pitch < 0
             ? new FootPosture(
                 ball - (length * Math.Cos(pitch)) - (height * Math.Sin(pitch)),
-                (height * Math.Cos(pitch)) - (length * Math.Sin(pitch)), pitch, Narrow)
+                (height * Math.Cos(pitch)) - (length * Math.Sin(pitch)),
+                pitch,
+                Narrow
+            )
             : new FootPosture(ball - length, height + (sizes.AnkleToHeel * Math.Sin(pitch)), pitch, Narrow);
     }
 

@@ -17,5 +17,17 @@ namespace Harvester.Simulation.People;
 /// <param name="Bottom">Colour of trousers or skirt.</param>
 /// <param name="Shoes">Colour of the shoes.</param>
 internal sealed record Person(
-    string Name, double Height, double Girth, double Shoulders, double Pace, Outfit Outfit, bool HasSleeves, bool HasLongHair,
-    Rgb Skin, Rgb Hair, Rgb Top, Rgb Bottom, Rgb Shoes);
+    string Name,
+    double Height,
+    double Girth,
+    double Shoulders,
+    double Pace,
+    Outfit Outfit,
+    bool HasSleeves,
+    bool HasLongHair,
+    Rgb Skin,
+    Rgb Hair,
+    Rgb Top,
+    Rgb Bottom,
+    Rgb Shoes
+);

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Simulation.People;
 
 /// <summary>All postures in which a person is drawn, by number: the phases of a stride, then standing, then sitting.</summary>
@@ -29,8 +26,12 @@ internal static class PersonPoses
         Poser poser = new(sizes);
         return
         [
-            .. Enumerable.Range(0, Phases).Select(phase => gait.At((double)phase / Phases))
-                .Concat(Rest.Standing(sizes)).Concat(Rest.Sitting(sizes)).Select(poser.Pose),
+            .. Enumerable
+                .Range(0, Phases)
+                .Select(phase => gait.At((double)phase / Phases))
+                .Concat(Rest.Standing(sizes))
+                .Concat(Rest.Sitting(sizes))
+                .Select(poser.Pose),
         ];
     }
 }

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 
@@ -47,7 +46,14 @@ internal sealed class Poser(Proportions sizes)
     }
 
     private LimbEnds Place(
-        Vector3D[] joints, Side side, Vector3D shoulders, Vector3D hips, in Axis3 chest, ArmPosture arm, FootPosture foot)
+        Vector3D[] joints,
+        Side side,
+        Vector3D shoulders,
+        Vector3D hips,
+        in Axis3 chest,
+        ArmPosture arm,
+        FootPosture foot
+    )
     {
         Vector3D outward = chest.Right * side.Sign;
         Vector3D shoulder = shoulders + (outward * sizes.ShoulderAside);

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Simulation.People;
 
 /// <summary>The postures of people who stand or sit.</summary>
@@ -29,10 +27,27 @@ internal static class Rest
         };
         return
         [
-            upright with { RightFoot = apart },
-            upright with { RightArm = new ArmPosture(0.45, 0.12, 1.55, 0.45), Nod = 0.45, LeftFoot = apart },
-            upright with { RightArm = new ArmPosture(0.3, 0.12, 1.35, 1.15), LeftArm = new ArmPosture(0.36, 0.12, 1.2, 1.15) },
-            upright with { RightArm = onHip, LeftArm = onHip, LeftFoot = apart },
+            upright with
+            {
+                RightFoot = apart,
+            },
+            upright with
+            {
+                RightArm = new ArmPosture(0.45, 0.12, 1.55, 0.45),
+                Nod = 0.45,
+                LeftFoot = apart,
+            },
+            upright with
+            {
+                RightArm = new ArmPosture(0.3, 0.12, 1.35, 1.15),
+                LeftArm = new ArmPosture(0.36, 0.12, 1.2, 1.15),
+            },
+            upright with
+            {
+                RightArm = onHip,
+                LeftArm = onHip,
+                LeftFoot = apart,
+            },
         ];
     }
 

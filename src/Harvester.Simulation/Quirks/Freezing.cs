@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Ports;
 using Harvester.Simulation.Settings;
 
@@ -58,7 +57,10 @@ internal sealed class Freezing(int seed, GameQuirks quirks)
     /// <returns>The speed of the world's time in it: 1 when it runs, 0 when it is frozen.</returns>
     public double TakeTick()
     {
-        double scale = !IsAsked ? 1 : IsStanding ? 0 : CreepingScale;
+        double scale =
+            !IsAsked ? 1
+            : IsStanding ? 0
+            : CreepingScale;
         _creepTicksLeft -= IsAsked && _creepTicksLeft > 0 ? 1 : 0;
         _ticks++;
         return scale;

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Rendering;
 
@@ -14,7 +13,12 @@ namespace Harvester.Simulation.Quirks;
 /// <param name="Lighting">Light and weather.</param>
 /// <param name="Lights">Lamps near the camera.</param>
 internal sealed record Moment(
-    long State, SceneSnapshot Truth, IReadOnlyList<MeshInstance> Moving, Lighting Lighting, IReadOnlyList<LightSource> Lights)
+    long State,
+    SceneSnapshot Truth,
+    IReadOnlyList<MeshInstance> Moving,
+    Lighting Lighting,
+    IReadOnlyList<LightSource> Lights
+)
 {
     private RenderScene? _scene;
 
@@ -28,11 +32,12 @@ internal sealed record Moment(
     public bool ShadowsRemain { get; init; }
 
     /// <summary>What is drawn of it, within the static part of a scene; made once, and to be called by one thread.</summary>
-    public RenderScene SceneIn(RenderScene world) => _scene ??= new RenderScene(world, Moving)
-    {
-        Lighting = Lighting,
-        Lights = Lights,
-        Hidden = Hidden,
-        ShadowsRemain = ShadowsRemain,
-    };
+    public RenderScene SceneIn(RenderScene world) =>
+        _scene ??= new RenderScene(world, Moving)
+        {
+            Lighting = Lighting,
+            Lights = Lights,
+            Hidden = Hidden,
+            ShadowsRemain = ShadowsRemain,
+        };
 }

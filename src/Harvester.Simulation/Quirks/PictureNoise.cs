@@ -1,6 +1,4 @@
-using System;
 using System.Numerics;
-using System.Threading.Tasks;
 using Harvester.Geometry;
 using Harvester.Sessions.Imaging;
 using Harvester.Simulation.Rendering;
@@ -40,22 +38,26 @@ internal sealed class PictureNoise(int seed, GameQuirks quirks)
     /// <param name="tick">The tick that shows it.</param>
     /// <param name="target">Receives the picture with noise.</param>
     public void Apply(RenderTarget picture, RenderCamera camera, long tick, PixelBuffer target) =>
-        Parallel.For(0, picture.Height, row =>
-        {
-            for (int column = 0; column < picture.Width; column++)
+        Parallel.For(
+            0,
+            picture.Height,
+            row =>
             {
-                int pixel = (row * picture.Width) + column;
-                double wave = quirks.TexturesMove ? WaveAt(picture, camera, tick, column, row) : 0;
-                for (int channel = 0; channel < 3; channel++)
+                for (int column = 0; column < picture.Width; column++)
                 {
-                    long number = (((tick * 3) + channel) * picture.Depth.Length) + pixel;
-                    ulong bits = Mixed(unchecked((ulong)number) ^ ((ulong)(uint)seed << 40));
-                    double noise = (BitOperations.PopCount(bits) - MeanBits) / BitDeviation * quirks.PictureNoiseLevels;
-                    double value = picture.Colour[(pixel * 3) + channel] + noise + wave;
-                    target.Bytes[(pixel * 3) + channel] = (byte)Math.Clamp(Math.Round(value), 0, byte.MaxValue);
+                    int pixel = (row * picture.Width) + column;
+                    double wave = quirks.TexturesMove ? WaveAt(picture, camera, tick, column, row) : 0;
+                    for (int channel = 0; channel < 3; channel++)
+                    {
+                        long number = (((tick * 3) + channel) * picture.Depth.Length) + pixel;
+                        ulong bits = Mixed(unchecked((ulong)number) ^ ((ulong)(uint)seed << 40));
+                        double noise = (BitOperations.PopCount(bits) - MeanBits) / BitDeviation * quirks.PictureNoiseLevels;
+                        double value = picture.Colour[(pixel * 3) + channel] + noise + wave;
+                        target.Bytes[(pixel * 3) + channel] = (byte)Math.Clamp(Math.Round(value), 0, byte.MaxValue);
+                    }
                 }
             }
-        });
+        );
 
     private static double WaveAt(RenderTarget picture, RenderCamera camera, long tick, int column, int row)
     {
@@ -65,10 +67,16 @@ internal sealed class PictureNoise(int seed, GameQuirks quirks)
             return 0;
         }
 
-        Vector3D place = camera.Pose.ToWorld(new Vector3D(
-            (column + 0.5 - camera.CentreX) / camera.FocalX * depth, depth, -(row + 0.5 - camera.CentreY) / camera.FocalY * depth));
+        Vector3D place = camera.Pose.ToWorld(
+            new Vector3D(
+                (column + 0.5 - camera.CentreX) / camera.FocalX * depth,
+                depth,
+                -(row + 0.5 - camera.CentreY) / camera.FocalY * depth
+            )
+        );
         long cell = unchecked(
-            ((long)Math.Floor(place.X / CellMetres) * 73_856_093) ^ ((long)Math.Floor(place.Y / CellMetres) * 19_349_663));
+            ((long)Math.Floor(place.X / CellMetres) * 73_856_093) ^ ((long)Math.Floor(place.Y / CellMetres) * 19_349_663)
+        );
         return Mixed(unchecked((ulong)cell)) % MovingOneIn == 0
             ? WaveLevels * Math.Sin((2 * Math.PI * (place.X + place.Y + place.Z) / WaveMetres) + (WaveStep * tick))
             : 0;

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Sessions.Imaging;
@@ -54,7 +52,14 @@ internal sealed class ScreenLayers(GameQuirks quirks)
 
         foreach (ColourPatch patch in Card)
         {
-            Fill(picture, patch.Place, (pixel, channel, _) => channel == 0 ? patch.Red : channel == 1 ? patch.Green : patch.Blue);
+            Fill(
+                picture,
+                patch.Place,
+                (pixel, channel, _) =>
+                    channel == 0 ? patch.Red
+                    : channel == 1 ? patch.Green
+                    : patch.Blue
+            );
         }
 
         Enlarge(picture);
@@ -97,7 +102,12 @@ internal sealed class ScreenLayers(GameQuirks quirks)
         {
             int source = ((int)(pixel / width / quirks.WindowScale) * width) + (int)(pixel % width / quirks.WindowScale);
             Buffer.BlockCopy(
-                whole, source * PixelBuffer.BytesPerPixel, picture.Bytes, pixel * PixelBuffer.BytesPerPixel, PixelBuffer.BytesPerPixel);
+                whole,
+                source * PixelBuffer.BytesPerPixel,
+                picture.Bytes,
+                pixel * PixelBuffer.BytesPerPixel,
+                PixelBuffer.BytesPerPixel
+            );
         }
     }
 

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Simulation.Quirks;
 
 /// <summary>Removes an entity right after it has been read, and brings it back some ticks later. One at a time is removed.</summary>

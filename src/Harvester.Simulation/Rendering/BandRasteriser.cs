@@ -1,4 +1,3 @@
-using System;
 using System.Runtime.Intrinsics;
 
 namespace Harvester.Simulation.Rendering;
@@ -64,7 +63,14 @@ internal static class BandRasteriser
     }
 
     private static void DrawDistortedRow(
-        in ScreenTriangle triangle, int id, int row, int width, SampleGrid grid, float[] nearness, int[] ids)
+        in ScreenTriangle triangle,
+        int id,
+        int row,
+        int width,
+        SampleGrid grid,
+        float[] nearness,
+        int[] ids
+    )
     {
         int offset = row * width;
         for (int pixel = offset + triangle.Pixels.Left; pixel < offset + triangle.Pixels.Right; pixel++)

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
@@ -8,9 +7,11 @@ namespace Harvester.Simulation.Rendering;
 /// </summary>
 internal readonly record struct Bounds(Vector3D Min, Vector3D Max)
 {
-    public static Bounds Empty { get; } = new(
-        new(double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity),
-        new(double.NegativeInfinity, double.NegativeInfinity, double.NegativeInfinity));
+    public static Bounds Empty { get; } =
+        new(
+            new(double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity),
+            new(double.NegativeInfinity, double.NegativeInfinity, double.NegativeInfinity)
+        );
 
     public Vector3D Centre => (Min + Max) * 0.5;
 
@@ -26,9 +27,11 @@ internal readonly record struct Bounds(Vector3D Min, Vector3D Max)
 
     public static Bounds Of(in MeshTriangle triangle) => Empty.With(triangle.A).With(triangle.B).With(triangle.C);
 
-    public Bounds With(Vector3D point) => new(
-        new(Math.Min(Min.X, point.X), Math.Min(Min.Y, point.Y), Math.Min(Min.Z, point.Z)),
-        new(Math.Max(Max.X, point.X), Math.Max(Max.Y, point.Y), Math.Max(Max.Z, point.Z)));
+    public Bounds With(Vector3D point) =>
+        new(
+            new(Math.Min(Min.X, point.X), Math.Min(Min.Y, point.Y), Math.Min(Min.Z, point.Z)),
+            new(Math.Max(Max.X, point.X), Math.Max(Max.Y, point.Y), Math.Max(Max.Z, point.Z))
+        );
 
     public Bounds With(Bounds other) => With(other.Min).With(other.Max);
 
@@ -38,7 +41,8 @@ internal readonly record struct Bounds(Vector3D Min, Vector3D Max)
         Vector3D outside = new(
             Math.Max(Math.Max(Min.X - point.X, point.X - Max.X), 0),
             Math.Max(Math.Max(Min.Y - point.Y, point.Y - Max.Y), 0),
-            Math.Max(Math.Max(Min.Z - point.Z, point.Z - Max.Z), 0));
+            Math.Max(Math.Max(Min.Z - point.Z, point.Z - Max.Z), 0)
+        );
         return outside.Length;
     }
 
@@ -51,7 +55,8 @@ internal readonly record struct Bounds(Vector3D Min, Vector3D Max)
         var reach = new Vector3D(
             (Math.Abs(axes.Right.X) * half.X) + (Math.Abs(axes.Forward.X) * half.Y) + (Math.Abs(axes.Up.X) * half.Z),
             (Math.Abs(axes.Right.Y) * half.X) + (Math.Abs(axes.Forward.Y) * half.Y) + (Math.Abs(axes.Up.Y) * half.Z),
-            (Math.Abs(axes.Right.Z) * half.X) + (Math.Abs(axes.Forward.Z) * half.Y) + (Math.Abs(axes.Up.Z) * half.Z));
+            (Math.Abs(axes.Right.Z) * half.X) + (Math.Abs(axes.Forward.Z) * half.Y) + (Math.Abs(axes.Up.Z) * half.Z)
+        );
         return new Bounds(centre - reach, centre + reach);
     }
 }

@@ -1,8 +1,6 @@
-using System;
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
-using System.Threading.Tasks;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
@@ -18,16 +16,20 @@ internal sealed class EdgeSmoother(View view, ScreenTriangles triangles, int[] i
     public void Smooth(RenderTarget target, byte[] before)
     {
         Array.Copy(target.Colour, before, before.Length);
-        Parallel.For(0, target.Height, row =>
-        {
-            for (int column = 0; column < target.Width; column += Vector256<int>.Count)
+        Parallel.For(
+            0,
+            target.Height,
+            row =>
             {
-                for (uint borders = BordersAt(column, row, target.Width, target.Height); borders != 0; borders &= borders - 1)
+                for (int column = 0; column < target.Width; column += Vector256<int>.Count)
                 {
-                    Smooth(target, before, column + BitOperations.TrailingZeroCount(borders), row);
+                    for (uint borders = BordersAt(column, row, target.Width, target.Height); borders != 0; borders &= borders - 1)
+                    {
+                        Smooth(target, before, column + BitOperations.TrailingZeroCount(borders), row);
+                    }
                 }
             }
-        });
+        );
     }
 
     /// <summary>
@@ -43,8 +45,11 @@ internal sealed class EdgeSmoother(View view, ScreenTriangles triangles, int[] i
 
         int pixel = (row * width) + column;
         Vector256<int> own = Vector256.Create(ids, pixel);
-        Vector256<int> differences = (own ^ Vector256.Create(ids, pixel - 1)) | (own ^ Vector256.Create(ids, pixel + 1))
-            | (own ^ Vector256.Create(ids, pixel - width)) | (own ^ Vector256.Create(ids, pixel + width));
+        Vector256<int> differences =
+            (own ^ Vector256.Create(ids, pixel - 1))
+            | (own ^ Vector256.Create(ids, pixel + 1))
+            | (own ^ Vector256.Create(ids, pixel - width))
+            | (own ^ Vector256.Create(ids, pixel + width));
         return ~Vector256.Equals(differences, Vector256<int>.Zero).ExtractMostSignificantBits() & 0xFF;
     }
 
@@ -72,9 +77,10 @@ internal sealed class EdgeSmoother(View view, ScreenTriangles triangles, int[] i
             // How far, of the way between two centres, the neighbour reaches past the middle towards the pixel.
             Vector2D centre = view.SampleAt(column, row);
             Vector2D neighbouring = view.SampleAt(column + across, row + down);
-            double reach = nearness[pixel] >= nearness[other]
-                ? 0.5 - ExitOf(own, centre, neighbouring, 1)
-                : ExitOf(triangles[ids[other]], neighbouring, centre, 0) - 0.5;
+            double reach =
+                nearness[pixel] >= nearness[other]
+                    ? 0.5 - ExitOf(own, centre, neighbouring, 1)
+                    : ExitOf(triangles[ids[other]], neighbouring, centre, 0) - 0.5;
             if (reach > share)
             {
                 (share, neighbour) = (reach, other);
@@ -96,8 +102,7 @@ internal sealed class EdgeSmoother(View view, ScreenTriangles triangles, int[] i
         foreach ((int across, int down) in Sides)
         {
             int other = pixel + across + (down * target.Width);
-            if (IsBorder(target, column, row, across, down)
-                && !before.AsSpan(pixel * 3, 3).SequenceEqual(before.AsSpan(other * 3, 3)))
+            if (IsBorder(target, column, row, across, down) && !before.AsSpan(pixel * 3, 3).SequenceEqual(before.AsSpan(other * 3, 3)))
             {
                 return true;
             }
@@ -110,7 +115,8 @@ internal sealed class EdgeSmoother(View view, ScreenTriangles triangles, int[] i
     private bool IsBorder(RenderTarget target, int column, int row, int across, int down)
     {
         int pixel = (row * target.Width) + column;
-        return (uint)(column + across) < (uint)target.Width && (uint)(row + down) < (uint)target.Height
+        return (uint)(column + across) < (uint)target.Width
+            && (uint)(row + down) < (uint)target.Height
             && ids[pixel + across + (down * target.Width)] != ids[pixel];
     }
 
@@ -119,8 +125,8 @@ internal sealed class EdgeSmoother(View view, ScreenTriangles triangles, int[] i
     {
         Vector256<double> start = triangle.Edges.At(from.X, from.Y);
         Vector256<double> end = triangle.Edges.At(to.X, to.Y);
-        Vector256<double> isLeft = Vector256.LessThan(end, Vector256<double>.Zero)
-            & Vector256.GreaterThanOrEqual(start, Vector256<double>.Zero);
+        Vector256<double> isLeft =
+            Vector256.LessThan(end, Vector256<double>.Zero) & Vector256.GreaterThanOrEqual(start, Vector256<double>.Zero);
         if (isLeft == Vector256<double>.Zero)
         {
             return ifNowhere;

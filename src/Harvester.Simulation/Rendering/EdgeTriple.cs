@@ -1,4 +1,3 @@
-using System;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 
@@ -57,12 +56,14 @@ internal readonly struct EdgeTriple
         Vector128<double> first = Vector128.MinNative(rights.GetLower(), rights.GetUpper());
         return (
             (int)Math.Min(Math.Max(Math.Max(last[0], last[1]), left), right),
-            (int)Math.Max(Math.Min(Math.Min(first[0], first[1]), right), left));
+            (int)Math.Max(Math.Min(Math.Min(first[0], first[1]), right), left)
+        );
     }
 
     private bool IsOutsideLevelEdge(Vector256<double> atZero, Vector256<double> isSloped)
     {
-        Vector256<double> isInside = isSloped
+        Vector256<double> isInside =
+            isSloped
             | Vector256.GreaterThan(atZero, Vector256<double>.Zero)
             | (Vector256.Equals(atZero, Vector256<double>.Zero) & Vector256.GreaterThan(_y, Vector256<double>.Zero));
         return isInside.ExtractMostSignificantBits() != 0b1111;

@@ -74,9 +74,10 @@ internal sealed class GroundLook
         {
             age = _ages.At(place.X, place.Y);
             Vector256<float> clear = Wide.Fraction(Vector256.Create(1.5f) - (distance * Vector256.Create(1.5f / PatchReachMetres)));
-            grain += Vector256.Create(LeastBleaching)
-                + (Vector256.Create(MostBleaching - LeastBleaching) * age);
-            grain -= Vector256.Create(PatchDarkness) * clear
+            grain += Vector256.Create(LeastBleaching) + (Vector256.Create(MostBleaching - LeastBleaching) * age);
+            grain -=
+                Vector256.Create(PatchDarkness)
+                * clear
                 * Wide.Fraction((patch - Vector256.Create(PatchFrom)) * Vector256.Create(PatchEdge));
             grain -= Vector256.Create(TrackDarkness) * tracks * (Vector256.Create(0.5f) + patch);
         }
@@ -90,8 +91,8 @@ internal sealed class GroundLook
             if (isWorn)
             {
                 // Where the ground is coarser, the crack is broken.
-                Vector256<float> crack = Wide.One - (Vector256.Abs(_cracks.At(place.X, place.Y) - Vector256.Create(0.5f))
-                    * Vector256.Create(CrackThinness));
+                Vector256<float> crack =
+                    Wide.One - (Vector256.Abs(_cracks.At(place.X, place.Y) - Vector256.Create(0.5f)) * Vector256.Create(CrackThinness));
                 Vector256<float> isCracked = Wide.Fraction((age - Vector256.Create(CrackedFrom)) * Vector256.Create(CrackedEdge));
                 grain -= Vector256.Create(CrackDarkness) * Wide.Fraction(crack - fine) * isCracked * near;
             }
@@ -115,7 +116,8 @@ internal sealed class GroundLook
         // Rounded so that a full cover has no holes, and a thin one lies in patches.
         Vector256<float> uneven = (_patches.At(place.X, place.Y) - Vector256.Create(0.5f)) * Vector256.Create(1 - (0.6f * lying));
         Vector256<float> cover = Wide.Fraction(
-            Vector256.Create(0.5f) + ((Vector256.Create(lying - 0.4f) + uneven) * Vector256.Create(SnowEdge)));
+            Vector256.Create(0.5f) + ((Vector256.Create(lying - 0.4f) + uneven) * Vector256.Create(SnowEdge))
+        );
         return surface == Surface.Asphalt
             ? cover * Vector256.Create(SnowOnRoads) * (Wide.One - (tracks * Vector256.Create(1 - SnowInTracks)))
             : cover;

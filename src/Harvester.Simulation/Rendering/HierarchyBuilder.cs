@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>Builds a hierarchy top down: each set of items is split where the surface area heuristic over a few bins is smallest.</summary>
@@ -154,5 +151,8 @@ internal sealed class HierarchyBuilder
         return (axis, Component(bounds.Min, axis), Component(size, axis));
     }
 
-    private static double Component(Geometry.Vector3D vector, int axis) => axis == 0 ? vector.X : axis == 1 ? vector.Y : vector.Z;
+    private static double Component(Geometry.Vector3D vector, int axis) =>
+        axis == 0 ? vector.X
+        : axis == 1 ? vector.Y
+        : vector.Z;
 }

@@ -49,8 +49,9 @@ internal readonly struct LanePlane
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector256<float> TracksAt(in WideVector place)
     {
-        Vector256<float> across = Vector256.Abs((place.X * Vector256.Create(_perMetre.X)) + (place.Y * Vector256.Create(_perMetre.Y))
-            + Vector256.Create(_perMetre.Z));
+        Vector256<float> across = Vector256.Abs(
+            (place.X * Vector256.Create(_perMetre.X)) + (place.Y * Vector256.Create(_perMetre.Y)) + Vector256.Create(_perMetre.Z)
+        );
         Vector256<float> lanes = across - Vector256.Create(_inner);
         Vector256<float> fromMiddle = Vector256.Abs(lanes - Vector256.Floor(lanes) - Vector256.Create(0.5f));
         Vector256<float> fromTrack = Vector256.Abs(fromMiddle - Vector256.Create(TrackAt)) * Vector256.Create(1 / HalfTrack);

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
 using System.Runtime.Intrinsics;
 using Harvester.Geometry;
@@ -92,7 +90,8 @@ internal sealed class LightMap
             camera.CentreX + (camera.FocalX * left),
             camera.CentreY - (camera.FocalY * high),
             camera.CentreX + (camera.FocalX * right),
-            camera.CentreY - (camera.FocalY * low));
+            camera.CentreY - (camera.FocalY * low)
+        );
     }
 
     private readonly struct NearLight(LightSource light, Vector3D eye)
@@ -118,16 +117,21 @@ internal sealed class LightMap
 
             towards *= Wide.One / distance;
             Vector256<float> inCone = Wide.Fraction(
-                (-towards.Dot(WideVector.Of(_direction)) - Vector256.Create(_cone)) * Vector256.Create(2.5f / (1 - _cone)));
+                (-towards.Dot(WideVector.Of(_direction)) - Vector256.Create(_cone)) * Vector256.Create(2.5f / (1 - _cone))
+            );
             if ((isLit & inCone) == Wide.Zero)
             {
                 return light;
             }
 
-            Vector256<float> facing = Vector256.Create(_grazing)
+            Vector256<float> facing =
+                Vector256.Create(_grazing)
                 + (Vector256.Create(1 - _grazing) * Vector256.MaxNative(towards.Dot(WideVector.Of(normal)), Wide.Zero));
-            return light + (WideVector.Of(_colour) * (isLit & (inCone * facing * fade * fade
-                * Wide.Fraction(distance * Vector256.Create(1 / _nearest)))));
+            return light
+                + (
+                    WideVector.Of(_colour)
+                    * (isLit & (inCone * facing * fade * fade * Wide.Fraction(distance * Vector256.Create(1 / _nearest))))
+                );
         }
     }
 }

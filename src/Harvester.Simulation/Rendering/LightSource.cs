@@ -22,10 +22,7 @@ public readonly record struct LightSource(Vector3D Position, Vector3D Direction,
     public double NearestMetres { get; init; }
 
     /// <summary>A street lamp, which shines down and around.</summary>
-    public static LightSource StreetLamp(Vector3D position) => new(position, new(0, 0, -1), 0.15, 34, new(255, 200, 132))
-    {
-        Strength = 2,
-    };
+    public static LightSource StreetLamp(Vector3D position) => new(position, new(0, 0, -1), 0.15, 34, new(255, 200, 132)) { Strength = 2 };
 
     /// <summary>Both headlights of a vehicle, as one light source between them.</summary>
     public static LightSource Headlights(Vector3D position, Vector3D forward) =>

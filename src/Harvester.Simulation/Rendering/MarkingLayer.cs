@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Runtime.Intrinsics;
-using System.Threading.Tasks;
 
 namespace Harvester.Simulation.Rendering;
 
@@ -132,7 +129,12 @@ internal sealed class MarkingLayer
         foreach (ref readonly MeshTriangle triangle in instance.Mesh.Given)
         {
             int count = NearClipper.Clip(
-                toClip.Apply(triangle.A), toClip.Apply(triangle.B), toClip.Apply(triangle.C), view.NearClip, corners);
+                toClip.Apply(triangle.A),
+                toClip.Apply(triangle.B),
+                toClip.Apply(triangle.C),
+                view.NearClip,
+                corners
+            );
             for (int i = 2; i < count; i++)
             {
                 (Vector256<double> a, Vector256<double> b, Vector256<double> c) = (corners[0], corners[i - 1], corners[i]);

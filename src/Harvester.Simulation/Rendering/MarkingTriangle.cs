@@ -1,4 +1,3 @@
-using System;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 
@@ -27,13 +26,19 @@ internal readonly struct MarkingTriangle
     /// <param name="pixels">The pixels that it may cover a part of.</param>
     /// <param name="colour">Its colour in white light.</param>
     public MarkingTriangle(
-        Vector256<double> a, Vector256<double> b, Vector256<double> c, double doubleArea, PixelRectangle pixels, Rgb colour)
+        Vector256<double> a,
+        Vector256<double> b,
+        Vector256<double> c,
+        double doubleArea,
+        PixelRectangle pixels,
+        Rgb colour
+    )
     {
         double sign = Math.Sign(doubleArea);
         Vector256<double> x = sign * Vector256.Create(a[1] - b[1], b[1] - c[1], c[1] - a[1], 0);
         Vector256<double> y = sign * Vector256.Create(b[0] - a[0], c[0] - b[0], a[0] - c[0], 0);
-        Vector256<double> w = sign * Vector256.Create(
-            (a[0] * b[1]) - (a[1] * b[0]), (b[0] * c[1]) - (b[1] * c[0]), (c[0] * a[1]) - (c[1] * a[0]), 0);
+        Vector256<double> w =
+            sign * Vector256.Create((a[0] * b[1]) - (a[1] * b[0]), (b[0] * c[1]) - (b[1] * c[0]), (c[0] * a[1]) - (c[1] * a[0]), 0);
 
         // Distances are counted along the axis of the image that an edge crosses more directly: across a line, the pixels of a row or
         // column then add up to the line's width.

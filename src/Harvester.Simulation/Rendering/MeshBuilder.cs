@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
@@ -67,8 +65,7 @@ public sealed class MeshBuilder
     /// <param name="topMax">Front, right corner of the upper rectangle; its height is ignored.</param>
     /// <param name="colour">Colour of all faces.</param>
     /// <param name="surface">Surface of all faces.</param>
-    public MeshBuilder AddFrustum(
-        Vector3D min, Vector3D max, Vector3D topMin, Vector3D topMax, Rgb colour, Surface surface = Surface.Matte)
+    public MeshBuilder AddFrustum(Vector3D min, Vector3D max, Vector3D topMin, Vector3D topMax, Rgb colour, Surface surface = Surface.Matte)
     {
         Vector3D[] low = Rectangle(min, max, min.Z);
         Vector3D[] high = Rectangle(topMin, topMax, max.Z);
@@ -117,7 +114,14 @@ public sealed class MeshBuilder
     /// <param name="colour">Colour of all faces.</param>
     /// <param name="surface">Surface of all faces.</param>
     public MeshBuilder AddCylinder(
-        Vector3D start, Vector3D end, double startRadius, double endRadius, int sides, Rgb colour, Surface surface = Surface.Matte)
+        Vector3D start,
+        Vector3D end,
+        double startRadius,
+        double endRadius,
+        int sides,
+        Rgb colour,
+        Surface surface = Surface.Matte
+    )
     {
         Vector3D[] low = Circle(start, end - start, startRadius, sides);
         Vector3D[] high = Circle(end, end - start, endRadius, sides);
@@ -139,8 +143,12 @@ public sealed class MeshBuilder
         {
             double turn = 2 * Math.PI * side / sides;
             double tilt = (Math.PI * ring / rings) - (Math.PI / 2);
-            return centre + new Vector3D(
-                radii.X * Math.Cos(tilt) * Math.Cos(turn), radii.Y * Math.Cos(tilt) * Math.Sin(turn), radii.Z * Math.Sin(tilt));
+            return centre
+                + new Vector3D(
+                    radii.X * Math.Cos(tilt) * Math.Cos(turn),
+                    radii.Y * Math.Cos(tilt) * Math.Sin(turn),
+                    radii.Z * Math.Sin(tilt)
+                );
         }
 
         for (int ring = 0; ring < rings; ring++)

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>A mesh's triangles in the order of the tree over them, and the tree for rays.</summary>

@@ -1,4 +1,3 @@
-using System;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 
@@ -43,10 +42,7 @@ internal readonly struct NoisePlane
         Vector256<uint> row = (Vector256.ConvertToInt32Native(below).AsUInt32() + Vector256.Create(_cellY)) * PrimeY;
         Vector256<uint> nextColumn = column + Vector256.Create(PrimeX);
         Vector256<uint> nextRow = row + Vector256.Create(PrimeY);
-        return Mix(
-            Mix(Hash(column ^ row), Hash(nextColumn ^ row), u),
-            Mix(Hash(column ^ nextRow), Hash(nextColumn ^ nextRow), u),
-            v);
+        return Mix(Mix(Hash(column ^ row), Hash(nextColumn ^ row), u), Mix(Hash(column ^ nextRow), Hash(nextColumn ^ nextRow), u), v);
     }
 
     /// <summary>Values from 0 to 1.</summary>

@@ -1,4 +1,3 @@
-using System;
 using System.Numerics;
 using System.Runtime.Intrinsics;
 
@@ -136,7 +135,9 @@ internal sealed class PixelShader
 
             if (isGround)
             {
-                Vector256<float> tracks = _shadows is null ? Wide.Zero : triangle.Lanes.HasLanes ? triangle.Lanes.TracksAt(place)
+                Vector256<float> tracks =
+                    _shadows is null ? Wide.Zero
+                    : triangle.Lanes.HasLanes ? triangle.Lanes.TracksAt(place)
                     : Vector256.Create(EverywhereInJunctions);
                 Vector256<float> distance = Vector256.Create(row.Depths, column) * Vector256.Create(row.Stretch, column);
                 own = WideVector.Of(colour) * _ground.GrainAt(place, distance, surface, tracks);
@@ -161,8 +162,13 @@ internal sealed class PixelShader
                 Surface.Paint => Mirrored(lit, row, column, normal, 0.06f),
                 Surface.Asphalt when _rain > 0 && _shadows is not null => lit * Vector256.Create(1 - (0.4f * _rain)),
                 Surface.Ground when _rain > 0 && _shadows is not null => lit * Vector256.Create(1 - (0.2f * _rain)),
-                Surface.Ground or Surface.Asphalt when _rain > 0 =>
-                    Mirrored(lit * Vector256.Create(1 - (0.3f * _rain)), row, column, normal, 0.09f * _rain),
+                Surface.Ground or Surface.Asphalt when _rain > 0 => Mirrored(
+                    lit * Vector256.Create(1 - (0.3f * _rain)),
+                    row,
+                    column,
+                    normal,
+                    0.09f * _rain
+                ),
                 _ => lit,
             };
             row.Write(column, horizon.Towards(shown, Vector256.Create(row.Through, column)));
@@ -193,8 +199,10 @@ internal sealed class PixelShader
         }
 
         var painted = new WideVector(
-            Vector256.Create<float>(channels), Vector256.Create<float>(channels[PixelRow.Step..]),
-            Vector256.Create<float>(channels[(2 * PixelRow.Step)..]));
+            Vector256.Create<float>(channels),
+            Vector256.Create<float>(channels[PixelRow.Step..]),
+            Vector256.Create<float>(channels[(2 * PixelRow.Step)..])
+        );
         return asphalt.Towards(painted, share);
     }
 
@@ -202,7 +210,8 @@ internal sealed class PixelShader
     private WideVector LightAt(in WideVector place, Vector3 normal, Vector3 fromSky, float facing)
     {
         WideVector light = WideVector.Of(fromSky) * _shadows!.SkyAt(place, normal);
-        return facing > 0 && _shadows.AreCast ? light + (WideVector.Of(_sunColour * facing) * _shadows.SunAt(place, normal, facing))
+        return facing > 0 && _shadows.AreCast
+            ? light + (WideVector.Of(_sunColour * facing) * _shadows.SunAt(place, normal, facing))
             : light + WideVector.Of(_sunColour * facing);
     }
 

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>Draws streaks of rain and flakes of snow over the finished colours; depth and handles are unaffected.</summary>

@@ -1,4 +1,3 @@
-using System;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Harvester.Geometry;
@@ -81,9 +80,9 @@ internal readonly struct PreparedRay
             _forEntry = Vector256.Create(backwards ? single - shift : single + shift);
             _forExit = Vector256.Create(backwards ? single + shift : single - shift);
             double reciprocal = 1 / direction;
-            _reciprocal = Vector256.Create((float)(backwards
-                ? double.Max(reciprocal, -MaxReciprocal)
-                : double.Min(double.Abs(reciprocal), MaxReciprocal)));
+            _reciprocal = Vector256.Create(
+                (float)(backwards ? double.Max(reciprocal, -MaxReciprocal) : double.Min(double.Abs(reciprocal), MaxReciprocal))
+            );
             _backwards = backwards ? Vector256<float>.AllBitsSet : Vector256<float>.Zero;
         }
 

@@ -16,8 +16,7 @@ internal readonly struct QuadVector(Vector256<double> x, Vector256<double> y, Ve
 
     /// <summary>One vector four times.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static QuadVector Of(Vector3D vector) =>
-        new(Vector256.Create(vector.X), Vector256.Create(vector.Y), Vector256.Create(vector.Z));
+    public static QuadVector Of(Vector3D vector) => new(Vector256.Create(vector.X), Vector256.Create(vector.Y), Vector256.Create(vector.Z));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static QuadVector operator -(in QuadVector a, in QuadVector b) => new(a.X - b.X, a.Y - b.Y, a.Z - b.Z);

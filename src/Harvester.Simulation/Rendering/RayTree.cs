@@ -1,4 +1,3 @@
-using System;
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
@@ -65,8 +64,7 @@ internal sealed class RayTree
                 }
 
                 next = waiting[--count];
-            }
-            while (EntryOf(next) > reach);
+            } while (EntryOf(next) > reach);
         }
     }
 

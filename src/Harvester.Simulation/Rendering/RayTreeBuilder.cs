@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>Makes the nodes of a <see cref="RayTree"/>.</summary>

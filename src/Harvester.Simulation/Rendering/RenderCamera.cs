@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
@@ -31,11 +30,7 @@ public sealed record RenderCamera(Pose Pose, double VerticalFovDegrees, double W
     {
         get
         {
-            var projection = new Matrix4(
-                new(FocalX, CentreX, 0, 0),
-                new(0, CentreY, -FocalY, 0),
-                new(0, 0, 0, NearClip),
-                new(0, 1, 0, 0));
+            var projection = new Matrix4(new(FocalX, CentreX, 0, 0), new(0, CentreY, -FocalY, 0), new(0, 0, 0, NearClip), new(0, 1, 0, 0));
             return projection * Matrix4.FromWorld(Pose);
         }
     }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>What is drawn: the static world, the entities of the moment, and the light.</summary>

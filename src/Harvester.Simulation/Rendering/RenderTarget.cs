@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>A rendered image with the depth and entity of each pixel; reused from frame to frame. Rows from the top.</summary>

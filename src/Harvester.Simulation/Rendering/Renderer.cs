@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
-using System.Threading.Tasks;
 
 namespace Harvester.Simulation.Rendering;
 
@@ -72,7 +69,9 @@ public sealed class Renderer
         if (target.Width != camera.Width || target.Height != camera.Height)
         {
             throw new ArgumentException(
-                $"The target is {target.Width}x{target.Height}, but the camera's image is {camera.Width}x{camera.Height}.", nameof(target));
+                $"The target is {target.Width}x{target.Height}, but the camera's image is {camera.Width}x{camera.Height}.",
+                nameof(target)
+            );
         }
 
         var view = new View(camera, GridOf(camera));
@@ -104,13 +103,17 @@ public sealed class Renderer
         _markings?.Project(view, _tiles);
         var shader = new PixelShader(scene, view, _shadows, _markings);
         _requests?.Draw(shader, scene, camera, _rows, _ids, _nearness);
-        Parallel.For(0, bandCount, band =>
-        {
-            int top = band * DepthTiles.Size;
-            int bottom = Math.Min(camera.Height, top + DepthTiles.Size);
-            _markings?.Draw(view, top, bottom, _nearness);
-            Resolve(shader, target, _rows[band], top, bottom);
-        });
+        Parallel.For(
+            0,
+            bandCount,
+            band =>
+            {
+                int top = band * DepthTiles.Size;
+                int bottom = Math.Min(camera.Height, top + DepthTiles.Size);
+                _markings?.Draw(view, top, bottom, _nearness);
+                Resolve(shader, target, _rows[band], top, bottom);
+            }
+        );
         if (_shadows is not null && scene.Lighting.RainFraction > 0)
         {
             new WetGround(view, _screen, _ids, _nearness).Reflect(scene.Lighting.RainFraction, target, _stepped);
@@ -143,7 +146,10 @@ public sealed class Renderer
         }
 
         // The positions of pixels in the pinhole image do not depend on the camera's pose.
-        RenderCamera unposed = camera with { Pose = default };
+        RenderCamera unposed = camera with
+        {
+            Pose = default,
+        };
         if (_bentBefore is not { } before || before.Camera != unposed)
         {
             _bentBefore = (unposed, new SampleGrid(camera));
@@ -216,7 +222,7 @@ public sealed class Renderer
     private void Add(in MeshInstance instance, int firstChunk, int bandCount)
     {
         int count = instance.Mesh.Triangles.Length;
-        for (int done = 0; done < count;)
+        for (int done = 0; done < count; )
         {
             TriangleChunk chunk = ChunkWithRoom(firstChunk, bandCount);
             int taken = Math.Min(count - done, TriangleChunk.Capacity - chunk.TriangleCount);
@@ -266,7 +272,7 @@ public sealed class Renderer
             Span<int> handles = target.Handles.AsSpan(number * width, width);
             Span<SurfaceKind> kinds = target.Kinds.AsSpan(number * width, width);
             shader.Begin(row, _nearness.AsSpan(number * width, width));
-            for (int column = 0; column < width;)
+            for (int column = 0; column < width; )
             {
                 int id = ids[column];
                 int length = ShadowRequests.LengthOf(ids[column..]);

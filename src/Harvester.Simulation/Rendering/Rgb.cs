@@ -10,10 +10,12 @@ public readonly record struct Rgb(byte Red, byte Green, byte Blue)
     public Rgb Scaled(double factor) => new(Scale(Red, factor), Scale(Green, factor), Scale(Blue, factor));
 
     /// <summary>The colour a fraction of the way to another.</summary>
-    public Rgb Towards(Rgb other, double fraction) => new(
-        Scale(Red, 1 - fraction, other.Red * fraction),
-        Scale(Green, 1 - fraction, other.Green * fraction),
-        Scale(Blue, 1 - fraction, other.Blue * fraction));
+    public Rgb Towards(Rgb other, double fraction) =>
+        new(
+            Scale(Red, 1 - fraction, other.Red * fraction),
+            Scale(Green, 1 - fraction, other.Green * fraction),
+            Scale(Blue, 1 - fraction, other.Blue * fraction)
+        );
 
     private static byte Scale(byte value, double factor, double offset = 0) =>
         (byte)System.Math.Clamp(System.Math.Round((value * factor) + offset), 0, 255);

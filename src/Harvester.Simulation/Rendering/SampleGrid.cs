@@ -1,6 +1,3 @@
-using System;
-using System.Threading.Tasks;
-
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>
@@ -20,19 +17,23 @@ internal sealed class SampleGrid
         _end = EndOfPolynomial();
         U = new double[camera.Width * camera.Height];
         V = new double[U.Length];
-        Parallel.For(0, camera.Height, row =>
-        {
-            double y = (row + 0.5 - camera.CentreY) / camera.FocalY;
-            for (int column = 0; column < camera.Width; column++)
+        Parallel.For(
+            0,
+            camera.Height,
+            row =>
             {
-                double x = (column + 0.5 - camera.CentreX) / camera.FocalX;
-                double shown = Math.Sqrt((x * x) + (y * y));
-                double factor = shown == 0 ? 1 : RadiusShownAt(shown) / shown;
-                int pixel = (row * camera.Width) + column;
-                U[pixel] = camera.CentreX + (camera.FocalX * x * factor);
-                V[pixel] = camera.CentreY + (camera.FocalY * y * factor);
+                double y = (row + 0.5 - camera.CentreY) / camera.FocalY;
+                for (int column = 0; column < camera.Width; column++)
+                {
+                    double x = (column + 0.5 - camera.CentreX) / camera.FocalX;
+                    double shown = Math.Sqrt((x * x) + (y * y));
+                    double factor = shown == 0 ? 1 : RadiusShownAt(shown) / shown;
+                    int pixel = (row * camera.Width) + column;
+                    U[pixel] = camera.CentreX + (camera.FocalX * x * factor);
+                    V[pixel] = camera.CentreY + (camera.FocalY * y * factor);
+                }
             }
-        });
+        );
     }
 
     /// <summary>Pixels from the left in the pinhole's image, row by row.</summary>

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
 

@@ -1,7 +1,5 @@
-using System;
 using System.Numerics;
 using System.Runtime.Intrinsics;
-using System.Threading.Tasks;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
@@ -116,8 +114,10 @@ internal sealed class SceneShadows
     private static WideVector Raised(in WideVector inMap, double texel, float slope) =>
         new(inMap.X, inMap.Y, inMap.Z + Vector256.Create((float)texel * (BiasTexels + slope)));
 
-    private static Vector3D Rounded(Vector3D direction) => new Vector3D(
-        Math.Round(direction.X / SunStep) * SunStep,
-        Math.Round(direction.Y / SunStep) * SunStep,
-        Math.Max(SunStep, Math.Round(direction.Z / SunStep) * SunStep)).Normalized();
+    private static Vector3D Rounded(Vector3D direction) =>
+        new Vector3D(
+            Math.Round(direction.X / SunStep) * SunStep,
+            Math.Round(direction.Y / SunStep) * SunStep,
+            Math.Max(SunStep, Math.Round(direction.Z / SunStep) * SunStep)
+        ).Normalized();
 }

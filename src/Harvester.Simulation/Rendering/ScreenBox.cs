@@ -1,4 +1,3 @@
-using System;
 using System.Runtime.Intrinsics;
 
 namespace Harvester.Simulation.Rendering;
@@ -20,8 +19,8 @@ internal readonly record struct ScreenBox(PixelRectangle Pixels, double Nearness
         Vector256<double> along = toClip.AlongX(box.Max.X - box.Min.X);
         Vector256<double> across = toClip.AlongY(box.Max.Y - box.Min.Y);
         Vector256<double> up = toClip.AlongZ(box.Max.Z - box.Min.Z);
-        double depth = corner[DepthElement] + Math.Min(0, along[DepthElement]) + Math.Min(0, across[DepthElement])
-            + Math.Min(0, up[DepthElement]);
+        double depth =
+            corner[DepthElement] + Math.Min(0, along[DepthElement]) + Math.Min(0, across[DepthElement]) + Math.Min(0, up[DepthElement]);
         if (!(depth > view.NearClip))
         {
             return null;

@@ -22,8 +22,18 @@ internal readonly struct ScreenTriangle
     /// <param name="source">The triangle that is shown.</param>
     /// <param name="normal">Unit vector of the world square to it, on the camera's side.</param>
     /// <param name="lanes">Where wheels run on it.</param>
-    public ScreenTriangle(Vector256<double> a, Vector256<double> b, Vector256<double> c, double doubleArea, PixelRectangle pixels,
-        int handle, SurfaceKind kind, in MeshTriangle source, Vector3 normal, in LanePlane lanes)
+    public ScreenTriangle(
+        Vector256<double> a,
+        Vector256<double> b,
+        Vector256<double> c,
+        double doubleArea,
+        PixelRectangle pixels,
+        int handle,
+        SurfaceKind kind,
+        in MeshTriangle source,
+        Vector3 normal,
+        in LanePlane lanes
+    )
     {
         Edges = doubleArea >= 0 ? new EdgeTriple(a, b, c) : new EdgeTriple(b, a, c);
         Vector256<double> ab = b - a;

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>An instance whose box may be in view.</summary>

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
@@ -16,7 +15,15 @@ namespace Harvester.Simulation.Rendering;
 /// <param name="TexelMetres">Side of a texel.</param>
 /// <param name="Size">Rows and columns.</param>
 internal readonly record struct ShadowFrame(
-    Vector3D Light, Vector3D Across, Vector3D Along, double Left, double Bottom, double Zero, double TexelMetres, int Size)
+    Vector3D Light,
+    Vector3D Across,
+    Vector3D Along,
+    double Left,
+    double Bottom,
+    double Zero,
+    double TexelMetres,
+    int Size
+)
 {
     /// <summary>A frame moves by this fraction of its side at a time, so that its map need not be drawn for every picture.</summary>
     private const double SnapFraction = 1.0 / 8;
@@ -40,12 +47,13 @@ internal readonly record struct ShadowFrame(
             (Math.Round(along.Dot(place) / step) * step) - (side / 2),
             Math.Round(light.Dot(place) / step) * step,
             texelMetres,
-            size);
+            size
+        );
     }
 
     /// <summary>World coordinates to texels across and along, and metres towards the light.</summary>
-    public Matrix4 FromWorld => new(
-        Row(Across, Left, 1 / TexelMetres), Row(Along, Bottom, 1 / TexelMetres), Row(Light, Zero, 1), new Vector4(0, 0, 0, 1));
+    public Matrix4 FromWorld =>
+        new(Row(Across, Left, 1 / TexelMetres), Row(Along, Bottom, 1 / TexelMetres), Row(Light, Zero, 1), new Vector4(0, 0, 0, 1));
 
     /// <summary>Writes the four sides of the frame, as planes of the world.</summary>
     public void WriteSides(Span<Plane> sides)

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
@@ -68,7 +66,7 @@ internal sealed class ShadowMap(int size)
         float[] still = FixedHeightsOf(scene.Static, left);
         for (int row = 0; row < size; row++)
         {
-            for (ulong columns = _wanted.ColumnsAt(row); columns != 0;)
+            for (ulong columns = _wanted.ColumnsAt(row); columns != 0; )
             {
                 (int from, int to) = _wanted.TakeStretch(ref columns);
                 still.AsSpan((row * size) + from, to - from).CopyTo(_heights.AsSpan((row * size) + from));
@@ -85,7 +83,8 @@ internal sealed class ShadowMap(int size)
         _eye = new Vector3(
             (float)((_frame.Across.Dot(eye) - _frame.Left) * scale),
             (float)((_frame.Along.Dot(eye) - _frame.Bottom) * scale),
-            (float)(_frame.Light.Dot(eye) - _frame.Zero));
+            (float)(_frame.Light.Dot(eye) - _frame.Zero)
+        );
     }
 
     private float[] FixedHeightsOf(InstanceSet world, HashSet<int>? left)
@@ -103,7 +102,7 @@ internal sealed class ShadowMap(int size)
         {
             for (int row = 0; row < size; row++)
             {
-                for (ulong columns = _missing.ColumnsAt(row); columns != 0;)
+                for (ulong columns = _missing.ColumnsAt(row); columns != 0; )
                 {
                     (int from, int to) = _missing.TakeStretch(ref columns);
                     found.Heights.AsSpan((row * size) + from, to - from).Fill(float.NegativeInfinity);
@@ -121,7 +120,8 @@ internal sealed class ShadowMap(int size)
 
     /// <summary>Places relative to the eye in the map's frame: texels across and along, and metres towards the light.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public WideVector InMap(in WideVector place) => WideVector.Of(_eye)
+    public WideVector InMap(in WideVector place) =>
+        WideVector.Of(_eye)
         + new WideVector(place.Dot(WideVector.Of(_across)), place.Dot(WideVector.Of(_along)), place.Dot(WideVector.Of(_light)));
 
     /// <summary>Which places have four texels around them.</summary>
@@ -130,8 +130,10 @@ internal sealed class ShadowMap(int size)
     {
         Vector256<float> first = Vector256.Create(0.5f);
         Vector256<float> last = Vector256.Create(size - 0.5f);
-        return Vector256.GreaterThanOrEqual(inMap.X, first) & Vector256.GreaterThanOrEqual(inMap.Y, first)
-            & Vector256.LessThan(inMap.X, last) & Vector256.LessThan(inMap.Y, last);
+        return Vector256.GreaterThanOrEqual(inMap.X, first)
+            & Vector256.GreaterThanOrEqual(inMap.Y, first)
+            & Vector256.LessThan(inMap.X, last)
+            & Vector256.LessThan(inMap.Y, last);
     }
 
     /// <summary>Asks for the tiles from which <see cref="Lit"/> reads; several threads may ask at once.</summary>
@@ -140,7 +142,10 @@ internal sealed class ShadowMap(int size)
     public void Want(in WideVector inMap, Vector256<float> isAsked)
     {
         Vector256<int> texels = TexelsAt(
-            Vector256.Floor(inMap.X - Vector256.Create(0.5f)), Vector256.Floor(inMap.Y - Vector256.Create(0.5f)), size - 2);
+            Vector256.Floor(inMap.X - Vector256.Create(0.5f)),
+            Vector256.Floor(inMap.Y - Vector256.Create(0.5f)),
+            size - 2
+        );
         for (uint lanes = isAsked.ExtractMostSignificantBits(); lanes != 0; lanes &= lanes - 1)
         {
             _wanted.AddAround(texels[BitOperations.TrailingZeroCount(lanes)]);
@@ -183,9 +188,11 @@ internal sealed class ShadowMap(int size)
     {
         Vector256<float> end = Vector256.Create((float)last);
         Vector256<int> columns = Vector256.ConvertToInt32Native(
-            Vector256.Floor(Vector256.MinNative(Vector256.MaxNative(across, Wide.Zero), end)));
+            Vector256.Floor(Vector256.MinNative(Vector256.MaxNative(across, Wide.Zero), end))
+        );
         Vector256<int> rows = Vector256.ConvertToInt32Native(
-            Vector256.Floor(Vector256.MinNative(Vector256.MaxNative(along, Wide.Zero), end)));
+            Vector256.Floor(Vector256.MinNative(Vector256.MaxNative(along, Wide.Zero), end))
+        );
         return (rows * size) + columns;
     }
 
@@ -216,8 +223,7 @@ internal sealed class ShadowMap(int size)
 
                 foreach (ref readonly MeshTriangle triangle in instance.Mesh.Given)
                 {
-                    ShadowRasteriser.Draw(
-                        toMap.Apply(triangle.A), toMap.Apply(triangle.B), toMap.Apply(triangle.C), heights, size, tiles);
+                    ShadowRasteriser.Draw(toMap.Apply(triangle.A), toMap.Apply(triangle.B), toMap.Apply(triangle.C), heights, size, tiles);
                 }
             }
         }
@@ -228,8 +234,11 @@ internal sealed class ShadowMap(int size)
     {
         Vector3D half = (bounds.Max - bounds.Min) * 0.5;
         Vector256<double> centre = toMap.Apply(bounds.Min + half);
-        Vector256<double> reach = Vector256.Abs(toMap.AlongX(half.X)) + Vector256.Abs(toMap.AlongY(half.Y))
-            + Vector256.Abs(toMap.AlongZ(half.Z)) + Vector256<double>.One;
+        Vector256<double> reach =
+            Vector256.Abs(toMap.AlongX(half.X))
+            + Vector256.Abs(toMap.AlongY(half.Y))
+            + Vector256.Abs(toMap.AlongZ(half.Z))
+            + Vector256<double>.One;
         Vector256<double> end = Vector256.Create((double)size);
         Vector256<double> min = Vector256.Min(Vector256.Max(Vector256.Floor(centre - reach), Vector256<double>.Zero), end);
         Vector256<double> max = Vector256.Min(Vector256.Max(Vector256.Ceiling(centre + reach), Vector256<double>.Zero), end);

@@ -1,4 +1,3 @@
-using System;
 using System.Runtime.Intrinsics;
 
 namespace Harvester.Simulation.Rendering;
@@ -13,8 +12,7 @@ internal static class ShadowRasteriser
     /// <param name="heights">The map, row by row.</param>
     /// <param name="size">Its rows and columns.</param>
     /// <param name="tiles">The tiles.</param>
-    public static void Draw(
-        Vector256<double> a, Vector256<double> b, Vector256<double> c, float[] heights, int size, ShadowTiles tiles)
+    public static void Draw(Vector256<double> a, Vector256<double> b, Vector256<double> c, float[] heights, int size, ShadowTiles tiles)
     {
         Vector256<double> min = Vector256.MinNative(a, Vector256.MinNative(b, c));
         Vector256<double> max = Vector256.MaxNative(a, Vector256.MaxNative(b, c));
@@ -73,7 +71,9 @@ internal static class ShadowRasteriser
             Vector256<double> low = Vector256.Create((double)(column - first)) + Vector256.Create(0.0, 1, 2, 3);
             Vector256<double> high = Vector256.Create((double)(column - first)) + Vector256.Create(4.0, 5, 6, 7);
             Vector256<float> own = Vector256.Narrow(
-                Vector256.Create(height) + (Vector256.Create(step) * low), Vector256.Create(height) + (Vector256.Create(step) * high));
+                Vector256.Create(height) + (Vector256.Create(step) * low),
+                Vector256.Create(height) + (Vector256.Create(step) * high)
+            );
             Span<float> before = texels.Slice(column, Vector256<float>.Count);
             Vector256.Max(Vector256.Create<float>(before), own).CopyTo(before);
         }

@@ -1,6 +1,3 @@
-using System;
-using System.Threading.Tasks;
-
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>Finds the places of a picture on which shadows may lie, and has only their shadows drawn.</summary>
@@ -20,16 +17,20 @@ internal sealed class ShadowRequests(SceneShadows shadows, ScreenTriangles scree
         shadows.Aim(scene, camera);
         if (shadows.AreCast)
         {
-            Parallel.For(0, rows.Length, band =>
-            {
-                int top = band * DepthTiles.Size;
-                for (int number = top; number < Math.Min(camera.Height, top + DepthTiles.Size); number++)
+            Parallel.For(
+                0,
+                rows.Length,
+                band =>
                 {
-                    rows[band].Number = number;
-                    int start = number * camera.Width;
-                    Want(shader, rows[band], ids.AsSpan(start, camera.Width), nearness.AsSpan(start, camera.Width));
+                    int top = band * DepthTiles.Size;
+                    for (int number = top; number < Math.Min(camera.Height, top + DepthTiles.Size); number++)
+                    {
+                        rows[band].Number = number;
+                        int start = number * camera.Width;
+                        Want(shader, rows[band], ids.AsSpan(start, camera.Width), nearness.AsSpan(start, camera.Width));
+                    }
                 }
-            });
+            );
         }
 
         shadows.Draw(scene);
@@ -45,7 +46,7 @@ internal sealed class ShadowRequests(SceneShadows shadows, ScreenTriangles scree
     private void Want(PixelShader shader, PixelRow row, ReadOnlySpan<int> ids, ReadOnlySpan<float> nearness)
     {
         shader.BeginShadows(row, nearness);
-        for (int column = 0; column < ids.Length;)
+        for (int column = 0; column < ids.Length; )
         {
             int length = LengthOf(ids[column..]);
             if (ids[column] != ScreenTriangles.Nothing)

@@ -1,4 +1,3 @@
-using System;
 using System.Numerics;
 using System.Runtime.Intrinsics;
 using Harvester.Geometry;
@@ -66,16 +65,15 @@ internal sealed class Sky
             colour += WideVector.Of(_sunColour * (1 - (_clouds * 0.9f))) * Shine(towardsSun);
         }
 
-        return _clouds > 0 && Vector256.GreaterThanAny(direction.Z, Vector256.Create(MinCloudHeight))
-            ? Clouded(colour, direction)
-            : colour;
+        return _clouds > 0 && Vector256.GreaterThanAny(direction.Z, Vector256.Create(MinCloudHeight)) ? Clouded(colour, direction) : colour;
     }
 
     /// <summary>The glow of sunrise and sunset: strongest at the horizon, on the sun's side.</summary>
     private WideVector Glowing(in WideVector colour, in WideVector direction)
     {
         Vector256<float> side = Wide.Fraction(
-            Vector256.Create(0.5f) + (Vector256.Create(0.5f) * direction.Dot(WideVector.Of(_glowDirection))));
+            Vector256.Create(0.5f) + (Vector256.Create(0.5f) * direction.Dot(WideVector.Of(_glowDirection)))
+        );
         Vector256<float> down = Wide.One - Wide.Fraction(direction.Z);
         Vector256<float> low = down * down * down;
         return colour + (WideVector.Of(_glow) * (side * side * side * low * low * Vector256.Create(0.8f)));
@@ -113,9 +111,12 @@ internal sealed class Sky
         Vector256<float> height = Vector256.MaxNative(direction.Z, Vector256.Create(MinCloudHeight));
         Vector256<float> x = direction.X / height;
         Vector256<float> y = direction.Y / height;
-        Vector256<float> thickness = (Large.At(x, y) * Vector256.Create(0.6f)) + (Middle.At(x, y) * Vector256.Create(0.28f))
+        Vector256<float> thickness =
+            (Large.At(x, y) * Vector256.Create(0.6f))
+            + (Middle.At(x, y) * Vector256.Create(0.28f))
             + (Small.At(x, y) * Vector256.Create(0.12f));
-        Vector256<float> cover = Wide.Fraction((thickness + Vector256.Create((_clouds * 0.62f) - 0.72f)) * Vector256.Create(4f))
+        Vector256<float> cover =
+            Wide.Fraction((thickness + Vector256.Create((_clouds * 0.62f) - 0.72f)) * Vector256.Create(4f))
             * Wide.Fraction((height - Vector256.Create(MinCloudHeight)) * Vector256.Create(6f));
         WideVector cloud = WideVector.Of(_cloud) * (Vector256.Create(1.06f) - (Vector256.Create(0.3f) * thickness));
         return colour.Towards(cloud, cover * Vector256.Create(0.85f));

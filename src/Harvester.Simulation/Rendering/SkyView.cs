@@ -1,4 +1,3 @@
-using System;
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
@@ -96,11 +95,15 @@ internal sealed class SkyView
         int texel = step;
         for (; texel <= end - Vector256<float>.Count; texel += Vector256<float>.Count)
         {
-            Vector256.Max(
-                Vector256.Create(from.Slice(texel, Vector256<float>.Count)),
-                Vector256.Max(
-                    Vector256.Create(from.Slice(texel - step, Vector256<float>.Count)),
-                    Vector256.Create(from.Slice(texel + step, Vector256<float>.Count)))).CopyTo(to[texel..]);
+            Vector256
+                .Max(
+                    Vector256.Create(from.Slice(texel, Vector256<float>.Count)),
+                    Vector256.Max(
+                        Vector256.Create(from.Slice(texel - step, Vector256<float>.Count)),
+                        Vector256.Create(from.Slice(texel + step, Vector256<float>.Count))
+                    )
+                )
+                .CopyTo(to[texel..]);
         }
 
         for (; texel < end; texel++)

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
@@ -28,6 +27,7 @@ public static class SunPosition
         return new Vector3D(
             -Math.Cos(declination) * Math.Sin(hourAngle),
             (Math.Sin(declination) * Math.Cos(latitude)) - (Math.Cos(declination) * Math.Cos(hourAngle) * Math.Sin(latitude)),
-            (Math.Sin(declination) * Math.Sin(latitude)) + (Math.Cos(declination) * Math.Cos(hourAngle) * Math.Cos(latitude)));
+            (Math.Sin(declination) * Math.Sin(latitude)) + (Math.Cos(declination) * Math.Cos(hourAngle) * Math.Cos(latitude))
+        );
     }
 }

@@ -16,16 +16,17 @@ internal static class SurfaceMaterial
     private const uint Spine = 0x01F3C404;
 
     /// <summary>The hash of the material of a kind of surface; 0 for none.</summary>
-    public static uint Of(SurfaceKind kind) => kind switch
-    {
-        SurfaceKind.Road or SurfaceKind.Marking => Tarmac,
-        SurfaceKind.Pavement => ConcretePavement,
-        SurfaceKind.Building => Brick,
-        SurfaceKind.Vegetation => Leaves,
-        SurfaceKind.Terrain => Grass,
-        SurfaceKind.Pole => MetalSolidSmall,
-        SurfaceKind.Fence => MetalRailing,
-        SurfaceKind.Person => Spine,
-        _ => 0,
-    };
+    public static uint Of(SurfaceKind kind) =>
+        kind switch
+        {
+            SurfaceKind.Road or SurfaceKind.Marking => Tarmac,
+            SurfaceKind.Pavement => ConcretePavement,
+            SurfaceKind.Building => Brick,
+            SurfaceKind.Vegetation => Leaves,
+            SurfaceKind.Terrain => Grass,
+            SurfaceKind.Pole => MetalSolidSmall,
+            SurfaceKind.Fence => MetalRailing,
+            SurfaceKind.Person => Spine,
+            _ => 0,
+        };
 }

@@ -1,4 +1,3 @@
-using System;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Harvester.Geometry;
@@ -51,8 +50,11 @@ internal readonly struct TriangleBlock
         QuadVector q = fromA.Cross(_ab);
         Vector256<double> v = direction.Dot(q) / determinant;
         Vector256<double> distance = _ac.Dot(q) / determinant;
-        hits &= Vector256.GreaterThanOrEqual(v, zero) & Vector256.LessThanOrEqual(u + v, one)
-            & Vector256.GreaterThanOrEqual(distance, zero) & Vector256.LessThan(distance, Vector256.Create(limit));
+        hits &=
+            Vector256.GreaterThanOrEqual(v, zero)
+            & Vector256.LessThanOrEqual(u + v, one)
+            & Vector256.GreaterThanOrEqual(distance, zero)
+            & Vector256.LessThan(distance, Vector256.Create(limit));
         uint places = hits.ExtractMostSignificantBits();
         if (places == 0)
         {

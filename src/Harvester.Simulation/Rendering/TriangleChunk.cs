@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using System.Numerics;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
@@ -120,7 +118,13 @@ internal sealed class TriangleChunk
     }
 
     private void Process(
-        View view, DepthTiles tiles, in MeshInstance instance, in MeshTriangle triangle, in ClipTransform toClip, int bandHeight)
+        View view,
+        DepthTiles tiles,
+        in MeshInstance instance,
+        in MeshTriangle triangle,
+        in ClipTransform toClip,
+        int bandHeight
+    )
     {
         Span<Vector256<double>> corners = stackalloc Vector256<double>[4];
         int count = NearClipper.Clip(toClip.Apply(triangle.A), toClip.Apply(triangle.B), toClip.Apply(triangle.C), view.NearClip, corners);
@@ -148,7 +152,17 @@ internal sealed class TriangleChunk
                 }
 
                 var shown = new ScreenTriangle(
-                    a, b, c, doubleArea, pixels, instance.Handle, instance.Mesh.Kind, triangle, normal.Value, lanes);
+                    a,
+                    b,
+                    c,
+                    doubleArea,
+                    pixels,
+                    instance.Handle,
+                    instance.Mesh.Kind,
+                    triangle,
+                    normal.Value,
+                    lanes
+                );
                 Add(shown, bandHeight);
             }
         }

@@ -1,4 +1,3 @@
-using System;
 using System.Runtime.Intrinsics;
 using Harvester.Geometry;
 
@@ -79,13 +78,15 @@ internal sealed class View
             (int)Math.Clamp(Math.Ceiling(left - 0.5), 0, Camera.Width),
             (int)Math.Clamp(Math.Ceiling(top - 0.5), 0, Camera.Height),
             (int)Math.Clamp(Math.Ceiling(right - 0.5) + (Grid is null ? 0 : 1), 0, Camera.Width),
-            (int)Math.Clamp(Math.Ceiling(bottom - 0.5) + (Grid is null ? 0 : 1), 0, Camera.Height));
+            (int)Math.Clamp(Math.Ceiling(bottom - 0.5) + (Grid is null ? 0 : 1), 0, Camera.Height)
+        );
     }
 
     /// <summary>The position of a pixel's centre in the pinhole image.</summary>
-    public Vector2D SampleAt(int column, int row) => Grid is null
-        ? new Vector2D(column + 0.5, row + 0.5)
-        : new Vector2D(Grid.U[(row * Camera.Width) + column], Grid.V[(row * Camera.Width) + column]);
+    public Vector2D SampleAt(int column, int row) =>
+        Grid is null
+            ? new Vector2D(column + 0.5, row + 0.5)
+            : new Vector2D(Grid.U[(row * Camera.Width) + column], Grid.V[(row * Camera.Width) + column]);
 
     private (double Least, double Greatest) FactorsIn(double left, double top, double right, double bottom)
     {

@@ -1,4 +1,3 @@
-using System;
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
@@ -62,8 +61,9 @@ internal sealed class ViewDirections
     /// <summary>Where eight pixels look.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public WideVector At(PixelRow row, int column) =>
-        WideVector.Of(_forward) + (WideVector.Of(_right) * Vector256.Create(row.Across, column))
-            - (WideVector.Of(_up) * Vector256.Create(row.Down, column));
+        WideVector.Of(_forward)
+        + (WideVector.Of(_right) * Vector256.Create(row.Across, column))
+        - (WideVector.Of(_up) * Vector256.Create(row.Down, column));
 
     private float Across(double x) => (float)((x - _view.Camera.CentreX) / _view.Camera.FocalX);
 

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 
@@ -55,21 +53,29 @@ public static class Weather
         double low = day * (1 - Math.Clamp(height / 0.4, 0, 1));
         double direct = 1 - (0.85 * clouds);
         double dusk = Math.Max(0, 1 - (Math.Abs(height + 0.02) / 0.16)) * direct;
-        Rgb horizon = new Rgb(188, 210, 230).Towards(new(206, 176, 160), low * 0.8 * direct).Towards(Grey, clouds * 0.75)
+        Rgb horizon = new Rgb(188, 210, 230)
+            .Towards(new(206, 176, 160), low * 0.8 * direct)
+            .Towards(Grey, clouds * 0.75)
             .Towards(new(214, 150, 128), 0.6 * dusk);
-        Rgb zenith = new Rgb(66, 122, 196).Towards(new(74, 92, 150), low * 0.6)
-            .Towards(new(52, 66, 122), 0.7 * dusk).Towards(Grey.Scaled(0.9), clouds * 0.85);
-        Rgb ambient = new Rgb(100, 110, 128).Towards(new(122, 124, 128), clouds)
-            .Towards(new(172, 175, 182), 0.6 * snow);
+        Rgb zenith = new Rgb(66, 122, 196)
+            .Towards(new(74, 92, 150), low * 0.6)
+            .Towards(new(52, 66, 122), 0.7 * dusk)
+            .Towards(Grey.Scaled(0.9), clouds * 0.85);
+        Rgb ambient = new Rgb(100, 110, 128).Towards(new(122, 124, 128), clouds).Towards(new(172, 175, 182), 0.6 * snow);
         Rgb sun = new Rgb(170, 160, 142).Towards(new(190, 112, 56), low).Scaled(Math.Clamp((height + 0.02) / 0.12, 0, 1) * direct);
         Rgb moonlight = new Rgb(26, 32, 48).Scaled(direct * night);
         double glow = Math.Max(0, 1 - (Math.Abs(height) / 0.22)) * direct;
         return new Lighting
         {
             // The moon stands high in the south; before it shines, the sun's last light comes from the horizon.
-            SunDirection = (night > 0.5
-                ? new Vector3D(-towardsSun.X, -0.35, Math.Max(0.5, -height))
-                : towardsSun with { Z = Math.Max(MinSunHeight, height) }).Normalized(),
+            SunDirection = (
+                night > 0.5
+                    ? new Vector3D(-towardsSun.X, -0.35, Math.Max(0.5, -height))
+                    : towardsSun with
+                    {
+                        Z = Math.Max(MinSunHeight, height),
+                    }
+            ).Normalized(),
             SunColour = sun.Towards(moonlight, night),
             AmbientColour = ambient.Scaled(0.35 + (0.65 * day)).Towards(new(34, 38, 54), night),
             HorizonColour = horizon.Towards(new(30, 36, 54), dark),

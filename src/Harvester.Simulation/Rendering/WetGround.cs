@@ -1,6 +1,4 @@
-using System;
 using System.Runtime.Intrinsics;
-using System.Threading.Tasks;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
@@ -27,8 +25,13 @@ internal sealed class WetGround(View view, ScreenTriangles triangles, int[] ids,
     private const float PuddleFrom = 0.5f;
     private const float PuddleEdge = 6;
 
-    private readonly double _horizon = view.Camera.CentreY + (view.Camera.FocalY * view.Camera.Pose.Axes.Forward.Z
-        / Math.Sqrt(Math.Max(1e-6, 1 - (view.Camera.Pose.Axes.Forward.Z * view.Camera.Pose.Axes.Forward.Z))));
+    private readonly double _horizon =
+        view.Camera.CentreY
+        + (
+            view.Camera.FocalY
+            * view.Camera.Pose.Axes.Forward.Z
+            / Math.Sqrt(Math.Max(1e-6, 1 - (view.Camera.Pose.Axes.Forward.Z * view.Camera.Pose.Axes.Forward.Z)))
+        );
     private readonly NoisePlane _puddles = new(view.Camera.Pose.Position.X, view.Camera.Pose.Position.Y, PuddlesPerMetre);
 
     /// <summary>Adds reflections to a picture.</summary>
@@ -38,15 +41,19 @@ internal sealed class WetGround(View view, ScreenTriangles triangles, int[] ids,
     public void Reflect(double wetness, RenderTarget target, byte[] before)
     {
         Array.Copy(target.Colour, before, before.Length);
-        Parallel.For(0, (target.Height + Block - 1) / Block, block =>
-        {
-            // Ground at the horizon and above it is not level.
-            int top = block * Block;
-            for (int column = 0; top + 0.5 > _horizon && column < target.Width; column += Block)
+        Parallel.For(
+            0,
+            (target.Height + Block - 1) / Block,
+            block =>
             {
-                ReflectBlock(wetness, target, before, column, top);
+                // Ground at the horizon and above it is not level.
+                int top = block * Block;
+                for (int column = 0; top + 0.5 > _horizon && column < target.Width; column += Block)
+                {
+                    ReflectBlock(wetness, target, before, column, top);
+                }
             }
-        });
+        );
     }
 
     private void ReflectBlock(double wetness, RenderTarget target, byte[] before, int column, int top)
@@ -60,7 +67,9 @@ internal sealed class WetGround(View view, ScreenTriangles triangles, int[] ids,
         double depth = view.NearClip / nearness[first];
         double below = (top + 0.5 - _horizon) * depth;
         double cosine = below / Math.Sqrt((below * below) + (depth * view.Camera.FocalY * depth * view.Camera.FocalY));
-        double share = wetness * (Straight + ((1 - Straight) * Math.Pow(1 - Math.Clamp(cosine, 0, 1), 5)))
+        double share =
+            wetness
+            * (Straight + ((1 - Straight) * Math.Pow(1 - Math.Clamp(cosine, 0, 1), 5)))
             * (BetweenPuddles + ((1 - BetweenPuddles) * PuddleAt(column, top, depth)));
         int source = (MirroredRow(column, top, below, target.Width) * target.Width) + column;
         for (int row = top; row < Math.Min(top + Block, target.Height); row++)
@@ -113,8 +122,12 @@ internal sealed class WetGround(View view, ScreenTriangles triangles, int[] ids,
     {
         Vector2D place = view.SampleAt(column, row);
         Axes axes = view.Camera.Pose.Axes;
-        Vector3D away = (axes.Forward + (axes.Right * ((place.X - view.Camera.CentreX) / view.Camera.FocalX))
-            - (axes.Up * ((place.Y - view.Camera.CentreY) / view.Camera.FocalY))) * depth;
+        Vector3D away =
+            (
+                axes.Forward
+                + (axes.Right * ((place.X - view.Camera.CentreX) / view.Camera.FocalX))
+                - (axes.Up * ((place.Y - view.Camera.CentreY) / view.Camera.FocalY))
+            ) * depth;
         Vector256<float> noise = _puddles.At(Vector256.Create((float)away.X), Vector256.Create((float)away.Y));
         return Math.Clamp((noise[0] - PuddleFrom) * PuddleEdge, 0, 1);
     }

@@ -31,8 +31,33 @@ internal static class Wide
         Vector256<float> rest = (ofTwo - whole) * Vector256.Create(0.69314718f);
 
         // The series of e^rest for rest below ln 2; the first term left out is below 1.6e-5 / 7.
-        Vector256<float> series = One + (rest * (One + (rest * (Vector256.Create(1 / 2f) + (rest * (Vector256.Create(1 / 6f)
-            + (rest * (Vector256.Create(1 / 24f) + (rest * (Vector256.Create(1 / 120f) + (rest * Vector256.Create(1 / 720f))))))))))));
+        Vector256<float> series =
+            One
+            + (
+                rest
+                * (
+                    One
+                    + (
+                        rest
+                        * (
+                            Vector256.Create(1 / 2f)
+                            + (
+                                rest
+                                * (
+                                    Vector256.Create(1 / 6f)
+                                    + (
+                                        rest
+                                        * (
+                                            Vector256.Create(1 / 24f)
+                                            + (rest * (Vector256.Create(1 / 120f) + (rest * Vector256.Create(1 / 720f))))
+                                        )
+                                    )
+                                )
+                            )
+                        )
+                    )
+                )
+            );
         Vector256<int> exponent = (Vector256.ConvertToInt32(whole) + Vector256.Create(ExponentBias)) << MantissaBits;
         return series * exponent.AsSingle();
     }

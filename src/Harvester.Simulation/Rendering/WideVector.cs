@@ -16,8 +16,7 @@ internal readonly struct WideVector(Vector256<float> x, Vector256<float> y, Vect
 
     /// <summary>One vector eight times.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WideVector Of(Vector3 vector) =>
-        new(Vector256.Create(vector.X), Vector256.Create(vector.Y), Vector256.Create(vector.Z));
+    public static WideVector Of(Vector3 vector) => new(Vector256.Create(vector.X), Vector256.Create(vector.Y), Vector256.Create(vector.Z));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WideVector operator +(in WideVector a, in WideVector b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
@@ -24,8 +21,17 @@ internal sealed class Asphalt(RoadIndex index, AsphaltHeights heights)
     public bool IsAnothers(Road road, double distance, double rightOffset, double above)
     {
         Vector3D place = Of(road).At(distance, rightOffset) + (Horizontal.Up * above);
-        return index.PlacesAt(place, except: road, beside: Road.WidestShoulder).Any(other => Math.Abs(other.Height) < SameLevel
-            && (other.IsOnCarriageway(0) || (other.IsOnCarriageway(other.Road.Shoulder)
-                && Of(other.Road).At(other.Distance, other.RightOffset).Z + MinAbove > place.Z)));
+        return index
+            .PlacesAt(place, except: road, beside: Road.WidestShoulder)
+            .Any(other =>
+                Math.Abs(other.Height) < SameLevel
+                && (
+                    other.IsOnCarriageway(0)
+                    || (
+                        other.IsOnCarriageway(other.Road.Shoulder)
+                        && Of(other.Road).At(other.Distance, other.RightOffset).Z + MinAbove > place.Z
+                    )
+                )
+            );
     }
 }

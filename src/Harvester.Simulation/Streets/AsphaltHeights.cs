@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
@@ -45,7 +43,8 @@ internal sealed class AsphaltHeights(RoadIndex index, RoadLevels levels)
             return (Weighted(place, places, each => each.Shoulder) ?? place.Z, false);
         }
 
-        bool isHidden = (!own.IsOnCarriageway(0) && !road.IsInTrim(distance))
+        bool isHidden =
+            (!own.IsOnCarriageway(0) && !road.IsInTrim(distance))
             || (road.IsUnpaved && places.Any(other => !other.Road.IsUnpaved && other.IsOnCarriageway(0)));
         return (isHidden ? height - Sunk : height, isHidden);
     }
@@ -56,8 +55,7 @@ internal sealed class AsphaltHeights(RoadIndex index, RoadLevels levels)
     /// <summary>Whether other roads may share a stretch of a road, metres along it, so that its height is not that of its line.</summary>
     public bool IsShared(Road road, double from, double to) => levels.IsShared(road, from, to);
 
-    private RoadPlace[] OnLevel(
-        Vector3D place, double pastTheEnd = 0.05, double beside = Road.WidestShoulder, Road? except = null) =>
+    private RoadPlace[] OnLevel(Vector3D place, double pastTheEnd = 0.05, double beside = Road.WidestShoulder, Road? except = null) =>
         [.. index.PlacesAt(place, pastTheEnd, except, beside).Where(found => Math.Abs(found.Height) < SameLevel)];
 
     private static double? OnCarriageways(Vector3D place, RoadPlace[] places)

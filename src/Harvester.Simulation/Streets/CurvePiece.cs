@@ -16,8 +16,9 @@ internal readonly record struct CurvePiece(Vector3D Start, Vector3D Linear, Vect
 
     /// <summary>Position and derivatives with respect to t.</summary>
     public (Vector3D Position, Vector3D Derivative, Vector3D Second) At(double t) =>
-    (
-        Start + ((Linear + ((Square + (Cubic * t)) * t)) * t),
-        Linear + (((Square * 2) + (Cubic * (3 * t))) * t),
-        (Square * 2) + (Cubic * (6 * t)));
+        (
+            Start + ((Linear + ((Square + (Cubic * t)) * t)) * t),
+            Linear + (((Square * 2) + (Cubic * (3 * t))) * t),
+            (Square * 2) + (Cubic * (6 * t))
+        );
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Simulation.Rendering;
 
@@ -59,5 +56,8 @@ internal sealed class GroundMesh
 
     public IEnumerable<MeshInstance> Instances() =>
         _patches.Select(patch => new MeshInstance(
-            new Mesh(patch.Value) { Kind = patch.Key.Kind }, new Pose(Vector3D.Zero, Axes.Identity), 0));
+            new Mesh(patch.Value) { Kind = patch.Key.Kind },
+            new Pose(Vector3D.Zero, Axes.Identity),
+            0
+        ));
 }

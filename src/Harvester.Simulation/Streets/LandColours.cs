@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 using Harvester.Simulation.Rendering;
 
@@ -19,7 +18,14 @@ internal static class LandColours
     private static readonly Rgb Scrub = new(150, 140, 92);
     private static readonly Rgb Rock = new(132, 118, 98);
     private static readonly Rgb[] Fields =
-        [Palette.Grass, Palette.DryGrass, new(172, 156, 92), new(88, 118, 56), new(122, 100, 74), Palette.Grass];
+    [
+        Palette.Grass,
+        Palette.DryGrass,
+        new(172, 156, 92),
+        new(88, 118, 56),
+        new(122, 100, 74),
+        Palette.Grass,
+    ];
 
     /// <summary>The colour of a triangle of the ground.</summary>
     public static Rgb Of(Zone zone, Vector3D a, Vector3D b, Vector3D c)

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Simulation.Streets;
 
 /// <summary>All paths on which vehicles drive, and which follow which.</summary>
@@ -54,11 +50,14 @@ internal sealed class LaneGraph
         foreach (RoadArm arm in junction.Arms)
         {
             List<LanePath> incoming = lanes[(arm.Road, !arm.AtStart)];
-            List<(List<LanePath> Lanes, double Turn)> exits = [.. junction.Arms
-                .Where(exit => exit != arm)
-                .Select(exit => (lanes[(exit.Road, exit.AtStart)], Horizontal.Turn(-arm.Outward, exit.Outward)))
-                .Where(exit => exit.Item1.Count > 0 && Math.Abs(exit.Item2) < MaxTurn)
-                .OrderBy(exit => -exit.Item2)];
+            List<(List<LanePath> Lanes, double Turn)> exits =
+            [
+                .. junction
+                    .Arms.Where(exit => exit != arm)
+                    .Select(exit => (lanes[(exit.Road, exit.AtStart)], Horizontal.Turn(-arm.Outward, exit.Outward)))
+                    .Where(exit => exit.Item1.Count > 0 && Math.Abs(exit.Item2) < MaxTurn)
+                    .OrderBy(exit => -exit.Item2),
+            ];
             foreach (LanePath lane in incoming)
             {
                 foreach ((List<LanePath> lanesOfExit, double turn) in ExitsOf(lane.Lane, incoming.Count, exits))
@@ -76,17 +75,19 @@ internal sealed class LaneGraph
     /// </summary>
     private static List<(List<LanePath> Lanes, double Turn)> ExitsOf(int lane, int lanes, List<(List<LanePath> Lanes, double Turn)> exits)
     {
-        List<(List<LanePath> Lanes, double Turn)> chosen = [.. exits.Where(exit =>
-            (exit.Turn > StraightAtMost && lane == 0)
-            || (exit.Turn < -StraightAtMost && lane == lanes - 1)
-            || Math.Abs(exit.Turn) <= StraightAtMost)];
+        List<(List<LanePath> Lanes, double Turn)> chosen =
+        [
+            .. exits.Where(exit =>
+                (exit.Turn > StraightAtMost && lane == 0)
+                || (exit.Turn < -StraightAtMost && lane == lanes - 1)
+                || Math.Abs(exit.Turn) <= StraightAtMost
+            ),
+        ];
         return chosen.Count > 0 || exits.Count == 0 ? chosen : [lane < lanes / 2 ? exits[0] : exits[^1]];
     }
 
     private static int TargetLane(int lane, int lanes, int exitLanes, double turn) =>
-        turn < -StraightAtMost
-            ? Math.Max(0, exitLanes - lanes + lane)
-            : Math.Min(lane, exitLanes - 1);
+        turn < -StraightAtMost ? Math.Max(0, exitLanes - lanes + lane) : Math.Min(lane, exitLanes - 1);
 
     /// <summary>
     /// Finds the ways through junctions that conflict: of the same junction, and of junctions so close together that their ways overlap.
@@ -99,8 +100,12 @@ internal sealed class LaneGraph
         {
             for (int j = i + 1; j < ways.Count && West(ways[j]) - West(ways[i]) < longest + ConflictDistance; j++)
             {
-                if (!AreSuccessive(ways[i], ways[j]) && !AreSuccessive(ways[j], ways[i])
-                    && ways[i].Previous[0] != ways[j].Previous[0] && AreNear(ways[i], ways[j]))
+                if (
+                    !AreSuccessive(ways[i], ways[j])
+                    && !AreSuccessive(ways[j], ways[i])
+                    && ways[i].Previous[0] != ways[j].Previous[0]
+                    && AreNear(ways[i], ways[j])
+                )
                 {
                     ways[i].Conflicts.Add(ways[j]);
                     ways[j].Conflicts.Add(ways[i]);
@@ -116,8 +121,11 @@ internal sealed class LaneGraph
 
     private static bool AreNear(LanePath a, LanePath b) =>
         Horizontal.Distance(a.Line.Points[0], b.Line.Points[0]) < a.Length + b.Length + ConflictDistance
-        && a.Line.Points.Any(p => b.Line.Points.Any(q =>
-            Horizontal.SquaredDistance(p, q) < ConflictDistance * ConflictDistance && Math.Abs(p.Z - q.Z) < SameLevel));
+        && a.Line.Points.Any(p =>
+            b.Line.Points.Any(q =>
+                Horizontal.SquaredDistance(p, q) < ConflictDistance * ConflictDistance && Math.Abs(p.Z - q.Z) < SameLevel
+            )
+        );
 
     /// <summary>Marks paths without an end: one continues if one of its followers does; computed backwards from the dead ends.</summary>
     private void MarkDeadEnds()

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Roads;
 using Harvester.Simulation.Rendering;
 
@@ -43,8 +41,12 @@ internal readonly record struct LaneLayout(int Forward, int Backward, double Lan
     {
         double fromInnerEdge = (lane + 0.5) * LaneWidth;
         return IsOneWay
-            ? forward ? LeftEdge + fromInnerEdge : RightEdge - fromInnerEdge
-            : forward ? (MedianWidth / 2) + fromInnerEdge : -(MedianWidth / 2) - fromInnerEdge;
+            ? forward
+                ? LeftEdge + fromInnerEdge
+                : RightEdge - fromInnerEdge
+            : forward
+                ? (MedianWidth / 2) + fromInnerEdge
+                : -(MedianWidth / 2) - fromInnerEdge;
     }
 
     /// <summary>The lane at an offset; null outside the lanes and on the median.</summary>

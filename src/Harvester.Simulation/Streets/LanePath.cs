@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
@@ -66,11 +64,16 @@ internal sealed class LanePath
             tangents[i] = forward ? road.Curve.TangentAt(distance) : -road.Curve.TangentAt(distance);
         }
 
-        Drape(points, tangents, heights, along =>
-        {
-            double distance = forward ? road.StartTrim + (length * along) : road.Length - road.EndTrim - (length * along);
-            return heights.IsShared(road, distance, distance);
-        });
+        Drape(
+            points,
+            tangents,
+            heights,
+            along =>
+            {
+                double distance = forward ? road.StartTrim + (length * along) : road.Length - road.EndTrim - (length * along);
+                return heights.IsShared(road, distance, distance);
+            }
+        );
         return new LanePath(index, road, forward, lane, null, new Polyline(points, tangents));
     }
 

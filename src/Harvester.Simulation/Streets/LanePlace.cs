@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
@@ -24,7 +23,10 @@ internal readonly record struct LanePlace(LanePath Path, double Distance, double
 
         Vector3D offset = point - path.Line.PositionAt(distance);
         double left = Along(path, distance, point);
-        double beyond = distance == path.Length ? Math.Max(0, left) : distance == 0 ? Math.Min(0, left) : 0;
+        double beyond =
+            distance == path.Length ? Math.Max(0, left)
+            : distance == 0 ? Math.Min(0, left)
+            : 0;
         return new LanePlace(path, distance, offset.Dot(Horizontal.RightOf(path.Line.TangentAt(distance))), offset.Z, beyond);
     }
 

@@ -30,4 +30,5 @@ public sealed record LanePosition(
     double RightOfLaneCentre,
     double AngleToRoad,
     double Curvature,
-    bool IsInJunction);
+    bool IsInJunction
+);

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Geometry.Lanes;
 
 namespace Harvester.Simulation.Streets;
@@ -15,17 +14,24 @@ internal readonly record struct Marking(double Offset, MarkingKind Kind)
 
     public bool IsYellow => Kind is MarkingKind.Centre or MarkingKind.CentreDouble or MarkingKind.CentreDashed;
 
-    public MarkingPaint Paint => new(
-        IsDashed ? MarkingStyle.Dashed : Kind == MarkingKind.CentreDouble ? MarkingStyle.DoubleSolid : MarkingStyle.Solid,
-        IsYellow ? MarkingColour.Yellow : MarkingColour.White,
-        Kind == MarkingKind.CentreDouble ? BetweenStripes + StripeWidth : StripeWidth);
+    public MarkingPaint Paint =>
+        new(
+            IsDashed ? MarkingStyle.Dashed
+                : Kind == MarkingKind.CentreDouble ? MarkingStyle.DoubleSolid
+                : MarkingStyle.Solid,
+            IsYellow ? MarkingColour.Yellow : MarkingColour.White,
+            Kind == MarkingKind.CentreDouble ? BetweenStripes + StripeWidth : StripeWidth
+        );
 
     /// <summary>The offsets of the edges of its stripes.</summary>
     public IEnumerable<(double Left, double Right)> Stripes()
     {
         const double half = StripeWidth / 2;
-        foreach (double middle in Kind == MarkingKind.CentreDouble ? new[] { Offset - (BetweenStripes / 2), Offset + (BetweenStripes / 2) }
-            : [Offset])
+        foreach (
+            double middle in Kind == MarkingKind.CentreDouble
+                ? new[] { Offset - (BetweenStripes / 2), Offset + (BetweenStripes / 2) }
+                : [Offset]
+        )
         {
             yield return (middle - half, middle + half);
         }

@@ -11,9 +11,10 @@ namespace Harvester.Simulation.Streets;
 /// <param name="Pose">Its pose.</param>
 internal sealed record Prop(int Handle, Model Model, int Variant, Pose Pose)
 {
-    public EntityState State => new(Handle, Model.Class, Model.Name, Pose, Model.Min, Model.Max, Vector3D.Zero)
-    {
-        HasRider = VehicleClasses.HaveRiders(Model.Class) ? false : null,
-        Lights = VehicleClasses.AreVehicles(Model.Class) ? default(VehicleLights) : null,
-    };
+    public EntityState State =>
+        new(Handle, Model.Class, Model.Name, Pose, Model.Min, Model.Max, Vector3D.Zero)
+        {
+            HasRider = VehicleClasses.HaveRiders(Model.Class) ? false : null,
+            Lights = VehicleClasses.AreVehicles(Model.Class) ? default(VehicleLights) : null,
+        };
 }

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Simulation.Streets;
@@ -56,8 +54,7 @@ internal sealed class Road(int index, IReadOnlyList<int> nodes, LaneLayout layou
     public bool IsInTunnel => Flags.HasFlag(RoadNodeFlags.Tunnel);
 
     /// <summary>Whether it has pavements and houses.</summary>
-    public bool IsStreet =>
-        !IsHighway && !IsUnpaved && !IsInner && !IsAlley && Zone != Zone.Country && !IsInTunnel;
+    public bool IsStreet => !IsHighway && !IsUnpaved && !IsInner && !IsAlley && Zone != Zone.Country && !IsInTunnel;
 
     /// <summary>Whether it is the lane of a car park or a yard: without traffic of its own and unknown to navigation.</summary>
     public bool IsAlley => Flags.HasFlag(RoadNodeFlags.SwitchedOff | RoadNodeFlags.NoGps);
@@ -65,7 +62,12 @@ internal sealed class Road(int index, IReadOnlyList<int> nodes, LaneLayout layou
     /// <summary>
     /// Width of asphalt beyond the carriageway's edges: a parking strip along a street, a hard shoulder along a motorway.
     /// </summary>
-    public double Shoulder => IsHighway ? WidestShoulder : IsStreet ? 2.4 : IsInner ? 1.5 : Zone == Zone.Country && !IsUnpaved ? 0.8 : 0.4;
+    public double Shoulder =>
+        IsHighway ? WidestShoulder
+        : IsStreet ? 2.4
+        : IsInner ? 1.5
+        : Zone == Zone.Country && !IsUnpaved ? 0.8
+        : 0.4;
 
     /// <summary>Offset of the left border of the asphalt.</summary>
     public double LeftKerb => Layout.LeftEdge - Shoulder;
@@ -76,8 +78,8 @@ internal sealed class Road(int index, IReadOnlyList<int> nodes, LaneLayout layou
     public bool IsInTrim(double distance) => distance < StartTrim || distance > Length - EndTrim;
 
     /// <summary>Distance along the road from the nearest crossing at its ends, metres; infinite without one.</summary>
-    public double CrossingDepthAt(double distance) => Math.Min(
-        StartsAtCrossing ? distance : double.PositiveInfinity, EndsAtCrossing ? Length - distance : double.PositiveInfinity);
+    public double CrossingDepthAt(double distance) =>
+        Math.Min(StartsAtCrossing ? distance : double.PositiveInfinity, EndsAtCrossing ? Length - distance : double.PositiveInfinity);
 
     public double TrimAt(bool start) => start ? StartTrim : EndTrim;
 

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
 
@@ -14,7 +11,8 @@ internal sealed record RoadChain(IReadOnlyList<int> Nodes, LaneLayout Layout)
     /// <summary>Cuts a set of links into chains that end where roads meet, where the layout changes, at corners and at dead ends.</summary>
     public static List<RoadChain> Follow(RoadNetwork network, IReadOnlyList<RoadLink> links)
     {
-        ILookup<int, RoadLink> linksOf = links.SelectMany(link => new[] { (Node: link.From, link), (Node: link.To, link) })
+        ILookup<int, RoadLink> linksOf = links
+            .SelectMany(link => new[] { (Node: link.From, link), (Node: link.To, link) })
             .ToLookup(pair => pair.Node, pair => pair.link);
         List<RoadChain> chains = [];
         HashSet<RoadLink> used = new(ReferenceEqualityComparer.Instance);
@@ -45,8 +43,12 @@ internal sealed record RoadChain(IReadOnlyList<int> Nodes, LaneLayout Layout)
 
                 int other = next.From == end ? next.To : next.From;
                 int before = forward ? nodes.Last!.Previous!.Value : nodes.First!.Next!.Value;
-                if (linksOf[end].Count() != 2 || LayoutFrom(next, end, forward) != layout || KindOf(end) != KindOf(other)
-                    || IsCorner(network, before, end, other, layout.HalfWidth))
+                if (
+                    linksOf[end].Count() != 2
+                    || LayoutFrom(next, end, forward) != layout
+                    || KindOf(end) != KindOf(other)
+                    || IsCorner(network, before, end, other, layout.HalfWidth)
+                )
                 {
                     return;
                 }
@@ -67,8 +69,13 @@ internal sealed record RoadChain(IReadOnlyList<int> Nodes, LaneLayout Layout)
     public static Dictionary<(int Node, int Neighbour), Vector3D> EndTangents(RoadNetwork network, IReadOnlyList<RoadChain> chains)
     {
         ILookup<int, (int Next, double HalfWidth)> neighbours = chains
-            .SelectMany(chain => new[] { (End: chain.Nodes[0], Next: chain.Nodes[1], chain.Layout),
-                (End: chain.Nodes[^1], Next: chain.Nodes[^2], chain.Layout) })
+            .SelectMany(chain =>
+                new[]
+                {
+                    (End: chain.Nodes[0], Next: chain.Nodes[1], chain.Layout),
+                    (End: chain.Nodes[^1], Next: chain.Nodes[^2], chain.Layout),
+                }
+            )
             .ToLookup(end => end.End, end => (end.Next, end.Layout.HalfWidth));
         Dictionary<(int Node, int Neighbour), Vector3D> tangents = [];
         foreach (IGrouping<int, (int Next, double HalfWidth)> node in neighbours)
@@ -90,7 +97,10 @@ internal sealed record RoadChain(IReadOnlyList<int> Nodes, LaneLayout Layout)
     }
 
     private static ((int Next, double HalfWidth) A, (int Next, double HalfWidth) B)? StraightestPair(
-        RoadNetwork network, int node, List<(int Next, double HalfWidth)> open)
+        RoadNetwork network,
+        int node,
+        List<(int Next, double HalfWidth)> open
+    )
     {
         const double straightAtMost = 0.7;
         ((int, double), (int, double))? best = null;
@@ -100,8 +110,11 @@ internal sealed record RoadChain(IReadOnlyList<int> Nodes, LaneLayout Layout)
             for (int j = i + 1; j < open.Count; j++)
             {
                 double turn = TurnAt(network, open[i].Next, node, open[j].Next);
-                if (turn < bestTurn && open[i].Next != open[j].Next
-                    && !IsCorner(network, open[i].Next, node, open[j].Next, Math.Max(open[i].HalfWidth, open[j].HalfWidth)))
+                if (
+                    turn < bestTurn
+                    && open[i].Next != open[j].Next
+                    && !IsCorner(network, open[i].Next, node, open[j].Next, Math.Max(open[i].HalfWidth, open[j].HalfWidth))
+                )
                 {
                     bestTurn = turn;
                     best = (open[i], open[j]);
@@ -119,7 +132,9 @@ internal sealed record RoadChain(IReadOnlyList<int> Nodes, LaneLayout Layout)
         const double room = 1.6;
         Vector3D corner = network.Nodes[node].Position;
         double shorter = Math.Min(
-            Horizontal.Distance(network.Nodes[before].Position, corner), Horizontal.Distance(network.Nodes[after].Position, corner));
+            Horizontal.Distance(network.Nodes[before].Position, corner),
+            Horizontal.Distance(network.Nodes[after].Position, corner)
+        );
         return shorter / (2 * Math.Tan(TurnAt(network, before, node, after) / 2)) < room * halfWidth;
     }
 

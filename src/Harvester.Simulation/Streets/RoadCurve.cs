@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
@@ -118,7 +116,13 @@ internal sealed class RoadCurve
 
         Vector3D first = (nodes[1] - nodes[0]).Normalized();
         Vector3D final = (nodes[last] - nodes[last - 1]).Normalized();
-        tangents[0] = start ?? (last > 1 ? Mirrored(first, tangents[1]) : end is { } e ? Mirrored(first, e) : first);
+        tangents[0] =
+            start
+            ?? (
+                last > 1 ? Mirrored(first, tangents[1])
+                : end is { } e ? Mirrored(first, e)
+                : first
+            );
         tangents[last] = end ?? (last > 1 ? Mirrored(final, tangents[last - 1]) : Mirrored(final, tangents[0]));
         return tangents;
     }

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
@@ -8,9 +6,10 @@ namespace Harvester.Simulation.Streets;
 /// <remarks>Positions on it are fractions: along from the near side to the far one, across from the left to the right.</remarks>
 internal readonly record struct RoadFacet(Vector3D NearLeft, Vector3D NearRight, Vector3D FarRight, Vector3D FarLeft)
 {
-    public Vector3D At(double along, double across) => along <= across
-        ? NearLeft + ((NearRight - NearLeft) * across) + ((FarRight - NearRight) * along)
-        : NearLeft + ((FarLeft - NearLeft) * along) + ((FarRight - FarLeft) * across);
+    public Vector3D At(double along, double across) =>
+        along <= across
+            ? NearLeft + ((NearRight - NearLeft) * across) + ((FarRight - NearRight) * along)
+            : NearLeft + ((FarLeft - NearLeft) * along) + ((FarRight - FarLeft) * across);
 
     /// <summary>Quadrilaterals that cover a rectangle of it; each lies in one of the triangles.</summary>
     public IEnumerable<Vector3D[]> Cover(double from, double to, double left, double right)

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
@@ -57,12 +54,20 @@ internal sealed class RoadFacets
     /// <summary>
     /// All facets, each with the distance along the road at which it begins, and the offsets of its left and right sides, metres.
     /// </summary>
-    public IEnumerable<(RoadFacet Facet, double From, double Left, double Right)> All() => _pieces.SelectMany((piece, number) =>
-        Enumerable.Range(1, piece.Near.Length - 1).Select(column => (
-            Facet(piece, column),
-            _stations[number],
-            OffsetOf(column - 1, piece.Near.Length - 1),
-            OffsetOf(column, piece.Near.Length - 1))));
+    public IEnumerable<(RoadFacet Facet, double From, double Left, double Right)> All() =>
+        _pieces.SelectMany(
+            (piece, number) =>
+                Enumerable
+                    .Range(1, piece.Near.Length - 1)
+                    .Select(column =>
+                        (
+                            Facet(piece, column),
+                            _stations[number],
+                            OffsetOf(column - 1, piece.Near.Length - 1),
+                            OffsetOf(column, piece.Near.Length - 1)
+                        )
+                    )
+        );
 
     /// <summary>The point of the asphalt at a distance along the road and an offset to the right of its line, metres, world.</summary>
     public Vector3D At(double distance, double rightOffset)

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
@@ -87,13 +84,12 @@ internal sealed class RoadIndex
     }
 
     /// <summary>Whether a point lies on, over or under a carriageway extended by a margin, also past its ends, on any level.</summary>
-    public bool IsAbreast(Vector3D point, double margin) => PlacesAt(point, pastTheEnd: margin, beside: margin)
-        .Any(place => place.IsOnCarriageway(margin));
+    public bool IsAbreast(Vector3D point, double margin) =>
+        PlacesAt(point, pastTheEnd: margin, beside: margin).Any(place => place.IsOnCarriageway(margin));
 
     private static double Squared(double value) => value * value;
 
-    private static (int X, int Y) CellOf(Vector3D point) =>
-        ((int)Math.Floor(point.X / CellSize), (int)Math.Floor(point.Y / CellSize));
+    private static (int X, int Y) CellOf(Vector3D point) => ((int)Math.Floor(point.X / CellSize), (int)Math.Floor(point.Y / CellSize));
 
     private void Insert(Road road, double distance)
     {

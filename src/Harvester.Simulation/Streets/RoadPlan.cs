@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
 
@@ -28,13 +25,16 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
         if (links.Length == 0)
         {
             throw new ArgumentException(
-                FormattableString.Invariant($"No road lies within {radius} m of {centre.X}, {centre.Y}; choose another place."));
+                FormattableString.Invariant($"No road lies within {radius} m of {centre.X}, {centre.Y}; choose another place.")
+            );
         }
 
         List<RoadChain> chains = RoadChain.Follow(network, links);
         Dictionary<(int Node, int Neighbour), Vector3D> tangents = RoadChain.EndTangents(network, chains);
         List<Road> roads =
-            [.. chains.Select((chain, index) => MakeRoad(network, chain, index, tangents, settlement ?? Settlement.Everywhere))];
+        [
+            .. chains.Select((chain, index) => MakeRoad(network, chain, index, tangents, settlement ?? Settlement.Everywhere)),
+        ];
         List<Junction> junctions = FindJunctions(network, roads);
         foreach (Junction junction in junctions)
         {
@@ -65,7 +65,12 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
     }
 
     private static Road MakeRoad(
-        RoadNetwork network, RoadChain chain, int index, Dictionary<(int Node, int Neighbour), Vector3D> tangents, Settlement settlement)
+        RoadNetwork network,
+        RoadChain chain,
+        int index,
+        Dictionary<(int Node, int Neighbour), Vector3D> tangents,
+        Settlement settlement
+    )
     {
         IReadOnlyList<int> nodes = chain.Nodes;
         IEnumerable<int> ownNodes = nodes.Count > 2 ? nodes.Skip(1).SkipLast(1) : nodes;
@@ -73,7 +78,8 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
         RoadCurve curve = new(
             [.. nodes.Select(node => network.Nodes[node].Position)],
             tangents.TryGetValue((nodes[0], nodes[1]), out Vector3D start) ? start : null,
-            tangents.TryGetValue((nodes[^1], nodes[^2]), out Vector3D end) ? -end : null);
+            tangents.TryGetValue((nodes[^1], nodes[^2]), out Vector3D end) ? -end : null
+        );
         return new Road(index, nodes, chain.Layout, flags, curve) { Zone = settlement.At(curve.PositionAt(curve.Length / 2)) };
     }
 
@@ -86,8 +92,10 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
             Add(road.Nodes[^1], new RoadArm(road, AtStart: false));
         }
 
-        return [.. arms.Select(
-            pair => new Junction(pair.Key, network.Nodes[pair.Key].Position, network.Nodes[pair.Key].Flags, pair.Value))];
+        return
+        [
+            .. arms.Select(pair => new Junction(pair.Key, network.Nodes[pair.Key].Position, network.Nodes[pair.Key].Flags, pair.Value)),
+        ];
 
         void Add(int node, RoadArm arm)
         {

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Simulation.Rendering;
 
@@ -23,6 +21,5 @@ internal sealed class RoadRibbon(Road road, IReadOnlyList<double> stations, Grou
     private void Piece(double from, double to, Rail left, Rail right, Rgb colour, Surface surface, SurfaceKind kind) =>
         mesh.AddQuad(Place(from, left), Place(from, right), Place(to, right), Place(to, left), colour, surface, kind);
 
-    private Vector3D Place(double distance, Rail rail) =>
-        road.Curve.OffsetAt(distance, rail.RightOffset) + (Horizontal.Up * rail.Height);
+    private Vector3D Place(double distance, Rail rail) => road.Curve.OffsetAt(distance, rail.RightOffset) + (Horizontal.Up * rail.Height);
 }

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Simulation.Streets;
 
 /// <summary>A road at a station, and the ground below it.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Simulation.Rendering;
 
@@ -59,8 +56,14 @@ internal sealed class RoadSides(RoadIndex index, Terrain terrain, RoadLevels lev
             {
                 Vector3D down = Horizontal.Up * -thickness;
                 mesh.AddQuad(
-                    near.Left.Edge + down, near.Right.Edge + down, far.Right.Edge + down, far.Left.Edge + down,
-                    Palette.Concrete, Surface.Matte, SurfaceKind.Building);
+                    near.Left.Edge + down,
+                    near.Right.Edge + down,
+                    far.Right.Edge + down,
+                    far.Left.Edge + down,
+                    Palette.Concrete,
+                    Surface.Matte,
+                    SurfaceKind.Building
+                );
                 run += far.Distance - near.Distance;
                 if (run >= PierSpacing && TryAddPier(road, middle, thickness))
                 {
@@ -133,8 +136,14 @@ internal sealed class RoadSides(RoadIndex index, Terrain terrain, RoadLevels lev
             Lay(from.Edge, to.Edge, 0, from.Edge, to.Edge, top, Palette.Concrete, Surface.Matte, inner);
             Lay(from.Edge, to.Edge, top, outerFrom, outerTo, top, Palette.Concrete, Surface.Matte, inner);
             mesh.AddQuad(
-                outerFrom + (up * top), outerFrom - (up * (deck ?? (from.Gap + Buried))),
-                outerTo - (up * (deck ?? (to.Gap + Buried))), outerTo + (up * top), Palette.Concrete, Surface.Matte, SurfaceKind.Building);
+                outerFrom + (up * top),
+                outerFrom - (up * (deck ?? (from.Gap + Buried))),
+                outerTo - (up * (deck ?? (to.Gap + Buried))),
+                outerTo + (up * top),
+                Palette.Concrete,
+                Surface.Matte,
+                SurfaceKind.Building
+            );
             if (deck is { } thickness)
             {
                 Lay(from.Edge, to.Edge, -thickness, outerFrom, outerTo, -thickness, Palette.Concrete, Surface.Matte, SurfaceKind.Building);
@@ -144,14 +153,27 @@ internal sealed class RoadSides(RoadIndex index, Terrain terrain, RoadLevels lev
         }
 
         mesh.AddQuad(
-            from.Edge + (up * height), FootOf(from), FootOf(to), to.Edge + (up * height), Palette.Grass, Surface.Ground,
-            SurfaceKind.Terrain);
+            from.Edge + (up * height),
+            FootOf(from),
+            FootOf(to),
+            to.Edge + (up * height),
+            Palette.Grass,
+            Surface.Ground,
+            SurfaceKind.Terrain
+        );
 
         void Lay(
-            Vector3D fromA, Vector3D toA, double heightA, Vector3D fromB, Vector3D toB, double heightB, Rgb colour, Surface surface,
-            SurfaceKind kind) =>
-            mesh.AddQuad(
-                fromA + (up * heightA), fromB + (up * heightB), toB + (up * heightB), toA + (up * heightA), colour, surface, kind);
+            Vector3D fromA,
+            Vector3D toA,
+            double heightA,
+            Vector3D fromB,
+            Vector3D toB,
+            double heightB,
+            Rgb colour,
+            Surface surface,
+            SurfaceKind kind
+        ) =>
+            mesh.AddQuad(fromA + (up * heightA), fromB + (up * heightB), toB + (up * heightB), toA + (up * heightA), colour, surface, kind);
     }
 
     /// <summary>Where the bank beside an edge enters the ground.</summary>
@@ -168,8 +190,14 @@ internal sealed class RoadSides(RoadIndex index, Terrain terrain, RoadLevels lev
         Vector3D high = Horizontal.Up * -belowAsphalt;
         Vector3D low = Horizontal.Up * -(section.MostGap + Buried);
         mesh.AddQuad(
-            section.Left.Edge + high, section.Right.Edge + high, section.Right.Edge + low, section.Left.Edge + low,
-            Palette.Concrete, Surface.Matte, SurfaceKind.Building);
+            section.Left.Edge + high,
+            section.Right.Edge + high,
+            section.Right.Edge + low,
+            section.Left.Edge + low,
+            Palette.Concrete,
+            Surface.Matte,
+            SurfaceKind.Building
+        );
     }
 
     private bool TryAddPier(Road road, double distance, double thickness)
@@ -180,8 +208,11 @@ internal sealed class RoadSides(RoadIndex index, Terrain terrain, RoadLevels lev
         for (int i = 0; i <= points; i++)
         {
             Vector3D place = section.At(half * ((2.0 * i / points) - 1));
-            if (index.PlacesAt(place, PierThickness, except: road).Any(other =>
-                other.Height > OnLevel && other.IsOnCarriageway(other.Road.Shoulder + PierRoom + PierThickness)))
+            if (
+                index
+                    .PlacesAt(place, PierThickness, except: road)
+                    .Any(other => other.Height > OnLevel && other.IsOnCarriageway(other.Road.Shoulder + PierRoom + PierThickness))
+            )
             {
                 return false;
             }
@@ -192,14 +223,15 @@ internal sealed class RoadSides(RoadIndex index, Terrain terrain, RoadLevels lev
         Vector3D high = section.Centre - (Horizontal.Up * thickness);
         Vector3D[] around =
         [
-            (section.Right * half) + along, (section.Right * half) - along,
-            (section.Right * -half) - along, (section.Right * -half) + along,
+            (section.Right * half) + along,
+            (section.Right * half) - along,
+            (section.Right * -half) - along,
+            (section.Right * -half) + along,
         ];
         for (int i = 0; i < around.Length; i++)
         {
             Vector3D next = around[(i + 1) % around.Length];
-            mesh.AddQuad(low + around[i], low + next, high + next, high + around[i], Palette.Concrete, Surface.Matte,
-                SurfaceKind.Building);
+            mesh.AddQuad(low + around[i], low + next, high + next, high + around[i], Palette.Concrete, Surface.Matte, SurfaceKind.Building);
         }
 
         return true;
@@ -221,12 +253,20 @@ internal sealed class RoadSides(RoadIndex index, Terrain terrain, RoadLevels lev
             Vector3D edge = section.At(kerb + (side * beyond)) with { Z = height };
             Vector3D outward = section.Right * side;
             return new RoadEdge(
-                section.At(kerb) with { Z = height }, edge, outward, height - terrain.HeightAt(edge + (outward * ParapetThickness)));
+                section.At(kerb) with
+                {
+                    Z = height,
+                },
+                edge,
+                outward,
+                height - terrain.HeightAt(edge + (outward * ParapetThickness))
+            );
         }
     }
 
     /// <summary>Whether no other road's asphalt is at a point beside a road, on its level.</summary>
     private bool IsClear(Road road, Vector3D place) =>
-        !index.PlacesAt(place, except: road, beside: Road.WidestShoulder).Any(other =>
-            Math.Abs(other.Height) < OnLevel && other.IsOnCarriageway(other.Road.Shoulder));
+        !index
+            .PlacesAt(place, except: road, beside: Road.WidestShoulder)
+            .Any(other => Math.Abs(other.Height) < OnLevel && other.IsOnCarriageway(other.Road.Shoulder));
 }

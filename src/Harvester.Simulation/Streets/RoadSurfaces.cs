@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Simulation.Rendering;
 
@@ -8,7 +5,14 @@ namespace Harvester.Simulation.Streets;
 
 /// <summary>Builds the asphalt and medians of roads, and what is beside and below them.</summary>
 internal sealed class RoadSurfaces(
-    RoadPlan plan, RoadIndex index, Terrain terrain, RoadLevels levels, Asphalt asphalt, AsphaltHeights heights, GroundMesh mesh)
+    RoadPlan plan,
+    RoadIndex index,
+    Terrain terrain,
+    RoadLevels levels,
+    Asphalt asphalt,
+    AsphaltHeights heights,
+    GroundMesh mesh
+)
 {
     public void Build()
     {
@@ -39,13 +43,19 @@ internal sealed class RoadSurfaces(
             if (road.IsUnpaved)
             {
                 mesh.AddQuad(
-                    facet.NearLeft, facet.NearRight, facet.FarRight, facet.FarLeft, Palette.Dirt, Surface.Ground, SurfaceKind.Road);
+                    facet.NearLeft,
+                    facet.NearRight,
+                    facet.FarRight,
+                    facet.FarLeft,
+                    Palette.Dirt,
+                    Surface.Ground,
+                    SurfaceKind.Road
+                );
             }
             else
             {
                 bool hasLanes = !road.IsInner && !road.IsInTrim(from);
-                mesh.AddAsphalt(
-                    facet, hasLanes ? road.Layout.InLanes(left) : default, hasLanes ? road.Layout.InLanes(right) : default);
+                mesh.AddAsphalt(facet, hasLanes ? road.Layout.InLanes(left) : default, hasLanes ? road.Layout.InLanes(right) : default);
             }
         }
 
@@ -57,10 +67,22 @@ internal sealed class RoadSurfaces(
             double half = (median / 2) - lineRoom;
             Func<double, bool> isPresent = distance => !road.IsInTrim(distance);
             Rgb top = road.IsHighway ? Palette.DryGrass : Palette.Grass;
-            ribbon.Lay(new Rail(-half, Walkway.KerbHeight), new Rail(half, Walkway.KerbHeight), top, Surface.Ground, SurfaceKind.Terrain,
-                isPresent);
-            ribbon.Lay(new Rail(-half, 0), new Rail(-half, Walkway.KerbHeight), Palette.Kerb, Surface.Matte, SurfaceKind.Pavement,
-                isPresent);
+            ribbon.Lay(
+                new Rail(-half, Walkway.KerbHeight),
+                new Rail(half, Walkway.KerbHeight),
+                top,
+                Surface.Ground,
+                SurfaceKind.Terrain,
+                isPresent
+            );
+            ribbon.Lay(
+                new Rail(-half, 0),
+                new Rail(-half, Walkway.KerbHeight),
+                Palette.Kerb,
+                Surface.Matte,
+                SurfaceKind.Pavement,
+                isPresent
+            );
             ribbon.Lay(new Rail(half, Walkway.KerbHeight), new Rail(half, 0), Palette.Kerb, Surface.Matte, SurfaceKind.Pavement, isPresent);
         }
     }
@@ -71,19 +93,24 @@ internal sealed class RoadSurfaces(
         const int sides = 16;
         double radius = junction.Arms.Min(arm => arm.Road.Layout.HalfWidth);
         (Rgb colour, Surface surface) = junction.Arms.All(arm => arm.Road.IsUnpaved)
-            ? (Palette.Dirt, Surface.Ground) : (Palette.Asphalt, Surface.Asphalt);
-        List<Vector3D> rim = [.. Enumerable.Range(0, sides).Select(i =>
-        {
-            (double sin, double cos) = Math.SinCos(2 * Math.PI * i / sides);
-            Vector3D place = junction.Position + new Vector3D(radius * cos, radius * sin, 0);
-            return place with { Z = heights.Driven(place) ?? place.Z };
-        })];
+            ? (Palette.Dirt, Surface.Ground)
+            : (Palette.Asphalt, Surface.Asphalt);
+        List<Vector3D> rim =
+        [
+            .. Enumerable
+                .Range(0, sides)
+                .Select(i =>
+                {
+                    (double sin, double cos) = Math.SinCos(2 * Math.PI * i / sides);
+                    Vector3D place = junction.Position + new Vector3D(radius * cos, radius * sin, 0);
+                    return place with { Z = heights.Driven(place) ?? place.Z };
+                }),
+        ];
         const double below = 0.05;
         Vector3D down = Horizontal.Up * -below;
         for (int i = 0; i < sides; i++)
         {
-            mesh.AddTriangle(
-                junction.Position + down, rim[i] + down, rim[(i + 1) % sides] + down, colour, surface, SurfaceKind.Road);
+            mesh.AddTriangle(junction.Position + down, rim[i] + down, rim[(i + 1) % sides] + down, colour, surface, SurfaceKind.Road);
         }
     }
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
@@ -29,17 +26,24 @@ public sealed class RoadTruth
             return Describe(on, position, forward);
         }
 
-        IEnumerable<RoadPlace> ends = _index.PlacesAt(position, JunctionMargin)
+        IEnumerable<RoadPlace> ends = _index
+            .PlacesAt(position, JunctionMargin)
             .Where(place => place.Road.IsInTrim(place.Distance) && place.IsOnCarriageway(JunctionMargin));
-        return BestAlong(forward, ends) is { } beside ? Describe(beside, position, forward) with { Lane = null, RightOfLaneCentre = 0 }
+        return BestAlong(forward, ends) is { } beside
+            ? Describe(beside, position, forward) with
+            {
+                Lane = null,
+                RightOfLaneCentre = 0,
+            }
             : null;
     }
 
-    private static RoadPlace? BestAlong(Vector3D forward, IEnumerable<RoadPlace> places) => places
-        .Where(place => Math.Abs(place.Height) < SameLevel)
-        .OrderBy(place => Math.Min(HeadingMisfit(place, forward, true), HeadingMisfit(place, forward, false)))
-        .Cast<RoadPlace?>()
-        .FirstOrDefault();
+    private static RoadPlace? BestAlong(Vector3D forward, IEnumerable<RoadPlace> places) =>
+        places
+            .Where(place => Math.Abs(place.Height) < SameLevel)
+            .OrderBy(place => Math.Min(HeadingMisfit(place, forward, true), HeadingMisfit(place, forward, false)))
+            .Cast<RoadPlace?>()
+            .FirstOrDefault();
 
     /// <summary>Angle between a direction and the traffic on one side of a road; larger than any angle if that side has no lanes.</summary>
     private static double HeadingMisfit(RoadPlace place, Vector3D forward, bool along) =>
@@ -66,6 +70,7 @@ public sealed class RoadTruth
             drivesForward ? toCentre : -toCentre,
             Horizontal.Turn(forward, direction),
             (drivesForward ? 1 : -1) * place.Road.Curve.CurvatureAt(place.Distance),
-            place.Road.IsInner || place.Road.IsInTrim(place.Distance) || _index.IsOnAnother(place.Road, position, 0));
+            place.Road.IsInner || place.Road.IsInTrim(place.Distance) || _index.IsOnAnother(place.Road, position, 0)
+        );
     }
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
 
@@ -44,9 +41,12 @@ internal sealed class Settlement
     public static Settlement Everywhere { get; } = new(_ => Zone.Town);
 
     /// <summary>The town that is generated, with the country around it.</summary>
-    public static Settlement Generated { get; } = new(place =>
-        Horizontal.Distance(place, Vector3D.Zero) is var distance && distance < GeneratedCentre ? Zone.Centre
-            : distance < GeneratedTown ? Zone.Town : Zone.Country);
+    public static Settlement Generated { get; } =
+        new(place =>
+            Horizontal.Distance(place, Vector3D.Zero) is var distance && distance < GeneratedCentre ? Zone.Centre
+            : distance < GeneratedTown ? Zone.Town
+            : Zone.Country
+        );
 
     /// <summary>Judges a network near a point.</summary>
     public static Settlement Of(RoadNetwork network, Vector3D centre)
@@ -75,16 +75,19 @@ internal sealed class Settlement
     /// <summary>The zone of a place.</summary>
     public Zone At(Vector3D place) => _zone(place);
 
-    private static (int X, int Y) CellOf(Vector3D place) =>
-        ((int)Math.Floor(place.X / CellSize), (int)Math.Floor(place.Y / CellSize));
+    private static (int X, int Y) CellOf(Vector3D place) => ((int)Math.Floor(place.X / CellSize), (int)Math.Floor(place.Y / CellSize));
 
     /// <summary>The zones of cells near a centre; cells farther away have the zone of the nearest of them.</summary>
     private sealed class Densities(Dictionary<(int X, int Y), double> metres, (int X, int Y) centre)
     {
         private const int Cells = 8;
 
-        private readonly Zone[] _zones = [.. Enumerable.Range(0, Squared((2 * Cells) + 1)).Select(i => ZoneOf(
-            metres, centre.X - Cells + (i % ((2 * Cells) + 1)), centre.Y - Cells + (i / ((2 * Cells) + 1))))];
+        private readonly Zone[] _zones =
+        [
+            .. Enumerable
+                .Range(0, Squared((2 * Cells) + 1))
+                .Select(i => ZoneOf(metres, centre.X - Cells + (i % ((2 * Cells) + 1)), centre.Y - Cells + (i / ((2 * Cells) + 1)))),
+        ];
 
         public Zone ZoneAt(Vector3D place)
         {

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Simulation.Rendering;
 
@@ -48,7 +45,9 @@ internal sealed class Terrain
             if (isGround || !hasGround)
             {
                 ref double lowest = ref known[
-                    (int)Math.Round((place.X - west) / TerrainGrid.CellSize), (int)Math.Round((place.Y - south) / TerrainGrid.CellSize)];
+                    (int)Math.Round((place.X - west) / TerrainGrid.CellSize),
+                    (int)Math.Round((place.Y - south) / TerrainGrid.CellSize)
+                ];
                 lowest = double.IsNaN(lowest) ? place.Z - BelowRoad : Math.Min(lowest, place.Z - BelowRoad);
             }
         }
@@ -72,8 +71,9 @@ internal sealed class Terrain
     }
 
     private static IEnumerable<(Vector3D Place, bool IsGround)> Samples(Road road, RoadLevels levels) =>
-        Enumerable.Range(0, RoadLevels.CountSamples(road)).Select(i =>
-            (road.Curve.PositionAt(RoadLevels.DistanceOf(road, i)), !levels.IsSuspended(road, i)));
+        Enumerable
+            .Range(0, RoadLevels.CountSamples(road))
+            .Select(i => (road.Curve.PositionAt(RoadLevels.DistanceOf(road, i)), !levels.IsSuspended(road, i)));
 
     /// <summary>Fills the gaps: first from the nearest road, then smoothed as a membrane fixed at the roads.</summary>
     private static double[,] Fill(double[,] known)
@@ -113,8 +113,13 @@ internal sealed class Terrain
                 {
                     if (double.IsNaN(known[i, j]))
                     {
-                        heights[i, j] = (heights[Math.Max(i - 1, 0), j] + heights[Math.Min(i + 1, columns - 1), j]
-                            + heights[i, Math.Max(j - 1, 0)] + heights[i, Math.Min(j + 1, rows - 1)]) / 4;
+                        heights[i, j] =
+                            (
+                                heights[Math.Max(i - 1, 0), j]
+                                + heights[Math.Min(i + 1, columns - 1), j]
+                                + heights[i, Math.Max(j - 1, 0)]
+                                + heights[i, Math.Min(j + 1, rows - 1)]
+                            ) / 4;
                     }
                 }
             }
@@ -135,8 +140,11 @@ internal sealed class Terrain
                 int y = Math.Min(j / split, _grid.Rows - 1);
                 double u = ((double)i / split) - x;
                 double v = ((double)j / split) - y;
-                _grid[i, j] = (heights[x, y] * (1 - u) * (1 - v)) + (heights[x + 1, y] * u * (1 - v))
-                    + (heights[x, y + 1] * (1 - u) * v) + (heights[x + 1, y + 1] * u * v);
+                _grid[i, j] =
+                    (heights[x, y] * (1 - u) * (1 - v))
+                    + (heights[x + 1, y] * u * (1 - v))
+                    + (heights[x, y + 1] * (1 - u) * v)
+                    + (heights[x + 1, y + 1] * u * v);
             }
         }
     }

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
@@ -21,8 +19,7 @@ internal sealed class TerrainBounds(TerrainGrid grid)
     /// <param name="cutting">Rise of the ground beyond it, metres per metre.</param>
     /// <param name="bank">Fall of the ground beside a road, metres per metre.</param>
     /// <param name="reach">Distance from a road's edge at which it shapes the ground, metres.</param>
-    public void Apply(
-        IReadOnlyList<Road> roads, RoadLevels levels, double below, double verge, double cutting, double bank, double reach)
+    public void Apply(IReadOnlyList<Road> roads, RoadLevels levels, double below, double verge, double cutting, double bank, double reach)
     {
         foreach (Road road in roads)
         {
@@ -113,7 +110,8 @@ internal sealed class TerrainBounds(TerrainGrid grid)
         double slope = tangent.Z / level;
         return (
             beyond > 0 ? Math.Sqrt((Math.Max(0, beside) * Math.Max(0, beside)) + (beyond * beyond)) : beside,
-            centre.Z + (slope * Math.Clamp(along, -RoadLevels.Step, RoadLevels.Step)));
+            centre.Z + (slope * Math.Clamp(along, -RoadLevels.Step, RoadLevels.Step))
+        );
     }
 
     private static double WalkwayOf(Road road) => road.IsStreet ? Walkway.Width : 0;

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
@@ -103,9 +100,7 @@ internal sealed class TerrainGrid
         double near = _heights[i, j];
         double far = _heights[i + size, j + size];
         double beside = u > v ? _heights[i + size, j] : _heights[i, j + size];
-        return u > v
-            ? near + (u * (beside - near)) + (v * (far - beside))
-            : near + (v * (beside - near)) + (u * (far - beside));
+        return u > v ? near + (u * (beside - near)) + (v * (far - beside)) : near + (v * (beside - near)) + (u * (far - beside));
     }
 
     /// <summary>The triangles, each with the middle of its cell.</summary>
@@ -133,11 +128,13 @@ internal sealed class TerrainGrid
     {
         int last = Width - 1;
         int top = Height - 1;
-        return [
+        return
+        [
             .. Enumerable.Range(0, Columns).Select(i => Corner(i * Split, 0)),
             .. Enumerable.Range(0, Rows).Select(j => Corner(last, j * Split)),
             .. Enumerable.Range(0, Columns).Select(i => Corner(last - (i * Split), top)),
-            .. Enumerable.Range(0, Rows).Select(j => Corner(0, top - (j * Split)))];
+            .. Enumerable.Range(0, Rows).Select(j => Corner(0, top - (j * Split))),
+        ];
     }
 
     private bool IsFlat(int i, int j)

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Simulation.Rendering;
 
@@ -61,8 +59,12 @@ internal sealed class TunnelBuilder(RoadIndex index, Asphalt asphalt, GroundMesh
         double right = road.RightKerb + BesideAsphalt;
         piece.Lay(new Rail(left, CeilingHeight), new Rail(right, CeilingHeight), Dark, Surface.Matte, SurfaceKind.Building);
         piece.Lay(
-            new Rail(left - WallThickness, RoofHeight), new Rail(right + WallThickness, RoofHeight), Palette.DryGrass, Surface.Ground,
-            SurfaceKind.Terrain);
+            new Rail(left - WallThickness, RoofHeight),
+            new Rail(right + WallThickness, RoofHeight),
+            Palette.DryGrass,
+            Surface.Ground,
+            SurfaceKind.Terrain
+        );
         foreach (int side in new[] { -1, 1 })
         {
             double wall = side < 0 ? left : right;
@@ -77,9 +79,12 @@ internal sealed class TunnelBuilder(RoadIndex index, Asphalt asphalt, GroundMesh
             piece.Lay(new Rail(wall, TilesTo), new Rail(wall, CeilingHeight), Palette.Concrete, Surface.Matte, SurfaceKind.Building);
             bool hasSlope = IsFree(road, middle, outer + (side * SlopeWidth), SlopeWidth);
             piece.Lay(
-                new Rail(outer, RoofHeight), new Rail(hasSlope ? outer + (side * SlopeWidth) : outer, -Buried),
-                hasSlope ? Palette.DryGrass : Palette.Concrete, hasSlope ? Surface.Ground : Surface.Matte,
-                hasSlope ? SurfaceKind.Terrain : SurfaceKind.Building);
+                new Rail(outer, RoofHeight),
+                new Rail(hasSlope ? outer + (side * SlopeWidth) : outer, -Buried),
+                hasSlope ? Palette.DryGrass : Palette.Concrete,
+                hasSlope ? Surface.Ground : Surface.Matte,
+                hasSlope ? SurfaceKind.Terrain : SurfaceKind.Building
+            );
         }
     }
 
@@ -91,8 +96,12 @@ internal sealed class TunnelBuilder(RoadIndex index, Asphalt asphalt, GroundMesh
         foreach (double middle in new[] { road.LeftKerb + fromWall, road.RightKerb - fromWall })
         {
             piece.Lay(
-                new Rail(middle - halfWidth, CeilingHeight - belowCeiling), new Rail(middle + halfWidth, CeilingHeight - belowCeiling),
-                LampColour, Surface.Lamp, SurfaceKind.Building);
+                new Rail(middle - halfWidth, CeilingHeight - belowCeiling),
+                new Rail(middle + halfWidth, CeilingHeight - belowCeiling),
+                LampColour,
+                Surface.Lamp,
+                SurfaceKind.Building
+            );
         }
     }
 
@@ -120,8 +129,7 @@ internal sealed class TunnelBuilder(RoadIndex index, Asphalt asphalt, GroundMesh
 
         void Face(params (double Right, double Up)[] corners)
         {
-            Vector3D[] places = [.. corners.Select(corner =>
-                road.Curve.OffsetAt(distance, corner.Right) + (Horizontal.Up * corner.Up))];
+            Vector3D[] places = [.. corners.Select(corner => road.Curve.OffsetAt(distance, corner.Right) + (Horizontal.Up * corner.Up))];
             mesh.AddQuad(places[0], places[1], places[2], places[3], Palette.Concrete, Surface.Matte, SurfaceKind.Building);
         }
     }

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 
@@ -40,7 +39,10 @@ internal readonly record struct CarState(Vector2D RearAxle, double Yaw, double S
     public CarState After(DrivingControls controls, double slope, CarLimits limits, double seconds)
     {
         double turned = Math.Clamp(
-            (controls.Steering * limits.SteeringLockRadians) - WheelAngle, -limits.SteeringRate * seconds, limits.SteeringRate * seconds);
+            (controls.Steering * limits.SteeringLockRadians) - WheelAngle,
+            -limits.SteeringRate * seconds,
+            limits.SteeringRate * seconds
+        );
         double wheelAngle = WheelAngle + turned;
         double pushed = Math.Min(controls.Throttle * limits.Acceleration, controls.Throttle * limits.PowerPerMass / Math.Max(Speed, 1));
         double onTyres = Math.Clamp(pushed - (controls.Brake * limits.Braking), -limits.Grip, limits.Grip);

@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Simulation.Streets;
 
@@ -29,14 +27,17 @@ internal static class Driver
         (double gap, double leaderSpeed) = Leader(vehicle, occupation);
         double stop = Math.Min(distanceToStop, DistanceToWalker(vehicle, walkersOnRoad)) - vehicle.FrontOverhang;
         double interaction = Math.Max(
-            Interaction(vehicle.Speed, gap, leaderSpeed), Interaction(vehicle.Speed, stop + StandingGap - 0.5, 0));
+            Interaction(vehicle.Speed, gap, leaderSpeed),
+            Interaction(vehicle.Speed, stop + StandingGap - 0.5, 0)
+        );
         return Math.Clamp(Acceleration0 * (1 - freeShare - (interaction * interaction)), -HardestBraking, Acceleration0);
     }
 
     /// <summary>The ratio of the desired gap to the actual one.</summary>
     private static double Interaction(double speed, double gap, double leaderSpeed)
     {
-        double wanted = StandingGap
+        double wanted =
+            StandingGap
             + Math.Max(0, (speed * TimeGapSeconds) + (speed * (speed - leaderSpeed) / (2 * Math.Sqrt(Acceleration0 * ComfortableBraking))));
         return wanted / Math.Max(gap, 0.1);
     }
@@ -44,8 +45,13 @@ internal static class Driver
     private static double DesiredSpeed(Vehicle vehicle)
     {
         Road? road = vehicle.Path.Road;
-        double desired = vehicle.CruiseSpeed * (
-            road is { IsHighway: true } ? MotorwayFactor : road is { IsUnpaved: true } ? UnpavedFactor : 1);
+        double desired =
+            vehicle.CruiseSpeed
+            * (
+                road is { IsHighway: true } ? MotorwayFactor
+                : road is { IsUnpaved: true } ? UnpavedFactor
+                : 1
+            );
         double leastSquared = double.PositiveInfinity;
         for (double ahead = 0; ahead <= BendLookAhead; ahead += BendStep)
         {
@@ -68,8 +74,8 @@ internal static class Driver
             foreach (Vehicle other in occupation.On(path))
             {
                 double distance = other.DistanceOn(path);
-                leader = other != vehicle && toStart + distance > 0 && (leader is null || distance < leader.DistanceOn(path)) ? other
-                    : leader;
+                leader =
+                    other != vehicle && toStart + distance > 0 && (leader is null || distance < leader.DistanceOn(path)) ? other : leader;
             }
 
             if (leader is not null)

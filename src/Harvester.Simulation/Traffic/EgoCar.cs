@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
@@ -165,7 +162,8 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes, EgoManoeuvres? manoeu
             new Pose(ground - (axes.Up * ego.Model.Min.Z), axes),
             state.Speed,
             new Vector3D(velocity.X, velocity.Y, slope * state.Speed),
-            near.Where(other => Math.Abs(other.RightOffset) < InTheWay));
+            near.Where(other => Math.Abs(other.RightOffset) < InTheWay)
+        );
     }
 
     /// <summary>The position on its route as long as it follows that, otherwise on the lane along which it drives.</summary>
@@ -178,11 +176,11 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes, EgoManoeuvres? manoeu
             return onRoute;
         }
 
-        return near
-            .Where(place => TurnFrom(place) < MaxTurn)
-            .OrderBy(place => Math.Abs(place.RightOffset) + (HalfOrdinaryLane * TurnFrom(place)))
-            .Cast<LanePlace?>()
-            .FirstOrDefault() ?? onRoute;
+        return near.Where(place => TurnFrom(place) < MaxTurn)
+                .OrderBy(place => Math.Abs(place.RightOffset) + (HalfOrdinaryLane * TurnFrom(place)))
+                .Cast<LanePlace?>()
+                .FirstOrDefault()
+            ?? onRoute;
 
         double TurnFrom(LanePlace place) => Math.Abs(Horizontal.Turn(place.Path.Line.TangentAt(place.Distance), forward));
     }

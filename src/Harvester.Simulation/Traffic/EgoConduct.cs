@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Simulation.Traffic;
@@ -24,4 +23,5 @@ public sealed record EgoConduct(
     RouteTurn? Turn,
     double? MetresToTurn,
     LightState? Light,
-    bool HasStopSign);
+    bool HasStopSign
+);

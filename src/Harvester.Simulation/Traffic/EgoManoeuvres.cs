@@ -1,4 +1,3 @@
-using System;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Streets;
 
@@ -77,7 +76,9 @@ internal sealed class EgoManoeuvres(Vehicle ego, LaneTravel lanes, int seed, dou
         }
 
         (double gap, _) = Driver.Leader(ego, occupation);
-        return gap < FollowMetres + (FollowSeconds * ego.Speed) ? Manoeuvre.Follow : wander > 0 ? Manoeuvre.Wander : Manoeuvre.KeepLane;
+        return gap < FollowMetres + (FollowSeconds * ego.Speed) ? Manoeuvre.Follow
+            : wander > 0 ? Manoeuvre.Wander
+            : Manoeuvre.KeepLane;
     }
 
     /// <summary>Whether it is still to begin the drift that was asked for.</summary>
@@ -258,7 +259,8 @@ internal sealed class EgoManoeuvres(Vehicle ego, LaneTravel lanes, int seed, dou
         double onMarking = HalfLane - BeyondMarking + (2 * BeyondMarking * depth);
         LanePath? beside = lanes.Beside(ego.Path, side);
         bool isOpen = beside is null
-            ? side > 0 && ego.Path.Road is { IsInner: false, IsUnpaved: false } road
+            ? side > 0
+                && ego.Path.Road is { IsInner: false, IsUnpaved: false } road
                 && onMarking + ego.Model.Max.X < HalfLane + road.Shoulder
             : laneChanges > 0 && LaneTravel.HasGap(ego, beside, occupation);
         if (side < 0 && beside is null)

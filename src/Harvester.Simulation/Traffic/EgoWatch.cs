@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Streets;
@@ -52,7 +49,8 @@ internal sealed class EgoWatch(Vehicle ego, EgoCar car, TrafficFlow traffic, IRe
             ahead is { } turn ? TurnOf(turn.Way) : null,
             ahead?.Metres,
             way is null ? null : control.LightFor(way.Previous[0], way.Junction!, timeSeconds)?.AsLight(),
-            way is not null && control.HasStopSign(way.Previous[0], way.Junction!));
+            way is not null && control.HasStopSign(way.Previous[0], way.Junction!)
+        );
     }
 
     /// <summary>Does not count the next way: somebody has put the ego elsewhere.</summary>
@@ -94,8 +92,10 @@ internal sealed class EgoWatch(Vehicle ego, EgoCar car, TrafficFlow traffic, IRe
         Vector3D place = ego.Pose.Position;
         for (int i = 0; i < walkers.Count; i++)
         {
-            if (Horizontal.SquaredDistance(walkers[i].Pose.Position, place) < PersonRange * PersonRange
-                && ego.Footprint.Overlaps(walkers[i].Footprint))
+            if (
+                Horizontal.SquaredDistance(walkers[i].Pose.Position, place) < PersonRange * PersonRange
+                && ego.Footprint.Overlaps(walkers[i].Footprint)
+            )
             {
                 return true;
             }
@@ -157,6 +157,8 @@ internal sealed class EgoWatch(Vehicle ego, EgoCar car, TrafficFlow traffic, IRe
             turn += Horizontal.Turn(path.Line.TangentAt(0), path.Line.TangentAt(path.Length));
         }
 
-        return turn > straightAtMost ? RouteTurn.Left : turn < -straightAtMost ? RouteTurn.Right : RouteTurn.Straight;
+        return turn > straightAtMost ? RouteTurn.Left
+            : turn < -straightAtMost ? RouteTurn.Right
+            : RouteTurn.Straight;
     }
 }

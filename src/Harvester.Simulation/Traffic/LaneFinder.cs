@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Simulation.Streets;
 
@@ -28,13 +26,20 @@ internal sealed class LaneFinder
     }
 
     /// <summary>The positions of a point on all paths beside which it lies, within <see cref="Reach"/>.</summary>
-    public IEnumerable<LanePlace> Near(Vector3D point) => _samples.Near(point)
-        .Where(sample => Horizontal.SquaredDistance(sample.Path.Line.PositionAt(sample.Distance), point) < (Reach + SampleStep) * (
-            Reach + SampleStep))
-        .GroupBy(sample => sample.Path)
-        .Select(samples => LanePlace.Of(
-            samples.Key,
-            point,
-            samples.MinBy(sample => Horizontal.SquaredDistance(sample.Path.Line.PositionAt(sample.Distance), point)).Distance))
-        .Where(place => place is { Beyond: 0, Height: > -SameLevel and < SameLevel, RightOffset: > -Reach and < Reach });
+    public IEnumerable<LanePlace> Near(Vector3D point) =>
+        _samples
+            .Near(point)
+            .Where(sample =>
+                Horizontal.SquaredDistance(sample.Path.Line.PositionAt(sample.Distance), point)
+                < (Reach + SampleStep) * (Reach + SampleStep)
+            )
+            .GroupBy(sample => sample.Path)
+            .Select(samples =>
+                LanePlace.Of(
+                    samples.Key,
+                    point,
+                    samples.MinBy(sample => Horizontal.SquaredDistance(sample.Path.Line.PositionAt(sample.Distance), point)).Distance
+                )
+            )
+            .Where(place => place is { Beyond: 0, Height: > -SameLevel and < SameLevel, RightOffset: > -Reach and < Reach });
 }

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;

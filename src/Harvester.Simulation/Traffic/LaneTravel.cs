@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
@@ -11,7 +9,8 @@ internal sealed class LaneTravel(LaneGraph lanes)
     private const double SecondsAhead = 1.2;
     private const double SecondsBehind = 2;
 
-    private readonly Dictionary<(Road, bool, int), LanePath> _paths = lanes.Paths.Where(path => path.Road is not null)
+    private readonly Dictionary<(Road, bool, int), LanePath> _paths = lanes
+        .Paths.Where(path => path.Road is not null)
         .ToDictionary(path => (path.Road!, path.IsForward, path.Lane));
 
     /// <summary>The lane of the same direction beside another; null if there is none.</summary>
@@ -25,8 +24,9 @@ internal sealed class LaneTravel(LaneGraph lanes)
     {
         double own = LanePlace.Of(lane, vehicle.Pose.Position, vehicle.Distance).Distance;
         return occupation.On(lane).All(other => other == vehicle || IsClear(vehicle, own, other, lane))
-            && lane.Previous.All(before => occupation.On(before).All(other =>
-                other == vehicle || IsClear(vehicle, own + before.Length, other, before)));
+            && lane.Previous.All(before =>
+                occupation.On(before).All(other => other == vehicle || IsClear(vehicle, own + before.Length, other, before))
+            );
     }
 
     private static bool IsClear(Vehicle vehicle, double own, Vehicle other, LanePath lane)

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Streets;
@@ -30,7 +29,8 @@ internal sealed class MotionMeter(Vehicle ego, EgoCar car)
         bool wasPlaced = (ego.Pose.Position - _before.Position).Length > Displaced + (Math.Max(_speedBefore, ego.Speed) * seconds);
         Motion = new EgoMotion(
             wasPlaced ? 0 : Horizontal.Turn(_before.Axes.Forward, ego.Pose.Axes.Forward) / seconds,
-            wasPlaced ? 0 : (ego.Speed - _speedBefore) / seconds)
+            wasPlaced ? 0 : (ego.Speed - _speedBefore) / seconds
+        )
         {
             Steering = car.Applied?.Steering,
             Throttle = car.Applied?.Throttle,

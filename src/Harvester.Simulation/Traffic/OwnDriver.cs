@@ -1,4 +1,3 @@
-using System;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Simulation.Streets;
@@ -32,6 +31,9 @@ internal static class OwnDriver
         double uphill = CarState.Gravity * ego.Pose.Axes.Forward.Z;
         double asked = acceleration + (limits.Drag * car.Speed * car.Speed) + limits.RollingResistance + uphill;
         return new DrivingControls(
-            wheelAngle / limits.SteeringLockRadians, Math.Max(0, asked / limits.Acceleration), Math.Max(0, -asked / limits.Braking));
+            wheelAngle / limits.SteeringLockRadians,
+            Math.Max(0, asked / limits.Acceleration),
+            Math.Max(0, -asked / limits.Braking)
+        );
     }
 }

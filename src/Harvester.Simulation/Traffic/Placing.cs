@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Simulation.Streets;
 
@@ -45,12 +42,13 @@ internal sealed class Placing
     public (LanePath Path, double Distance) StartOfEgo(Vector3D near, int? visit = null)
     {
         const double shortest = 30;
-        LanePath? path = _paths
-            .Where(path => path.Length > shortest)
-            .OrderBy(path => path.GoesOn ? 0 : 1)
-            .ThenBy(path => path.Road!.IsUnpaved ? 1 : 0)
-            .ThenBy(path => Horizontal.SquaredDistance(path.Line.PositionAt(path.Length / 2), near))
-            .FirstOrDefault()
+        LanePath? path =
+            _paths
+                .Where(path => path.Length > shortest)
+                .OrderBy(path => path.GoesOn ? 0 : 1)
+                .ThenBy(path => path.Road!.IsUnpaved ? 1 : 0)
+                .ThenBy(path => Horizontal.SquaredDistance(path.Line.PositionAt(path.Length / 2), near))
+                .FirstOrDefault()
             ?? _paths.MaxBy(path => path.Length);
         if (path is null)
         {
@@ -63,8 +61,14 @@ internal sealed class Placing
             return (path, least);
         }
 
-        LanePath[] abreast = [.. _paths.Where(other => other.Road == path.Road && other.IsForward == path.IsForward
-            && other.GoesOn == path.GoesOn && other.Length > shortest).OrderBy(other => other.Lane)];
+        LanePath[] abreast =
+        [
+            .. _paths
+                .Where(other =>
+                    other.Road == path.Road && other.IsForward == path.IsForward && other.GoesOn == path.GoesOn && other.Length > shortest
+                )
+                .OrderBy(other => other.Lane),
+        ];
         path = abreast.Length > 0 ? abreast[number % abreast.Length] : path;
         return (path, Math.Clamp(LanePlace.Of(path, near, path.Length / 2).Distance, least, path.Length - least));
     }
@@ -141,7 +145,10 @@ internal sealed class Placing
             int index = Array.BinarySearch(_summedLengths, _random.NextDouble() * LaneMetres);
             LanePath path = _paths[Math.Min(index >= 0 ? index : ~index, _paths.Count - 1)];
             double distance = EndRoom + (_random.NextDouble() * (path.Length - (2 * EndRoom)));
-            bool mayBeSeen = before.Path is not null && _ego is not null && vehicle != _ego
+            bool mayBeSeen =
+                before.Path is not null
+                && _ego is not null
+                && vehicle != _ego
                 && (path.Line.PositionAt(distance) - _ego.Pose.Position).Length < OutOfSight;
             if (mayBeSeen || (vehicle == _ego && !path.GoesOn && i < AttemptsOnEndless))
             {

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Streets;
 
@@ -141,9 +138,11 @@ internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccup
         LanePath lane = ways[0].Previous[0];
         LanePath exit = ways[^1].Next[0];
         ReleaseClaim(vehicle);
-        if (control.LightFor(lane, ways[0].Junction!, timeSeconds) is SignalState.Amber or SignalState.Red
+        if (
+            control.LightFor(lane, ways[0].Junction!, timeSeconds) is SignalState.Amber or SignalState.Red
             || (control.HasStopSign(lane, ways[0].Junction!) && vehicle.StoppedOn != lane)
-            || !HasRoom(vehicle, exit))
+            || !HasRoom(vehicle, exit)
+        )
         {
             return false;
         }
@@ -188,8 +187,7 @@ internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccup
     }
 
     private bool IsFree(Vehicle vehicle, LanePath way) =>
-        vehicle.Granted.Contains(way)
-        || (way.Conflicts.TrueForAll(other => !IsUsed(other, vehicle)) && !IsClaimed(vehicle, way));
+        vehicle.Granted.Contains(way) || (way.Conflicts.TrueForAll(other => !IsUsed(other, vehicle)) && !IsClaimed(vehicle, way));
 
     private bool IsUsed(LanePath way, Vehicle asking) =>
         _users[way.Index] is { } users && users.Exists(user => user != asking && user.StandingSeconds < HeldUpSeconds);
@@ -214,11 +212,15 @@ internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccup
     /// </summary>
     private bool IsClaimed(Vehicle vehicle, LanePath way) =>
         way.Conflicts.Exists(other =>
-            _claimants[other.Index] is { } claimants && claimants.Exists(first => HasWaitedLonger(first, vehicle)));
+            _claimants[other.Index] is { } claimants && claimants.Exists(first => HasWaitedLonger(first, vehicle))
+        );
 
     private static bool HasWaitedLonger(Vehicle first, Vehicle second) =>
-        first != second && (first.StandingSeconds > second.StandingSeconds
-            || (first.StandingSeconds == second.StandingSeconds && first.Handle < second.Handle));
+        first != second
+        && (
+            first.StandingSeconds > second.StandingSeconds
+            || (first.StandingSeconds == second.StandingSeconds && first.Handle < second.Handle)
+        );
 
     /// <summary>Whether a lane behind a junction has room for the vehicle and for those that are on their way to it.</summary>
     private bool HasRoom(Vehicle vehicle, LanePath exit)

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
@@ -37,21 +35,24 @@ internal sealed class SignalProps(Signals signals, HandleCounter handles)
         foreach (PropPlacement placement in placements)
         {
             Pose pose = new(placement.Position, Axes.FromEuler(placement.Rotation));
-            Junction? junction = signals.Junctions
-                .Where(junction => (junction.Position - pose.Position).Length < farthest)
+            Junction? junction = signals
+                .Junctions.Where(junction => (junction.Position - pose.Position).Length < farthest)
                 .MinBy(junction => (junction.Position - pose.Position).Length);
-            RoadArm arm = junction?.Arms
-                .OrderBy(arm => arm.Road.IsTooShortToWait)
-                .ThenBy(arm => arm.Outward.Dot(pose.Axes.Forward))
-                .First() ?? default;
+            RoadArm arm =
+                junction?.Arms.OrderBy(arm => arm.Road.IsTooShortToWait).ThenBy(arm => arm.Outward.Dot(pose.Axes.Forward)).First()
+                ?? default;
             Model model = catalogue.TrafficLights.FirstOrDefault(light => light.Name == placement.Name) ?? catalogue["prop_traffic_01b"];
             Add(model, pose, junction, arm);
         }
     }
 
     /// <summary>The mesh instances of the lights at a time.</summary>
-    public IEnumerable<MeshInstance> Instances(double timeSeconds) => _lights.Select(light =>
-        new MeshInstance(light.Prop.Model.Variant((int)StateAt(light, timeSeconds)), light.Prop.Pose, light.Prop.Handle));
+    public IEnumerable<MeshInstance> Instances(double timeSeconds) =>
+        _lights.Select(light => new MeshInstance(
+            light.Prop.Model.Variant((int)StateAt(light, timeSeconds)),
+            light.Prop.Pose,
+            light.Prop.Handle
+        ));
 
     /// <summary>The state of a light at a time; null if the handle is not that of a light.</summary>
     public SignalState? StateAt(int handle, double timeSeconds)

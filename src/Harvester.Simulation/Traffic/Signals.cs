@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Roads;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Streets;
@@ -43,7 +40,9 @@ internal sealed class Signals
         double cosine = arm.Outward.Dot(junction.Arms[0].Outward);
         double phaseStart = Math.Abs(cosine) > Math.Sqrt(0.5) ? 0 : PhaseSeconds;
         double time = (timeSeconds + offset - phaseStart + CycleSeconds) % CycleSeconds;
-        return time < GreenSeconds ? SignalState.Green : time < GreenSeconds + AmberSeconds ? SignalState.Amber : SignalState.Red;
+        return time < GreenSeconds ? SignalState.Green
+            : time < GreenSeconds + AmberSeconds ? SignalState.Amber
+            : SignalState.Red;
     }
 
     private static bool IsSignalled(Junction junction, RoadNetwork network)
@@ -52,8 +51,11 @@ internal sealed class Signals
         const double stopLineRange = 45;
         return junction.Arms.Count >= minArms && junction.Arms.Count(HasStopLine) >= 2;
 
-        bool HasStopLine(RoadArm arm) => !arm.Road.IsInner && arm.Road.Nodes.Any(node =>
-            network.Nodes[node].Flags.HasFlag(RoadNodeFlags.TrafficLight)
-            && (network.Nodes[node].Position - junction.Position).Length < stopLineRange);
+        bool HasStopLine(RoadArm arm) =>
+            !arm.Road.IsInner
+            && arm.Road.Nodes.Any(node =>
+                network.Nodes[node].Flags.HasFlag(RoadNodeFlags.TrafficLight)
+                && (network.Nodes[node].Position - junction.Position).Length < stopLineRange
+            );
     }
 }

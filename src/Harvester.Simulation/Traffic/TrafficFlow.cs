@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Simulation.Streets;
 
@@ -30,8 +27,13 @@ internal sealed class TrafficFlow
 
     /// <summary>Starts with vehicles that are on lanes and clear of each other and of obstacles; the first is the ego.</summary>
     public TrafficFlow(
-        LaneGraph lanes, LaneControl control, IReadOnlyList<Vehicle> vehicles, EgoCar egoCar, IEnumerable<Footprint> obstacles,
-        Placing placing)
+        LaneGraph lanes,
+        LaneControl control,
+        IReadOnlyList<Vehicle> vehicles,
+        EgoCar egoCar,
+        IEnumerable<Footprint> obstacles,
+        Placing placing
+    )
     {
         _vehicles = vehicles;
         _egoCar = egoCar;
@@ -81,8 +83,7 @@ internal sealed class TrafficFlow
         _index.AnyNear(Ego.Pose.Position, Ego, static (other, ego) => other != ego && ego.Footprint.Overlaps(other.Footprint));
 
     /// <summary>Whether the ego touches something that stands beside the road, such as a parked vehicle.</summary>
-    public bool TouchesObstacle() =>
-        _obstacles.AnyNear(Ego.Pose.Position, Ego, static (other, ego) => ego.Footprint.Overlaps(other));
+    public bool TouchesObstacle() => _obstacles.AnyNear(Ego.Pose.Position, Ego, static (other, ego) => ego.Footprint.Overlaps(other));
 
     public void Tick(double seconds, double timeSeconds, BodyIndex<Walker> walkersOnRoad)
     {
@@ -169,7 +170,8 @@ internal sealed class TrafficFlow
     {
         const double nearlyAtEnd = 2;
         bool atDeadEnd = !vehicle.CanGoOn && vehicle.Distance + vehicle.FrontOverhang > vehicle.Path.Length - nearlyAtEnd;
-        bool isInTheWay = vehicle != Ego
+        bool isInTheWay =
+            vehicle != Ego
             && Ego.StandingSeconds > EgoPatienceSeconds
             && (vehicle.StandingSeconds > EgoPatienceSeconds || vehicle.GoesInCircles)
             && (vehicle.Pose.Position - Ego.Pose.Position).Length < EgoSurroundings;
@@ -181,7 +183,11 @@ internal sealed class TrafficFlow
     {
         Footprint now = vehicle.Footprint;
         var way = new WayAhead(
-            vehicle, now, vehicle.FootprintAhead(metres).Grown(Clearance), vehicle.FootprintAhead(metres + LookAhead).Grown(Clearance));
+            vehicle,
+            now,
+            vehicle.FootprintAhead(metres).Grown(Clearance),
+            vehicle.FootprintAhead(metres + LookAhead).Grown(Clearance)
+        );
         return !_index.AnyNear(now.Centre, way, static (other, way) => other != way.Vehicle && way.IsBlockedBy(other.Footprint))
             && !_obstacles.AnyNear(now.Centre, way, static (other, way) => way.IsBlockedBy(other))
             && !walkersOnRoad.AnyNear(now.Centre, way, static (walker, way) => way.IsBlockedBy(walker.Footprint));

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
@@ -139,8 +136,7 @@ internal sealed class Vehicle
     public double DistanceOn(LanePath way) => _places is not null && _places.TryGetValue(way, out double distance) ? distance : Distance;
 
     /// <summary>Its speed along a path on which it is; 0 across and against it.</summary>
-    public double SpeedOn(LanePath way) =>
-        _places is null ? Speed : Math.Max(0, _freeVelocity.Dot(way.Line.TangentAt(DistanceOn(way))));
+    public double SpeedOn(LanePath way) => _places is null ? Speed : Math.Max(0, _freeVelocity.Dot(way.Line.TangentAt(DistanceOn(way))));
 
     /// <summary>The pose at a distance ahead along its route, metres.</summary>
     public Pose PoseAhead(double metres)

@@ -37,8 +37,7 @@ internal sealed class VehicleSignals
     {
         double turn = TurnOf(vehicle);
         bool isBlinkOn = ((timeSeconds * BlinkHertz) + (vehicle.Handle * 0.618)) % 1 < 0.5;
-        return new VehicleLights(
-            _brakedSeconds < Afterglow, isBlinkOn && turn > TurnFrom, isBlinkOn && turn < -TurnFrom, isDark);
+        return new VehicleLights(_brakedSeconds < Afterglow, isBlinkOn && turn > TurnFrom, isBlinkOn && turn < -TurnFrom, isDark);
     }
 
     /// <summary>The angle of the turn on which it is or which is next, radians, positive to the left; 0 without one.</summary>

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
@@ -47,13 +46,16 @@ internal sealed class Walker
         WalkingSpeed = model.Pace * (1 + (PaceSpread * ((2 * _random.NextDouble()) - 1)));
         Walked = model.StrideMetres * _random.NextDouble();
         double activity = _random.NextDouble();
-        _activity = activity < SittingShare ? Activity.Sitting
+        _activity =
+            activity < SittingShare ? Activity.Sitting
             : activity < SittingShare + StandingShare ? Activity.Standing
             : Activity.Walking;
         IsMoving = _activity == Activity.Walking;
         _facing = 2 * Math.PI * _random.NextDouble();
-        _rest = _activity == Activity.Sitting ? PersonPoses.FirstSitting + _random.Next(PersonPoses.SittingCount)
-            : PersonPoses.FirstStanding + _random.Next(PersonPoses.StandingCount);
+        _rest =
+            _activity == Activity.Sitting
+                ? PersonPoses.FirstSitting + _random.Next(PersonPoses.SittingCount)
+                : PersonPoses.FirstStanding + _random.Next(PersonPoses.StandingCount);
         _beyondKerb = _activity == Activity.Sitting ? Walkway.Width - StreetModels.BenchDepth : _beyondKerb;
         Place();
     }
@@ -74,8 +76,8 @@ internal sealed class Walker
     public Skeleton Skeleton => _skeleton ??= Model.Skeletons[Posture].MovedBy(Pose);
 
     /// <summary>The bench, on which only this pedestrian sits; null for someone who does not sit.</summary>
-    public Pose? Bench => _activity == Activity.Sitting
-        ? Pose with { Position = Pose.ToWorld(new Vector3D(0, -Rest.SeatBehind, Model.Min.Z)) } : null;
+    public Pose? Bench =>
+        _activity == Activity.Sitting ? Pose with { Position = Pose.ToWorld(new Vector3D(0, -Rest.SeatBehind, Model.Min.Z)) } : null;
 
     public bool IsMoving { get; private set; }
 
@@ -83,8 +85,7 @@ internal sealed class Walker
 
     public Pose Pose { get; private set; }
 
-    private int Posture =>
-        IsMoving ? (int)(Walked / Model.StrideMetres * PersonPoses.Phases) % PersonPoses.Phases : _rest;
+    private int Posture => IsMoving ? (int)(Walked / Model.StrideMetres * PersonPoses.Phases) % PersonPoses.Phases : _rest;
 
     public Footprint Footprint => Footprint.Of(Pose, Model.Min, Model.Max);
 

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Simulation.Streets;
 
@@ -53,19 +50,23 @@ internal sealed class WalkerFlow
     }
 
     private static bool IsSafe(Vector3D place, TrafficFlow traffic) =>
-        !traffic.AnyNear(place, static (vehicle, place) =>
-        {
-            double distance = Horizontal.Distance(vehicle.Pose.Position, place);
-            bool isFar = vehicle.Speed < RestingSpeed
-                ? distance > StandingVehicleRoom + vehicle.FrontOverhang
-                : distance > vehicle.FrontOverhang + StandingVehicleRoom + (vehicle.Speed * ArrivalSeconds / 3);
-            return !isFar;
-        });
+        !traffic.AnyNear(
+            place,
+            static (vehicle, place) =>
+            {
+                double distance = Horizontal.Distance(vehicle.Pose.Position, place);
+                bool isFar =
+                    vehicle.Speed < RestingSpeed
+                        ? distance > StandingVehicleRoom + vehicle.FrontOverhang
+                        : distance > vehicle.FrontOverhang + StandingVehicleRoom + (vehicle.Speed * ArrivalSeconds / 3);
+                return !isFar;
+            }
+        );
 
     private Walkway? Opposite(Walkway walkway, double distance)
     {
         const double nearEnd = 3;
-        return _walkwaysOf[walkway.Road].FirstOrDefault(other =>
-            other.OnRight != walkway.OnRight && distance > other.From - nearEnd && distance < other.To + nearEnd);
+        return _walkwaysOf[walkway.Road]
+            .FirstOrDefault(other => other.OnRight != walkway.OnRight && distance > other.From - nearEnd && distance < other.To + nearEnd);
     }
 }

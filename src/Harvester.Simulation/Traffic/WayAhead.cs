@@ -13,9 +13,9 @@ internal readonly record struct WayAhead(Vehicle Vehicle, Footprint Now, Footpri
     {
         // Most bodies are far away: rectangles farther apart than this cannot overlap.
         double reach = _reach + other.HalfLength + other.HalfWidth;
-        bool mayOverlap = Streets.Horizontal.SquaredDistance(Next.Centre, other.Centre) <= reach * reach
+        bool mayOverlap =
+            Streets.Horizontal.SquaredDistance(Next.Centre, other.Centre) <= reach * reach
             || Streets.Horizontal.SquaredDistance(Further.Centre, other.Centre) <= reach * reach;
-        return mayOverlap
-            && (Next.Overlaps(other) || (Further.Overlaps(other) && (other.Centre - Now.Centre).Dot(Now.Forward) > 0));
+        return mayOverlap && (Next.Overlaps(other) || (Further.Overlaps(other) && (other.Centre - Now.Centre).Dot(Now.Forward) > 0));
     }
 }

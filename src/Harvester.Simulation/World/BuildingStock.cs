@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Streets;
@@ -32,8 +29,14 @@ internal sealed class BuildingStock
             for (int i = 0; i < OfEachStyle; i++)
             {
                 string name = string.Create(CultureInfo.InvariantCulture, $"building_{style}_{i}").ToLowerInvariant();
-                byStyle[style].Add(Model.Of(name, ObjectClass.Other,
-                    [BuildingModels.Create(style, Vary(width), Vary(depth), Vary(height), random.Next())]));
+                byStyle[style]
+                    .Add(
+                        Model.Of(
+                            name,
+                            ObjectClass.Other,
+                            [BuildingModels.Create(style, Vary(width), Vary(depth), Vary(height), random.Next())]
+                        )
+                    );
             }
 
             double Vary(double size) => size * (1 + (spread * ((2 * random.NextDouble()) - 1)));
@@ -45,11 +48,12 @@ internal sealed class BuildingStock
     /// <summary>The buildings of a zone; those that are frequent there are listed more than once.</summary>
     public IReadOnlyList<Model> In(Zone zone) => _byZone[zone];
 
-    private static BuildingStyle[] StylesOf(Zone zone) => zone switch
-    {
-        Zone.Centre => [BuildingStyle.Block, BuildingStyle.Tower, BuildingStyle.Tower],
-        Zone.Town => [BuildingStyle.House, BuildingStyle.Block, BuildingStyle.Block, BuildingStyle.Warehouse],
-        Zone.Suburb => [BuildingStyle.House, BuildingStyle.House, BuildingStyle.House, BuildingStyle.Warehouse],
-        _ => [BuildingStyle.House, BuildingStyle.Warehouse],
-    };
+    private static BuildingStyle[] StylesOf(Zone zone) =>
+        zone switch
+        {
+            Zone.Centre => [BuildingStyle.Block, BuildingStyle.Tower, BuildingStyle.Tower],
+            Zone.Town => [BuildingStyle.House, BuildingStyle.Block, BuildingStyle.Block, BuildingStyle.Warehouse],
+            Zone.Suburb => [BuildingStyle.House, BuildingStyle.House, BuildingStyle.House, BuildingStyle.Warehouse],
+            _ => [BuildingStyle.House, BuildingStyle.Warehouse],
+        };
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Streets;
@@ -22,8 +19,11 @@ internal sealed class Countryside(int seed, Site site, Scenery scenery)
     /// <summary>Adds what stands beside motorways, tracks and country roads.</summary>
     public void AddAlong(RoadPlan plan)
     {
-        foreach (Road road in plan.Roads.Where(road => !road.IsInner && !road.IsInTunnel
-            && (road.IsHighway || road.IsUnpaved || road.Zone == Zone.Country)))
+        foreach (
+            Road road in plan.Roads.Where(road =>
+                !road.IsInner && !road.IsInTunnel && (road.IsHighway || road.IsUnpaved || road.Zone == Zone.Country)
+            )
+        )
         {
             AddFarms(road);
             for (double distance = 0; distance < road.Length; distance += Spacing)

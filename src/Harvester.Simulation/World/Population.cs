@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Streets;
@@ -71,7 +68,9 @@ internal sealed class Population
                 if (_random.NextDouble() < ParkedShare * density)
                 {
                     Model model = _mix.PickParked(
-                        _random, busy is { } place && Horizontal.Distance(walkway.PlaceBeyondKerb(distance, 0), place) < ParkedNearEgo);
+                        _random,
+                        busy is { } place && Horizontal.Distance(walkway.PlaceBeyondKerb(distance, 0), place) < ParkedNearEgo
+                    );
                     double beyondSlot = Math.Max(0, model.Max.Y - model.Min.Y + ParkingGap - ParkingSlot);
                     if (distance + beyondSlot < to)
                     {
@@ -91,16 +90,18 @@ internal sealed class Population
     /// <param name="busy">The place.</param>
     /// <param name="heightAt">Height of the land at a place, metres.</param>
     /// <param name="density">Factor on the number of vehicles.</param>
-    public List<Prop> Leave(
-        IEnumerable<Road> roads, RoadIndex index, Vector3D busy, Func<Vector3D, double> heightAt, double density)
+    public List<Prop> Leave(IEnumerable<Road> roads, RoadIndex index, Vector3D busy, Func<Vector3D, double> heightAt, double density)
     {
         const double fromLane = 0.4;
         const double level = 0.6;
         List<Prop> left = [];
         foreach (Road road in roads.Where(road => !road.IsStreet && !road.IsInner && !road.Flags.HasFlag(RoadNodeFlags.Tunnel)))
         {
-            for (double distance = road.StartTrim + RoadsideSlot; distance < road.Length - road.EndTrim - RoadsideSlot;
-                distance += RoadsideSlot)
+            for (
+                double distance = road.StartTrim + RoadsideSlot;
+                distance < road.Length - road.EndTrim - RoadsideSlot;
+                distance += RoadsideSlot
+            )
             {
                 bool isNear = Horizontal.Distance(road.Curve.PositionAt(distance), busy) < ParkedNearEgo;
                 if (!isNear || _random.NextDouble() >= LeftShare * density)
@@ -113,8 +114,11 @@ internal sealed class Population
                 double beyond = Math.Max(model.Max.X, -model.Min.X) + fromLane;
                 double offset = onRight ? road.Layout.RightEdge + beyond : road.Layout.LeftEdge - beyond;
                 Vector3D place = road.Curve.OffsetAt(distance, offset);
-                if (Math.Abs(heightAt(place) - place.Z) < level && !index.IsOnAnother(road, place, 2 * beyond)
-                    && IsClearOfLane(road, distance, onRight, model))
+                if (
+                    Math.Abs(heightAt(place) - place.Z) < level
+                    && !index.IsOnAnother(road, place, 2 * beyond)
+                    && IsClearOfLane(road, distance, onRight, model)
+                )
                 {
                     bool facesForward = road.Layout.IsOneWay ? road.Layout.Forward > 0 : onRight;
                     Vector3D tangent = road.Curve.TangentAt(distance);
@@ -134,7 +138,12 @@ internal sealed class Population
     /// <param name="visit">Number of the visited place, around which there is more traffic; null if none is visited.</param>
     /// <param name="density">Factor on the number of vehicles.</param>
     public List<Vehicle> Drive(
-        Placing placing, IReadOnlyList<Prop> parked, (LanePath Path, double Distance) start, int? visit, double density)
+        Placing placing,
+        IReadOnlyList<Prop> parked,
+        (LanePath Path, double Distance) start,
+        int? visit,
+        double density
+    )
     {
         const double egoSpeed = 10;
         Vehicle ego = new(_handles.Next(), _catalogue[EgoModel], _random.Next(), egoSpeed);
@@ -177,7 +186,9 @@ internal sealed class Population
         {
             Vector3D forward = ego.Pose.Axes.Forward;
             double ahead = (place - ego.Pose.Position).Dot(forward);
-            return IsNear(place, tangent) && ahead is > AheadFrom and < AheadTo && tangent.Dot(forward) > SameWay * tangent.Length
+            return IsNear(place, tangent)
+                && ahead is > AheadFrom and < AheadTo
+                && tangent.Dot(forward) > SameWay * tangent.Length
                 && Math.Abs((place - ego.Pose.Position).Dot(ego.Pose.Axes.Right)) < ahead / 2;
         }
 
@@ -196,8 +207,8 @@ internal sealed class Population
         List<Walker> walkers = [];
         foreach (Walkway walkway in walkways)
         {
-            bool isBusy = busy is { } place
-                && Horizontal.Distance(walkway.PlaceBeyondKerb((walkway.From + walkway.To) / 2, 0), place) < NearEgo;
+            bool isBusy =
+                busy is { } place && Horizontal.Distance(walkway.PlaceBeyondKerb((walkway.From + walkway.To) / 2, 0), place) < NearEgo;
             double expected = walkway.Length * WalkersPerMetre * density * (isBusy ? BusyFactor : 1);
             int count = (int)(expected + _random.NextDouble());
             for (int i = 0; i < count; i++)

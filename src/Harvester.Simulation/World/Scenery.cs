@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
@@ -123,8 +120,11 @@ internal sealed class Scenery
         const double besideKerb = 0.7;
         foreach (Junction junction in plan.Junctions.Where(junction => junction.IsCrossing && !hasLights(junction)))
         {
-            foreach (RoadArm arm in junction.Arms.Where(arm =>
-                arm.Road is { IsStreet: true, IsTooShortToWait: false } && arm.Road.Layout.Lanes(!arm.AtStart) > 0))
+            foreach (
+                RoadArm arm in junction.Arms.Where(arm =>
+                    arm.Road is { IsStreet: true, IsTooShortToWait: false } && arm.Road.Layout.Lanes(!arm.AtStart) > 0
+                )
+            )
             {
                 double offset = arm.AtStart ? arm.Road.LeftKerb - besideKerb : arm.Road.RightKerb + besideKerb;
                 double distance = arm.DistanceAt(arm.Trim);
@@ -192,18 +192,20 @@ internal sealed class Scenery
     }
 
     /// <summary>Of six lots, those that stay empty.</summary>
-    private static int GapsIn(Zone zone) => zone switch
-    {
-        Zone.Country => 5,
-        Zone.Suburb => 2,
-        _ => 1,
-    };
+    private static int GapsIn(Zone zone) =>
+        zone switch
+        {
+            Zone.Country => 5,
+            Zone.Suburb => 2,
+            _ => 1,
+        };
 
     private bool IsFree(Footprint footprint)
     {
         Footprint grown = footprint.Grown(BuildingGap / 2);
-        return !_buildings.Near(footprint.Centre)
-            .Any(other => grown.Overlaps(other with { Centre = other.Centre with { Z = grown.Centre.Z } }))
+        return !_buildings
+                .Near(footprint.Centre)
+                .Any(other => grown.Overlaps(other with { Centre = other.Centre with { Z = grown.Centre.Z } }))
             && Border(footprint).All(place => !_index.IsAbreast(place, PavementAndShoulder));
     }
 
@@ -225,8 +227,7 @@ internal sealed class Scenery
         }
     }
 
-    private double LowestGround(Footprint footprint, double street) =>
-        Math.Min(street, Border(footprint).Min(_terrain.HeightAt)) - 0.1;
+    private double LowestGround(Footprint footprint, double street) => Math.Min(street, Border(footprint).Min(_terrain.HeightAt)) - 0.1;
 
     private void AddTrees(Walkway walkway)
     {
@@ -250,12 +251,14 @@ internal sealed class Scenery
     {
         const double crown = 2;
         Footprint footprint = new(place, new Vector3D(0, 1, 0), crown, crown);
-        bool isBuiltOver = _buildings.Near(place)
+        bool isBuiltOver = _buildings
+            .Near(place)
             .Any(other => footprint.Overlaps(other with { Centre = other.Centre with { Z = place.Z } }));
         if (!isBuiltOver && !_index.IsAbreast(place, roadMargin))
         {
-            _props.Add(new Prop(
-                0, model, _random.Next(), new Pose(place with { Z = height }, Axes.FromHeading(_random.NextDouble() * 360))));
+            _props.Add(
+                new Prop(0, model, _random.Next(), new Pose(place with { Z = height }, Axes.FromHeading(_random.NextDouble() * 360)))
+            );
         }
     }
 

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Threading.Tasks;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
@@ -42,9 +38,7 @@ internal sealed class SimulatedWorld
     private readonly Func<EgoWatch> _newWatch;
 
     public SimulatedWorld(SimulationOptions options)
-        : this(options, new HandleCounter(), 0, 0)
-    {
-    }
+        : this(options, new HandleCounter(), 0, 0) { }
 
     /// <summary>The world around one of the places that a game visits.</summary>
     /// <param name="options">The options, with the place as start.</param>
@@ -56,14 +50,18 @@ internal sealed class SimulatedWorld
     {
         TimeSeconds = timeSeconds;
         int seed = (options.TrafficSeed ?? options.Seed) ^ (place * SeedStep);
-        Vector3D start = options.Near is { } near ? new Vector3D(near.X, near.Y, 0) : options.Roads is { } roads ? Middle(roads)
+        Vector3D start =
+            options.Near is { } near ? new Vector3D(near.X, near.Y, 0)
+            : options.Roads is { } roads ? Middle(roads)
             : Vector3D.Zero;
-        Site site = options.Roads is null ? SiteCache.Shared.Town(options.Seed)
+        Site site = options.Roads is null
+            ? SiteCache.Shared.Town(options.Seed)
             : SiteCache.Shared.Roads(options.Seed, options.Roads, start, options.RadiusMetres);
         if (!site.Network.Nodes.Any(node => Horizontal.Distance(node.Position, start) < options.RadiusMetres))
         {
-            throw new ArgumentException(FormattableString.Invariant(
-                $"No road lies within {options.RadiusMetres} m of {start.X}, {start.Y}; choose another place."));
+            throw new ArgumentException(
+                FormattableString.Invariant($"No road lies within {options.RadiusMetres} m of {start.X}, {start.Y}; choose another place.")
+            );
         }
 
         Roads = site.Network;
@@ -73,7 +71,8 @@ internal sealed class SimulatedWorld
         Population population = new(seed, catalogue, handles);
         Placing placing = new(site.Lanes, seed);
         int? visit = options.IsWarm ? place : null;
-        (LanePath Path, double Distance) startOfEgo = options.StartSeed is { } startSeed ? placing.RandomStartOfEgo(startSeed)
+        (LanePath Path, double Distance) startOfEgo = options.StartSeed is { } startSeed
+            ? placing.RandomStartOfEgo(startSeed)
             : placing.StartOfEgo(start, visit);
         Vector3D? busy = options.IsWarm ? startOfEgo.Path.Line.PositionAt(startOfEgo.Distance) : null;
         double parkedDensity = options.ParkedDensity ?? options.TrafficDensity;
@@ -89,7 +88,8 @@ internal sealed class SimulatedWorld
         Car = new EgoCar(
             Ego,
             site.Lanes,
-            isLively ? new EgoManoeuvres(Ego, new LaneTravel(site.Lanes), seed, options.Wander, options.LaneChanges) : null);
+            isLively ? new EgoManoeuvres(Ego, new LaneTravel(site.Lanes), seed, options.Wander, options.LaneChanges) : null
+        );
         if (isLively)
         {
             Car.Loosen();
@@ -167,15 +167,16 @@ internal sealed class SimulatedWorld
     /// <summary>The ego as a driven car.</summary>
     public EgoCar Car { get; }
 
-    public EgoState EgoState => new(Ego.Handle, Ego.Model.Name, Ego.Pose, Ego.Velocity)
-    {
-        ModelMin = Ego.Model.Min,
-        ModelMax = Ego.Model.Max,
+    public EgoState EgoState =>
+        new(Ego.Handle, Ego.Model.Name, Ego.Pose, Ego.Velocity)
+        {
+            ModelMin = Ego.Model.Min,
+            ModelMax = Ego.Model.Max,
 
-        // The wheels stand on the ground, at the lower end of the model's box.
-        HeightAboveGroundMetres = -Ego.Model.Min.Z / Ego.Pose.Axes.Up.Z,
-        Motion = _motion.Motion,
-    };
+            // The wheels stand on the ground, at the lower end of the model's box.
+            HeightAboveGroundMetres = -Ego.Model.Min.Z / Ego.Pose.Axes.Up.Z,
+            Motion = _motion.Motion,
+        };
 
     /// <summary>Whether the ego is on its way through a junction or has to stop at a line ahead.</summary>
     public bool NeedsOwnDriver => Ego.Path.Junction is not null || _traffic.MustEgoGiveWay;
@@ -220,10 +221,15 @@ internal sealed class SimulatedWorld
     public IEnumerable<MeshInstance> MovingNear(Vector3D place, double range)
     {
         double squared = range * range;
-        return _vehicles.Skip(1).Where(vehicle => vehicle.Handle != HiddenHandle && (vehicle.Pose.Position - place).LengthSquared < squared)
+        return _vehicles
+            .Skip(1)
+            .Where(vehicle => vehicle.Handle != HiddenHandle && (vehicle.Pose.Position - place).LengthSquared < squared)
             .SelectMany(vehicle => vehicle.Instances(LightsOf(vehicle)))
-            .Concat(_walkers.Where(walker => (walker.Pose.Position - place).LengthSquared < squared)
-                .Select(walker => new MeshInstance(walker.Look, walker.Pose, walker.Handle)))
+            .Concat(
+                _walkers
+                    .Where(walker => (walker.Pose.Position - place).LengthSquared < squared)
+                    .Select(walker => new MeshInstance(walker.Look, walker.Pose, walker.Handle))
+            )
             .Concat(_signalProps.Instances(TimeSeconds).Where(signal => (signal.Pose.Position - place).LengthSquared < squared));
     }
 
@@ -231,32 +237,63 @@ internal sealed class SimulatedWorld
     public List<EntityState> EntitiesNear(Vector3D place, double range)
     {
         double squared = range * range;
-        IEnumerable<EntityState> vehicles = _vehicles.Skip(1).Where(vehicle => IsNear(vehicle.Pose)).Select(vehicle =>
-            new EntityState(vehicle.Handle, vehicle.Model.Class, vehicle.Model.Name, vehicle.Pose, vehicle.Model.Min, vehicle.Model.Max,
-                vehicle.Velocity)
+        IEnumerable<EntityState> vehicles = _vehicles
+            .Skip(1)
+            .Where(vehicle => IsNear(vehicle.Pose))
+            .Select(vehicle => new EntityState(
+                vehicle.Handle,
+                vehicle.Model.Class,
+                vehicle.Model.Name,
+                vehicle.Pose,
+                vehicle.Model.Min,
+                vehicle.Model.Max,
+                vehicle.Velocity
+            )
             {
                 HasRider = VehicleClasses.HaveRiders(vehicle.Model.Class) ? true : null,
                 Lights = LightsOf(vehicle),
             });
-        IEnumerable<EntityState> riders = _vehicles.Skip(1)
+        IEnumerable<EntityState> riders = _vehicles
+            .Skip(1)
             .Where(vehicle => vehicle.Rider is not null && vehicle.Handle != HiddenHandle && IsNear(vehicle.Pose))
             .Select(vehicle => new EntityState(
-                vehicle.RiderHandle, ObjectClass.Rider, vehicle.Rider!.Name, vehicle.Pose, vehicle.Rider.Min, vehicle.Rider.Max,
-                vehicle.Velocity)
+                vehicle.RiderHandle,
+                ObjectClass.Rider,
+                vehicle.Rider!.Name,
+                vehicle.Pose,
+                vehicle.Rider.Min,
+                vehicle.Rider.Max,
+                vehicle.Velocity
+            )
             {
                 VehicleHandle = vehicle.Handle,
                 Skeleton = vehicle.Rider.Skeletons[0].MovedBy(vehicle.Pose),
             });
-        IEnumerable<EntityState> walkers = _walkers.Where(walker => IsNear(walker.Pose)).Select(walker =>
-            new EntityState(walker.Handle, walker.Model.Class, walker.Model.Name, walker.Pose, walker.Model.Min, walker.Model.Max,
-                walker.Velocity)
+        IEnumerable<EntityState> walkers = _walkers
+            .Where(walker => IsNear(walker.Pose))
+            .Select(walker => new EntityState(
+                walker.Handle,
+                walker.Model.Class,
+                walker.Model.Name,
+                walker.Pose,
+                walker.Model.Min,
+                walker.Model.Max,
+                walker.Velocity
+            )
             {
                 Skeleton = walker.Skeleton,
             });
         IEnumerable<EntityState> props = _entities.Where(prop => IsNear(prop.Pose)).Select(prop => prop.State);
-        return [.. vehicles.Concat(riders).Concat(walkers).Concat(props).Concat(_signalProps.States.Where(signal => IsNear(signal.Pose)))
-            .Where(entity => entity.Handle != HiddenHandle)
-            .OrderBy(entity => entity.Handle)];
+        return
+        [
+            .. vehicles
+                .Concat(riders)
+                .Concat(walkers)
+                .Concat(props)
+                .Concat(_signalProps.States.Where(signal => IsNear(signal.Pose)))
+                .Where(entity => entity.Handle != HiddenHandle)
+                .OrderBy(entity => entity.Handle),
+        ];
 
         bool IsNear(Pose pose) => (pose.Position - place).LengthSquared < squared;
     }
@@ -293,12 +330,17 @@ internal sealed class SimulatedWorld
     {
         const double reachMetres = 150;
         Vector3D place = Ego.Pose.Position;
-        Mesh[] nearest = [.. Scene.Static.Instances.ToArray().Concat(MovingNear(place, reachMetres))
-            .Select(instance => (instance.Mesh, Distance: instance.Mesh.Bounds.MovedBy(instance.Pose).DistanceTo(place)))
-            .Where(each => each.Distance < reachMetres)
-            .OrderBy(each => each.Distance)
-            .Select(each => each.Mesh)
-            .Distinct()];
+        Mesh[] nearest =
+        [
+            .. Scene
+                .Static.Instances.ToArray()
+                .Concat(MovingNear(place, reachMetres))
+                .Select(instance => (instance.Mesh, Distance: instance.Mesh.Bounds.MovedBy(instance.Pose).DistanceTo(place)))
+                .Where(each => each.Distance < reachMetres)
+                .OrderBy(each => each.Distance)
+                .Select(each => each.Mesh)
+                .Distinct(),
+        ];
         _ = Task.Run(() => Array.ForEach(nearest, static mesh => _ = mesh.Tree));
     }
 

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
@@ -32,7 +29,9 @@ internal sealed class Site
         Asphalt asphalt = new(Index, heights);
         new RoadSurfaces(plan, Index, Terrain, levels, asphalt, heights, ground).Build();
         List<PaintRun> paint =
-            [.. plan.Roads.Where(road => !road.IsInner && !road.IsUnpaved).SelectMany(road => PaintRun.Of(road, asphalt))];
+        [
+            .. plan.Roads.Where(road => !road.IsInner && !road.IsUnpaved).SelectMany(road => PaintRun.Of(road, asphalt)),
+        ];
         new RoadPainter(plan, paint, Index, asphalt, ground).Paint();
         Paint = [.. paint.Select(run => run.Line())];
         Ground = [.. ground.Instances()];

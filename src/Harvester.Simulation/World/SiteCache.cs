@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Threading;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
 

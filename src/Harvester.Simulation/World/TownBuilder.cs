@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
 using Harvester.Simulation.Streets;
@@ -52,7 +50,8 @@ public sealed class TownBuilder
                 Vector3D place = new(
                     ((column - Middle) * BlockLength) + (Jitter * ((2 * _random.NextDouble()) - 1)),
                     ((row - Middle) * BlockLength) + (Jitter * ((2 * _random.NextDouble()) - 1)),
-                    0);
+                    0
+                );
                 grid[column, row] = IsCorner(column, row) ? -1 : AddNode(place, RoadNodeFlags.Junction);
             }
         }
@@ -93,21 +92,23 @@ public sealed class TownBuilder
         }
     }
 
-    private static RoadLanes LanesNorthward(int column) => column switch
-    {
-        1 => new RoadLanes(2, 2, MedianWidth: 4),
-        Middle => new RoadLanes(2, 2),
-        3 => new RoadLanes(1, 1, IsNarrow: true),
-        _ => new RoadLanes(1, 1),
-    };
+    private static RoadLanes LanesNorthward(int column) =>
+        column switch
+        {
+            1 => new RoadLanes(2, 2, MedianWidth: 4),
+            Middle => new RoadLanes(2, 2),
+            3 => new RoadLanes(1, 1, IsNarrow: true),
+            _ => new RoadLanes(1, 1),
+        };
 
-    private static RoadLanes LanesEastward(int row) => row switch
-    {
-        1 => new RoadLanes(2, 0),
-        Middle => new RoadLanes(2, 2),
-        3 => new RoadLanes(0, 2),
-        _ => new RoadLanes(1, 1),
-    };
+    private static RoadLanes LanesEastward(int row) =>
+        row switch
+        {
+            1 => new RoadLanes(2, 0),
+            Middle => new RoadLanes(2, 2),
+            3 => new RoadLanes(0, 2),
+            _ => new RoadLanes(1, 1),
+        };
 
     private void AddStreet(int from, int to, RoadLanes lanes)
     {
@@ -119,7 +120,8 @@ public sealed class TownBuilder
         Vector3D way = Level(to) - start;
         Vector3D aside = Horizontal.RightOf(way) * bend;
         Vector3D[] corners = bends
-            ? [start + (way * 0.25), start + (way * 0.42) + aside, start + (way * 0.58) + aside, start + (way * 0.75)] : [];
+            ? [start + (way * 0.25), start + (way * 0.42) + aside, start + (way * 0.58) + aside, start + (way * 0.75)]
+            : [];
         AddRoad(from, to, corners, bendRadius, lanes, RoadNodeFlags.None);
     }
 
@@ -141,8 +143,17 @@ public sealed class TownBuilder
         AddRoad(grid[Middle, 0], south, [], MotorwayRadius, avenue, RoadNodeFlags.None);
         AddRoad(grid[last, Middle], east, [], MotorwayRadius, avenue, RoadNodeFlags.None);
         AddRoad(grid[0, Middle], west, [], MotorwayRadius, avenue, RoadNodeFlags.None);
-        Vector3D[] winding = [new(-d - 140, 20, 0), new(-d - 190, -130, 0), new(-d - 60, -220, 0), new(-d - 170, -350, 0),
-            new(-d - 40, -d - 120, 0), new(-160, -d - 70, 0), new(-90, -d - 180, 0), new(20, -d - 130, 0)];
+        Vector3D[] winding =
+        [
+            new(-d - 140, 20, 0),
+            new(-d - 190, -130, 0),
+            new(-d - 60, -220, 0),
+            new(-d - 170, -350, 0),
+            new(-d - 40, -d - 120, 0),
+            new(-160, -d - 70, 0),
+            new(-90, -d - 180, 0),
+            new(20, -d - 130, 0),
+        ];
         const double bendRadius = 50;
         AddRoad(west, south, winding, bendRadius, new RoadLanes(1, 1), RoadNodeFlags.None);
     }

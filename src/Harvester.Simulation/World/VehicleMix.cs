@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
 
@@ -18,26 +16,37 @@ internal sealed class VehicleMix
 
     private static readonly (ObjectClass Class, double Share)[] Driving =
     [
-        (ObjectClass.Car, 0.71), (ObjectClass.Truck, 0.1), (ObjectClass.Bus, 0.05), (ObjectClass.Motorcycle, 0.07),
+        (ObjectClass.Car, 0.71),
+        (ObjectClass.Truck, 0.1),
+        (ObjectClass.Bus, 0.05),
+        (ObjectClass.Motorcycle, 0.07),
         (ObjectClass.Bicycle, 0.07),
     ];
 
     private static readonly (ObjectClass Class, double Share)[] Parked =
     [
-        (ObjectClass.Car, 0.87), (ObjectClass.Motorcycle, 0.06), (ObjectClass.Trailer, 0.04), (ObjectClass.Other, 0.03),
+        (ObjectClass.Car, 0.87),
+        (ObjectClass.Motorcycle, 0.06),
+        (ObjectClass.Trailer, 0.04),
+        (ObjectClass.Other, 0.03),
     ];
 
     private static readonly ObjectClass[] InTurn = [ObjectClass.Bus, ObjectClass.Truck, ObjectClass.Bicycle, ObjectClass.Motorcycle];
 
     private static readonly (ObjectClass Class, double Share)[] Left =
     [
-        (ObjectClass.Car, 0.3), (ObjectClass.Trailer, 0.4), (ObjectClass.Other, 0.3),
+        (ObjectClass.Car, 0.3),
+        (ObjectClass.Trailer, 0.4),
+        (ObjectClass.Other, 0.3),
     ];
 
     /// <summary>At kerbs near a place that is visited there are more of the classes that do not drive.</summary>
     private static readonly (ObjectClass Class, double Share)[] ParkedNear =
     [
-        (ObjectClass.Car, 0.7), (ObjectClass.Motorcycle, 0.08), (ObjectClass.Trailer, 0.12), (ObjectClass.Other, 0.1),
+        (ObjectClass.Car, 0.7),
+        (ObjectClass.Motorcycle, 0.08),
+        (ObjectClass.Trailer, 0.12),
+        (ObjectClass.Other, 0.1),
     ];
 
     private readonly ILookup<ObjectClass, Model> _models;

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;

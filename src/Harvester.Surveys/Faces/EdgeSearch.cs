@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Surveys.Faces;
 
 /// <summary>
@@ -38,8 +34,9 @@ internal sealed class EdgeSearch(Func<double, double, bool> isOn, double step, i
         (double Across, double Along)[] places = [.. known];
         (_across, End) = places.OrderByDescending(place => sign * place.Along).First();
         Follow();
-        foreach (double across in places.Select(place => place.Across).Distinct().OrderBy(across => across)
-            .Where((_, i) => i % Stride == 0))
+        foreach (
+            double across in places.Select(place => place.Across).Distinct().OrderBy(across => across).Where((_, i) => i % Stride == 0)
+        )
         {
             Try(across);
             yield return true;

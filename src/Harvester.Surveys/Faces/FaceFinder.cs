@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Surveys.Faces;
 
 /// <summary>
@@ -26,8 +22,7 @@ internal sealed class FaceFinder(StageProbe probe, StagedModel model)
     public IEnumerable<bool> Run()
     {
         double area = (model.Max.X - model.Min.X) * (model.Max.Z - model.Min.Z);
-        var grid = new DepthGrid(
-            model.Min.X, model.Min.Z, model.Max.X, model.Max.Z, Math.Max(FinestStep, Math.Sqrt(area / MaxRays)));
+        var grid = new DepthGrid(model.Min.X, model.Min.Z, model.Max.X, model.Max.Z, Math.Max(FinestStep, Math.Sqrt(area / MaxRays)));
         foreach (bool ray in grid.Fill(probe))
         {
             yield return ray;

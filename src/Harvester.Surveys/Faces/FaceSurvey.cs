@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
@@ -39,8 +36,13 @@ public sealed class FaceSurvey : IDisposable
     /// <param name="budgetMilliseconds">Maximum time of rays per tick, milliseconds.</param>
     /// <param name="camera">Takes photographs; null to take none.</param>
     public FaceSurvey(
-        ISurveyStage stage, IEnumerable<SurveyedModel> models, SurveyFolder folder, IClock clock, double budgetMilliseconds,
-            ISurveyCamera? camera = null)
+        ISurveyStage stage,
+        IEnumerable<SurveyedModel> models,
+        SurveyFolder folder,
+        IClock clock,
+        double budgetMilliseconds,
+        ISurveyCamera? camera = null
+    )
     {
         _stage = stage ?? throw new ArgumentNullException(nameof(stage));
         _folder = folder ?? throw new ArgumentNullException(nameof(folder));
@@ -179,8 +181,10 @@ public sealed class FaceSurvey : IDisposable
         ModelFace[] rows = [.. found.Select((face, number) => RowOf(shown, face, number, isGuess))];
         IReadOnlyList<ModelFace> own = _folder.Table.Of(model.Name);
         _folder.Finish(
-            model.Name, rows.Length == 0 ? "noFace" : "measured", rows.Length == 0 ? []
-                : KeptFaces.BesideFound(rows, own.Count > 0 ? own : model.Known));
+            model.Name,
+            rows.Length == 0 ? "noFace" : "measured",
+            rows.Length == 0 ? [] : KeptFaces.BesideFound(rows, own.Count > 0 ? own : model.Known)
+        );
         yield return true;
     }
 
@@ -204,19 +208,22 @@ public sealed class FaceSurvey : IDisposable
         _asked.Remove(model);
     }
 
-    private static ModelFace RowOf(SurveyedModel model, MeasuredFace face, int number, bool isGuess) => new(
-        model.Name,
-        ModelHash.Of(model.Name),
-        model.Class,
-        number == 0 || model.Class == ObjectClass.TrafficLight ? model.SignName : string.Empty,
-        number == 0 ? model.MutcdCode : string.Empty,
-        number,
-        new Vector3D(face.Min.X, face.Max.Y, face.Max.Z),
-        new Vector3D(face.Max.X, face.Min.Y, face.Min.Z),
-        face.Facing,
-        face.IsWholeModel || isGuess ? Provenance.Derived : Provenance.Measured,
-        isGuess ? "a light without bones of its heads: its widest part" : face.IsWholeModel ? "rays found no post: the whole model"
-            : "rays in the game");
+    private static ModelFace RowOf(SurveyedModel model, MeasuredFace face, int number, bool isGuess) =>
+        new(
+            model.Name,
+            ModelHash.Of(model.Name),
+            model.Class,
+            number == 0 || model.Class == ObjectClass.TrafficLight ? model.SignName : string.Empty,
+            number == 0 ? model.MutcdCode : string.Empty,
+            number,
+            new Vector3D(face.Min.X, face.Max.Y, face.Max.Z),
+            new Vector3D(face.Max.X, face.Min.Y, face.Min.Z),
+            face.Facing,
+            face.IsWholeModel || isGuess ? Provenance.Derived : Provenance.Measured,
+            isGuess ? "a light without bones of its heads: its widest part"
+                : face.IsWholeModel ? "rays found no post: the whole model"
+                : "rays in the game"
+        );
 
     private void TakeAway()
     {

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Sessions.Faces;
@@ -56,9 +55,14 @@ public sealed class HandMarking(EntityState prop)
             _first = corner;
             _second = null;
             Vector3D towards = _prop.Pose.ToLocal(eye) - corner;
-            _facing = Math.Abs(towards.Y) >= Math.Abs(towards.X)
-                ? towards.Y < 0 ? Facing.Back : Facing.Front
-                : towards.X < 0 ? Facing.Left : Facing.Right;
+            _facing =
+                Math.Abs(towards.Y) >= Math.Abs(towards.X)
+                    ? towards.Y < 0
+                        ? Facing.Back
+                        : Facing.Front
+                    : towards.X < 0
+                        ? Facing.Left
+                        : Facing.Right;
         }
         else
         {
@@ -86,15 +90,17 @@ public sealed class HandMarking(EntityState prop)
             new Vector3D(max.X, min.Y, min.Z),
             _facing,
             Provenance.Measured,
-            "marked by hand in the game");
+            "marked by hand in the game"
+        );
     }
 
     /// <summary>The corners with the minimum depth, extended behind the face.</summary>
-    private (Vector3D Min, Vector3D Max) Deepened(Vector3D min, Vector3D max) => _facing switch
-    {
-        Facing.Back => (min, max with { Y = Math.Max(max.Y, min.Y + MinDepth) }),
-        Facing.Front => (min with { Y = Math.Min(min.Y, max.Y - MinDepth) }, max),
-        Facing.Left => (min, max with { X = Math.Max(max.X, min.X + MinDepth) }),
-        _ => (min with { X = Math.Min(min.X, max.X - MinDepth) }, max),
-    };
+    private (Vector3D Min, Vector3D Max) Deepened(Vector3D min, Vector3D max) =>
+        _facing switch
+        {
+            Facing.Back => (min, max with { Y = Math.Max(max.Y, min.Y + MinDepth) }),
+            Facing.Front => (min with { Y = Math.Min(min.Y, max.Y - MinDepth) }, max),
+            Facing.Left => (min, max with { X = Math.Max(max.X, min.X + MinDepth) }),
+            _ => (min with { X = Math.Min(min.X, max.X - MinDepth) }, max),
+        };
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Faces;
 
@@ -51,8 +48,13 @@ internal sealed class HeadFinder(StageProbe probe, StagedModel model)
     {
         int middle = grid.Columns / 2;
         int core = (int)(Core / Step);
-        double[] depths = [.. Cells(grid).Where(cell => Math.Abs(cell.Column - middle) <= core && Math.Abs(cell.Row - middle) <= core)
-            .Select(cell => cell.Depth).OrderBy(depth => depth)];
+        double[] depths =
+        [
+            .. Cells(grid)
+                .Where(cell => Math.Abs(cell.Column - middle) <= core && Math.Abs(cell.Row - middle) <= core)
+                .Select(cell => cell.Depth)
+                .OrderBy(depth => depth),
+        ];
         if (depths.Length == 0)
         {
             return null;
@@ -68,7 +70,8 @@ internal sealed class HeadFinder(StageProbe probe, StagedModel model)
             new(left, cells.Min(cell => cell.Depth), bottom),
             new(right, BackOf(left, front, (bottom + top) / 2), top),
             Facing.Back,
-            false);
+            false
+        );
     }
 
     /// <summary>The depth from which rays to the right, starting left of the housing, no longer hit it.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Imaging;
@@ -80,17 +77,20 @@ internal sealed class ModelPhotographer(ISurveyCamera camera, SurveyFolder folde
         double halfWidth = Math.Abs(half.X * right.X) + Math.Abs(half.Y * right.Y);
         double halfDepth = Math.Abs(half.X * forward.X) + Math.Abs(half.Y * forward.Y);
         double distance = Surroundings * Math.Max(halfWidth, half.Z) / Math.Tan(Angles.ToRadians(VerticalFovDegrees) / 2);
-        return new Pose(((min + max) * 0.5) + (outward * (Math.Max(distance, MinDistance) + halfDepth)),
-            Axes.FromVectors(right, forward, up));
+        return new Pose(
+            ((min + max) * 0.5) + (outward * (Math.Max(distance, MinDistance) + halfDepth)),
+            Axes.FromVectors(right, forward, up)
+        );
     }
 
-    private static Vector3D Outward(Facing facing) => facing switch
-    {
-        Facing.Front => new Vector3D(0, 1, 0),
-        Facing.Left => new Vector3D(-1, 0, 0),
-        Facing.Right => new Vector3D(1, 0, 0),
-        _ => new Vector3D(0, -1, 0),
-    };
+    private static Vector3D Outward(Facing facing) =>
+        facing switch
+        {
+            Facing.Front => new Vector3D(0, 1, 0),
+            Facing.Left => new Vector3D(-1, 0, 0),
+            Facing.Right => new Vector3D(1, 0, 0),
+            _ => new Vector3D(0, -1, 0),
+        };
 
     private static Vector3D Least(IEnumerable<Vector3D> points) =>
         points.Aggregate((a, b) => new Vector3D(Math.Min(a.X, b.X), Math.Min(a.Y, b.Y), Math.Min(a.Z, b.Z)));

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Sessions.Faces;
 
 namespace Harvester.Surveys.Faces;
@@ -43,11 +40,19 @@ internal sealed class PlateFinder(StageProbe probe, DepthGrid grid, SignPost pos
         {
             bool isUpright = i < 2;
             var edge = new EdgeSearch(
-                isUpright ? (across, along) =>
-                    IsPlate(across, along) : (across, along) => IsPlate(along, across), grid.Step, i % 2 == 0 ? -1 : 1);
-            foreach (bool rays in edge.Run(known.Select(cell => isUpright
-                ? (grid.XOf(cell.Column + 0.5), grid.ZOf(cell.Row + 0.5))
-                : (grid.ZOf(cell.Row + 0.5), grid.XOf(cell.Column + 0.5)))))
+                isUpright ? (across, along) => IsPlate(across, along) : (across, along) => IsPlate(along, across),
+                grid.Step,
+                i % 2 == 0 ? -1 : 1
+            );
+            foreach (
+                bool rays in edge.Run(
+                    known.Select(cell =>
+                        isUpright
+                            ? (grid.XOf(cell.Column + 0.5), grid.ZOf(cell.Row + 0.5))
+                            : (grid.ZOf(cell.Row + 0.5), grid.XOf(cell.Column + 0.5))
+                    )
+                )
+            )
             {
                 yield return rays;
             }
@@ -56,7 +61,11 @@ internal sealed class PlateFinder(StageProbe probe, DepthGrid grid, SignPost pos
         }
 
         Found = new MeasuredFace(
-            new(edges[2], _plane, edges[0]), new(edges[3], _plane, edges[1]), _looksAhead ? Facing.Front : Facing.Back, post.IsWhole);
+            new(edges[2], _plane, edges[0]),
+            new(edges[3], _plane, edges[1]),
+            _looksAhead ? Facing.Front : Facing.Back,
+            post.IsWhole
+        );
     }
 
     /// <summary>A plate behind its post, seen from behind, looks forward.</summary>
@@ -110,7 +119,8 @@ internal sealed class PlateFinder(StageProbe probe, DepthGrid grid, SignPost pos
     private bool HasPostBefore(double behind)
     {
         const int minFraction = 4;
-        int before = Enumerable.Range(first, last - first + 1)
+        int before = Enumerable
+            .Range(first, last - first + 1)
             .Count(row => Enumerable.Range(0, grid.Columns).Any(column => grid[column, row] < behind - PlateOffset));
         return before * minFraction > last - first + 1;
     }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Scenes;
 
@@ -9,8 +6,7 @@ namespace Harvester.Surveys.Faces;
 /// <summary>The game's models of signs and lights that a survey measures: those of a table, and those whose signs are unnamed.</summary>
 public static class SignModels
 {
-    private const string UnnamedModels =
-        """
+    private const string UnnamedModels = """
         prop_bus_stop_sign prop_consign_01a prop_consign_01b prop_consign_01c prop_consign_02a prop_rail_sign01 prop_rail_sign02
         prop_rail_sign03 prop_rail_sign04 prop_rail_sign05 prop_rail_sign06 prop_rail_signals01 prop_rail_signals02 prop_rail_signals03
         prop_rail_signals04 prop_sign_airp_01a prop_sign_airp_02a prop_sign_airp_02b prop_sign_interstate_01 prop_sign_interstate_02
@@ -56,14 +52,16 @@ public static class SignModels
             throw new ArgumentNullException(nameof(further));
         }
 
-        IEnumerable<SurveyedModel> known = table.Faces
-            .Where(face => face.Model.Length > 0)
+        IEnumerable<SurveyedModel> known = table
+            .Faces.Where(face => face.Model.Length > 0)
             .GroupBy(face => face.Model)
             .Select(faces => (First: faces.First(), All: faces.ToArray()))
-            .Select(faces => new SurveyedModel(
-                faces.First.Model, faces.First.Class, faces.First.Name, faces.First.MutcdCode)
-            { Known = faces.All });
-        IEnumerable<SurveyedModel> unnamed = Split(UnnamedModels).Concat(Split(further.ToLowerInvariant()))
+            .Select(faces => new SurveyedModel(faces.First.Model, faces.First.Class, faces.First.Name, faces.First.MutcdCode)
+            {
+                Known = faces.All,
+            });
+        IEnumerable<SurveyedModel> unnamed = Split(UnnamedModels)
+            .Concat(Split(further.ToLowerInvariant()))
             .Distinct()
             .Where(model => table.Of(model).Count == 0)
             .Select(model => new SurveyedModel(model, ObjectClass.Sign, string.Empty, string.Empty));

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Surveys.Faces;
 
 /// <summary>
@@ -48,7 +44,8 @@ internal sealed class SignPost
 
         int[] widths = [.. rows.Select(grid.Width)];
         int length = Math.Min(widths.Length, (int)Math.Ceiling(SeenLength / grid.Step));
-        (int First, int Width) narrowest = Enumerable.Range(0, widths.Length - length + 1)
+        (int First, int Width) narrowest = Enumerable
+            .Range(0, widths.Length - length + 1)
             .Select(first => (first, widths.Skip(first).Take(length).OrderBy(width => width).ElementAt(length / 2)))
             .OrderBy(window => window.Item2)
             .First();

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
 
@@ -30,7 +29,8 @@ internal sealed class StageProbe(IRayCaster rays, StagedModel model)
     private double? Cast(Vector3D from, Vector3D direction, double reach)
     {
         var ray = new Ray(model.Pose.ToWorld(from), model.Pose.Axes.ToWorld(direction));
-        return rays.Cast(ray, Math.Max(reach, 0) + (2 * Clearance), RayHit.World) is { } hit && hit.Entity == model.Handle ? hit.Distance
+        return rays.Cast(ray, Math.Max(reach, 0) + (2 * Clearance), RayHit.World) is { } hit && hit.Entity == model.Handle
+            ? hit.Distance
             : null;
     }
 }

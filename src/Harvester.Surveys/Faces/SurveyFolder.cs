@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
@@ -45,9 +41,10 @@ public sealed class SurveyFolder
         {
             using StreamReader text = File.OpenText(table);
             FaceTableContent content = FaceTableReader.Read(text);
-            Table = content.Problems.Count == 0
-                ? content.Table
-                : throw new IOException($"{table}: {content.Problems[0]} Correct or remove the row, then survey again.");
+            Table =
+                content.Problems.Count == 0
+                    ? content.Table
+                    : throw new IOException($"{table}: {content.Problems[0]} Correct or remove the row, then survey again.");
         }
 
         foreach (SurveyPhoto photo in SurveyPhoto.ReadAll(path))
@@ -103,11 +100,15 @@ public sealed class SurveyFolder
 
     private static string ModelOf(string line) => line.Split(' ')[0];
 
-    private void Write(string name, Action<TextWriter> content) => WriteFile(name, stream =>
-    {
-        using var text = new StreamWriter(stream, new UTF8Encoding(false), 4096, leaveOpen: true);
-        content(text);
-    });
+    private void Write(string name, Action<TextWriter> content) =>
+        WriteFile(
+            name,
+            stream =>
+            {
+                using var text = new StreamWriter(stream, new UTF8Encoding(false), 4096, leaveOpen: true);
+                content(text);
+            }
+        );
 
     private void WriteFile(string name, Action<Stream> content)
     {

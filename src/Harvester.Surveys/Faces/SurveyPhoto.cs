@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Text;
@@ -69,8 +65,16 @@ public sealed record SurveyPhoto(string File, string Model, Pose Camera, double 
         {
             EulerAngles angles = photo.Camera.Axes.ToEuler();
             Vector3D place = photo.Camera.Position;
-            double[] numbers = [place.X, place.Y, place.Z, angles.PitchDegrees, angles.RollDegrees, angles.YawDegrees,
-                photo.VerticalFovDegrees];
+            double[] numbers =
+            [
+                place.X,
+                place.Y,
+                place.Z,
+                angles.PitchDegrees,
+                angles.RollDegrees,
+                angles.YawDegrees,
+                photo.VerticalFovDegrees,
+            ];
             string row = string.Join(",", numbers.Select(number => InvariantNumber.Format(number, Decimals)));
             text.Write($"{photo.File},{photo.Model},{row}\n");
         }
@@ -82,8 +86,10 @@ public sealed record SurveyPhoto(string File, string Model, Pose Camera, double 
         var numbers = new List<double>();
         foreach (string field in fields.Skip(2))
         {
-            if (double.TryParse(field, NumberStyles.Float, CultureInfo.InvariantCulture, out double number)
-                && Math.Abs(number) <= MaxNumber)
+            if (
+                double.TryParse(field, NumberStyles.Float, CultureInfo.InvariantCulture, out double number)
+                && Math.Abs(number) <= MaxNumber
+            )
             {
                 numbers.Add(number);
             }
@@ -94,8 +100,11 @@ public sealed record SurveyPhoto(string File, string Model, Pose Camera, double 
             : new SurveyPhoto(
                 fields[0],
                 fields[1],
-                new Pose(new Vector3D(numbers[0], numbers[1], numbers[2]),
-                    Axes.FromEuler(new EulerAngles(numbers[3], numbers[4], numbers[5]))),
-                numbers[6]);
+                new Pose(
+                    new Vector3D(numbers[0], numbers[1], numbers[2]),
+                    Axes.FromEuler(new EulerAngles(numbers[3], numbers[4], numbers[5]))
+                ),
+                numbers[6]
+            );
     }
 }

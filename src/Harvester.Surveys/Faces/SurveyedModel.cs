@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Scenes;
 

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Labels;
@@ -23,8 +19,11 @@ public sealed class UnknownModels(Func<FaceTable> table)
     /// <summary>Examines the entities of one moment.</summary>
     public void Look(IEnumerable<EntityState> entities)
     {
-        foreach (EntityState entity in entities.Where(
-            entity => entity.Class is ObjectClass.Sign or ObjectClass.TrafficLight or ObjectClass.Other))
+        foreach (
+            EntityState entity in entities.Where(entity =>
+                entity.Class is ObjectClass.Sign or ObjectClass.TrafficLight or ObjectClass.Other
+            )
+        )
         {
             if (!_met.ContainsKey(entity.Model) && IsUnknown(entity.Model))
             {
@@ -46,8 +45,10 @@ public sealed class UnknownModels(Func<FaceTable> table)
         {
             (ObjectClass kind, Vector3D place) = met.Value;
             text.Write(FormattableString.Invariant($"{met.Key},{HashOf(met.Key)},{JsonName.Of(kind)},"));
-            text.Write(string.Join(",",
-                new[] { place.X, place.Y, place.Z }.Select(value => InvariantNumber.Format(value, LabelDecimals.Metres))) + "\n");
+            text.Write(
+                string.Join(",", new[] { place.X, place.Y, place.Z }.Select(value => InvariantNumber.Format(value, LabelDecimals.Metres)))
+                    + "\n"
+            );
         }
     }
 

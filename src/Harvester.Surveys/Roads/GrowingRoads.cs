@@ -1,5 +1,3 @@
-using System;
-using System.Threading.Tasks;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
@@ -23,8 +21,7 @@ public sealed class GrowingRoads(double laneWidth = RoadGeometry.LaneWidth, doub
     /// <inheritdoc/>
     public KnownRoads? Near(Vector3D position)
     {
-        if (_preparing is { } prepared
-            && Background.IsDone(nameof(Near), () => prepared.Status == TaskStatus.RanToCompletion))
+        if (_preparing is { } prepared && Background.IsDone(nameof(Near), () => prepared.Status == TaskStatus.RanToCompletion))
         {
             _preparing = null;
             _known = prepared.Result ?? _known;

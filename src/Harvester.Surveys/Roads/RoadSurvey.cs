@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
@@ -86,13 +84,16 @@ public sealed class RoadSurvey
             }
 
             // A node takes two calls.
-            while (_calls < _callsPerStep - 2 && MeetNext(place))
-            {
-            }
+            while (_calls < _callsPerStep - 2 && MeetNext(place)) { }
         }
 
         return new RoadSurveyStatus(
-            _network.NodeCount, _network.LinkCount, _network.EdgeCount, _waiting.Count + _unmeasured.Count, isLoaded);
+            _network.NodeCount,
+            _network.LinkCount,
+            _network.EdgeCount,
+            _waiting.Count + _unmeasured.Count,
+            isLoaded
+        );
     }
 
     /// <summary>Everything found so far, including the earlier survey.</summary>
@@ -134,7 +135,8 @@ public sealed class RoadSurvey
             (int)(handle >> 16),
             PathGrid.RemoveBias(node.Position),
             "",
-            PathBits.FlagsOfProperties(properties?.Flags ?? 0))
+            PathBits.FlagsOfProperties(properties?.Flags ?? 0)
+        )
         {
             Density = properties?.Density,
         };
@@ -148,13 +150,16 @@ public sealed class RoadSurvey
         var probe = new Vector3D(stored.X + (ProbeDistance * Math.Cos(angle)), stored.Y + (ProbeDistance * Math.Sin(angle)), stored.Z);
         if (_source.ClosestRoad(probe) is { } road && IsSound(road))
         {
-            Meet(new RoadLink(
-                End(road.First, node, stored),
-                End(road.Second, node, stored),
-                road.LanesToSecond,
-                road.LanesToFirst,
-                road.MedianWidth < 0 ? null : road.MedianWidth,
-                RoadLinkFlags.None));
+            Meet(
+                new RoadLink(
+                    End(road.First, node, stored),
+                    End(road.Second, node, stored),
+                    road.LanesToSecond,
+                    road.LanesToFirst,
+                    road.MedianWidth < 0 ? null : road.MedianWidth,
+                    RoadLinkFlags.None
+                )
+            );
         }
 
         _nextProbe = (_nextProbe + 1) % Probes;
@@ -204,8 +209,10 @@ public sealed class RoadSurvey
     }
 
     private static bool IsSound(SurveyedRoad road) =>
-        road.First.IsFinite && road.Second.IsFinite && road.LanesToFirst is >= 0 and <= MaxLanes
-            && road.LanesToSecond is >= 0 and <= MaxLanes;
+        road.First.IsFinite
+        && road.Second.IsFinite
+        && road.LanesToFirst is >= 0 and <= MaxLanes
+        && road.LanesToSecond is >= 0 and <= MaxLanes;
 
     /// <summary>The node at an end of a link. Its own links wait until the car is near, when the game lists it.</summary>
     private int End(Vector3D end, int node, Vector3D stored)

@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using System.Text;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Files;
@@ -26,9 +24,13 @@ public static class RoadSurveyFile
 
     /// <summary>Writes the result. The file is always complete.</summary>
     /// <exception cref="IOException">The file cannot be written; an older one is unchanged.</exception>
-    public static void Save(string path, RoadNetwork network) => AtomicFile.Write(path, stream =>
-    {
-        using var text = new StreamWriter(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), 4096, leaveOpen: true);
-        RoadCsvWriter.Write(network, text);
-    });
+    public static void Save(string path, RoadNetwork network) =>
+        AtomicFile.Write(
+            path,
+            stream =>
+            {
+                using var text = new StreamWriter(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), 4096, leaveOpen: true);
+                RoadCsvWriter.Write(network, text);
+            }
+        );
 }

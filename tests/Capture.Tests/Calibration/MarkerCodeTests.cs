@@ -10,8 +10,13 @@ public sealed class MarkerCodeTests
 {
     private const double Reach = 6;
     private static readonly Pose Pose = new(Vector3D.Zero, Axes.Identity);
-    private static readonly MarkerPlan Plan =
-        MarkerPlan.Across(new Camera(Pose, new CameraIntrinsics(60, new ImageSize(800, 600), 4.0 / 3, 0.1, Lens.Ideal)), 7, 5, 6, [1]);
+    private static readonly MarkerPlan Plan = MarkerPlan.Across(
+        new Camera(Pose, new CameraIntrinsics(60, new ImageSize(800, 600), 4.0 / 3, 0.1, Lens.Ideal)),
+        7,
+        5,
+        6,
+        [1]
+    );
 
     [Fact]
     public void Each_of_35_markers_has_a_unique_set_of_three_pictures()
@@ -38,12 +43,15 @@ public sealed class MarkerCodeTests
         IReadOnlyList<Sighting> sightings = Identify(shift, []).SightingsOf(Plan, Pose);
 
         Assert.Equal(35, sightings.Count);
-        Assert.All(sightings, sighting =>
-        {
-            PlannedMarker marker = Plan.Markers.Single(marker => marker.CentreOfImage(Pose) == sighting.World);
-            Assert.Equal(marker.ExpectedPixel.X + shiftX, sighting.Pixel.X, 1e-9);
-            Assert.Equal(marker.ExpectedPixel.Y + shiftY, sighting.Pixel.Y, 1e-9);
-        });
+        Assert.All(
+            sightings,
+            sighting =>
+            {
+                PlannedMarker marker = Plan.Markers.Single(marker => marker.CentreOfImage(Pose) == sighting.World);
+                Assert.Equal(marker.ExpectedPixel.X + shiftX, sighting.Pixel.X, 1e-9);
+                Assert.Equal(marker.ExpectedPixel.Y + shiftY, sighting.Pixel.Y, 1e-9);
+            }
+        );
     }
 
     [Fact]
@@ -51,7 +59,9 @@ public sealed class MarkerCodeTests
     {
         // One in a single picture, as a drop of rain, and one in all, as a car that has come.
         MarkerIdentification identification = Identify(
-            default, [(3, new Vector2D(51, 77)), .. Enumerable.Range(0, 7).Select(picture => (picture, new Vector2D(333, 99)))]);
+            default,
+            [(3, new Vector2D(51, 77)), .. Enumerable.Range(0, 7).Select(picture => (picture, new Vector2D(333, 99)))]
+        );
 
         Assert.Equal(35, identification.SightingsOf(Plan, Pose).Count);
         Assert.Equal(2, identification.UnknownCount);
@@ -79,10 +89,12 @@ public sealed class MarkerCodeTests
             identification.Add(
                 picture,
                 [
-                    .. Plan.Markers.Where((_, marker) => MarkerCode.IsShown(marker, picture)).Select(
-                        marker => new MarkerSpot(marker.ExpectedPixel + shift, 113)),
+                    .. Plan
+                        .Markers.Where((_, marker) => MarkerCode.IsShown(marker, picture))
+                        .Select(marker => new MarkerSpot(marker.ExpectedPixel + shift, 113)),
                     .. others.Where(other => other.Picture == picture).Select(other => new MarkerSpot(other.Centre, 113)),
-                ]);
+                ]
+            );
         }
 
         return identification;

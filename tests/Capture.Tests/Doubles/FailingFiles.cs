@@ -17,11 +17,14 @@ internal sealed class FailingFiles(string directory, int failingWrite, int failu
     public void MakeFolder(string name) => _files.MakeFolder(name);
 
     public FileDigest WriteWhole(string name, Action<Stream> content) =>
-        _files.WriteWhole(name, stream =>
-        {
-            content(stream);
-            FailIfDue();
-        });
+        _files.WriteWhole(
+            name,
+            stream =>
+            {
+                content(stream);
+                FailIfDue();
+            }
+        );
 
     public void Append(string name, IReadOnlyList<string> lines, bool isDurable)
     {

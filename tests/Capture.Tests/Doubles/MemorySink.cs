@@ -49,7 +49,5 @@ internal sealed class MemorySink : IFrameSink
 
     public void Close(SessionEnd end) => End = end;
 
-    public void Dispose()
-    {
-    }
+    public void Dispose() { }
 }

@@ -52,8 +52,7 @@ public sealed class DeferredPictureTests : IDisposable
         Run(session);
 
         Assert.Equal(Enumerable.Range(0, Frames), _sink.Frames.Select(frame => frame.Label.Frame));
-        Assert.All(_sink.Frames, frame =>
-            Assert.Equal(FakeGame.StateAt(frame.Label.TimeSeconds), FakeGame.StateOf(frame.Picture)));
+        Assert.All(_sink.Frames, frame => Assert.Equal(FakeGame.StateAt(frame.Label.TimeSeconds), FakeGame.StateOf(frame.Picture)));
     }
 
     [Fact]
@@ -69,7 +68,8 @@ public sealed class DeferredPictureTests : IDisposable
         Assert.Equal(otherSink.Frames.Select(Line), _sink.Frames.Select(Line));
         Assert.Equal(
             (otherSink.End!.GameFrame, otherSink.End.TimeSeconds, otherSink.End.Captured),
-            (_sink.End!.GameFrame, _sink.End.TimeSeconds, _sink.End.Captured));
+            (_sink.End!.GameFrame, _sink.End.TimeSeconds, _sink.End.Captured)
+        );
     }
 
     [Fact]

@@ -11,7 +11,12 @@ namespace Harvester.Capture.Tests.Harvesting;
 /// <summary>The frozen harvest against a game whose pictures show the number of their state.</summary>
 public sealed class FrozenHarvestTests
 {
-    private static readonly HarvestOptions Small = new() { Image = new ImageSize(64, 48), MaxFrames = 25, OcclusionSamples = 4 };
+    private static readonly HarvestOptions Small = new()
+    {
+        Image = new ImageSize(64, 48),
+        MaxFrames = 25,
+        OcclusionSamples = 4,
+    };
 
     public static TheoryData<int, int, bool> Quirks
     {
@@ -35,7 +40,12 @@ public sealed class FrozenHarvestTests
     [MemberData(nameof(Quirks))]
     public void Step_with_picture_lag_keeps_only_frames_that_match_labels(int lag, int delay, bool cameraLate)
     {
-        var game = new FakeGame { PictureLag = lag, FreezeDelay = delay, CameraReportedLate = cameraLate };
+        var game = new FakeGame
+        {
+            PictureLag = lag,
+            FreezeDelay = delay,
+            CameraReportedLate = cameraLate,
+        };
         var sink = new MemorySink();
         using var session = new HarvestSession(Small, game.Ports, sink);
 
@@ -57,7 +67,12 @@ public sealed class FrozenHarvestTests
     public void Readings_over_several_ticks_keep_matching_frames_only(int lag, int delay, bool cameraLate)
     {
         const int ticksOfAReading = 3;
-        var game = new FakeGame { PictureLag = lag, FreezeDelay = delay, CameraReportedLate = cameraLate };
+        var game = new FakeGame
+        {
+            PictureLag = lag,
+            FreezeDelay = delay,
+            CameraReportedLate = cameraLate,
+        };
         GamePorts ports = game.Ports with { World = new SlowWorld(game, ticksOfAReading) };
         var sink = new MemorySink();
         using var session = new HarvestSession(Small with { ProbeLag = false }, ports, sink);
@@ -76,9 +91,10 @@ public sealed class FrozenHarvestTests
         var game = new FakeGame();
         bool grabbed = false;
         game.OnCall = call => grabbed |= call == "Grab";
-        game.Entities = entities => grabbed
-            ? [entities[0] with { Pose = entities[0].Pose with { Position = entities[0].Pose.Position + new Vector3D(0, 0.01, 0) } }]
-            : entities;
+        game.Entities = entities =>
+            grabbed
+                ? [entities[0] with { Pose = entities[0].Pose with { Position = entities[0].Pose.Position + new Vector3D(0, 0.01, 0) } }]
+                : entities;
         using var session = new HarvestSession(Small with { ProbeLag = false }, game.Ports, new MemorySink());
 
         game.Run(session, 10);
@@ -111,9 +127,7 @@ public sealed class FrozenHarvestTests
         game.Run(session);
 
         Assert.Equal(0, session.Counters.Captured);
-        Assert.Equal(
-            "The image is 3 ticks or more behind the game; the harvest allows 2.",
-            session.Fault);
+        Assert.Equal("The image is 3 ticks or more behind the game; the harvest allows 2.", session.Fault);
     }
 
     [Theory]
@@ -129,7 +143,10 @@ public sealed class FrozenHarvestTests
         game.Run(session);
 
         Assert.StartsWith(
-            $"The image is {lag} ticks or more behind the game; the harvest allows 4.", session.Fault, StringComparison.Ordinal);
+            $"The image is {lag} ticks or more behind the game; the harvest allows 4.",
+            session.Fault,
+            StringComparison.Ordinal
+        );
         Assert.Empty(sink.Frames);
         Assert.False(game.WantsFrozen);
     }
@@ -154,9 +171,14 @@ public sealed class FrozenHarvestTests
         // 0.3 mm a tick: no tick differs by the millimetre that counts, but four of them do.
         var game = new FakeGame();
         game.Entities = entities =>
-            [.. entities.Select(
-                entity => entity with { Pose =
-                    entity.Pose with { Position = entity.Pose.Position + new Vector3D(game.GameFrame * 0.0003, 0, 0) } })];
+            [
+                .. entities.Select(entity =>
+                    entity with
+                    {
+                        Pose = entity.Pose with { Position = entity.Pose.Position + new Vector3D(game.GameFrame * 0.0003, 0, 0) },
+                    }
+                ),
+            ];
         var sink = new MemorySink();
         using var session = new HarvestSession(Small with { ProbeLag = false, MaxSettleTicks = 10 }, game.Ports, sink);
 
@@ -195,14 +217,30 @@ public sealed class FrozenHarvestTests
     {
         var game = new FakeGame();
         bool grabbed = false;
-        game.OnCall = call => grabbed = call switch { "Grab" => true, "Unfreeze" => false, _ => grabbed };
-        game.Entities = entities => !grabbed ? entities : change switch
-        {
-            "vanish" => [],
-            "model" => [.. entities.Select(entity => entity with { Model = "other" })],
-            _ => [.. entities.Select(
-                entity => entity with { Pose = entity.Pose with { Position = entity.Pose.Position + new Vector3D(0, 0, 0.002) } })],
-        };
+        game.OnCall = call =>
+            grabbed = call switch
+            {
+                "Grab" => true,
+                "Unfreeze" => false,
+                _ => grabbed,
+            };
+        game.Entities = entities =>
+            !grabbed
+                ? entities
+                : change switch
+                {
+                    "vanish" => [],
+                    "model" => [.. entities.Select(entity => entity with { Model = "other" })],
+                    _ =>
+                    [
+                        .. entities.Select(entity =>
+                            entity with
+                            {
+                                Pose = entity.Pose with { Position = entity.Pose.Position + new Vector3D(0, 0, 0.002) },
+                            }
+                        ),
+                    ],
+                };
         var sink = new MemorySink();
         using var session = new HarvestSession(Small with { ProbeLag = false }, game.Ports, sink);
 

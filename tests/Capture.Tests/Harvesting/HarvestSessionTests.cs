@@ -12,16 +12,22 @@ namespace Harvester.Capture.Tests.Harvesting;
 /// <summary>The session's way from phase to phase, and its end by faults, the sink and the caller.</summary>
 public sealed class HarvestSessionTests
 {
-    private static readonly HarvestOptions Small =
-        new() { Image = new ImageSize(64, 48), OcclusionSamples = 4, ProbeLag = false, MaxPictureLagTicks = 2 };
+    private static readonly HarvestOptions Small = new()
+    {
+        Image = new ImageSize(64, 48),
+        OcclusionSamples = 4,
+        ProbeLag = false,
+        MaxPictureLagTicks = 2,
+    };
 
     public static TheoryData<string, int> Calls
     {
         get
         {
             var data = new TheoryData<string, int>();
-            foreach (string call
-                in new[] { "ReadCamera", "ReadEgo", "ReadEntities", "ReadEnvironment", "Cast", "Grab", "Freeze", "Unfreeze" })
+            foreach (
+                string call in new[] { "ReadCamera", "ReadEgo", "ReadEntities", "ReadEnvironment", "Cast", "Grab", "Freeze", "Unfreeze" }
+            )
             {
                 data.Add(call, 1);
                 data.Add(call, 5);
@@ -40,11 +46,20 @@ public sealed class HarvestSessionTests
         // Frame 0 is due at once: read at ticks 0, 1 and 2, grabbed at the third. 10 a second of 60 ticks: the next is due 6 states later.
         Assert.Equal(
             [
-                HarvestPhase.Settling, HarvestPhase.Settling, HarvestPhase.Waiting,
-                HarvestPhase.Waiting, HarvestPhase.Waiting, HarvestPhase.Waiting, HarvestPhase.Waiting, HarvestPhase.Waiting,
-                HarvestPhase.Settling, HarvestPhase.Settling, HarvestPhase.Stopped,
+                HarvestPhase.Settling,
+                HarvestPhase.Settling,
+                HarvestPhase.Waiting,
+                HarvestPhase.Waiting,
+                HarvestPhase.Waiting,
+                HarvestPhase.Waiting,
+                HarvestPhase.Waiting,
+                HarvestPhase.Waiting,
+                HarvestPhase.Settling,
+                HarvestPhase.Settling,
+                HarvestPhase.Stopped,
             ],
-            game.Run(session));
+            game.Run(session)
+        );
     }
 
     [Theory]
@@ -62,8 +77,10 @@ public sealed class HarvestSessionTests
 
         // Never more than one tick late, and delays do not add up; a game of 60 ticks gives no more than 60 frames.
         double period = 1 / Math.Min(rateHz, FakeGame.TicksPerSecond);
-        Assert.All(sink.Frames.Select((frame, index) => frame.Label.TimeSeconds - (index * period)), late =>
-            Assert.InRange(late, -1e-9, (1 / FakeGame.TicksPerSecond) - 1e-9));
+        Assert.All(
+            sink.Frames.Select((frame, index) => frame.Label.TimeSeconds - (index * period)),
+            late => Assert.InRange(late, -1e-9, (1 / FakeGame.TicksPerSecond) - 1e-9)
+        );
     }
 
     [Theory]
@@ -198,15 +215,20 @@ public sealed class HarvestSessionTests
     [Fact]
     public void Same_harvest_twice_gives_the_same_labels()
     {
-        string[][] runs = [.. Enumerable.Range(0, 2).Select(_ =>
-        {
-            var game = new FakeGame { PictureLag = 1, FreezeDelay = 2 };
-            game.Entities = entities => [.. entities, entities[0] with { Handle = 5, Class = ObjectClass.Bus }];
-            var sink = new MemorySink();
-            using var session = new HarvestSession(Small with { MaxFrames = 20, ProbeLag = true }, game.Ports, sink);
-            game.Run(session);
-            return sink.Frames.Select(frame => JsonLabelWriter.Line(frame.Label)).ToArray();
-        })];
+        string[][] runs =
+        [
+            .. Enumerable
+                .Range(0, 2)
+                .Select(_ =>
+                {
+                    var game = new FakeGame { PictureLag = 1, FreezeDelay = 2 };
+                    game.Entities = entities => [.. entities, entities[0] with { Handle = 5, Class = ObjectClass.Bus }];
+                    var sink = new MemorySink();
+                    using var session = new HarvestSession(Small with { MaxFrames = 20, ProbeLag = true }, game.Ports, sink);
+                    game.Run(session);
+                    return sink.Frames.Select(frame => JsonLabelWriter.Line(frame.Label)).ToArray();
+                }),
+        ];
 
         Assert.Equal(20, runs[0].Length);
         Assert.Equal(runs[0], runs[1]);
@@ -219,7 +241,18 @@ public sealed class HarvestSessionTests
         var game = new FakeGame();
         var world = new RecordingWorld(game, asked);
         using var session = new HarvestSession(
-            Small with { RangeMetres = 80, IgnoreRangeMetres = 90, MaxFrames = 1 }, game.Ports with { World = world }, new MemorySink());
+            Small with
+            {
+                RangeMetres = 80,
+                IgnoreRangeMetres = 90,
+                MaxFrames = 1,
+            },
+            game.Ports with
+            {
+                World = world,
+            },
+            new MemorySink()
+        );
 
         game.Run(session);
 
@@ -234,21 +267,30 @@ public sealed class HarvestSessionTests
         var game = new FakeGame
         {
             Entities = cars =>
-            [
-                .. cars, cars[0] with { Handle = 5, Class = ObjectClass.Bus, Pose = new Pose(new Vector3D(-2, 40, 0.6), Axes.Identity) },
-            ],
+                [.. cars, cars[0] with { Handle = 5, Class = ObjectClass.Bus, Pose = new Pose(new Vector3D(-2, 40, 0.6), Axes.Identity) }],
             Rays = (ray, _, _) => new RayHit(ray.Direction.X > 0 ? 10 : 38, ray.Direction.X > 0 ? 101 : 5),
         };
         var sink = new MemorySink();
         using var session = new HarvestSession(
-            Small with { RangeMetres = 30, MinBoxAreaPixels = 0, MinBoxSidePixels = 0, MaxFrames = 1 }, game.Ports, sink);
+            Small with
+            {
+                RangeMetres = 30,
+                MinBoxAreaPixels = 0,
+                MinBoxSidePixels = 0,
+                MaxFrames = 1,
+            },
+            game.Ports,
+            sink
+        );
 
         game.Run(session);
 
         CapturedFrame frame = Assert.Single(sink.Frames);
         Assert.Equal([ObjectClass.Car], frame.Label.Objects.Select(item => item.Class));
         Assert.Equal(
-            [(IgnoreReason.BeyondRange, ObjectClass.Bus)], frame.Label.IgnoreRegions.Select(region => (region.Reason, region.Class)));
+            [(IgnoreReason.BeyondRange, ObjectClass.Bus)],
+            frame.Label.IgnoreRegions.Select(region => (region.Reason, region.Class))
+        );
         Assert.Equal([101], frame.Scene!.Snapshot.Entities.Select(entity => entity.Handle));
         Assert.Equal([(5, Sight.Seen)], frame.Scene.Distant.Select(distant => (distant.Entity.Handle, distant.Sight)));
     }

@@ -23,10 +23,18 @@ public sealed class ImageEqualsLabelTests
     {
         var random = new Random(11);
         var game = new FakeGame { CameraReportedLate = cameraReportedLate };
-        game.Entities = entities => random.Next(100) == 0
-            ? []
-            : [.. entities, entities[0] with { Handle =
-                102, Pose = entities[0].Pose with { Position = new Vector3D(-3, 30 + (Math.Max(0, game.State % 400 - 200) * 0.05), 1) } }];
+        game.Entities = entities =>
+            random.Next(100) == 0
+                ? []
+                :
+                [
+                    .. entities,
+                    entities[0] with
+                    {
+                        Handle = 102,
+                        Pose = entities[0].Pose with { Position = new Vector3D(-3, 30 + (Math.Max(0, game.State % 400 - 200) * 0.05), 1) },
+                    },
+                ];
         game.OnCall = call =>
         {
             if (call == "Freeze")

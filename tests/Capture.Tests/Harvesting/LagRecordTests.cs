@@ -41,8 +41,19 @@ public sealed class LagRecordTests
     {
         // Creep from tick 3 to 5, pictures two ticks later: 5 to 7.
         LagRecord record = Record(
-            (0, 0, 9), (1, 1, 9), (2, 2, 9), (2.1, 2.1, 8), (2.2, 2.2, 9), (2.3, 2.3, 2), (2.3, 2.3, 3), (2.3, 2.3, 2.5), (2.3, 2.3, 0),
-            (2.3, 2.3, 0), (2.3, 2.3, 0), (2.3, 2.3, 0));
+            (0, 0, 9),
+            (1, 1, 9),
+            (2, 2, 9),
+            (2.1, 2.1, 8),
+            (2.2, 2.2, 9),
+            (2.3, 2.3, 2),
+            (2.3, 2.3, 3),
+            (2.3, 2.3, 2.5),
+            (2.3, 2.3, 0),
+            (2.3, 2.3, 0),
+            (2.3, 2.3, 0),
+            (2.3, 2.3, 0)
+        );
 
         Assert.Equal(new PictureLag(2, 2), Lag(record));
     }
@@ -51,8 +62,18 @@ public sealed class LagRecordTests
     public void Lag_in_an_invisibly_creeping_world_is_that_of_the_freeze()
     {
         LagRecord record = Record(
-            (0, 0, 9), (1, 1, 9), (2, 2, 9), (2.1, 2.1, 8), (2.2, 2.2, 9), (2.3, 2.3, 0), (2.3, 2.3, 0), (2.3, 2.3, 0), (2.3, 2.3, 0),
-            (2.3, 2.3, 0), (2.3, 2.3, 0));
+            (0, 0, 9),
+            (1, 1, 9),
+            (2, 2, 9),
+            (2.1, 2.1, 8),
+            (2.2, 2.2, 9),
+            (2.3, 2.3, 0),
+            (2.3, 2.3, 0),
+            (2.3, 2.3, 0),
+            (2.3, 2.3, 0),
+            (2.3, 2.3, 0),
+            (2.3, 2.3, 0)
+        );
 
         Assert.Equal(new PictureLag(2, 2), Lag(record));
     }
@@ -62,8 +83,16 @@ public sealed class LagRecordTests
     {
         // 0.2 mm a tick where the running game takes 5 mm; the pictures show it.
         LagRecord record = Record(
-            (0, 0, 9), (0.005, 0.005, 9), (0.01, 0.01, 9), (0.0102, 0.0102, 9), (0.0104, 0.0104, 1), (0.0104, 0.0104, 1),
-            (0.0104, 0.0104, 0), (0.0104, 0.0104, 0), (0.0104, 0.0104, 0));
+            (0, 0, 9),
+            (0.005, 0.005, 9),
+            (0.01, 0.01, 9),
+            (0.0102, 0.0102, 9),
+            (0.0104, 0.0104, 1),
+            (0.0104, 0.0104, 1),
+            (0.0104, 0.0104, 0),
+            (0.0104, 0.0104, 0),
+            (0.0104, 0.0104, 0)
+        );
 
         Assert.Equal(new PictureLag(1, 1), Lag(record));
     }
@@ -71,7 +100,8 @@ public sealed class LagRecordTests
     [Fact]
     public void Lag_is_unknown_when_the_pictures_do_not_follow_the_movement() =>
         Assert.Null(
-            Lag(Record((0, 0, 9), (1, 1, 9), (2, 2, 9), (2, 2, 0), (2, 2, 9), (2, 2, 0), (2, 2, 9), (2, 2, 0), (2, 2, 0), (2, 2, 0))));
+            Lag(Record((0, 0, 9), (1, 1, 9), (2, 2, 9), (2, 2, 0), (2, 2, 9), (2, 2, 0), (2, 2, 9), (2, 2, 0), (2, 2, 0), (2, 2, 0)))
+        );
 
     [Fact]
     public void Lag_is_unknown_when_the_camera_never_moved() =>
@@ -131,13 +161,21 @@ public sealed class LagRecordTests
     private static SceneSnapshot State(long gameFrame, double camera, double entity)
     {
         var car = new EntityState(
-            1, ObjectClass.Car, "asea", new Pose(new Vector3D(0, entity, 0), Axes.Identity), new Vector3D(-1, -2, 0), new Vector3D(1, 2, 1),
-            Vector3D.Zero);
+            1,
+            ObjectClass.Car,
+            "asea",
+            new Pose(new Vector3D(0, entity, 0), Axes.Identity),
+            new Vector3D(-1, -2, 0),
+            new Vector3D(1, 2, 1),
+            Vector3D.Zero
+        );
         return new SceneSnapshot(
-            gameFrame, 0,
+            gameFrame,
+            0,
             new CameraState(new Pose(new Vector3D(0, camera, 0), Axes.Identity), 50, 0.15, 1),
             new EgoState(7, "blista", new Pose(Vector3D.Zero, Axes.Identity), Vector3D.Zero),
             [car],
-            new EnvironmentState("clear", TimeSpan.Zero));
+            new EnvironmentState("clear", TimeSpan.Zero)
+        );
     }
 }

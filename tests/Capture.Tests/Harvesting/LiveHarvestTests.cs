@@ -46,14 +46,17 @@ public sealed class LiveHarvestTests
         Assert.Null(session.Fault);
         Assert.Equal(50, sink.Frames.Count);
         Assert.Equal(new PictureLag(cameraLate ? lag - 1 : lag, lag), session.Lag);
-        Assert.All(sink.Frames, frame =>
-        {
-            long shown = FakeGame.StateOf(frame.Picture);
-            Assert.Equal(shown, FakeGame.StateAt(frame.Label.TimeSeconds));
-            Assert.Equal(shown * game.MetresPerTick, frame.Label.Camera.Pose.Position.Y);
-            Assert.Equal(lag, frame.Label.LagFrames);
-            Assert.Equal(lag / FakeGame.TicksPerSecond, frame.Label.LagSeconds, 9);
-        });
+        Assert.All(
+            sink.Frames,
+            frame =>
+            {
+                long shown = FakeGame.StateOf(frame.Picture);
+                Assert.Equal(shown, FakeGame.StateAt(frame.Label.TimeSeconds));
+                Assert.Equal(shown * game.MetresPerTick, frame.Label.Camera.Pose.Position.Y);
+                Assert.Equal(lag, frame.Label.LagFrames);
+                Assert.Equal(lag / FakeGame.TicksPerSecond, frame.Label.LagSeconds, 9);
+            }
+        );
     }
 
     [Fact]
@@ -101,7 +104,12 @@ public sealed class LiveHarvestTests
     public void Step_measures_the_lag_in_a_flickering_world()
     {
         // The last byte of each picture is noise; the movement in the first ones is larger than three times that.
-        var game = new FakeGame { PictureLag = 2, Noise = 1, MovementBytes = 600 };
+        var game = new FakeGame
+        {
+            PictureLag = 2,
+            Noise = 1,
+            MovementBytes = 600,
+        };
         using var session = new HarvestSession(Live with { MaxFrames = 1 }, game.Ports, new MemorySink());
 
         game.Run(session);

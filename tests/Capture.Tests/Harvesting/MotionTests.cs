@@ -30,14 +30,20 @@ public sealed class MotionTests
 
         game.Run(session);
 
-        long[] states = [.. sink.Frames.SelectMany(frame => frame.Label.Motion!.Select(sample => sample.TimeSeconds)
-            .Append(frame.Label.TimeSeconds)).Select(FakeGame.StateAt)];
+        long[] states =
+        [
+            .. sink
+                .Frames.SelectMany(frame => frame.Label.Motion!.Select(sample => sample.TimeSeconds).Append(frame.Label.TimeSeconds))
+                .Select(FakeGame.StateAt),
+        ];
         Assert.Equal(Enumerable.Range(0, states.Length).Select(tick => states[0] + tick), states);
 
         // At 10 frames a second each frame has six ticks, the last of which is its own.
         Assert.Equal(5, sink.Frames[^1].Label.Motion!.Count);
-        Assert.All(sink.Frames.SelectMany(frame => frame.Label.Motion!), sample =>
-            Assert.Equal(FakeGame.StateAt(sample.TimeSeconds) * game.MetresPerTick, sample.Pose.Position.Y));
+        Assert.All(
+            sink.Frames.SelectMany(frame => frame.Label.Motion!),
+            sample => Assert.Equal(FakeGame.StateAt(sample.TimeSeconds) * game.MetresPerTick, sample.Pose.Position.Y)
+        );
     }
 
     [Fact]
@@ -47,8 +53,7 @@ public sealed class MotionTests
         int grabs = 0;
         var sink = new MemorySink();
         using var session = new HarvestSession(Small with { ProbeLag = false, MaxFrames = 3 }, game.Ports, sink);
-        game.OnCall = name => game.GrabAnswer = name == "Grab" && ++grabs == 2
-            ? GrabResult.Refused("covered") : GrabResult.Good;
+        game.OnCall = name => game.GrabAnswer = name == "Grab" && ++grabs == 2 ? GrabResult.Refused("covered") : GrabResult.Good;
 
         game.Run(session);
 

@@ -22,13 +22,26 @@ public sealed class PhaseCallsTests
             calls.Rays += call == "Cast" ? 1 : 0;
         };
         using var session = new HarvestSession(
-            new HarvestOptions { Image = new ImageSize(64, 48), MaxFrames = frames, ProbeLag = false, OcclusionSamples = 9 },
-            game.Ports with { Calls = calls },
-            new MemorySink());
+            new HarvestOptions
+            {
+                Image = new ImageSize(64, 48),
+                MaxFrames = frames,
+                ProbeLag = false,
+                OcclusionSamples = 9,
+            },
+            game.Ports with
+            {
+                Calls = calls,
+            },
+            new MemorySink()
+        );
         game.Run(session);
 
         (long labelling, long rays) = session.Calls.Phases[HarvestPhase.Labelling];
-        const int freeze = 1, grab = 1, unfreeze = 1, readingsAfterTheGrab = 1;
+        const int freeze = 1,
+            grab = 1,
+            unfreeze = 1,
+            readingsAfterTheGrab = 1;
         Assert.Equal(calls.Rays, rays);
         Assert.InRange(rays, 9 * frames, 9 * frames * 2);
         Assert.Equal(rays + (frames * (grab + (readingsAfterTheGrab * CallsOfAReading) + unfreeze)), labelling);
@@ -44,9 +57,18 @@ public sealed class PhaseCallsTests
         var calls = new TestCalls();
         var game = new FakeGame();
         using var session = new HarvestSession(
-            new HarvestOptions { Image = new ImageSize(64, 48), MaxFrames = 2, ProbeLag = false },
-            game.Ports with { Calls = calls },
-            new MemorySink());
+            new HarvestOptions
+            {
+                Image = new ImageSize(64, 48),
+                MaxFrames = 2,
+                ProbeLag = false,
+            },
+            game.Ports with
+            {
+                Calls = calls,
+            },
+            new MemorySink()
+        );
         while (!session.Step().IsOver)
         {
             calls.Natives += 50;

@@ -22,9 +22,16 @@ public sealed class FrameLabellerTests
 
     private static readonly EntityState Near = Entity(20, 0, 10);
 
-    private static EntityState Entity(int handle, double east, double north) => new(
-        handle, ObjectClass.Car, "box", new Pose(new Vector3D(east, north, 0), Axes.Identity), new Vector3D(-1, 0, -1),
-        new Vector3D(1, 2, 1), new Vector3D(0, 3, 0));
+    private static EntityState Entity(int handle, double east, double north) =>
+        new(
+            handle,
+            ObjectClass.Car,
+            "box",
+            new Pose(new Vector3D(east, north, 0), Axes.Identity),
+            new Vector3D(-1, 0, -1),
+            new Vector3D(1, 2, 1),
+            new Vector3D(0, 3, 0)
+        );
 
     [Fact]
     public void Label_object_ahead_has_its_measures()
@@ -64,7 +71,12 @@ public sealed class FrameLabellerTests
             Entity(2, 40, 10),
             Entity(3, 0, 60), // 1.7 pixels
             Near,
-            Near with { Handle = 21, Class = ObjectClass.Pedestrian, Pose = new Pose(new Vector3D(4, 10, 0), Axes.Identity) },
+            Near with
+            {
+                Handle = 21,
+                Class = ObjectClass.Pedestrian,
+                Pose = new Pose(new Vector3D(4, 10, 0), Axes.Identity),
+            },
         ];
 
         FrameDraft draft = Label(Options with { Classes = [ObjectClass.Car] }, entities);
@@ -154,10 +166,16 @@ public sealed class FrameLabellerTests
 
     [Fact]
     public void Small_or_unselected_object_out_of_range_is_not_ignored() =>
-        Assert.Empty(LabelWithDistant(
-            Options with { Classes = [ObjectClass.Car] },
-            [],
-            [Entity(21, 0, 60), Entity(22, 10, 20) with { Class = ObjectClass.Bus }]).IgnoreRegions);
+        Assert.Empty(
+            LabelWithDistant(
+                Options with
+                {
+                    Classes = [ObjectClass.Car],
+                },
+                [],
+                [Entity(21, 0, 60), Entity(22, 10, 20) with { Class = ObjectClass.Bus }]
+            ).IgnoreRegions
+        );
 
     [Fact]
     public void Object_out_of_range_that_no_ray_hits_is_undetermined()
@@ -165,7 +183,8 @@ public sealed class FrameLabellerTests
         var labeller = Labeller(Options, new CuboidRays([]), new ObjectRegistry(1));
 
         IgnoreRegion region = Assert.Single(
-            labeller.Label(Snapshot([]) with { Distant = [Near] }, static () => true).Last()!.IgnoreRegions);
+            labeller.Label(Snapshot([]) with { Distant = [Near] }, static () => true).Last()!.IgnoreRegions
+        );
 
         Assert.Equal(IgnoreReason.Undetermined, region.Reason);
     }
@@ -181,7 +200,9 @@ public sealed class FrameLabellerTests
 
         Assert.Empty(draft.Objects);
         Assert.Equal(
-            (IgnoreReason.Undetermined, ObjectClass.Car), draft.IgnoreRegions.Select(region => (region.Reason, region.Class)).Single());
+            (IgnoreReason.Undetermined, ObjectClass.Car),
+            draft.IgnoreRegions.Select(region => (region.Reason, region.Class)).Single()
+        );
         Assert.Equal(Sight.Undetermined, Assert.Single(draft.Occlusions).Sight);
         Assert.True(draft.Mask?.Ids.All(id => id == 0) ?? true);
     }
@@ -204,11 +225,22 @@ public sealed class FrameLabellerTests
     public void Object_with_only_empty_space_in_view_has_no_label_or_region(bool masks)
     {
         // The image ends at 10 m to the right at 10 m ahead. Rays hit the entity at its right end only, from 11 m on.
-        EntityState wide = Entity(20, 9, 10) with { ModelMax = new Vector3D(8, 1, 1) };
+        EntityState wide = Entity(20, 9, 10) with
+        {
+            ModelMax = new Vector3D(8, 1, 1),
+        };
         EntityState rightEnd = Entity(20, 16, 10) with { ModelMax = new Vector3D(1, 1, 1) };
         FrameDraft draft = Labeller(
-            Options with { Masks = masks, MaxOccludedFraction = 1 }, new CuboidRays([rightEnd]), new ObjectRegistry(1))
-            .Label(Snapshot([wide]), static () => true).Last()!;
+                Options with
+                {
+                    Masks = masks,
+                    MaxOccludedFraction = 1,
+                },
+                new CuboidRays([rightEnd]),
+                new ObjectRegistry(1)
+            )
+            .Label(Snapshot([wide]), static () => true)
+            .Last()!;
 
         Assert.Empty(draft.Objects);
         Assert.Empty(draft.IgnoreRegions);
@@ -229,7 +261,8 @@ public sealed class FrameLabellerTests
         {
             var counted = new CountedRays(new CuboidRays([.. entities, distant]));
             FrameDraft draft = Labeller(Options with { Masks = masks, RayBudget = budget }, counted, new ObjectRegistry(1))
-                .Label(Snapshot(entities) with { Distant = [distant] }, static () => true).Last()!;
+                .Label(Snapshot(entities) with { Distant = [distant] }, static () => true)
+                .Last()!;
             RayCounts rays = draft.Rays!;
 
             Assert.Equal(counted.Count, rays.Total);
@@ -241,7 +274,8 @@ public sealed class FrameLabellerTests
 
     private static FrameDraft LabelWithDistant(HarvestOptions options, EntityState[] entities, EntityState[] distant) =>
         Labeller(options, new CuboidRays([.. entities, .. distant]), new ObjectRegistry(1))
-            .Label(Snapshot(entities) with { Distant = distant }, static () => true).Last()!;
+            .Label(Snapshot(entities) with { Distant = distant }, static () => true)
+            .Last()!;
 
     private static FrameDraft Label(HarvestOptions options, params EntityState[] entities) =>
         Label(options, new ObjectRegistry(1), entities);
@@ -254,12 +288,15 @@ public sealed class FrameLabellerTests
     private static FrameLabeller Labeller(HarvestOptions options, IRayCaster rays, ObjectRegistry registry) =>
         new(options, new FrameRays(rays, options.RayBudget), registry);
 
-    private static SceneSnapshot Snapshot(EntityState[] entities) => new(
-        0, 0,
-        new CameraState(new Pose(Vector3D.Zero, Axes.Identity), 90, 0.15, 1),
-        new EgoState(7, "blista", new Pose(Vector3D.Zero, Axes.Identity), Vector3D.Zero),
-        entities,
-        new EnvironmentState("clear", TimeSpan.Zero));
+    private static SceneSnapshot Snapshot(EntityState[] entities) =>
+        new(
+            0,
+            0,
+            new CameraState(new Pose(Vector3D.Zero, Axes.Identity), 90, 0.15, 1),
+            new EgoState(7, "blista", new Pose(Vector3D.Zero, Axes.Identity), Vector3D.Zero),
+            entities,
+            new EnvironmentState("clear", TimeSpan.Zero)
+        );
 
     private static void AssertBox(Box2D expected, Box2D actual)
     {
@@ -271,13 +308,15 @@ public sealed class FrameLabellerTests
 
     private sealed class CuboidRays(EntityState[] entities) : IRayCaster
     {
-        public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity) => entities
-            .Select(entity => (entity.Handle, Span: Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose).Intersect(ray)))
-            .Where(hit => hit.Span is { } span && span.Entry <= maxDistance && hit.Handle != ignoredEntity)
-            .OrderBy(hit => hit.Span!.Value.Entry)
-            .Select(hit => (RayHit?)new RayHit(hit.Span!.Value.Entry, hit.Handle))
-            .FirstOrDefault();
+        public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity) =>
+            entities
+                .Select(entity => (entity.Handle, Span: Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose).Intersect(ray)))
+                .Where(hit => hit.Span is { } span && span.Entry <= maxDistance && hit.Handle != ignoredEntity)
+                .OrderBy(hit => hit.Span!.Value.Entry)
+                .Select(hit => (RayHit?)new RayHit(hit.Span!.Value.Entry, hit.Handle))
+                .FirstOrDefault();
     }
+
     private sealed class CountedRays(IRayCaster rays) : IRayCaster
     {
         public int Count { get; private set; }

@@ -17,8 +17,14 @@ public sealed class JointLabellerTests
     private static readonly HarvestOptions Options = new() { Image = new ImageSize(100, 100) };
 
     private static readonly EntityState Person = new(
-        Handle, ObjectClass.Pedestrian, "person", new Pose(new Vector3D(0, 10, 0), Axes.Identity), new Vector3D(-0.3, -0.3, -1),
-        new Vector3D(0.3, 0.3, 1), Vector3D.Zero)
+        Handle,
+        ObjectClass.Pedestrian,
+        "person",
+        new Pose(new Vector3D(0, 10, 0), Axes.Identity),
+        new Vector3D(-0.3, -0.3, -1),
+        new Vector3D(0.3, 0.3, 1),
+        Vector3D.Zero
+    )
     {
         Skeleton = new Skeleton(Enumerable.Range(0, Skeleton.Count).Select(joint => new Vector3D(0, 10, 1 - (joint / 11.0)))),
     };
@@ -86,8 +92,7 @@ public sealed class JointLabellerTests
     }
 
     [Fact]
-    public void Others_have_no_joints() =>
-        Assert.Null(Label(Options, Person with { Skeleton = null }, (_, _) => null).Objects[0].Joints);
+    public void Others_have_no_joints() => Assert.Null(Label(Options, Person with { Skeleton = null }, (_, _) => null).Objects[0].Joints);
 
     private static Skeleton AllAt(Vector3D place) => new(Enumerable.Repeat(place, Skeleton.Count));
 
@@ -95,9 +100,13 @@ public sealed class JointLabellerTests
     private static FrameLabel Label(HarvestOptions options, EntityState person, Func<Ray, double, RayHit?> cast)
     {
         var snapshot = new SceneSnapshot(
-            1, 0, new CameraState(new Pose(Vector3D.Zero, Axes.Identity), 90, 0.15, 1),
-            new EgoState(Ego, "ego", new Pose(new Vector3D(0, -3, 0), Axes.Identity), Vector3D.Zero), [person],
-            new EnvironmentState("clear", TimeSpan.Zero));
+            1,
+            0,
+            new CameraState(new Pose(Vector3D.Zero, Axes.Identity), 90, 0.15, 1),
+            new EgoState(Ego, "ego", new Pose(new Vector3D(0, -3, 0), Axes.Identity), Vector3D.Zero),
+            [person],
+            new EnvironmentState("clear", TimeSpan.Zero)
+        );
         var rays = new FrameRays(new JointRays(cast), options.RayBudget);
         var labeller = new FrameLabeller(options, rays, new ObjectRegistry(1));
         return labeller.Label(snapshot, static () => true).Last()!.Label(0, default);

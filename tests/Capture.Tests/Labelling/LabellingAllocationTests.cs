@@ -50,10 +50,25 @@ public sealed class LabellingAllocationTests : IRayCaster
     }
 
     /// <summary>Cars side by side in rows, all in view of a camera at the origin that looks north, or all behind it.</summary>
-    private static SceneSnapshot Scene(int count, double north) => new(
-        1, 0, new CameraState(new Pose(Vector3D.Zero, Axes.Identity), 60, 0.15, 4.0 / 3), new EgoState(1, "ego", default, default),
-        [.. Enumerable.Range(0, count).Select(i => new EntityState(
-            i + 2, ObjectClass.Car, "box", new Pose(new Vector3D((i % 20) - 10, north * (1 + (i / 20 / 50.0)), 0), Axes.Identity),
-            new Vector3D(-1, 0, -1), new Vector3D(1, 2, 1), new Vector3D(0, 3, 0)))],
-        new EnvironmentState("clear", TimeSpan.Zero));
+    private static SceneSnapshot Scene(int count, double north) =>
+        new(
+            1,
+            0,
+            new CameraState(new Pose(Vector3D.Zero, Axes.Identity), 60, 0.15, 4.0 / 3),
+            new EgoState(1, "ego", default, default),
+            [
+                .. Enumerable
+                    .Range(0, count)
+                    .Select(i => new EntityState(
+                        i + 2,
+                        ObjectClass.Car,
+                        "box",
+                        new Pose(new Vector3D((i % 20) - 10, north * (1 + (i / 20 / 50.0)), 0), Axes.Identity),
+                        new Vector3D(-1, 0, -1),
+                        new Vector3D(1, 2, 1),
+                        new Vector3D(0, 3, 0)
+                    )),
+            ],
+            new EnvironmentState("clear", TimeSpan.Zero)
+        );
 }

@@ -33,16 +33,31 @@ public sealed class LidarFirstGridTests : ISurfaceRays
     {
         LidarModel model = LidarModel.Find("HDL-32E")!;
         var lidar = new RigLidar(
-            "top", new Pose(Vector3D.Zero, Axes.Identity), model.BeamsDegrees, model.ColumnsAt(20), 20, 0.5, model.RangeMetres)
+            "top",
+            new Pose(Vector3D.Zero, Axes.Identity),
+            model.BeamsDegrees,
+            model.ColumnsAt(20),
+            20,
+            0.5,
+            model.RangeMetres
+        )
         {
             RayFraction = 0.01,
         };
         var ego = new EgoState(1, "car", new Pose(Vector3D.Zero, Axes.Identity), Vector3D.Zero);
         var moment = new SceneSnapshot(
-            1, 0, new CameraState(ego.Pose, 50, 1.5, 0.1), ego, [], new EnvironmentState("clear", TimeSpan.Zero));
+            1,
+            0,
+            new CameraState(ego.Pose, 50, 1.5, 0.1),
+            ego,
+            [],
+            new EnvironmentState("clear", TimeSpan.Zero)
+        );
         var game = new GamePorts(null!, this, null!, null!, null!) { SurfaceRays = this };
         LidarSweep sweep = new LidarScanner(lidar, lidar.Mount, new LabellingOptions(), game, new ObjectRegistry(1))
-            .Scan(moment).OfType<LidarSweep>().Single();
+            .Scan(moment)
+            .OfType<LidarSweep>()
+            .Single();
 
         // Columns 0, 24, ..., 1080 and 1084, beams 0, 4, ..., 28 and 31; a hundredth of the 34,720 rays are only 347.
         const int corners = 47 * 9;

@@ -27,9 +27,13 @@ public sealed class LidarMotionTests : IRayCaster
     {
         double nearest = new[]
         {
-            (Wall - ray.Origin.X) / ray.Direction.X, (-Wall - ray.Origin.X) / ray.Direction.X,
-            (Wall - ray.Origin.Y) / ray.Direction.Y, (-Wall - ray.Origin.Y) / ray.Direction.Y,
-        }.Where(distance => distance > 0).Min();
+            (Wall - ray.Origin.X) / ray.Direction.X,
+            (-Wall - ray.Origin.X) / ray.Direction.X,
+            (Wall - ray.Origin.Y) / ray.Direction.Y,
+            (-Wall - ray.Origin.Y) / ray.Direction.Y,
+        }
+            .Where(distance => distance > 0)
+            .Min();
         if (_board is { } board)
         {
             double distance = (board.Pose.Position.Y - ray.Origin.Y) / ray.Direction.Y;
@@ -50,10 +54,9 @@ public sealed class LidarMotionTests : IRayCaster
     public void Points_are_seen_from_where_the_sensor_was(double yawRate)
     {
         var velocity = new Vector3D(3, 20, 0);
-        LidarPoint[] points = Scan(new EgoState(1, "car", new Pose(new Vector3D(4, 5, 1), Axes.Identity), velocity)
-        {
-            Motion = new EgoMotion(yawRate, 0),
-        });
+        LidarPoint[] points = Scan(
+            new EgoState(1, "car", new Pose(new Vector3D(4, 5, 1), Axes.Identity), velocity) { Motion = new EgoMotion(yawRate, 0) }
+        );
 
         Assert.Equal(Columns, points.Length);
         foreach (LidarPoint point in points)
@@ -114,8 +117,8 @@ public sealed class LidarMotionTests : IRayCaster
 
     private static EgoState Ego(Vector3D velocity) => new(1, "car", new Pose(Vector3D.Zero, Axes.Identity), velocity);
 
-    private static EntityState BoardAt(Vector3D position, Vector3D velocity) => new(
-        Board, ObjectClass.Car, "board", new Pose(position, Axes.Identity), new Vector3D(-1, 0, -1), new Vector3D(1, 0, 1), velocity);
+    private static EntityState BoardAt(Vector3D position, Vector3D velocity) =>
+        new(Board, ObjectClass.Car, "board", new Pose(position, Axes.Identity), new Vector3D(-1, 0, -1), new Vector3D(1, 0, 1), velocity);
 
     private LidarPoint[] Scan(EgoState ego)
     {
@@ -125,8 +128,13 @@ public sealed class LidarMotionTests : IRayCaster
         };
         var game = new GamePorts(null!, this, null!, null!, null!);
         var moment = new SceneSnapshot(
-            1, 0, new CameraState(ego.Pose, 50, 1.5, 0.1), ego, _board is null ? [] : [_board],
-            new EnvironmentState("clear", TimeSpan.Zero));
+            1,
+            0,
+            new CameraState(ego.Pose, 50, 1.5, 0.1),
+            ego,
+            _board is null ? [] : [_board],
+            new EnvironmentState("clear", TimeSpan.Zero)
+        );
         var scanner = new LidarScanner(lidar, lidar.Mount, new LabellingOptions(), game, new ObjectRegistry(1));
         return [.. scanner.Scan(moment).OfType<LidarSweep>().Single().Points];
     }

@@ -8,8 +8,14 @@ namespace Harvester.Capture.Tests.Labelling;
 public sealed class ObjectRegistryTests
 {
     private static readonly EntityState Car = new(
-        10, ObjectClass.Car, "asea", new Pose(Vector3D.Zero, Axes.Identity), new Vector3D(-1, -2, 0), new Vector3D(1, 2, 1.5),
-        Vector3D.Zero);
+        10,
+        ObjectClass.Car,
+        "asea",
+        new Pose(Vector3D.Zero, Axes.Identity),
+        new Vector3D(-1, -2, 0),
+        new Vector3D(1, 2, 1.5),
+        Vector3D.Zero
+    );
 
     [Fact]
     public void IdOf_an_entity_that_moved_is_the_same()
@@ -60,11 +66,18 @@ public sealed class ObjectRegistryTests
         Assert.Equal(20, registry.IdOf(Car with { Handle = 11 }));
     }
 
-    private static RecordedScene SceneOf(EntityState entity, int id) => new(
-        new SceneSnapshot(
-            0, 0, new CameraState(entity.Pose, 50, 0.1, 1), new EgoState(0, "", entity.Pose, Vector3D.Zero), [entity],
-            new EnvironmentState("clear", TimeSpan.Zero)),
-        Lens.Ideal,
-        new Dictionary<int, int> { [entity.Handle] = id },
-        []);
+    private static RecordedScene SceneOf(EntityState entity, int id) =>
+        new(
+            new SceneSnapshot(
+                0,
+                0,
+                new CameraState(entity.Pose, 50, 0.1, 1),
+                new EgoState(0, "", entity.Pose, Vector3D.Zero),
+                [entity],
+                new EnvironmentState("clear", TimeSpan.Zero)
+            ),
+            Lens.Ideal,
+            new Dictionary<int, int> { [entity.Handle] = id },
+            []
+        );
 }

@@ -28,10 +28,20 @@ internal sealed class RealFrame
         Camera = new Camera(
             new Pose(Vector(root.GetProperty("camera_pos")), Axes.FromEuler(new EulerAngles(angles.X, angles.Y, angles.Z))),
             new CameraIntrinsics(
-                root.GetProperty("camera_fov").GetDouble(), size, (double)size.Width / size.Height, nearClip: 0.15, Lens.Ideal));
-        Vehicles = [.. root.GetProperty("entities").EnumerateArray()
-            .Where(entity => entity.GetProperty("type").GetString() == "car")
-            .Select(entity => (entity.GetProperty("class").GetString()!, CuboidOf(entity)))];
+                root.GetProperty("camera_fov").GetDouble(),
+                size,
+                (double)size.Width / size.Height,
+                nearClip: 0.15,
+                Lens.Ideal
+            )
+        );
+        Vehicles =
+        [
+            .. root.GetProperty("entities")
+                .EnumerateArray()
+                .Where(entity => entity.GetProperty("type").GetString() == "car")
+                .Select(entity => (entity.GetProperty("class").GetString()!, CuboidOf(entity))),
+        ];
     }
 
     public Camera Camera { get; }
@@ -67,7 +77,8 @@ internal sealed class RealFrame
         return Cuboid.FromModel(
             new(sizes[0], sizes[2], sizes[4]),
             new(sizes[1], sizes[3], sizes[5]),
-            new Pose(Vector(entity.GetProperty("pos")), AxesOf(Vector(entity.GetProperty("rot")))));
+            new Pose(Vector(entity.GetProperty("pos")), AxesOf(Vector(entity.GetProperty("rot"))))
+        );
     }
 
     /// <summary>The orientation of angles of the game's rotation order 0: the columns of Rz(yaw) · Ry(roll) · Rx(pitch).</summary>
@@ -79,7 +90,8 @@ internal sealed class RealFrame
         return Axes.FromVectors(
             new(cy * cr, sy * cr, -sr),
             new((cy * sr * sp) - (sy * cp), (sy * sr * sp) + (cy * cp), cr * sp),
-            new((cy * sr * cp) + (sy * sp), (sy * sr * cp) - (cy * sp), cr * cp));
+            new((cy * sr * cp) + (sy * sp), (sy * sr * cp) - (cy * sp), cr * cp)
+        );
     }
 
     private static Vector3D Vector(JsonElement numbers) => new(numbers[0].GetDouble(), numbers[1].GetDouble(), numbers[2].GetDouble());

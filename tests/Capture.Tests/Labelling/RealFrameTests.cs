@@ -50,9 +50,16 @@ public sealed class RealFrameTests
         Camera camera = frame.Camera;
         EulerAngles angles = camera.Pose.Axes.ToEuler();
         var turned = new Camera(
-            camera.Pose with { Axes = Axes.FromEuler(angles with { YawDegrees = angles.YawDegrees + 0.5 }) }, camera.Intrinsics);
+            camera.Pose with
+            {
+                Axes = Axes.FromEuler(angles with { YawDegrees = angles.YawDegrees + 0.5 }),
+            },
+            camera.Intrinsics
+        );
         var wide = new Camera(
-            camera.Pose, new CameraIntrinsics(51, camera.Image, camera.Intrinsics.WindowAspect, camera.Intrinsics.NearClip, Lens.Ideal));
+            camera.Pose,
+            new CameraIntrinsics(51, camera.Image, camera.Intrinsics.WindowAspect, camera.Intrinsics.NearClip, Lens.Ideal)
+        );
 
         Assert.InRange(FractionInside(frame, turned), 0, WrongCameraFraction);
         Assert.InRange(FractionInside(frame, wide), 0, WrongCameraFraction);
@@ -62,14 +69,20 @@ public sealed class RealFrameTests
     public void Box_of_a_near_car_holds_its_pixels_loosely()
     {
         RealFrame frame = RealFrame.Read();
-        (string _, Cuboid car) = frame.Vehicles
-            .Where(vehicle => vehicle.GameClass == "Muscle")
+        (string _, Cuboid car) = frame
+            .Vehicles.Where(vehicle => vehicle.GameClass == "Muscle")
             .Where(vehicle => frame.Camera.Project(vehicle.Cuboid.Centre).Outcome == ProjectionOutcome.InImage)
             .MinBy(vehicle => (vehicle.Cuboid.Centre - frame.Camera.Pose.Position).Length);
-        (int X, int Y, double Depth)[] pixels = [.. frame.VehiclePixels(Near)
-            .Where(pixel => car.Contains(frame.Camera.Unproject(pixel.X + 0.5, pixel.Y + 0.5, pixel.Depth)))];
+        (int X, int Y, double Depth)[] pixels =
+        [
+            .. frame.VehiclePixels(Near).Where(pixel => car.Contains(frame.Camera.Unproject(pixel.X + 0.5, pixel.Y + 0.5, pixel.Depth))),
+        ];
         Box2D drawn = new(
-            pixels.Min(pixel => pixel.X), pixels.Min(pixel => pixel.Y), pixels.Max(pixel => pixel.X) + 1, pixels.Max(pixel => pixel.Y) + 1);
+            pixels.Min(pixel => pixel.X),
+            pixels.Min(pixel => pixel.Y),
+            pixels.Max(pixel => pixel.X) + 1,
+            pixels.Max(pixel => pixel.Y) + 1
+        );
         Box2D box = CuboidProjector.BoxesOf(frame.Camera, car).Box!.Value;
 
         // A pixel belongs to the box if its centre does; its edges may be half a pixel outside.
@@ -83,9 +96,14 @@ public sealed class RealFrameTests
     {
         string[] lorries = ["Industrial", "Commercial"];
 
-        Assert.All(RealFrame.Read().Vehicles, vehicle => Assert.Equal(
-            lorries.Contains(vehicle.GameClass) ? ObjectClass.Truck : ObjectClass.Car,
-            VehicleClasses.Of(model: 0, NumberOf(vehicle.GameClass))));
+        Assert.All(
+            RealFrame.Read().Vehicles,
+            vehicle =>
+                Assert.Equal(
+                    lorries.Contains(vehicle.GameClass) ? ObjectClass.Truck : ObjectClass.Car,
+                    VehicleClasses.Of(model: 0, NumberOf(vehicle.GameClass))
+                )
+        );
     }
 
     private static Vector3D[] Points(RealFrame frame, Camera camera) =>
@@ -96,22 +114,29 @@ public sealed class RealFrameTests
 
     private static int Outside(RealFrame frame, Vector3D[] points, double margin)
     {
-        Cuboid[] cuboids = [.. frame.Vehicles.Select(vehicle => new Cuboid(
-            vehicle.Cuboid.Centre, vehicle.Cuboid.HalfExtents + new Vector3D(margin, margin, margin), vehicle.Cuboid.Axes))];
+        Cuboid[] cuboids =
+        [
+            .. frame.Vehicles.Select(vehicle => new Cuboid(
+                vehicle.Cuboid.Centre,
+                vehicle.Cuboid.HalfExtents + new Vector3D(margin, margin, margin),
+                vehicle.Cuboid.Axes
+            )),
+        ];
         return points.Count(point => !cuboids.Any(cuboid => cuboid.Contains(point)));
     }
 
     /// <summary>The game's number of a vehicle class, from the list of GET_VEHICLE_CLASS.</summary>
-    private static int NumberOf(string name) => name switch
-    {
-        "Compacts" => 0,
-        "Sedans" => 1,
-        "SUVs" => 2,
-        "Muscle" => 4,
-        "Industrial" => 10,
-        "Utility" => 11,
-        "Vans" => 12,
-        "Commercial" => 20,
-        _ => throw new InvalidDataException($"The frame has vehicles of the class {name}."),
-    };
+    private static int NumberOf(string name) =>
+        name switch
+        {
+            "Compacts" => 0,
+            "Sedans" => 1,
+            "SUVs" => 2,
+            "Muscle" => 4,
+            "Industrial" => 10,
+            "Utility" => 11,
+            "Vans" => 12,
+            "Commercial" => 20,
+            _ => throw new InvalidDataException($"The frame has vehicles of the class {name}."),
+        };
 }

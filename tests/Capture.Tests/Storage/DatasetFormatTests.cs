@@ -26,10 +26,11 @@ public sealed class DatasetFormatTests
         Assert.Empty(fields.Except(named));
     }
 
-    private static IEnumerable<string> Fields(JsonElement element) => element.ValueKind switch
-    {
-        JsonValueKind.Object => element.EnumerateObject().SelectMany(field => Fields(field.Value).Prepend(field.Name)),
-        JsonValueKind.Array => element.EnumerateArray().SelectMany(Fields),
-        _ => [],
-    };
+    private static IEnumerable<string> Fields(JsonElement element) =>
+        element.ValueKind switch
+        {
+            JsonValueKind.Object => element.EnumerateObject().SelectMany(field => Fields(field.Value).Prepend(field.Name)),
+            JsonValueKind.Array => element.EnumerateArray().SelectMany(Fields),
+            _ => [],
+        };
 }

@@ -14,8 +14,7 @@ public sealed class SessionContentTests : IDisposable
     [InlineData("{\"objects\":[{\"id\":3,\"class\":\"car\",\"name\":\"\\\"id\\\":99,\\\"class\\\"\"}]}", 3)]
     [InlineData("{\"lanes\":{\"vehicles\":[{\"id\":50,\"class\":\"car\"}]},\"objects\":[{\"id\":3,\"class\":\"car\"}]}", 3)]
     [InlineData("{\"objects\":[]}", 0)]
-    public void Greatest_object_id_is_that_of_the_labels(string line, int expected) =>
-        Assert.Equal(expected, ContentOf(line).MaxObjectId);
+    public void Greatest_object_id_is_that_of_the_labels(string line, int expected) => Assert.Equal(expected, ContentOf(line).MaxObjectId);
 
     [Theory]
     [InlineData("{\"objects\":[{\"id\":3,\"class\":\"car\"},{\"id\":4,#")]

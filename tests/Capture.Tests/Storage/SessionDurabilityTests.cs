@@ -9,8 +9,18 @@ namespace Harvester.Capture.Tests.Storage;
 
 public sealed class SessionDurabilityTests : IDisposable
 {
-    private static readonly SessionOrigin Origin = new() { Game = "test", Tool = "tests 1.0", Seed = 5 };
-    private static readonly HarvestOptions Options = new() { Image = new ImageSize(64, 48), OcclusionSamples = 4, Scenes = false };
+    private static readonly SessionOrigin Origin = new()
+    {
+        Game = "test",
+        Tool = "tests 1.0",
+        Seed = 5,
+    };
+    private static readonly HarvestOptions Options = new()
+    {
+        Image = new ImageSize(64, 48),
+        OcclusionSamples = 4,
+        Scenes = false,
+    };
 
     private static readonly TimeSpan LongestWait = TimeSpan.FromMinutes(1);
 
@@ -141,7 +151,8 @@ public sealed class SessionDurabilityTests : IDisposable
             Assert.StartsWith(
                 $"{{\"frame\":{frame},\"label\":{{\"bytes\":{label.Bytes},\"sha256\":\"{label.Sha256}\"}}",
                 lines[frame],
-                StringComparison.Ordinal);
+                StringComparison.Ordinal
+            );
         }
 
         // Two frames and the header, of which the line before the harvest ended is gone.
@@ -164,7 +175,8 @@ public sealed class SessionDurabilityTests : IDisposable
         Assert.Equal([0, 1, 2, 3, null], lines.Select(Manifest.FrameOf));
         Assert.Equal(
             _folder.LabelLines.Select(line => FileDigest.Of(line).Sha256),
-            lines.Take(4).Select(line => line.Split("\"sha256\":\"")[1][..64]));
+            lines.Take(4).Select(line => line.Split("\"sha256\":\"")[1][..64])
+        );
         Assert.Contains("\"manifest\": true", _folder.Text(SessionDirectory.Header), StringComparison.Ordinal);
     }
 

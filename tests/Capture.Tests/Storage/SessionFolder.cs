@@ -44,9 +44,10 @@ internal sealed class SessionFolder : IDisposable
         return lines.Length;
     }
 
-    public IReadOnlyDictionary<string, byte[]> Files() => Directory
-        .EnumerateFiles(Session, "*", SearchOption.AllDirectories)
-        .ToDictionary(file => System.IO.Path.GetRelativePath(Session, file), File.ReadAllBytes);
+    public IReadOnlyDictionary<string, byte[]> Files() =>
+        Directory
+            .EnumerateFiles(Session, "*", SearchOption.AllDirectories)
+            .ToDictionary(file => System.IO.Path.GetRelativePath(Session, file), File.ReadAllBytes);
 
     public void Dispose() => Directory.Delete(Path, recursive: true);
 }

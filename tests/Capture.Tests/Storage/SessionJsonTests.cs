@@ -11,31 +11,40 @@ namespace Harvester.Capture.Tests.Storage;
 public sealed class SessionJsonTests
 {
     private static readonly SessionRecord Recording = new(
-        new SessionOrigin { Game = "simulation", Tool = "harvester 1.0", Seed = 5, Settings = [new("weather", "rain")] },
+        new SessionOrigin
+        {
+            Game = "simulation",
+            Tool = "harvester 1.0",
+            Seed = 5,
+            Settings = [new("weather", "rain")],
+        },
         new SessionStart(
             new HarvestOptions { Image = new ImageSize(100, 100), Classes = [ObjectClass.Bus, ObjectClass.Car] },
             7,
             0.125,
-            new CameraState(new Pose(new Vector3D(1, 2, 3), Axes.Identity), 90, 0.15, 1)),
+            new CameraState(new Pose(new Vector3D(1, 2, 3), Axes.Identity), 90, 0.15, 1)
+        ),
         null,
         0,
-        HasManifest: true);
+        HasManifest: true
+    );
 
     [Fact]
     public void Truth_says_what_is_exact_and_what_is_estimated()
     {
-        string text = SessionJson.Text(Recording with
-        {
-            Origin = Recording.Origin with { Truth = LabelTruths.OfSimulation(hasTrueOcclusion: true) },
-        });
+        string text = SessionJson.Text(
+            Recording with
+            {
+                Origin = Recording.Origin with { Truth = LabelTruths.OfSimulation(hasTrueOcclusion: true) },
+            }
+        );
 
         using var document = JsonDocument.Parse(text);
         JsonElement truth = document.RootElement.GetProperty("truth");
         Assert.Equal("exact", truth.GetProperty("joints").GetString());
         Assert.Equal("exact", truth.GetProperty("trueOcclusion").GetString());
         Assert.Equal("estimated", truth.GetProperty("occlusion").GetString());
-        Assert.Equal(
-            LabelTruths.OfGame.Select(label => label.Key), truth.EnumerateObject().Select(property => property.Name));
+        Assert.Equal(LabelTruths.OfGame.Select(label => label.Key), truth.EnumerateObject().Select(property => property.Name));
         Assert.DoesNotContain("truth", SessionJson.Text(Recording), StringComparison.Ordinal);
     }
 
@@ -143,21 +152,28 @@ public sealed class SessionJsonTests
             }
 
             """.ReplaceLineEndings("\n"),
-            SessionJson.Text(finished));
+            SessionJson.Text(finished)
+        );
     }
 
     [Fact]
     public void Text_records_the_freeze_trials_and_their_outcomes()
     {
-        FreezeReport freezing = FreezeReport.Of(
-        [
+        FreezeReport freezing = FreezeReport.Of([
             new FreezeFinding(FreezeMethod.Paused, true, null),
-            new FreezeFinding(FreezeMethod.TimeScale, false, 3) { HoldsEnvironment = false, MovesCamera = true, PictureChange = 0.12345 },
+            new FreezeFinding(FreezeMethod.TimeScale, false, 3)
+            {
+                HoldsEnvironment = false,
+                MovesCamera = true,
+                PictureChange = 0.12345,
+            },
         ]);
-        string text = SessionJson.Text(Recording with
-        {
-            Start = Recording.Start with { Options = Recording.Start.Options with { FreezeBy = null }, Freezing = freezing },
-        });
+        string text = SessionJson.Text(
+            Recording with
+            {
+                Start = Recording.Start with { Options = Recording.Start.Options with { FreezeBy = null }, Freezing = freezing },
+            }
+        );
 
         JsonElement json = JsonDocument.Parse(text).RootElement;
         Assert.Equal("auto", json.GetProperty("options").GetProperty("freezeBy").GetString());
@@ -170,7 +186,8 @@ public sealed class SessionJsonTests
                 """{"method":"timeScale","sawMovement":false,"settleTicks":3,"holdsEnvironment":false,"movesCamera":true"""
                     + ""","pictureChange":0.1235}""",
             ],
-            start.GetProperty("tried").EnumerateArray().Select(tried => JsonSerializer.Serialize(tried)));
+            start.GetProperty("tried").EnumerateArray().Select(tried => JsonSerializer.Serialize(tried))
+        );
     }
 
     [Fact]
@@ -185,7 +202,8 @@ public sealed class SessionJsonTests
             ",\n  \"reading\": {\n    \"vehicles\": \"api\",\n    \"peds\": \"natives\",\n    \"props\": \"api\",\n    "
                 + "\"distortedEntities\": 2\n  }\n}\n",
             SessionJson.Text(Recording with { End = end }),
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]
@@ -200,6 +218,7 @@ public sealed class SessionJsonTests
         Assert.Contains(
             "\"state\": \"faulted\",\n  \"fault\": \"The disk is full.\",\n",
             SessionJson.Text(Recording with { End = end }),
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
     }
 }

@@ -11,7 +11,12 @@ namespace Harvester.Capture.Tests.Storage;
 
 public sealed class SessionWriterTests : IDisposable
 {
-    private static readonly SessionOrigin Origin = new() { Game = "test", Tool = "tests 1.0", Seed = 5 };
+    private static readonly SessionOrigin Origin = new()
+    {
+        Game = "test",
+        Tool = "tests 1.0",
+        Seed = 5,
+    };
     private static readonly HarvestOptions Options = new()
     {
         Image = new ImageSize(64, 48),
@@ -183,7 +188,9 @@ public sealed class SessionWriterTests : IDisposable
         Assert.Contains("\"id\":1,", _folder.LabelLines[0], StringComparison.Ordinal);
         Assert.Contains("\"id\":2,", _folder.LabelLines[11], StringComparison.Ordinal);
         Assert.Equal(
-            12, JsonDocument.Parse(_folder.Text("session.json")).RootElement.GetProperty("counters").GetProperty("captured").GetInt32());
+            12,
+            JsonDocument.Parse(_folder.Text("session.json")).RootElement.GetProperty("counters").GetProperty("captured").GetInt32()
+        );
     }
 
     [Fact]

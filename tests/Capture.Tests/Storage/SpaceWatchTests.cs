@@ -10,7 +10,12 @@ public sealed class SpaceWatchTests : IDisposable
 {
     private const long Limit = 1_000_000_000;
 
-    private static readonly SessionOrigin Origin = new() { Game = "test", Tool = "tests 1.0", Seed = 5 };
+    private static readonly SessionOrigin Origin = new()
+    {
+        Game = "test",
+        Tool = "tests 1.0",
+        Seed = 5,
+    };
 
     private readonly SessionFolder _folder = new();
 
@@ -21,11 +26,23 @@ public sealed class SpaceWatchTests : IDisposable
     {
         var game = new FakeGame();
         using var writer = new SessionWriter(
-            _folder.Session, Origin, resume: false, new SessionDirectory(_folder.Session), disk: new Disk(Limit, Limit - 200_000_000));
+            _folder.Session,
+            Origin,
+            resume: false,
+            new SessionDirectory(_folder.Session),
+            disk: new Disk(Limit, Limit - 200_000_000)
+        );
         var session = new HarvestSession(
-            new HarvestOptions { Image = new ImageSize(64, 48), OcclusionSamples = 4, Scenes = false, MinFreeBytes = Limit },
+            new HarvestOptions
+            {
+                Image = new ImageSize(64, 48),
+                OcclusionSamples = 4,
+                Scenes = false,
+                MinFreeBytes = Limit,
+            },
             game.Ports,
-            writer);
+            writer
+        );
         while (!session.Step().IsOver)
         {
             writer.WaitForRoom();
@@ -38,7 +55,8 @@ public sealed class SpaceWatchTests : IDisposable
         Assert.StartsWith(
             $"The disk of '{_folder.Session}' has 0.8 GB free; 1 GB must stay free. The session so far is valid, with ",
             session.Fault,
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
         Assert.False(game.WantsFrozen);
         Assert.Equal(writer.FramesWritten, _folder.CheckValid());
         Assert.Contains("\"The disk of 'session' has 0.8 GB free", _folder.Text(SessionDirectory.Header), StringComparison.Ordinal);

@@ -29,7 +29,8 @@ public sealed class BadSessionTests : IDisposable
         Assert.EndsWith(
             "session.json: formatVersion is 2; this program reads version 1. Install a newer one.",
             Assert.Single(lines),
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]
@@ -42,7 +43,8 @@ public sealed class BadSessionTests : IDisposable
         Assert.Equal(ExitCode.BadData, run.ExitCode);
         Assert.Contains(
             run.Out.Split('\n'),
-            line => line.Contains("line 2", StringComparison.Ordinal) && line.Contains("frames/00000001.png", StringComparison.Ordinal));
+            line => line.Contains("line 2", StringComparison.Ordinal) && line.Contains("frames/00000001.png", StringComparison.Ordinal)
+        );
     }
 
     [Fact]

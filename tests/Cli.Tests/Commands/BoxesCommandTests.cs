@@ -15,8 +15,9 @@ public sealed class BoxesCommandTests
     public void Boxes_of_a_cuboid_ahead_gives_its_box_worked_out_by_hand()
     {
         // f = 300. The near face of a 2 m cube centred 11 m ahead lies at 10 m: 400 ± 300 * 1/10, 300 ± 300 * 1/10.
-        JsonElement cuboid =
-            Boxes(Camera, """{ "name": "cube", "centre": [0, 11, 0], "halfExtents": [1, 1, 1], "rotation": [0, 0, 0] }""")[0];
+        JsonElement cuboid = Boxes(Camera, """{ "name": "cube", "centre": [0, 11, 0], "halfExtents": [1, 1, 1], "rotation": [0, 0, 0] }""")[
+            0
+        ];
 
         Assert.Equal("cube", cuboid.GetProperty("name").GetString());
         Assert.Equal("inImage", cuboid.GetProperty("outcome").GetString());
@@ -32,7 +33,9 @@ public sealed class BoxesCommandTests
     public void Boxes_of_a_model_takes_the_middle_of_its_corners()
     {
         JsonElement cuboid = Boxes(
-            Camera, """{ "position": [0, 10, 0], "modelMin": [-1, 0, -1], "modelMax": [1, 2, 1], "rotation": [0, 0, 0] }""")[0];
+            Camera,
+            """{ "position": [0, 10, 0], "modelMin": [-1, 0, -1], "modelMax": [1, 2, 1], "rotation": [0, 0, 0] }"""
+        )[0];
 
         AssertBox([370, 270, 430, 330], cuboid.GetProperty("box2d"));
     }
@@ -42,7 +45,9 @@ public sealed class BoxesCommandTests
     {
         // A plate 10 m ahead, 40/3 m to the right: its middle is on the right edge, 300 * (40/3)/10 = 400.
         JsonElement cuboid = Boxes(
-            Camera, """{ "centre": [13.333333333333334, 10, 0], "halfExtents": [1, 0, 1], "rotation": [0, 0, 0] }""")[0];
+            Camera,
+            """{ "centre": [13.333333333333334, 10, 0], "halfExtents": [1, 0, 1], "rotation": [0, 0, 0] }"""
+        )[0];
 
         AssertBox([770, 270, 800, 330], cuboid.GetProperty("box2d"));
         AssertBox([770, 270, 830, 330], cuboid.GetProperty("box2dAmodal"));
@@ -56,7 +61,8 @@ public sealed class BoxesCommandTests
         JsonElement cuboid = Boxes(
             Camera,
             """{ "centre": [0, 20, 0], "halfExtents": [1, 1, 1], "rotation": [0, 0, 0] }""",
-            """{ "centre": [5, 5, 0], "halfExtents": [5, 0, 5], "rotation": [0, 0, 0] }""")[0];
+            """{ "centre": [5, 5, 0], "halfExtents": [5, 0, 5], "rotation": [0, 0, 0] }"""
+        )[0];
 
         Assert.Equal(0.5, cuboid.GetProperty("occludedFraction").GetDouble(), SamplingTolerance);
     }
@@ -66,8 +72,7 @@ public sealed class BoxesCommandTests
     [InlineData("""{ "centre": [0, 20, 0], "halfExtents": [2, 1, 1], "rotation": [0, 0, 120] }""")]
     public void Boxes_of_coinciding_cuboids_hide_none_of_each_other(string second)
     {
-        JsonElement cuboids = Boxes(
-            Camera, """{ "centre": [0, 20, 0], "halfExtents": [1, 2, 1], "rotation": [0, 0, 30] }""", second);
+        JsonElement cuboids = Boxes(Camera, """{ "centre": [0, 20, 0], "halfExtents": [1, 2, 1], "rotation": [0, 0, 30] }""", second);
 
         foreach (JsonElement cuboid in cuboids.EnumerateArray())
         {
@@ -83,7 +88,8 @@ public sealed class BoxesCommandTests
         JsonElement cuboids = Boxes(
             Camera,
             """{ "centre": [0, 10, 0], "halfExtents": [1, 0, 1], "rotation": [0, 0, 0] }""",
-            """{ "centre": [5, 10, 0], "halfExtents": [5, 2, 5], "rotation": [0, 0, 0] }""");
+            """{ "centre": [5, 10, 0], "halfExtents": [5, 2, 5], "rotation": [0, 0, 0] }"""
+        );
 
         Assert.Equal(0.5, cuboids[0].GetProperty("occludedFraction").GetDouble(), SamplingTolerance);
         Assert.Equal(0, cuboids[1].GetProperty("occludedFraction").GetDouble());
@@ -96,12 +102,16 @@ public sealed class BoxesCommandTests
     {
         // 300 px · 0.1 m / 900 m = 0.03 px, between the centres of pixels; two screens at 9 m cover x from -9.9 to 10.1.
         string small = FormattableString.Invariant(
-            $$"""{ "centre": [10, 900, 10], "halfExtents": [{{half}}, {{half}}, {{half}}], "rotation": [0, 0, 0] }""");
+            $$"""{ "centre": [10, 900, 10], "halfExtents": [{{half}}, {{half}}, {{half}}], "rotation": [0, 0, 0] }"""
+        );
 
         JsonElement free = Boxes(Camera, small)[0];
         JsonElement hidden = Boxes(
-            Camera, small, """{ "centre": [5.1, 9, 0], "halfExtents": [5, 0, 5], "rotation": [0, 0, 0] }""",
-            """{ "centre": [-4.9, 9, 0], "halfExtents": [5, 0, 5], "rotation": [0, 0, 0] }""")[0];
+            Camera,
+            small,
+            """{ "centre": [5.1, 9, 0], "halfExtents": [5, 0, 5], "rotation": [0, 0, 0] }""",
+            """{ "centre": [-4.9, 9, 0], "halfExtents": [5, 0, 5], "rotation": [0, 0, 0] }"""
+        )[0];
 
         Assert.Equal("inImage", free.GetProperty("outcome").GetString());
         Assert.Equal(0, free.GetProperty("occludedFraction").GetDouble());
@@ -136,19 +146,23 @@ public sealed class BoxesCommandTests
     [InlineData("""{ "camera": {}, "cuboids": [], "cubes": [] }""", "cubes is an unknown field")]
     [InlineData(
         """{ "camera": { "position": [0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 50, "width": 8, "height": 6 }, "cuboids": [] }""",
-        "camera.position must be a list of 3 numbers")]
+        "camera.position must be a list of 3 numbers"
+    )]
     [InlineData(
         """{ "camera": { "position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 200"""
             + """, "width": 8, "height": 6 }, "cuboids": [] }""",
-        "camera: verticalFovDegrees")]
+        "camera: verticalFovDegrees"
+    )]
     [InlineData(
         """{ "camera": { "position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 50"""
             + """, "width": 8.5, "height": 6 }, "cuboids": [] }""",
-        "camera.width must be a whole number")]
+        "camera.width must be a whole number"
+    )]
     [InlineData(
         """{ "camera": { "position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 90"""
             + """, "width": 8, "height": 6, "fy": 4 }, "cuboids": [] }""",
-        "camera.fy is 4")]
+        "camera.fy is 4"
+    )]
     [InlineData("{ camera", "invalid JSON at line 1, byte 3")]
     [InlineData("[]", "must be an object")]
     public void Boxes_of_a_malformed_scene_names_file_and_field(string scene, string message)

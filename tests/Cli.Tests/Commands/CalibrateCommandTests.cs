@@ -12,7 +12,18 @@ public sealed class CalibrateCommandTests
         const double tolerance = 0.002;
 
         CliRun run = CliRun.Of(
-            "calibrate", "--focal-scale", "1.02", "--centre-offset", "0.01,-0.005", "--size", "400x300", "--fov", "60", "--seed", "5");
+            "calibrate",
+            "--focal-scale",
+            "1.02",
+            "--centre-offset",
+            "0.01,-0.005",
+            "--size",
+            "400x300",
+            "--fov",
+            "60",
+            "--seed",
+            "5"
+        );
 
         Assert.Equal(0, run.ExitCode);
         Assert.Equal(1.02, Value(run, "FocalScale"), tolerance);
@@ -68,5 +79,6 @@ public sealed class CalibrateCommandTests
     private static double Value(CliRun run, string key) =>
         double.Parse(
             run.Out.Split('\n').Single(line => line.StartsWith(key + " = ", StringComparison.Ordinal))[(key.Length + 3)..],
-            CultureInfo.InvariantCulture);
+            CultureInfo.InvariantCulture
+        );
 }

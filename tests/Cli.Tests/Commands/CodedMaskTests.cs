@@ -7,8 +7,8 @@ public sealed class CodedMaskTests : IDisposable
 {
     private readonly TemporaryFolder _folder = new();
 
-    public CodedMaskTests() => Run(
-        "harvest", "--out", Session, "--frames", "1", "--seed", "7", "--size", "160x120", "--masks", "coded", "--no-report");
+    public CodedMaskTests() =>
+        Run("harvest", "--out", Session, "--frames", "1", "--seed", "7", "--size", "160x120", "--masks", "coded", "--no-report");
 
     private string Session => _folder.PathOf("session");
 
@@ -49,9 +49,10 @@ public sealed class CodedMaskTests : IDisposable
     [Theory]
     [InlineData("--shard", "1/2")]
     [InlineData("--resume")]
-    public void Comparison_of_masks_needs_a_whole_harvest(params string[] part) => CliRun
-        .Of(["harvest", "--out", _folder.PathOf("part"), "--masks", "both", .. part])
-        .AssertFailed(ExitCode.Usage, "use it without --shard and --resume");
+    public void Comparison_of_masks_needs_a_whole_harvest(params string[] part) =>
+        CliRun
+            .Of(["harvest", "--out", _folder.PathOf("part"), "--masks", "both", .. part])
+            .AssertFailed(ExitCode.Usage, "use it without --shard and --resume");
 
     private static string LabelsOf(string session) => File.ReadAllText(Path.Combine(session, "labels.jsonl"));
 

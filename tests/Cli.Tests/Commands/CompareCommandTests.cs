@@ -37,11 +37,14 @@ public sealed class CompareCommandTests : IDisposable
         string session = Session("day");
 
         string[] names = ["one", "two"];
-        byte[][] pages = [.. names.Select(name =>
-        {
-            CliRun.Of("compare", session, session, "--out", _folder.PathOf($"{name}.html")).AssertDone();
-            return File.ReadAllBytes(_folder.PathOf($"{name}.html"));
-        })];
+        byte[][] pages =
+        [
+            .. names.Select(name =>
+            {
+                CliRun.Of("compare", session, session, "--out", _folder.PathOf($"{name}.html")).AssertDone();
+                return File.ReadAllBytes(_folder.PathOf($"{name}.html"));
+            }),
+        ];
 
         Assert.Equal(pages[0], pages[1]);
     }
@@ -96,7 +99,8 @@ public sealed class CompareCommandTests : IDisposable
     {
         string session = Session("day");
 
-        CliRun.Of("compare", session, session, "--out", _folder.PathOf("page.html"), "--json", Path.Combine(session, "session.json"))
+        CliRun
+            .Of("compare", session, session, "--out", _folder.PathOf("page.html"), "--json", Path.Combine(session, "session.json"))
             .AssertFailed(ExitCode.Usage, "would replace a file of a dataset");
     }
 
@@ -121,7 +125,8 @@ public sealed class CompareCommandTests : IDisposable
 
         _folder.File("category.json", "[\n{ \"token\": \"a\" }\n]\n");
 
-        CliRun.Of("compare", session, "--nuscenes", _folder.Path, "--out", _folder.PathOf("page.html"))
+        CliRun
+            .Of("compare", session, "--nuscenes", _folder.Path, "--out", _folder.PathOf("page.html"))
             .AssertFailed(ExitCode.BadData, "category.json', line 2: name is missing");
     }
 

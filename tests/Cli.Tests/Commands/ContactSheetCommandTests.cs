@@ -24,7 +24,9 @@ public sealed class ContactSheetCommandTests : IDisposable
         _roads = _folder.PathOf("roads.csv");
         _out = _folder.PathOf("sheet.png");
         RoadNode[] nodes =
-            [.. Enumerable.Range(0, 101).Select(i => new RoadNode(0, i, new Vector3D(0, 10 * i, 0), "", RoadNodeFlags.None))];
+        [
+            .. Enumerable.Range(0, 101).Select(i => new RoadNode(0, i, new Vector3D(0, 10 * i, 0), "", RoadNodeFlags.None)),
+        ];
         RoadLink[] links = [.. Enumerable.Range(0, 100).Select(i => new RoadLink(i, i + 1, 1, 1, 0, RoadLinkFlags.None))];
         using StreamWriter writer = File.CreateText(_roads);
         RoadCsvWriter.Write(new RoadNetwork(nodes, links), writer);
@@ -34,7 +36,19 @@ public sealed class ContactSheetCommandTests : IDisposable
     public void Sheet_has_a_row_per_weather_and_a_column_per_time()
     {
         CliRun run = Sheet(
-            "--at", "0,100", "--at", "0,800", "--weather", "clear", "--weather", "foggy", "--time", "12:00", "--time", "23:00");
+            "--at",
+            "0,100",
+            "--at",
+            "0,800",
+            "--weather",
+            "clear",
+            "--weather",
+            "foggy",
+            "--time",
+            "12:00",
+            "--time",
+            "23:00"
+        );
 
         Assert.Equal("", run.Error);
         Assert.Equal(ExitCode.Done, run.ExitCode);
@@ -135,8 +149,7 @@ public sealed class ContactSheetCommandTests : IDisposable
     [InlineData("name,x,y\nSouth end,0", "places.csv, line 2: expected name,x,y, found 'South end,0'.")]
     [InlineData("South end,0,nan", "places.csv, line 1: expected name,x,y, found 'South end,0,nan'.")]
     [InlineData("name,x,y\n", "places.csv: no place in it; expected lines of name,x,y.")]
-    public void Bad_list_is_bad_data(string text, string message) =>
-        Sheet("--list", Write(text)).AssertFailed(ExitCode.BadData, message);
+    public void Bad_list_is_bad_data(string text, string message) => Sheet("--list", Write(text)).AssertFailed(ExitCode.BadData, message);
 
     [Theory]
     [InlineData("--at", "1;2", "--at takes two numbers, e.g. 0,-1000, not '1;2'.")]
@@ -156,14 +169,23 @@ public sealed class ContactSheetCommandTests : IDisposable
 
     [Fact]
     public void Missing_folder_is_an_error_of_files() =>
-        CliRun.Of("contact-sheet", "--out", _folder.PathOf(Path.Combine("none", "sheet.png")), "--roads", _roads, "--size", "64x48")
+        CliRun
+            .Of("contact-sheet", "--out", _folder.PathOf(Path.Combine("none", "sheet.png")), "--roads", _roads, "--size", "64x48")
             .AssertFailed(ExitCode.InputOutput, "none");
 
     public void Dispose() => _folder.Dispose();
 
-    private CliRun Sheet(params string[] arguments) => CliRun.Of([
-        "contact-sheet", "--out", _out, "--roads", _roads,
-        "--size", string.Create(CultureInfo.InvariantCulture, $"{TileWidth}x{TileHeight}"), .. arguments]);
+    private CliRun Sheet(params string[] arguments) =>
+        CliRun.Of([
+            "contact-sheet",
+            "--out",
+            _out,
+            "--roads",
+            _roads,
+            "--size",
+            string.Create(CultureInfo.InvariantCulture, $"{TileWidth}x{TileHeight}"),
+            .. arguments,
+        ]);
 
     private string Write(string text)
     {

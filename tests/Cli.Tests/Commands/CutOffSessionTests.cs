@@ -16,12 +16,12 @@ public sealed class CutOffSessionTests : IDisposable
     private string Labels => Path.Combine(Session, SessionReader.LabelsFile);
 
     public static TheoryData<string[]> Commands =>
-    [
-        ["stats", "SESSION"],
-        ["report", "SESSION"],
-        ["export", "SESSION", "--format", "csv", "--out", "OUT"],
-        ["relabel", "SESSION", "--out", "OUT"],
-    ];
+        [
+            ["stats", "SESSION"],
+            ["report", "SESSION"],
+            ["export", "SESSION", "--format", "csv", "--out", "OUT"],
+            ["relabel", "SESSION", "--out", "OUT"],
+        ];
 
     public void Dispose() => _folder.Dispose();
 
@@ -35,7 +35,9 @@ public sealed class CutOffSessionTests : IDisposable
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
         Assert.Equal(
-            $"harvester: {Session}: the unfinished last line of labels.jsonl is ignored; the recording was interrupted.\n", run.Error);
+            $"harvester: {Session}: the unfinished last line of labels.jsonl is ignored; the recording was interrupted.\n",
+            run.Error
+        );
     }
 
     [Fact]
@@ -71,5 +73,14 @@ public sealed class CutOffSessionTests : IDisposable
     }
 
     private CliRun Run(string[] arguments) =>
-        CliRun.Of([.. arguments.Select(word => word switch { "SESSION" => Session, "OUT" => _folder.PathOf("out"), _ => word })]);
+        CliRun.Of([
+            .. arguments.Select(word =>
+                word switch
+                {
+                    "SESSION" => Session,
+                    "OUT" => _folder.PathOf("out"),
+                    _ => word,
+                }
+            ),
+        ]);
 }

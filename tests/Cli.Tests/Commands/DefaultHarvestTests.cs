@@ -51,7 +51,8 @@ public sealed partial class DefaultHarvestTests
         string session = folder.PathOf("session");
 
         // The plain picture has the same labels and is drawn faster.
-        CliRun.Of(["harvest", "--frames", Invariant(frames), "--out", session, "--no-report", "--detail", "plain", .. options])
+        CliRun
+            .Of(["harvest", "--frames", Invariant(frames), "--out", session, "--no-report", "--detail", "plain", .. options])
             .AssertDone();
 
         string stats = CliRun.Of("stats", session).Out;

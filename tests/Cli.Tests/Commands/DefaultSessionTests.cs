@@ -12,8 +12,10 @@ public sealed class DefaultSessionTests : IDisposable
 {
     private readonly TemporaryFolder _folder = new();
 
-    public DefaultSessionTests() => CliRun.Of(
-        "harvest", "--out", _folder.PathOf("session"), "--frames", "2", "--seed", "3", "--size", "64x48", "--no-report").AssertDone();
+    public DefaultSessionTests() =>
+        CliRun
+            .Of("harvest", "--out", _folder.PathOf("session"), "--frames", "2", "--seed", "3", "--size", "64x48", "--no-report")
+            .AssertDone();
 
     public void Dispose() => _folder.Dispose();
 
@@ -37,8 +39,19 @@ public sealed class DefaultSessionTests : IDisposable
     private byte[] WithoutVersion(string file)
     {
         byte[] bytes = File.ReadAllBytes(_folder.PathOf("session/" + file));
-        return file != "session.json" ? bytes : Encoding.UTF8.GetBytes(string.Join('\n', Encoding.UTF8.GetString(bytes).Split('\n')
-            .Where(line => !line.Contains("\"tool\":", StringComparison.Ordinal)
-                && !line.Contains("\"captureVersion\":", StringComparison.Ordinal))));
+        return file != "session.json"
+            ? bytes
+            : Encoding.UTF8.GetBytes(
+                string.Join(
+                    '\n',
+                    Encoding
+                        .UTF8.GetString(bytes)
+                        .Split('\n')
+                        .Where(line =>
+                            !line.Contains("\"tool\":", StringComparison.Ordinal)
+                            && !line.Contains("\"captureVersion\":", StringComparison.Ordinal)
+                        )
+                )
+            );
     }
 }

@@ -26,7 +26,8 @@ public sealed class DoctorCommandTests : IDisposable
             1 problem found in {log}
 
             """.ReplaceLineEndings("\n"),
-            run.Out);
+            run.Out
+        );
     }
 
     [Fact]
@@ -61,7 +62,8 @@ public sealed class DoctorCommandTests : IDisposable
     public void Unreadable_log_is_refused_in_one_line()
     {
         CliRun.Of("doctor", Path.Combine(_folder.Path, "missing.log")).AssertFailed(ExitCode.InputOutput, "missing.log");
-        CliRun.Of("doctor", _folder.Path)
+        CliRun
+            .Of("doctor", _folder.Path)
             .AssertFailed(ExitCode.BadData, "has no log of the mod, and is neither the game's folder nor a session");
         string notes = Path.Combine(_folder.Path, "notes.txt");
         File.WriteAllText(notes, "milk\n");

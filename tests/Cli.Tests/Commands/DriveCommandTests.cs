@@ -16,7 +16,8 @@ public sealed class DriveCommandTests
         Assert.Equal(0, run.ExitCode);
         Assert.Equal(
             Figures(run).Select(line => line.Replace(folder.PathOf("one"), folder.PathOf("two"), StringComparison.Ordinal)),
-            Figures(again));
+            Figures(again)
+        );
         foreach (string file in new[] { "drive.json", "report.html" })
         {
             Assert.Equal(File.ReadAllBytes(folder.PathOf($"one/{file}")), File.ReadAllBytes(folder.PathOf($"two/{file}")));
@@ -37,7 +38,8 @@ public sealed class DriveCommandTests
 
     [Fact]
     public void Drive_by_an_unknown_controller_is_refused() =>
-        CliRun.Of("drive", "--out", "unused", "--controller", "nobody")
+        CliRun
+            .Of("drive", "--out", "unused", "--controller", "nobody")
             .AssertFailed(2, "--controller takes stanley or deepdriving, not 'nobody'.");
 
     [Fact]

@@ -17,7 +17,18 @@ public sealed class DriveOverBridgeTests : IDisposable
     public void Drive_over_a_bridge_is_driven_by_its_client(string bridge)
     {
         CliRun run = CliRun.Of(
-            "drive", "--out", _folder.PathOf("out"), "--bridge", bridge, "--distance", "45", "--traffic", "0", "--seed", "4");
+            "drive",
+            "--out",
+            _folder.PathOf("out"),
+            "--bridge",
+            bridge,
+            "--distance",
+            "45",
+            "--traffic",
+            "0",
+            "--seed",
+            "4"
+        );
 
         Assert.Equal("", run.Error);
         using JsonDocument record = JsonDocument.Parse(File.ReadAllText(_folder.PathOf("out/drive.json")));
@@ -35,8 +46,22 @@ public sealed class DriveOverBridgeTests : IDisposable
     {
         string at = FreePlace();
         Task<CliRun> game = CliRun.BesideAsync(
-            "drive", "--out", _folder.PathOf("out"), "--bridge", "socket", "--role", "game", "--at", at, "--distance", "8", "--traffic",
-            "0", "--seed", "4");
+            "drive",
+            "--out",
+            _folder.PathOf("out"),
+            "--bridge",
+            "socket",
+            "--role",
+            "game",
+            "--at",
+            at,
+            "--distance",
+            "8",
+            "--traffic",
+            "0",
+            "--seed",
+            "4"
+        );
         CliRun client = await ClientOf(at);
 
         Assert.Equal((0, ""), (client.ExitCode, client.Error));
@@ -52,8 +77,22 @@ public sealed class DriveOverBridgeTests : IDisposable
     {
         string shared = _folder.PathOf("shared");
         Task<CliRun> game = CliRun.BesideAsync(
-            "drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--role", "game", "--folder", shared, "--distance", "4",
-            "--traffic", "0", "--seed", "4");
+            "drive",
+            "--out",
+            _folder.PathOf("out"),
+            "--bridge",
+            "folder",
+            "--role",
+            "game",
+            "--folder",
+            shared,
+            "--distance",
+            "4",
+            "--traffic",
+            "0",
+            "--seed",
+            "4"
+        );
         while (!File.Exists(Path.Combine(shared, "state.txt")) && !game.IsCompleted)
         {
             await Task.Delay(10);
@@ -76,7 +115,8 @@ public sealed class DriveOverBridgeTests : IDisposable
         File.WriteAllText(lockFile, "");
         File.WriteAllText(lockFile + ".txt", "process 1");
 
-        CliRun.Of("drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--distance", "3", "--traffic", "0", "--seed", "4")
+        CliRun
+            .Of("drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--distance", "3", "--traffic", "0", "--seed", "4")
             .AssertDone();
     }
 
@@ -86,8 +126,21 @@ public sealed class DriveOverBridgeTests : IDisposable
         string at = FreePlace();
         using CancellationTokenSource stopping = new();
         Task<CliRun> game = CliRun.BesideAsync(
-            stopping.Token, "drive", "--out", _folder.PathOf("out"), "--bridge", "socket", "--role", "game", "--at", at, "--token",
-            "sesame", "--traffic", "0");
+            stopping.Token,
+            "drive",
+            "--out",
+            _folder.PathOf("out"),
+            "--bridge",
+            "socket",
+            "--role",
+            "game",
+            "--at",
+            at,
+            "--token",
+            "sesame",
+            "--traffic",
+            "0"
+        );
         CliRun client = await ClientOf(at, "--token", "simsim");
         client.AssertFailed(ExitCode.InputOutput, "the first message must be a hello with the right token");
         stopping.Cancel();
@@ -99,7 +152,18 @@ public sealed class DriveOverBridgeTests : IDisposable
     public void Game_without_a_client_gives_up()
     {
         CliRun run = CliRun.Of(
-            "drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--role", "game", "--patience", "0.2", "--traffic", "0");
+            "drive",
+            "--out",
+            _folder.PathOf("out"),
+            "--bridge",
+            "folder",
+            "--role",
+            "game",
+            "--patience",
+            "0.2",
+            "--traffic",
+            "0"
+        );
 
         Assert.Equal((ExitCode.InputOutput, "harvester: No client has driven for 0.2 s.\n"), (run.ExitCode, run.Error));
     }
@@ -108,8 +172,20 @@ public sealed class DriveOverBridgeTests : IDisposable
     public void Default_shared_folder_may_also_be_named()
     {
         CliRun run = CliRun.Of(
-            "drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--folder", _folder.PathOf("out/bridge/"), "--role", "game",
-            "--patience", "0.2", "--traffic", "0");
+            "drive",
+            "--out",
+            _folder.PathOf("out"),
+            "--bridge",
+            "folder",
+            "--folder",
+            _folder.PathOf("out/bridge/"),
+            "--role",
+            "game",
+            "--patience",
+            "0.2",
+            "--traffic",
+            "0"
+        );
 
         Assert.Equal((ExitCode.InputOutput, "harvester: No client has driven for 0.2 s.\n"), (run.ExitCode, run.Error));
     }
@@ -120,8 +196,20 @@ public sealed class DriveOverBridgeTests : IDisposable
     {
         string shared = _folder.PathOf("shared");
         Task<CliRun> game = CliRun.BesideAsync(
-            "drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--role", "game", "--folder", shared, "--patience", "5",
-            "--traffic", "0");
+            "drive",
+            "--out",
+            _folder.PathOf("out"),
+            "--bridge",
+            "folder",
+            "--role",
+            "game",
+            "--folder",
+            shared,
+            "--patience",
+            "5",
+            "--traffic",
+            "0"
+        );
         while (!File.Exists(Path.Combine(shared, "state.txt")) && !game.IsCompleted)
         {
             await Task.Delay(10);
@@ -148,13 +236,16 @@ public sealed class DriveOverBridgeTests : IDisposable
     }
 
     [Fact]
-    public void Client_without_a_game_fails() => CliRun.Of("drive", "--bridge", "socket", "--role", "client", "--at", "127.0.0.1:9")
-        .AssertFailed(ExitCode.InputOutput, "Cannot connect to 127.0.0.1:9");
+    public void Client_without_a_game_fails() =>
+        CliRun
+            .Of("drive", "--bridge", "socket", "--role", "client", "--at", "127.0.0.1:9")
+            .AssertFailed(ExitCode.InputOutput, "Cannot connect to 127.0.0.1:9");
 
     [Fact]
     public void Client_of_a_missing_folder_fails() =>
-        CliRun.Of("drive", "--bridge", "folder", "--role", "client", "--folder", _folder.PathOf("none"))
-        .AssertFailed(ExitCode.InputOutput, _folder.PathOf("none"));
+        CliRun
+            .Of("drive", "--bridge", "folder", "--role", "client", "--folder", _folder.PathOf("none"))
+            .AssertFailed(ExitCode.InputOutput, _folder.PathOf("none"));
 
     [Fact]
     public void Port_in_use_is_reported()
@@ -162,7 +253,8 @@ public sealed class DriveOverBridgeTests : IDisposable
         using TcpListener other = new(IPAddress.Loopback, 0);
         other.Start();
 
-        CliRun.Of("drive", "--out", _folder.PathOf("out"), "--bridge", "socket", "--at", other.LocalEndpoint.ToString()!)
+        CliRun
+            .Of("drive", "--out", _folder.PathOf("out"), "--bridge", "socket", "--at", other.LocalEndpoint.ToString()!)
             .AssertFailed(ExitCode.InputOutput, $"Cannot listen on {other.LocalEndpoint}");
     }
 
@@ -171,7 +263,8 @@ public sealed class DriveOverBridgeTests : IDisposable
     {
         File.WriteAllText(_folder.PathOf("file"), "");
 
-        CliRun.Of("drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--folder", _folder.PathOf("file"))
+        CliRun
+            .Of("drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--folder", _folder.PathOf("file"))
             .AssertFailed(ExitCode.InputOutput, _folder.PathOf("file"));
     }
 
@@ -181,8 +274,15 @@ public sealed class DriveOverBridgeTests : IDisposable
     [InlineData("--role", "--role takes both, game or client, not 'none'", "--role", "none")]
     [InlineData("--at", "--at takes an IP address with a port, e.g. 127.0.0.1:4567, not 'here'", "--bridge", "socket", "--at", "here")]
     [InlineData(
-        "no token", "0.0.0.0 is reachable from other machines; set a --token", "--bridge", "socket", "--role", "game", "--at",
-        "0.0.0.0:4567")]
+        "no token",
+        "0.0.0.0 is reachable from other machines; set a --token",
+        "--bridge",
+        "socket",
+        "--role",
+        "game",
+        "--at",
+        "0.0.0.0:4567"
+    )]
     [InlineData("no bridge", "--token needs --bridge", "--token", "sesame")]
     [InlineData("--patience", "--patience takes a number greater than 0", "--bridge", "socket", "--patience", "0")]
     public void Impossible_options_are_refused(string what, string message, params string[] options)
@@ -201,8 +301,7 @@ public sealed class DriveOverBridgeTests : IDisposable
         do
         {
             run = await CliRun.BesideAsync(["drive", "--bridge", "socket", "--role", "client", "--at", at, .. more]);
-        }
-        while (run.Error.Contains("Cannot connect to", StringComparison.Ordinal) && DateTime.UtcNow < deadline);
+        } while (run.Error.Contains("Cannot connect to", StringComparison.Ordinal) && DateTime.UtcNow < deadline);
         return run;
     }
 

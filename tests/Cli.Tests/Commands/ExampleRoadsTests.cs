@@ -17,7 +17,8 @@ public sealed class ExampleRoadsTests : IDisposable
 
         Assert.Equal(
             File.ReadAllText(Path.Combine(session, "scenes", "roads.csv")),
-            File.ReadAllText(Path.Combine(RepositoryFolder.Path, "data", "example-roads.csv")));
+            File.ReadAllText(Path.Combine(RepositoryFolder.Path, "data", "example-roads.csv"))
+        );
     }
 
     [Fact]

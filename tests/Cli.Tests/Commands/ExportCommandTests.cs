@@ -25,7 +25,8 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
             $"^{Regex.Escape(_folder.PathOf("out"))}: {format}, 2 frames \\(train 2\\), "
                 + "[0-9]+ of [0-9]+ labels written(, [0-9]+ regions? marked as ignored)?"
                 + "(; [0-9]+ of [0-9]+ labels (not written|written as poles): posts)?\n$",
-            run.Out);
+            run.Out
+        );
         Assert.True(File.Exists(_folder.PathOf("out/" + file)));
     }
 
@@ -34,7 +35,8 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData("cityscapes", "bus=Bus", "--map: cityscapes has no class 'Bus'. Its classes are unlabeled, ")]
     [InlineData("kitti", "bus=DontCare", "--map: kitti has no class 'DontCare'.")]
     public void Class_name_unknown_to_the_format_is_refused(string format, string map, string message) =>
-        CliRun.Of("export", session.Folder, "--format", format, "--out", _folder.PathOf("out"), "--map", map)
+        CliRun
+            .Of("export", session.Folder, "--format", format, "--out", _folder.PathOf("out"), "--map", map)
             .AssertFailed(ExitCode.Usage, message);
 
     [Theory]
@@ -65,15 +67,18 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData("motchallenge")]
     [InlineData("culane")]
     public void Names_have_no_effect_on_formats_without_own_classes(string format) =>
-        CliRun.Of("export", session.Folder, "--format", format, "--out", _folder.PathOf("out"), "--map", "car=auto")
+        CliRun
+            .Of("export", session.Folder, "--format", format, "--out", _folder.PathOf("out"), "--map", "car=auto")
             .AssertFailed(
                 ExitCode.Usage,
                 $"--map has no effect in {format}, only in kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, "
-                    + $"cityscapes, bdd100k, openlabel, imagefolder, csv.");
+                    + $"cityscapes, bdd100k, openlabel, imagefolder, csv."
+            );
 
     [Fact]
     public void Unknown_subclass_is_refused() =>
-        CliRun.Of("export", session.Folder, "--format", "yolo", "--out", _folder.PathOf("out"), "--subclasses", "colour")
+        CliRun
+            .Of("export", session.Folder, "--format", "yolo", "--out", _folder.PathOf("out"), "--subclasses", "colour")
             .AssertFailed(ExitCode.Usage, "--subclasses takes mutcd, light or mutcd,light, not 'colour'.");
 
     [Fact]
@@ -88,7 +93,9 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
         };
 
         Assert.Equal(
-            "out: kitti, 4 frames (train 4), 12 of 20 labels written, 3 regions marked as ignored", ExportSummary.Of("out", result));
+            "out: kitti, 4 frames (train 4), 12 of 20 labels written, 3 regions marked as ignored",
+            ExportSummary.Of("out", result)
+        );
     }
 
     [Theory]
@@ -148,7 +155,8 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     {
         string[] format = option == "--format" ? [] : ["--format", "csv"];
 
-        CliRun.Of(["export", session.Folder, "--out", _folder.PathOf("out"), .. format, option, value])
+        CliRun
+            .Of(["export", session.Folder, "--out", _folder.PathOf("out"), .. format, option, value])
             .AssertFailed(ExitCode.Usage, message);
     }
 
@@ -157,7 +165,8 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData("webdataset", "a_b:0.5,a-b:0.5", "the splits 'a_b' and 'a-b' would share the name 'a_b'. Rename one of them.")]
     public void Export_refuses_splits_that_the_format_cannot_keep_apart(string format, string splits, string message)
     {
-        CliRun.Of("export", session.Folder, "--out", _folder.PathOf("out"), "--format", format, "--split", splits)
+        CliRun
+            .Of("export", session.Folder, "--out", _folder.PathOf("out"), "--format", format, "--split", splits)
             .AssertFailed(ExitCode.Usage, $"--split: In {format}, {message}");
         Assert.False(Directory.Exists(_folder.PathOf("out")));
     }
@@ -168,29 +177,33 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
         "--classes",
         "car",
         "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, bdd100k, motchallenge, "
-            + "openlabel, nuscenes, webdataset, imagefolder, mcap, csv")]
+            + "openlabel, nuscenes, webdataset, imagefolder, mcap, csv"
+    )]
     [InlineData(
         "--min-visible",
         "0.2",
         "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, bdd100k, motchallenge, "
-            + "openlabel, nuscenes, webdataset, imagefolder, mcap, csv")]
+            + "openlabel, nuscenes, webdataset, imagefolder, mcap, csv"
+    )]
     [InlineData(
         "--parts",
         "none",
-        "coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, bdd100k, openlabel, webdataset, imagefolder, mcap, csv")]
-    [InlineData(
-        "--boxes", "cuboid", "kitti, kitti-tracking, coco, yolo, voc, bdd100k, motchallenge, openlabel, imagefolder, mcap")]
+        "coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, bdd100k, openlabel, webdataset, imagefolder, mcap, csv"
+    )]
+    [InlineData("--boxes", "cuboid", "kitti, kitti-tracking, coco, yolo, voc, bdd100k, motchallenge, openlabel, imagefolder, mcap")]
     [InlineData("--subclasses", "mutcd,light", "coco, coco-panoptic, yolo, yolo-segment, voc, imagefolder")]
     [InlineData(
         "--images",
         "copy",
         "kitti, kitti-tracking, kitti-odometry, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, semantic, "
-            + "bdd100k, motchallenge, openlabel, nuscenes, tusimple, culane, openlane, imagefolder, csv")]
+            + "bdd100k, motchallenge, openlabel, nuscenes, tusimple, culane, openlane, imagefolder, csv"
+    )]
     [InlineData(
         "--split-block",
         "10",
         "kitti, coco, coco-panoptic, coco-keypoints, yolo, yolo-segment, voc, cityscapes, semantic, bdd100k, deepdriving, tusimple, "
-            + "culane, openlane, webdataset, imagefolder, csv")]
+            + "culane, openlane, webdataset, imagefolder, csv"
+    )]
     public void Export_refuses_an_option_that_has_no_effect_on_the_format(string option, string value, string formats)
     {
         foreach (string format in DatasetFormats.All.Select(format => format.Name))
@@ -211,7 +224,8 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [Fact]
     public void Export_of_a_session_that_is_named_twice_is_refused()
     {
-        CliRun.Of("export", session.Folder, session.Folder + "/", "--format", "csv", "--out", _folder.PathOf("out"))
+        CliRun
+            .Of("export", session.Folder, session.Folder + "/", "--format", "csv", "--out", _folder.PathOf("out"))
             .AssertFailed(ExitCode.Usage, $"'{session.Folder}' is given twice");
 
         Assert.False(Directory.Exists(_folder.PathOf("out")));
@@ -229,7 +243,14 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
             CliRun.Of("export", session.Folder, "--format", "csv", "--out", _folder.PathOf("shards"), "--shard", shard);
         }
 
-        string[] words = [.. command.Select(word => word == "session" ? session.Folder : word == "shards" ? _folder.PathOf(word) : word)];
+        string[] words =
+        [
+            .. command.Select(word =>
+                word == "session" ? session.Folder
+                : word == "shards" ? _folder.PathOf(word)
+                : word
+            ),
+        ];
 
         CliRun run = CliRun.Of([.. words, "--out", session.Folder]);
 
@@ -244,13 +265,15 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
         File.Copy(Path.Combine(session.Folder, "session.json"), _folder.PathOf("other/session.json"));
         _folder.File("other/labels.jsonl", "{}\n");
 
-        CliRun.Of("export", session.Folder, _folder.PathOf("other"), "--format", "csv", "--out", _folder.PathOf("out"))
+        CliRun
+            .Of("export", session.Folder, _folder.PathOf("other"), "--format", "csv", "--out", _folder.PathOf("out"))
             .AssertFailed(ExitCode.BadData, $"{_folder.PathOf("other/labels.jsonl")}, line 1: frame is missing.");
     }
 
     [Fact]
     public void Export_of_a_missing_session_is_an_input_error() =>
-        CliRun.Of("export", "no-such-session", "--format", "csv", "--out", _folder.PathOf("out"))
+        CliRun
+            .Of("export", "no-such-session", "--format", "csv", "--out", _folder.PathOf("out"))
             .AssertFailed(ExitCode.InputOutput, "no-such-session");
 
     [Fact]
@@ -258,12 +281,14 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     {
         CliRun.Of("export", session.Folder, "--format", "csv", "--out", _folder.PathOf("whole"));
 
-        CliRun.Of("merge", _folder.PathOf("whole"), "--out", _folder.PathOf("out"))
+        CliRun
+            .Of("merge", _folder.PathOf("whole"), "--out", _folder.PathOf("out"))
             .AssertFailed(ExitCode.BadData, "is a complete dataset, not a shard.");
     }
 
     [Fact]
     public void Merge_of_a_folder_without_shards_is_a_data_error() =>
-        CliRun.Of("merge", session.Folder, "--out", _folder.PathOf("out"))
+        CliRun
+            .Of("merge", session.Folder, "--out", _folder.PathOf("out"))
             .AssertFailed(ExitCode.BadData, "is a complete session, not a shard");
 }

@@ -45,7 +45,8 @@ public sealed class ExportOnRealRoadsTests : IDisposable
         {
             Assert.Equal(
                 ExitCode.Done,
-                CliRun.Of("export", _folder.PathOf("session"), "--format", format, "--out", _folder.PathOf(format)).ExitCode);
+                CliRun.Of("export", _folder.PathOf("session"), "--format", format, "--out", _folder.PathOf(format)).ExitCode
+            );
             CliRun validate = CliRun.Of("validate", _folder.PathOf(format));
             Assert.True(validate.ExitCode == ExitCode.Done, validate.Out);
         }
@@ -58,7 +59,8 @@ public sealed class ExportOnRealRoadsTests : IDisposable
     private IEnumerable<double> HeightsIn(string image, double within)
     {
         using JsonDocument frame = JsonDocument.Parse(
-            File.ReadAllText(_folder.PathOf("openlane/lane3d/" + Path.ChangeExtension(image, ".json"))));
+            File.ReadAllText(_folder.PathOf("openlane/lane3d/" + Path.ChangeExtension(image, ".json")))
+        );
         double[][] extrinsic = Rows(frame.RootElement.GetProperty("extrinsic"));
         foreach (JsonElement line in frame.RootElement.GetProperty("lane_lines").EnumerateArray())
         {
@@ -67,7 +69,7 @@ public sealed class ExportOnRealRoadsTests : IDisposable
             {
                 double[] point =
                 [
-                    .. extrinsic.Take(3).Select(row => (row[0] * xyz[0][i]) + (row[1] * xyz[1][i]) + (row[2] * xyz[2][i]) + row[3])
+                    .. extrinsic.Take(3).Select(row => (row[0] * xyz[0][i]) + (row[1] * xyz[1][i]) + (row[2] * xyz[2][i]) + row[3]),
                 ];
                 if (Math.Sqrt((point[0] * point[0]) + (point[1] * point[1])) < within)
                 {
@@ -80,7 +82,27 @@ public sealed class ExportOnRealRoadsTests : IDisposable
     private static double[][] Rows(JsonElement matrix) =>
         [.. matrix.EnumerateArray().Select(row => row.EnumerateArray().Select(item => item.GetDouble()).ToArray())];
 
-    private void Harvest(string near) => Assert.Equal(ExitCode.Done, CliRun.Of(
-        "harvest", "--out", _folder.PathOf("session"), "--frames", "20", "--seed", "3", "--hz", "1", "--size", "480x300", "--no-report",
-        "--roads", RealWorldFactAttribute.PathOf("nodes.zip")!, $"--near={near}").ExitCode);
+    private void Harvest(string near) =>
+        Assert.Equal(
+            ExitCode.Done,
+            CliRun
+                .Of(
+                    "harvest",
+                    "--out",
+                    _folder.PathOf("session"),
+                    "--frames",
+                    "20",
+                    "--seed",
+                    "3",
+                    "--hz",
+                    "1",
+                    "--size",
+                    "480x300",
+                    "--no-report",
+                    "--roads",
+                    RealWorldFactAttribute.PathOf("nodes.zip")!,
+                    $"--near={near}"
+                )
+                .ExitCode
+        );
 }

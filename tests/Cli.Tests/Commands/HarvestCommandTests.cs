@@ -52,7 +52,8 @@ public sealed class HarvestCommandTests : IDisposable
         Assert.Equal(Files(Session), Files(other));
         Assert.All(
             Files(Session),
-            name => Assert.Equal(File.ReadAllBytes(Path.Combine(Session, name)), File.ReadAllBytes(Path.Combine(other, name))));
+            name => Assert.Equal(File.ReadAllBytes(Path.Combine(Session, name)), File.ReadAllBytes(Path.Combine(other, name)))
+        );
     }
 
     [Fact]
@@ -69,12 +70,30 @@ public sealed class HarvestCommandTests : IDisposable
     public void Harvest_records_its_options_in_the_session()
     {
         Harvest(
-            Session, "--frames", "2", "--seed", "5", "--fov", "60", "--hz", "20", "--weather", "rain", "--time", "18:30", "--range", "40",
-            "--classes", "car,truck");
+            Session,
+            "--frames",
+            "2",
+            "--seed",
+            "5",
+            "--fov",
+            "60",
+            "--hz",
+            "20",
+            "--weather",
+            "rain",
+            "--time",
+            "18:30",
+            "--range",
+            "40",
+            "--classes",
+            "car,truck"
+        );
 
         FrameLabel[] labels = [.. new SessionReader(Session).ReadLabels()];
         Assert.All(
-            labels, label => Assert.Equal((160, 120, 60.0), (label.Camera.Width, label.Camera.Height, label.Camera.VerticalFovDegrees)));
+            labels,
+            label => Assert.Equal((160, 120, 60.0), (label.Camera.Width, label.Camera.Height, label.Camera.VerticalFovDegrees))
+        );
         Assert.All(labels, label => Assert.Equal("rain", label.Environment.Weather));
         Assert.Equal(18, labels[0].Environment.TimeOfDay.Hours);
         Assert.All(labels.SelectMany(label => label.Objects), item => Assert.True(item.Class is ObjectClass.Car or ObjectClass.Truck));
@@ -130,7 +149,10 @@ public sealed class HarvestCommandTests : IDisposable
 
         Assert.Equal("", run.Error);
         Assert.DoesNotContain(
-            "\"cameraErrorPixels\": null", File.ReadAllText(Path.Combine(Session, "session.json")), StringComparison.Ordinal);
+            "\"cameraErrorPixels\": null",
+            File.ReadAllText(Path.Combine(Session, "session.json")),
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]
@@ -156,7 +178,16 @@ public sealed class HarvestCommandTests : IDisposable
         canceller.Start();
 
         CliRun run = await CliRun.StartAsync(
-            "", cancellation.Token, "harvest", "--out", Session, "--size", "160x120", "--frames", "1000000");
+            "",
+            cancellation.Token,
+            "harvest",
+            "--out",
+            Session,
+            "--size",
+            "160x120",
+            "--frames",
+            "1000000"
+        );
         canceller.Join();
 
         run.AssertFailed(ExitCode.Cancelled, "the session is valid");
@@ -176,8 +207,21 @@ public sealed class HarvestCommandTests : IDisposable
     {
         // A shift by 0.1 of 160 pixels; the check of the camera model compares the labels' camera with the pictures.
         CliRun run = CliRun.Of(
-            "harvest", "--out", Session, "--frames", "1", "--size", "160x120", "--no-report", "--centre-offset", "0.1,0", "--focal-scale",
-            "1.05", "--k1", "-0.05");
+            "harvest",
+            "--out",
+            Session,
+            "--frames",
+            "1",
+            "--size",
+            "160x120",
+            "--no-report",
+            "--centre-offset",
+            "0.1,0",
+            "--focal-scale",
+            "1.05",
+            "--k1",
+            "-0.05"
+        );
 
         Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
         using var label = System.Text.Json.JsonDocument.Parse(File.ReadLines(Path.Combine(Session, "labels.jsonl")).First());
@@ -201,7 +245,8 @@ public sealed class HarvestCommandTests : IDisposable
     {
         string lamps = _folder.File(
             "lamps.json",
-            """[{ "Name": "prop_streetlight_01", "Position": { "X": 1, "Y": 2, "Z": 3 }, "Rotation": { "X": 0, "Y": 0, "Z": 90 } }]""");
+            """[{ "Name": "prop_streetlight_01", "Position": { "X": 1, "Y": 2, "Z": 3 }, "Rotation": { "X": 0, "Y": 0, "Z": 90 } }]"""
+        );
 
         Assert.Equal(ExitCode.Done, Harvest(Session, "--frames", "1", "--props", lamps).ExitCode);
 
@@ -213,8 +258,11 @@ public sealed class HarvestCommandTests : IDisposable
         CliRun.Of(["harvest", "--out", session, "--size", "160x120", .. arguments]);
 
     private static List<string> Files(string session) =>
-        [.. Directory.EnumerateFiles(session, "*", SearchOption.AllDirectories)
-            .Select(path => Path.GetRelativePath(session, path))
-            .Where(name => name != "report.html")
-            .Order(StringComparer.Ordinal)];
+        [
+            .. Directory
+                .EnumerateFiles(session, "*", SearchOption.AllDirectories)
+                .Select(path => Path.GetRelativePath(session, path))
+                .Where(name => name != "report.html")
+                .Order(StringComparer.Ordinal),
+        ];
 }

@@ -20,8 +20,7 @@ public sealed class HarvestDetailTests : IDisposable
         {
             string name = Path.GetFileName(mask);
             Assert.Equal(File.ReadAllBytes(mask), File.ReadAllBytes(Path.Combine(full, "masks", name)));
-            Assert.NotEqual(
-                File.ReadAllBytes(Path.Combine(plain, "frames", name)), File.ReadAllBytes(Path.Combine(full, "frames", name)));
+            Assert.NotEqual(File.ReadAllBytes(Path.Combine(plain, "frames", name)), File.ReadAllBytes(Path.Combine(full, "frames", name)));
         }
     }
 
@@ -31,8 +30,25 @@ public sealed class HarvestDetailTests : IDisposable
     {
         string folder = _folder.PathOf($"{detail}");
         CliRun run = CliRun.Of(
-            "harvest", "--out", folder, "--frames", "4", "--places", "2", "--size", "160x120", "--masks", "--seed", "3",
-            "--time", "22:00", "--weather", "rain", "--detail", detail);
+            "harvest",
+            "--out",
+            folder,
+            "--frames",
+            "4",
+            "--places",
+            "2",
+            "--size",
+            "160x120",
+            "--masks",
+            "--seed",
+            "3",
+            "--time",
+            "22:00",
+            "--weather",
+            "rain",
+            "--detail",
+            detail
+        );
         Assert.Equal(ExitCode.Done, run.ExitCode);
         return folder;
     }

@@ -27,9 +27,17 @@ public sealed class HarvestFactorTests(ITestOutputHelper output)
     {
         // Without wandering the car still changes lanes, which is an offset too.
         string[] alone = ["--places", "4", "--lane-changes", "0", "--traffic", "0"];
-        double[][] offsets = [.. WanderFactors
-            .Select(factor => Labels(["--wander", factor, .. alone])
-                .Select(label => label.Lanes!.OffsetFromLaneCentreMetres).OfType<double>().Select(Math.Abs).Order().ToArray())];
+        double[][] offsets =
+        [
+            .. WanderFactors.Select(factor =>
+                Labels(["--wander", factor, .. alone])
+                    .Select(label => label.Lanes!.OffsetFromLaneCentreMetres)
+                    .OfType<double>()
+                    .Select(Math.Abs)
+                    .Order()
+                    .ToArray()
+            ),
+        ];
 
         Assert.InRange(offsets[0].Average(), 0, SteadyMetres);
         // The median: drifts, which take the car as far as the marking at any factor, dominate a mean or a standard deviation.
@@ -42,11 +50,14 @@ public sealed class HarvestFactorTests(ITestOutputHelper output)
         FrameLabel[] none = Labels([.. Factors.SelectMany(factor => new[] { factor, "0" })]);
         FrameLabel[] usual = Labels();
 
-        Assert.All(Factors, factor =>
-        {
-            FrameLabel[] most = Labels(factor, factor == "--parked" ? "2.5" : "3");
-            AssertGrowth(factor, [.. new[] { none, usual, most }.Select(labels => Measured(factor, labels))], 0);
-        });
+        Assert.All(
+            Factors,
+            factor =>
+            {
+                FrameLabel[] most = Labels(factor, factor == "--parked" ? "2.5" : "3");
+                AssertGrowth(factor, [.. new[] { none, usual, most }.Select(labels => Measured(factor, labels))], 0);
+            }
+        );
     }
 
     private void AssertGrowth(string option, double[] measured, double mostWithout)
@@ -61,27 +72,48 @@ public sealed class HarvestFactorTests(ITestOutputHelper output)
     {
         using var folder = new TemporaryFolder();
         string session = folder.PathOf("session");
-        CliRun.Of([
-            "harvest", "--out", session, "--frames", "120", "--hz", "1", "--seed", "6", "--size", "200x150",
-            "--detail", "plain", "--no-report", "--no-scenes", .. options]).AssertDone();
+        CliRun
+            .Of([
+                "harvest",
+                "--out",
+                session,
+                "--frames",
+                "120",
+                "--hz",
+                "1",
+                "--seed",
+                "6",
+                "--size",
+                "200x150",
+                "--detail",
+                "plain",
+                "--no-report",
+                "--no-scenes",
+                .. options,
+            ])
+            .AssertDone();
         return [.. new SessionReader(session).ReadLabels()];
     }
 
-    private static double Measured(string factor, FrameLabel[] labels) => factor switch
-    {
-        "--lane-changes" => labels.Count(label =>
-            label.Ego.Motion!.Manoeuvre is Manoeuvre.LaneChangeLeft or Manoeuvre.LaneChangeRight or Manoeuvre.Overtake),
-        "--traffic" => Objects(labels, item => VehicleClasses.AreVehicles(item.Class) && item.Velocity.Length > Moving),
-        "--pedestrians" => Objects(labels, item => item.Class == ObjectClass.Pedestrian),
-        _ => Standing(labels),
-    };
+    private static double Measured(string factor, FrameLabel[] labels) =>
+        factor switch
+        {
+            "--lane-changes" => labels.Count(label =>
+                label.Ego.Motion!.Manoeuvre is Manoeuvre.LaneChangeLeft or Manoeuvre.LaneChangeRight or Manoeuvre.Overtake
+            ),
+            "--traffic" => Objects(labels, item => VehicleClasses.AreVehicles(item.Class) && item.Velocity.Length > Moving),
+            "--pedestrians" => Objects(labels, item => item.Class == ObjectClass.Pedestrian),
+            _ => Standing(labels),
+        };
 
     private static int Objects(FrameLabel[] labels, Func<ObjectLabel, bool> isCounted) =>
         labels.SelectMany(label => label.Objects).Where(isCounted).Select(item => item.Id).Distinct().Count();
 
     /// <summary>Vehicles that never move; those that wait at a light show it by their brake lights.</summary>
-    private static int Standing(FrameLabel[] labels) => labels.SelectMany(label => label.Objects)
-        .Where(item => VehicleClasses.AreVehicles(item.Class) && item.HasRider != true)
-        .GroupBy(item => item.Id)
-        .Count(seen => seen.Count() > 2 && seen.All(item => item.Velocity.Length == 0 && item.Lights?.Brake != true));
+    private static int Standing(FrameLabel[] labels) =>
+        labels
+            .SelectMany(label => label.Objects)
+            .Where(item => VehicleClasses.AreVehicles(item.Class) && item.HasRider != true)
+            .GroupBy(item => item.Id)
+            .Count(seen => seen.Count() > 2 && seen.All(item => item.Velocity.Length == 0 && item.Lights?.Brake != true));
 }

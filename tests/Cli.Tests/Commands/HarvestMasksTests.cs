@@ -19,11 +19,14 @@ public sealed class HarvestMasksTests : IDisposable
     {
         Harvest(Session, "--frames", "2", "--masks", "--rays", "1000");
 
-        Assert.All(new SessionReader(Session).ReadLabels(), label =>
-        {
-            Assert.InRange(label.Rays!.Total, 1, 1000);
-            Assert.Equal(label.PixelMap!.RaysCast, label.Rays.Map);
-        });
+        Assert.All(
+            new SessionReader(Session).ReadLabels(),
+            label =>
+            {
+                Assert.InRange(label.Rays!.Total, 1, 1000);
+                Assert.Equal(label.PixelMap!.RaysCast, label.Rays.Map);
+            }
+        );
         Assert.Equal(1000, OptionOfSession("rayBudget"));
     }
 
@@ -38,7 +41,8 @@ public sealed class HarvestMasksTests : IDisposable
         Assert.DoesNotContain(labels.SelectMany(label => label.Objects), item => item.DistanceMetres > 40);
         Assert.Contains(
             labels.SelectMany(label => label.IgnoreRegions),
-            region => region is { Reason: IgnoreReason.Undetermined, DistanceMetres: > 40 and < 150 });
+            region => region is { Reason: IgnoreReason.Undetermined, DistanceMetres: > 40 and < 150 }
+        );
         Assert.Equal(20, OptionOfSession("rayReachMetres"));
         Assert.Contains("Warning: the visibility of ", CliRun.Of("validate", Session).Out, StringComparison.Ordinal);
     }

@@ -26,7 +26,8 @@ public sealed class HarvestNormalsTests : IDisposable
         Assert.Equal("normals/00000001.png", MapOf("same")!.File);
         Assert.Equal(
             File.ReadAllBytes(Path.Combine(session, "normals", "00000001.png")),
-            File.ReadAllBytes(_folder.PathOf("same/normals/00000001.png")));
+            File.ReadAllBytes(_folder.PathOf("same/normals/00000001.png"))
+        );
         Assert.Null(MapOf("bent"));
         Assert.False(Directory.Exists(_folder.PathOf("bent/normals")));
         Assert.Contains("\"normals\": true", File.ReadAllText(_folder.PathOf("same/session.json")), StringComparison.Ordinal);
@@ -37,7 +38,8 @@ public sealed class HarvestNormalsTests : IDisposable
     public void Map_of_another_format_is_a_problem()
     {
         string session = _folder.PathOf("grey");
-        CliRun.Of("harvest", "--out", session, "--frames", "1", "--size", "80x60", "--normals", "--masks", "--seed", "3", "--no-report")
+        CliRun
+            .Of("harvest", "--out", session, "--frames", "1", "--size", "80x60", "--normals", "--masks", "--seed", "3", "--no-report")
             .AssertDone();
         File.Copy(Path.Combine(session, "masks", "00000000.png"), Path.Combine(session, "normals", "00000000.png"), overwrite: true);
 
@@ -45,9 +47,11 @@ public sealed class HarvestNormalsTests : IDisposable
 
         Assert.Equal(ExitCode.BadData, validated.ExitCode);
         Assert.Contains(
-            "map of normals 'normals/00000000.png' has 16 bits per pixel instead of 24.", validated.Out, StringComparison.Ordinal);
+            "map of normals 'normals/00000000.png' has 16 bits per pixel instead of 24.",
+            validated.Out,
+            StringComparison.Ordinal
+        );
     }
 
-    private MapLabel? MapOf(string session) =>
-        new SessionReader(_folder.PathOf(session)).ReadLabels().Last().Channels.Get<MapLabel>();
+    private MapLabel? MapOf(string session) => new SessionReader(_folder.PathOf(session)).ReadLabels().Last().Channels.Get<MapLabel>();
 }

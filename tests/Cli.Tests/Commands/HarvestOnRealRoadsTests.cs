@@ -18,9 +18,20 @@ public sealed class HarvestOnRealRoadsTests
         string session = folder.PathOf("session");
 
         CliRun run = CliRun.Of(
-            "harvest", "--out", session, "--frames", "5", "--size", "320x240",
-            "--roads", RealWorldFactAttribute.PathOf("nodes.zip")!, "--props", RealWorldFactAttribute.PathOf("worldTrafficLights.json")!,
-            "--near", "0,-1000");
+            "harvest",
+            "--out",
+            session,
+            "--frames",
+            "5",
+            "--size",
+            "320x240",
+            "--roads",
+            RealWorldFactAttribute.PathOf("nodes.zip")!,
+            "--props",
+            RealWorldFactAttribute.PathOf("worldTrafficLights.json")!,
+            "--near",
+            "0,-1000"
+        );
 
         Assert.Equal("", run.Error);
         Assert.Equal(ExitCode.Done, run.ExitCode);
@@ -40,18 +51,40 @@ public sealed class HarvestOnRealRoadsTests
         string lights = RealWorldFactAttribute.PathOf("worldTrafficLights.json")!;
 
         CliRun.Of(
-            "harvest", "--out", session, "--frames", "30", "--hz", "1", "--size", "400x300", "--classes", "trafficLight", "--no-report",
-            "--roads", RealWorldFactAttribute.PathOf("nodes.zip")!, "--props", lights, "--near", "0,-1000", "--range", "200");
+            "harvest",
+            "--out",
+            session,
+            "--frames",
+            "30",
+            "--hz",
+            "1",
+            "--size",
+            "400x300",
+            "--classes",
+            "trafficLight",
+            "--no-report",
+            "--roads",
+            RealWorldFactAttribute.PathOf("nodes.zip")!,
+            "--props",
+            lights,
+            "--near",
+            "0,-1000",
+            "--range",
+            "200"
+        );
 
         // The heads of a light are objects of their own, beside the light that carries them.
         ObjectLabel[] labels =
         [
-            .. new SessionReader(session).ReadLabels().SelectMany(label => label.Objects).Where(label => label.Parent is null)
+            .. new SessionReader(session).ReadLabels().SelectMany(label => label.Objects).Where(label => label.Parent is null),
         ];
         IReadOnlyList<PropPlacement> given = PropPlacementImporter.Import(lights);
         Assert.NotEmpty(labels);
-        Assert.All(labels, label => Assert.Contains(
-            given, light => label.Model == light.Name && label.Box3D.Contains(light.Position + new Vector3D(0, 0, 1))));
+        Assert.All(
+            labels,
+            label =>
+                Assert.Contains(given, light => label.Model == light.Name && label.Box3D.Contains(light.Position + new Vector3D(0, 0, 1)))
+        );
     }
 
     [RealWorldFact("nodes.zip")]
@@ -60,8 +93,16 @@ public sealed class HarvestOnRealRoadsTests
     {
         using var folder = new TemporaryFolder();
 
-        CliRun.Of(
-            "harvest", "--out", folder.PathOf("session"), "--roads", RealWorldFactAttribute.PathOf("nodes.zip")!, "--near", "90000,90000")
+        CliRun
+            .Of(
+                "harvest",
+                "--out",
+                folder.PathOf("session"),
+                "--roads",
+                RealWorldFactAttribute.PathOf("nodes.zip")!,
+                "--near",
+                "90000,90000"
+            )
             .AssertFailed(ExitCode.Usage, "road");
     }
 }

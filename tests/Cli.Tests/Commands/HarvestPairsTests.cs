@@ -16,12 +16,15 @@ public sealed class HarvestPairsTests(HarvestedPairs harvested) : IClassFixture<
         FrameLabel[] labels = [.. new SessionReader(harvested.Session).ReadLabels()];
 
         Assert.Equal(4, labels.Length);
-        Assert.All(labels, label =>
-        {
-            Assert.Equal(4, label.Pairs.Count(pair => pair.Without.Count == 0));
-            Assert.All(label.Pairs, pair => Assert.True(File.Exists(Path.Combine(harvested.Session, pair.File!))));
-            Assert.All(label.Pairs.SelectMany(pair => pair.Without), id => Assert.Contains(label.Objects, item => item.Id == id));
-        });
+        Assert.All(
+            labels,
+            label =>
+            {
+                Assert.Equal(4, label.Pairs.Count(pair => pair.Without.Count == 0));
+                Assert.All(label.Pairs, pair => Assert.True(File.Exists(Path.Combine(harvested.Session, pair.File!))));
+                Assert.All(label.Pairs.SelectMany(pair => pair.Without), id => Assert.Contains(label.Objects, item => item.Id == id));
+            }
+        );
         Assert.Contains(labels, label => label.Pairs.Any(pair => pair.Without.Count > 0));
     }
 
@@ -38,7 +41,8 @@ public sealed class HarvestPairsTests(HarvestedPairs harvested) : IClassFixture<
     [Fact]
     public void Merged_shards_have_the_bytes_of_a_single_run()
     {
-        CliRun.Of("merge", harvested.PathOf("part-2"), harvested.PathOf("part-1"), "--out", _folder.PathOf("whole"), "--no-report")
+        CliRun
+            .Of("merge", harvested.PathOf("part-2"), harvested.PathOf("part-1"), "--out", _folder.PathOf("whole"), "--no-report")
             .AssertDone();
 
         AssertSame(harvested.Session, _folder.PathOf("whole"));
@@ -65,7 +69,9 @@ public sealed class HarvestPairsTests(HarvestedPairs harvested) : IClassFixture<
         CliRun.Of("relabel", harvested.Session, "--out", _folder.PathOf("again"), "--no-report").AssertDone();
 
         Assert.Equal(
-            File.ReadAllText(Path.Combine(harvested.Session, "labels.jsonl")), File.ReadAllText(_folder.PathOf("again/labels.jsonl")));
+            File.ReadAllText(Path.Combine(harvested.Session, "labels.jsonl")),
+            File.ReadAllText(_folder.PathOf("again/labels.jsonl"))
+        );
         CliRun.Of("validate", _folder.PathOf("again")).AssertDone();
     }
 
@@ -121,10 +127,15 @@ public sealed class HarvestPairsTests(HarvestedPairs harvested) : IClassFixture<
     {
         string[] files = [.. Files(expected)];
         Assert.Equal(files, Files(actual));
-        Assert.All(files, file =>
-            Assert.Equal(File.ReadAllBytes(Path.Combine(expected, file)), File.ReadAllBytes(Path.Combine(actual, file))));
+        Assert.All(
+            files,
+            file => Assert.Equal(File.ReadAllBytes(Path.Combine(expected, file)), File.ReadAllBytes(Path.Combine(actual, file)))
+        );
     }
 
-    private static IEnumerable<string> Files(string folder) => Directory.EnumerateFiles(folder, "*", SearchOption.AllDirectories)
-        .Select(file => Path.GetRelativePath(folder, file)).Order(StringComparer.Ordinal);
+    private static IEnumerable<string> Files(string folder) =>
+        Directory
+            .EnumerateFiles(folder, "*", SearchOption.AllDirectories)
+            .Select(file => Path.GetRelativePath(folder, file))
+            .Order(StringComparer.Ordinal);
 }

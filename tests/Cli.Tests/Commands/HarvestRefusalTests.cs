@@ -32,9 +32,11 @@ public sealed class HarvestRefusalTests : IDisposable
     [InlineData(40)]
     public void Harvest_with_excessive_picture_lag_fails_without_a_folder(int lag)
     {
-        Harvest(Session, "--frames", "2", "--seed", "3", "--hz", "2", "--quirks", $"lag={lag}").AssertFailed(
-            ExitCode.HarvestFault,
-            $"The image is {lag} ticks behind the game; the harvest allows 4. To allow more, raise --max-picture-lag.");
+        Harvest(Session, "--frames", "2", "--seed", "3", "--hz", "2", "--quirks", $"lag={lag}")
+            .AssertFailed(
+                ExitCode.HarvestFault,
+                $"The image is {lag} ticks behind the game; the harvest allows 4. To allow more, raise --max-picture-lag."
+            );
 
         Assert.False(Directory.Exists(Session));
     }
@@ -107,17 +109,48 @@ public sealed class HarvestRefusalTests : IDisposable
     public void Harvest_with_a_view_too_wide_to_check_names_the_options()
     {
         CliRun run = CliRun.Of(
-            "harvest", "--out", Session, "--frames", "1", "--size", "320x240", "--seed", "4", "--fov", "170", "--no-report");
+            "harvest",
+            "--out",
+            Session,
+            "--frames",
+            "1",
+            "--size",
+            "320x240",
+            "--seed",
+            "4",
+            "--fov",
+            "170",
+            "--no-report"
+        );
 
         Assert.Equal(ExitCode.HarvestFault, run.ExitCode);
         Assert.Contains(
-            "The field of view is set by --fov. To skip this check, add --max-camera-error 0.", run.Error, StringComparison.Ordinal);
+            "The field of view is set by --fov. To skip this check, add --max-camera-error 0.",
+            run.Error,
+            StringComparison.Ordinal
+        );
         Assert.DoesNotContain("ini", run.Error, StringComparison.Ordinal);
         Assert.Equal(
             ExitCode.Done,
-            CliRun.Of(
-                "harvest", "--out", Session, "--frames", "1", "--size", "320x240", "--seed", "4", "--fov", "170", "--no-report",
-                "--max-camera-error", "0").ExitCode);
+            CliRun
+                .Of(
+                    "harvest",
+                    "--out",
+                    Session,
+                    "--frames",
+                    "1",
+                    "--size",
+                    "320x240",
+                    "--seed",
+                    "4",
+                    "--fov",
+                    "170",
+                    "--no-report",
+                    "--max-camera-error",
+                    "0"
+                )
+                .ExitCode
+        );
     }
 
     [Theory]
@@ -185,10 +218,11 @@ public sealed class HarvestRefusalTests : IDisposable
         CliRun.Of(["harvest", "--out", session, "--size", "160x120", .. arguments]);
 
     /// <summary>Required arguments of a command besides the size.</summary>
-    private string[] Required(string command) => command switch
-    {
-        "harvest" => ["--out", Session],
-        "project" => ["--position", "0,0,0", "--rotation", "0,0,0", "--fov", "50"],
-        _ => [],
-    };
+    private string[] Required(string command) =>
+        command switch
+        {
+            "harvest" => ["--out", Session],
+            "project" => ["--position", "0,0,0", "--rotation", "0,0,0", "--fov", "50"],
+            _ => [],
+        };
 }

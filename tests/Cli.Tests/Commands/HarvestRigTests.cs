@@ -35,8 +35,10 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
         int common = 0;
         foreach (FrameLabel[] moment in labels.Chunk(2))
         {
-            foreach ((ObjectLabel left, ObjectLabel right) in moment[0].Objects.Join(
-                moment[1].Objects, item => item.Id, item => item.Id, (left, right) => (left, right)))
+            foreach (
+                (ObjectLabel left, ObjectLabel right) in moment[0]
+                    .Objects.Join(moment[1].Objects, item => item.Id, item => item.Id, (left, right) => (left, right))
+            )
             {
                 Assert.Equal((left.Class, left.Model, left.Box3D), (right.Class, right.Model, right.Box3D));
                 common++;
@@ -74,14 +76,35 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
         File.WriteAllText(header, text[..text.IndexOf("\n  \"state\"", StringComparison.Ordinal)] + "\n  \"state\": \"recording\"\n}\n");
         UnfinishedMark.Write(
             session,
-            CommandText.Of(
-                [
-                    "harvest", "--rig", harvested.RigFile,
-                    .. "--frames 4 --hz 2 --seed 3 --places 2 --masks --depth --no-report".Split(' '),
-                ]));
+            CommandText.Of([
+                "harvest",
+                "--rig",
+                harvested.RigFile,
+                .. "--frames 4 --hz 2 --seed 3 --places 2 --masks --depth --no-report".Split(' '),
+            ])
+        );
 
-        CliRun.Of("harvest", "--out", session, "--rig", harvested.RigFile, "--frames", "4", "--hz", "2", "--seed", "3", "--places", "2",
-            "--masks", "--depth", "--no-report", "--resume").AssertDone();
+        CliRun
+            .Of(
+                "harvest",
+                "--out",
+                session,
+                "--rig",
+                harvested.RigFile,
+                "--frames",
+                "4",
+                "--hz",
+                "2",
+                "--seed",
+                "3",
+                "--places",
+                "2",
+                "--masks",
+                "--depth",
+                "--no-report",
+                "--resume"
+            )
+            .AssertDone();
 
         Assert.Equal(File.ReadAllBytes(Path.Combine(harvested.Session, "labels.jsonl")), File.ReadAllBytes(labels));
     }
@@ -99,13 +122,17 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
     [Fact]
     public void Merged_shards_have_the_bytes_of_a_single_run()
     {
-        CliRun.Of("merge", harvested.PathOf("part-2"), harvested.PathOf("part-1"), "--out", _folder.PathOf("whole"), "--no-report")
+        CliRun
+            .Of("merge", harvested.PathOf("part-2"), harvested.PathOf("part-1"), "--out", _folder.PathOf("whole"), "--no-report")
             .AssertDone();
 
         string[] files = [.. Files(harvested.Session)];
         Assert.Equal(files, Files(_folder.PathOf("whole")));
-        Assert.All(files, file => Assert.Equal(
-            File.ReadAllBytes(Path.Combine(harvested.Session, file)), File.ReadAllBytes(_folder.PathOf($"whole/{file}"))));
+        Assert.All(
+            files,
+            file =>
+                Assert.Equal(File.ReadAllBytes(Path.Combine(harvested.Session, file)), File.ReadAllBytes(_folder.PathOf($"whole/{file}")))
+        );
     }
 
     [Fact]
@@ -114,7 +141,9 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
         CliRun.Of("relabel", harvested.Session, "--out", _folder.PathOf("again"), "--no-report").AssertDone();
 
         Assert.Equal(
-            File.ReadAllText(Path.Combine(harvested.Session, "labels.jsonl")), File.ReadAllText(_folder.PathOf("again/labels.jsonl")));
+            File.ReadAllText(Path.Combine(harvested.Session, "labels.jsonl")),
+            File.ReadAllText(_folder.PathOf("again/labels.jsonl"))
+        );
         CliRun.Of("validate", _folder.PathOf("again")).AssertDone();
     }
 
@@ -125,7 +154,8 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
 
         Assert.Equal(
             ["0000", "0001", "0002", "0003"],
-            Directory.GetDirectories(_folder.PathOf("tracks/training/image_02")).Select(folder => Path.GetFileName(folder)).Order());
+            Directory.GetDirectories(_folder.PathOf("tracks/training/image_02")).Select(folder => Path.GetFileName(folder)).Order()
+        );
         CliRun.Of("validate", _folder.PathOf("tracks")).AssertDone();
     }
 
@@ -153,18 +183,29 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
         CliRun.Of("export", harvested.Session, "--format", "nuscenes", "--out", _folder.PathOf("nuscenes")).AssertDone();
         CliRun.Of("validate", _folder.PathOf("nuscenes")).AssertDone();
 
-        int counted = JsonNode.Parse(File.ReadAllText(_folder.PathOf("nuscenes/v1.0-gta/sample_annotation.json")))!.AsArray()
+        int counted = JsonNode
+            .Parse(File.ReadAllText(_folder.PathOf("nuscenes/v1.0-gta/sample_annotation.json")))!
+            .AsArray()
             .Sum(annotation => (int)annotation!["num_lidar_hits"]!);
         FrameLabel[] labels = [.. new SessionReader(harvested.Session).ReadLabels()];
-        int recorded = labels.Chunk(2).Sum(moment =>
-        {
-            HashSet<int> vehicles = [.. moment.SelectMany(view => view.Objects)
-                .Where(item => item.Parent is null && item.Class is not (ObjectClass.Sign or ObjectClass.TrafficLight or ObjectClass.Other))
-                .Select(item => item.Id)];
-            byte[] points = File.ReadAllBytes(Path.Combine(harvested.Session, moment[0].Lidar[0].File));
-            return Enumerable.Range(0, points.Length / 24)
-                .Count(point => vehicles.Contains(BitConverter.ToUInt16(points, (24 * point) + 20)));
-        });
+        int recorded = labels
+            .Chunk(2)
+            .Sum(moment =>
+            {
+                HashSet<int> vehicles =
+                [
+                    .. moment
+                        .SelectMany(view => view.Objects)
+                        .Where(item =>
+                            item.Parent is null && item.Class is not (ObjectClass.Sign or ObjectClass.TrafficLight or ObjectClass.Other)
+                        )
+                        .Select(item => item.Id),
+                ];
+                byte[] points = File.ReadAllBytes(Path.Combine(harvested.Session, moment[0].Lidar[0].File));
+                return Enumerable
+                    .Range(0, points.Length / 24)
+                    .Count(point => vehicles.Contains(BitConverter.ToUInt16(points, (24 * point) + 20)));
+            });
         Assert.Equal(recorded, counted);
         Assert.NotEqual(0, counted);
     }
@@ -193,12 +234,18 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
             Assert.Equal($"depth-error/{label.View}/{label.Frame:D8}.png", depth.Error);
             Assert.Equal(depth.RaysCast, label.Rays!.Of("depth"));
             Assert.InRange(depth.MeasuredPixels, 1, label.Camera.Width * label.Camera.Height);
-            Assert.All(depth.Files, file =>
-            {
-                // The header of a PNG has the width, the height and the bits of a value.
-                byte[] png = File.ReadAllBytes(Path.Combine(harvested.Session, file));
-                Assert.Equal((label.Camera.Width, label.Camera.Height, 16), ((png[18] << 8) | png[19], (png[22] << 8) | png[23], png[24]));
-            });
+            Assert.All(
+                depth.Files,
+                file =>
+                {
+                    // The header of a PNG has the width, the height and the bits of a value.
+                    byte[] png = File.ReadAllBytes(Path.Combine(harvested.Session, file));
+                    Assert.Equal(
+                        (label.Camera.Width, label.Camera.Height, 16),
+                        ((png[18] << 8) | png[19], (png[22] << 8) | png[23], png[24])
+                    );
+                }
+            );
         }
     }
 
@@ -223,7 +270,8 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
     [Fact]
     public void Single_camera_has_measured_depth_without_masks()
     {
-        CliRun.Of("harvest", "--out", _folder.PathOf("single"), "--frames", "2", "--size", "80x60", "--depth", "--seed", "3", "--no-report")
+        CliRun
+            .Of("harvest", "--out", _folder.PathOf("single"), "--frames", "2", "--size", "80x60", "--depth", "--seed", "3", "--no-report")
             .AssertDone();
         CliRun.Of("validate", "--schema", _folder.PathOf("single")).AssertDone();
 
@@ -237,7 +285,8 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
     [InlineData("--k1", "0.1", "--k1 cannot be used with --rig")]
     [InlineData("--masks", "coded", "With --rig, masks come from rays.")]
     public void Options_that_contradict_the_rig_are_refused(string option, string value, string message) =>
-        CliRun.Of("harvest", "--out", _folder.PathOf("out"), "--rig", harvested.RigFile, option, value)
+        CliRun
+            .Of("harvest", "--out", _folder.PathOf("out"), "--rig", harvested.RigFile, option, value)
             .AssertFailed(ExitCode.Usage, message);
 
     [Theory]
@@ -267,11 +316,17 @@ public sealed class HarvestRigTests(HarvestedRig harvested) : IClassFixture<Harv
             (camera!["width"], camera["height"]) = (8192, 8192);
         }
 
-        rig["lidars"] = new JsonArray([.. Enumerable.Range(0, 8).Select(number => JsonNode.Parse(
-            $$"""{"name":"l{{number}}","position":[0,0,2],"beamsDegrees":[{{beams}}],"columns":7800}"""))]);
+        rig["lidars"] = new JsonArray([
+            .. Enumerable
+                .Range(0, 8)
+                .Select(number =>
+                    JsonNode.Parse($$"""{"name":"l{{number}}","position":[0,0,2],"beamsDegrees":[{{beams}}],"columns":7800}""")
+                ),
+        ]);
 
         // 8 · 256 · 7,800 rays at 300,000 a second are 53.2 s; twice 8,192 · 8,192 pixels at 5,000,000 a second are 26.8 s.
-        CliRun.Of("harvest", "--out", _folder.PathOf("out"), "--rig", _folder.File("slow.json", rig.ToJsonString()))
+        CliRun
+            .Of("harvest", "--out", _folder.PathOf("out"), "--rig", _folder.File("slow.json", rig.ToJsonString()))
             .AssertFailed(ExitCode.Usage, "A moment of the rig 'pair' takes about 80 s; at most 60 s are allowed.");
     }
 

@@ -27,11 +27,14 @@ public sealed class HarvestVarietyTests : IDisposable
         Assert.Equal(labels.Select(label => label.GameFrame).Order().Distinct(), labels.Select(label => label.GameFrame));
         Vector3D[] starts = [.. labels.Where(label => label.PlaceFrame == 0).Select(label => label.Ego.Position)];
         Assert.All(starts, start => Assert.DoesNotContain(starts, other => other != start && (other - start).Length < 50));
-        Assert.Equal(4, labels.SelectMany(label => label.Objects.Select(item => (label.Place, item.Id))).Distinct()
-            .GroupBy(pair => pair.Place).Count());
+        Assert.Equal(
+            4,
+            labels.SelectMany(label => label.Objects.Select(item => (label.Place, item.Id))).Distinct().GroupBy(pair => pair.Place).Count()
+        );
         Assert.All(
             labels.SelectMany(label => label.Objects.Select(item => (label.Place, item.Id))).Distinct().GroupBy(pair => pair.Id),
-            places => Assert.Single(places));
+            places => Assert.Single(places)
+        );
         Assert.Equal(ExitCode.Done, CliRun.Of("validate", Session).ExitCode);
     }
 
@@ -52,8 +55,8 @@ public sealed class HarvestVarietyTests : IDisposable
     [Fact]
     public void Factors_of_0_give_empty_roads_and_a_steady_car()
     {
-        Harvest(
-            "--frames", "4", "--wander", "0", "--lane-changes", "0", "--traffic", "0", "--pedestrians", "0", "--parked", "0").AssertDone();
+        Harvest("--frames", "4", "--wander", "0", "--lane-changes", "0", "--traffic", "0", "--pedestrians", "0", "--parked", "0")
+            .AssertDone();
 
         FrameLabel[] labels = [.. new SessionReader(Session).ReadLabels()];
         Assert.All(labels, label => Assert.Null(label.Ego.Motion!.Manoeuvre));

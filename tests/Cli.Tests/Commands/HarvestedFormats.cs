@@ -13,8 +13,22 @@ public sealed class HarvestedFormats : IDisposable
         foreach (string format in (string[])["png", "bmp", "jpg"])
         {
             CliRun run = CliRun.Of(
-                "harvest", "--out", SessionOf(format), "--frames", "4", "--size", "160x120", "--seed", "6", "--hz", "2",
-                "--semantics", "exact", "--image-format", format);
+                "harvest",
+                "--out",
+                SessionOf(format),
+                "--frames",
+                "4",
+                "--size",
+                "160x120",
+                "--seed",
+                "6",
+                "--hz",
+                "2",
+                "--semantics",
+                "exact",
+                "--image-format",
+                format
+            );
             Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
         }
     }

@@ -3,8 +3,7 @@ namespace Harvester.Cli.Tests.Commands;
 /// <summary>A small harvest of two cameras of different sizes and a LiDAR, as a whole and in two shards.</summary>
 public sealed class HarvestedRig : IDisposable
 {
-    public const string Rig =
-        """
+    public const string Rig = """
         {"name":"pair","cameras":[
         {"name":"left","position":[-0.3,2,0.4],"verticalFovDegrees":50,"width":80,"height":60},
         {"name":"right","position":[0.3,2,0.4],"yawDegrees":-10,"verticalFovDegrees":60,"width":64,"height":64}],
@@ -29,7 +28,26 @@ public sealed class HarvestedRig : IDisposable
 
     public string PathOf(string name) => _folder.PathOf(name);
 
-    private void Harvest(string name, params string[] more) => CliRun.Of(
-        ["harvest", "--out", PathOf(name), "--rig", RigFile, "--frames", "4", "--hz", "2", "--seed", "3", "--places", "2", "--masks",
-            "--depth", "--no-report", .. more]).AssertDone();
+    private void Harvest(string name, params string[] more) =>
+        CliRun
+            .Of([
+                "harvest",
+                "--out",
+                PathOf(name),
+                "--rig",
+                RigFile,
+                "--frames",
+                "4",
+                "--hz",
+                "2",
+                "--seed",
+                "3",
+                "--places",
+                "2",
+                "--masks",
+                "--depth",
+                "--no-report",
+                .. more,
+            ])
+            .AssertDone();
 }

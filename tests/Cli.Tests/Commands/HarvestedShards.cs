@@ -6,7 +6,21 @@ namespace Harvester.Cli.Tests.Commands;
 public sealed class HarvestedShards : IDisposable
 {
     private static readonly string[] Options =
-        ["--frames", "8", "--seed", "5", "--size", "160x120", "--masks", "--hz", "4", "--quirks", "creep=3,vanish=0.02", "--places", "3"];
+    [
+        "--frames",
+        "8",
+        "--seed",
+        "5",
+        "--size",
+        "160x120",
+        "--masks",
+        "--hz",
+        "4",
+        "--quirks",
+        "creep=3,vanish=0.02",
+        "--places",
+        "3",
+    ];
 
     private readonly TemporaryFolder _folder = new();
 

@@ -36,14 +36,31 @@ public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture
     public void Jpg_images_are_the_screenshots_in_the_requested_quality()
     {
         CliRun run = CliRun.Of(
-            "harvest", "--out", Out, "--frames", "1", "--size", "160x120", "--seed", "6", "--hz", "2", "--image-format", "jpg", "--quality",
-            "40");
+            "harvest",
+            "--out",
+            Out,
+            "--frames",
+            "1",
+            "--size",
+            "160x120",
+            "--seed",
+            "6",
+            "--hz",
+            "2",
+            "--image-format",
+            "jpg",
+            "--quality",
+            "40"
+        );
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
         Assert.Equal(Jpeg(0, quality: 40), File.ReadAllBytes(Path.Combine(Out, "frames", "00000000.jpg")));
         Assert.Equal(Jpeg(0, quality: 95), harvested.Image("jpg", 0));
         Assert.Contains(
-            "\"format\": \"jpeg\",\n    \"quality\": 40\n", File.ReadAllText(Path.Combine(Out, "session.json")), StringComparison.Ordinal);
+            "\"format\": \"jpeg\",\n    \"quality\": 40\n",
+            File.ReadAllText(Path.Combine(Out, "session.json")),
+            StringComparison.Ordinal
+        );
     }
 
     [Theory]
@@ -75,8 +92,23 @@ public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture
         foreach (string shard in (string[])["1/2", "2/2"])
         {
             CliRun.Of(
-                "harvest", "--out", _folder.PathOf(shard[..1]), "--frames", "4", "--size", "160x120", "--seed", "6", "--hz", "2", "--masks",
-                "--image-format", "jpg", "--shard", shard);
+                "harvest",
+                "--out",
+                _folder.PathOf(shard[..1]),
+                "--frames",
+                "4",
+                "--size",
+                "160x120",
+                "--seed",
+                "6",
+                "--hz",
+                "2",
+                "--masks",
+                "--image-format",
+                "jpg",
+                "--shard",
+                shard
+            );
         }
 
         CliRun.Of("merge", _folder.PathOf("1"), _folder.PathOf("2"), "--out", Out);
@@ -99,7 +131,9 @@ public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture
 
         string[] images =
         [
-            .. Directory.EnumerateFiles(Out, "*", SearchOption.AllDirectories).Where(IsImage)
+            .. Directory
+                .EnumerateFiles(Out, "*", SearchOption.AllDirectories)
+                .Where(IsImage)
                 .Where(image => !image.Contains("laneseg_label", StringComparison.Ordinal)),
         ];
         Assert.Equal(format is "webdataset" or "mcap" or "pcd" or "ply" ? 0 : HarvestedFormats.Frames, images.Length);
@@ -129,11 +163,13 @@ public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture
     {
         string[] options =
         [
-            .. format is null ? (string[])[] : ["--image-format", format], .. quality is null ? (string[])[] : ["--quality", quality],
+            .. format is null ? (string[])[] : ["--image-format", format],
+            .. quality is null ? (string[])[] : ["--quality", quality],
         ];
 
         CliRun.Of(["harvest", "--out", Out, .. options]).AssertFailed(ExitCode.Usage, message);
-        CliRun.Of(["export", harvested.SessionOf("png"), "--format", "csv", "--out", Out, .. options])
+        CliRun
+            .Of(["export", harvested.SessionOf("png"), "--format", "csv", "--out", Out, .. options])
             .AssertFailed(ExitCode.Usage, message);
     }
 
@@ -152,7 +188,9 @@ public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture
     {
         using var stream = new MemoryStream();
         new PictureEncoder(ImageFormat.Jpeg, quality).Write(
-            PngDecoder.ReadRgb(Path.Combine(harvested.SessionOf("png"), "frames", $"{frame:D8}.png")), stream);
+            PngDecoder.ReadRgb(Path.Combine(harvested.SessionOf("png"), "frames", $"{frame:D8}.png")),
+            stream
+        );
         return stream.ToArray();
     }
 }

@@ -92,9 +92,19 @@ public sealed class KilledExportTests : IClassFixture<LongSession>, IDisposable
         var start = new ProcessStartInfo("dotnet") { RedirectStandardOutput = true, RedirectStandardError = true };
         string[] arguments =
         [
-            Path.Combine(AppContext.BaseDirectory, "harvester.dll"), "export", _session.Folder, _session.ShortFolder, "--format", format,
-            "--out", _folder.PathOf(to),
-            "--split", "train:0.7,val:0.3", "--seed", $"{SeedThatDealsOutBothSessions}", .. more,
+            Path.Combine(AppContext.BaseDirectory, "harvester.dll"),
+            "export",
+            _session.Folder,
+            _session.ShortFolder,
+            "--format",
+            format,
+            "--out",
+            _folder.PathOf(to),
+            "--split",
+            "train:0.7,val:0.3",
+            "--seed",
+            $"{SeedThatDealsOutBothSessions}",
+            .. more,
         ];
         Array.ForEach(arguments, start.ArgumentList.Add);
         return Process.Start(start)!;

@@ -43,7 +43,9 @@ public sealed class KilledRecordingTests : IDisposable
         Assert.Equal(other, File.ReadAllBytes(_folder.PathOf("out/drive.json")));
 
         // Nor is one with the same settings: the command had not written it.
-        CliRun.Of("drive", "--out", _folder.PathOf("out"), "--seed", "1", "--distance", "80", "--traffic", "0", "--overwrite").AssertDone();
+        CliRun
+            .Of("drive", "--out", _folder.PathOf("out"), "--seed", "1", "--distance", "80", "--traffic", "0", "--overwrite")
+            .AssertDone();
         CliRun.Of(drive).AssertFailed(ExitCode.Usage, "already has a drive");
         CliRun.Of([.. drive, "--overwrite"]).AssertDone();
     }
@@ -70,7 +72,8 @@ public sealed class KilledRecordingTests : IDisposable
         Directory.CreateDirectory(_folder.PathOf("session"));
         string notes = _folder.File("session/notes.txt", "mine");
 
-        CliRun.Of(["drive", "--out", _folder.PathOf("out"), "--near", "0,0", "--near", "5,5", "--overwrite", .. Record])
+        CliRun
+            .Of(["drive", "--out", _folder.PathOf("out"), "--near", "0,0", "--near", "5,5", "--overwrite", .. Record])
             .AssertFailed(ExitCode.Usage, "has something other than recorded sessions, e.g. 'notes.txt'.");
         Assert.Equal("mine", File.ReadAllText(notes));
     }

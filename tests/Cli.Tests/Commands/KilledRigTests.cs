@@ -34,8 +34,10 @@ public sealed class KilledRigTests : IDisposable
         CliRun.Of(Arguments("whole")).AssertDone();
         string[] files = [.. Files("whole")];
         Assert.Equal(files, Files("killed"));
-        Assert.All(files, file => Assert.Equal(
-            File.ReadAllBytes(_folder.PathOf($"whole/{file}")), File.ReadAllBytes(_folder.PathOf($"killed/{file}"))));
+        Assert.All(
+            files,
+            file => Assert.Equal(File.ReadAllBytes(_folder.PathOf($"whole/{file}")), File.ReadAllBytes(_folder.PathOf($"killed/{file}")))
+        );
         Assert.NotEqual(0, underWay);
     }
 
@@ -59,10 +61,28 @@ public sealed class KilledRigTests : IDisposable
     }
 
     private string[] Arguments(string name) =>
-    [
-        "harvest", "--out", _folder.PathOf(name), "--rig", _rig, "--frames", $"{Moments}", "--hz", "2", "--seed", "3", "--places", "1",
-        "--masks", "--depth", "--normals", "--no-report", "--resume", "--sync", "always",
-    ];
+        [
+            "harvest",
+            "--out",
+            _folder.PathOf(name),
+            "--rig",
+            _rig,
+            "--frames",
+            $"{Moments}",
+            "--hz",
+            "2",
+            "--seed",
+            "3",
+            "--places",
+            "1",
+            "--masks",
+            "--depth",
+            "--normals",
+            "--no-report",
+            "--resume",
+            "--sync",
+            "always",
+        ];
 
     private int Lines()
     {
@@ -77,6 +97,9 @@ public sealed class KilledRigTests : IDisposable
         return reader.ReadToEnd().Count(character => character == '\n');
     }
 
-    private IEnumerable<string> Files(string name) => Directory.GetFiles(_folder.PathOf(name), "*", SearchOption.AllDirectories)
-        .Select(file => Path.GetRelativePath(_folder.PathOf(name), file)).Order();
+    private IEnumerable<string> Files(string name) =>
+        Directory
+            .GetFiles(_folder.PathOf(name), "*", SearchOption.AllDirectories)
+            .Select(file => Path.GetRelativePath(_folder.PathOf(name), file))
+            .Order();
 }

@@ -11,8 +11,7 @@ namespace Harvester.Cli.Tests.Commands;
 /// </summary>
 public sealed class KittiFramesTests : IDisposable
 {
-    private const string Lidar =
-        "\"lidars\":[{\"name\":\"top\",\"position\":[0,0.3,1.7],\"beamsDegrees\":[0,-4,-8],\"columns\":40}]";
+    private const string Lidar = "\"lidars\":[{\"name\":\"top\",\"position\":[0,0.3,1.7],\"beamsDegrees\":[0,-4,-8],\"columns\":40}]";
 
     /// <summary>Matrices have six decimals or more, and focal lengths are about 40 pixels.</summary>
     private const double RoundingMetres = 1e-5;
@@ -23,7 +22,8 @@ public sealed class KittiFramesTests : IDisposable
     /// <summary>The centre of an upright box may be this far from that of a cuboid that leans; the cameras are 0.6 m apart.</summary>
     private const double UprightMetres = 0.2;
 
-    private const string FourCameras = """{"name":"0","position":[0.0,0.6,1.65],A},{"name":"1","position":[0.5,0.6,1.65],A},"""
+    private const string FourCameras =
+        """{"name":"0","position":[0.0,0.6,1.65],A},{"name":"1","position":[0.5,0.6,1.65],A},"""
         + """{"name":"2","position":[-0.6,0.6,1.65],A},{"name":"3","position":[0.4,0.6,1.65],A}""";
 
     private static readonly string[] Calibrations = ["out/sequences/00/calib.txt", "out/training/calib/000002.txt"];
@@ -58,10 +58,17 @@ public sealed class KittiFramesTests : IDisposable
         foreach (FrameLabel[] views in moments.Select(views => views.OrderBy(label => label.Frame).ToArray()))
         {
             // The axes of a session's camera are right, forward, up; those of KITTI right, down, forward.
-            double[][] expected = [.. views[2].Objects.Select(item => views[0].Camera.Pose.ToLocal(item.Box3D.Centre))
-                .Select(place => new[] { place.X, place.Y })];
-            foreach (string[] words in File.ReadAllLines(_folder.PathOf($"out/training/label_2/{views[2].Frame:D6}.txt"))
-                .Select(line => line.Split(' ')).Where(words => words[0] != "DontCare"))
+            double[][] expected =
+            [
+                .. views[2]
+                    .Objects.Select(item => views[0].Camera.Pose.ToLocal(item.Box3D.Centre))
+                    .Select(place => new[] { place.X, place.Y }),
+            ];
+            foreach (
+                string[] words in File.ReadAllLines(_folder.PathOf($"out/training/label_2/{views[2].Frame:D6}.txt"))
+                    .Select(line => line.Split(' '))
+                    .Where(words => words[0] != "DontCare")
+            )
             {
                 double[] numbers = Numbers(string.Join(' ', words[1..]));
                 (double alpha, double x, double z, double turn) = (numbers[2], numbers[10], numbers[12], numbers[13]);
@@ -87,8 +94,13 @@ public sealed class KittiFramesTests : IDisposable
     public void Poses_are_those_of_camera_0()
     {
         Export(FourCameras);
-        Pose[] cameras = [.. new SessionReader(_folder.PathOf("session")).ReadLabels().Where(label => label.View == "0")
-            .Select(label => label.Camera.Pose)];
+        Pose[] cameras =
+        [
+            .. new SessionReader(_folder.PathOf("session"))
+                .ReadLabels()
+                .Where(label => label.View == "0")
+                .Select(label => label.Camera.Pose),
+        ];
         double[][] poses = [.. File.ReadAllLines(_folder.PathOf("out/poses/00.txt")).Select(Numbers)];
 
         Assert.Equal(cameras.Length, poses.Length);
@@ -101,8 +113,7 @@ public sealed class KittiFramesTests : IDisposable
         Assert.NotEqual(0, poses[^1][11]);
     }
 
-    private static double[] Numbers(string line) =>
-        [.. line.Split(' ').Select(word => double.Parse(word, CultureInfo.InvariantCulture))];
+    private static double[] Numbers(string line) => [.. line.Split(' ').Select(word => double.Parse(word, CultureInfo.InvariantCulture))];
 
     private static void AssertNear(double[] expected, double[] found, double tolerance = RoundingMetres) =>
         Assert.All(expected.Zip(found), pair => Assert.Equal(pair.First, pair.Second, tolerance));
@@ -110,16 +121,22 @@ public sealed class KittiFramesTests : IDisposable
     private void Export(string cameras, string format = "kitti-odometry")
     {
         string rig = _folder.File(
-            "rig.json", "{\"name\":\"kitti\",\"cameras\":[" + cameras.Replace(
-                "A", "\"verticalFovDegrees\":30,\"width\":80,\"height\":40", StringComparison.Ordinal) + "]," + Lidar + "}");
-        CliRun.Of("harvest", "--out", _folder.PathOf("session"), "--rig", rig, "--frames", "3", "--hz", "2", "--seed", "3", "--no-report")
+            "rig.json",
+            "{\"name\":\"kitti\",\"cameras\":["
+                + cameras.Replace("A", "\"verticalFovDegrees\":30,\"width\":80,\"height\":40", StringComparison.Ordinal)
+                + "],"
+                + Lidar
+                + "}"
+        );
+        CliRun
+            .Of("harvest", "--out", _folder.PathOf("session"), "--rig", rig, "--frames", "3", "--hz", "2", "--seed", "3", "--no-report")
             .AssertDone();
         CliRun.Of("export", _folder.PathOf("session"), "--format", format, "--out", _folder.PathOf("out")).AssertDone();
         CliRun.Of("validate", _folder.PathOf("out")).AssertDone();
     }
 
-    private double[] Matrix(params string[] names) => Numbers(File.ReadLines(Calibration).Select(line => line.Split(": "))
-        .Single(parts => names.Contains(parts[0]))[1]);
+    private double[] Matrix(params string[] names) =>
+        Numbers(File.ReadLines(Calibration).Select(line => line.Split(": ")).Single(parts => names.Contains(parts[0]))[1]);
 
     private string Calibration => Calibrations.Select(_folder.PathOf).Single(File.Exists);
 
@@ -133,6 +150,5 @@ public sealed class KittiFramesTests : IDisposable
     }
 
     /// <summary>KITTI's baseline: the distance of two cameras' origins, here in the frame of the scanner.</summary>
-    private double Baseline(int left, int right) =>
-        Math.Sqrt(ScannerIn(left).Zip(ScannerIn(right), (a, b) => (a - b) * (a - b)).Sum());
+    private double Baseline(int left, int right) => Math.Sqrt(ScannerIn(left).Zip(ScannerIn(right), (a, b) => (a - b) * (a - b)).Sum());
 }

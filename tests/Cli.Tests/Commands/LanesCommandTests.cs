@@ -92,8 +92,14 @@ public sealed class LanesCommandTests : IDisposable
             var car = new Pose(Vector(ego, "position"), Axes.FromVectors(Vector(ego, "right"), Vector(ego, "forward"), Vector(ego, "up")));
             Vector3D middle = car.ToWorld((Vector(ego, "modelMin") + Vector(ego, "modelMax")) * 0.5);
             CliRun run = CliRun.Of(
-                "lanes", "--roads", Path.Combine(session, "scenes", "roads.csv"), "--position", Text(middle.X, middle.Y, middle.Z),
-                "--heading", Text(Angles.HeadingDegrees(car.Axes.Forward)));
+                "lanes",
+                "--roads",
+                Path.Combine(session, "scenes", "roads.csv"),
+                "--position",
+                Text(middle.X, middle.Y, middle.Z),
+                "--heading",
+                Text(Angles.HeadingDegrees(car.Axes.Forward))
+            );
             JsonElement lanes = JsonDocument.Parse(run.Out).RootElement;
 
             Assert.Equal(label.Lanes!.Indicators!.Angle.Value, lanes.GetProperty("indicators").GetProperty("angle").GetDouble());
@@ -160,7 +166,8 @@ public sealed class LanesCommandTests : IDisposable
     [InlineData("6s")]
     [InlineData("s")]
     public void Lanes_with_an_impossible_look_ahead_is_a_usage_error(string ahead) =>
-        CliRun.Of("lanes", "--roads", _roads, "--position", "8.1,50,0", "--heading", "0", "--look-ahead", ahead)
+        CliRun
+            .Of("lanes", "--roads", _roads, "--position", "8.1,50,0", "--heading", "0", "--look-ahead", ahead)
             .AssertFailed(2, "--look-ahead takes");
 
     [Fact]
@@ -173,7 +180,8 @@ public sealed class LanesCommandTests : IDisposable
         string vehicles = _folder.PathOf("vehicles.csv");
         File.WriteAllText(vehicles, "2.7,80,0,0\nnear\n");
 
-        CliRun.Of("lanes", "--roads", _roads, "--position", "8.1,50,0", "--heading", "0", "--vehicles", vehicles)
+        CliRun
+            .Of("lanes", "--roads", _roads, "--position", "8.1,50,0", "--heading", "0", "--vehicles", vehicles)
             .AssertFailed(1, "vehicles.csv, line 2");
     }
 

@@ -16,9 +16,26 @@ public sealed class LongSession : IDisposable
 
     public LongSession()
     {
-        Assert.Equal(ExitCode.Done, CliRun.Of(
-            "harvest", "--out", Folder, "--frames", $"{HarvestedFrames}", "--seed", "5", "--size", "80x60", "--masks",
-            "--semantics", "rays", "--no-report").ExitCode);
+        Assert.Equal(
+            ExitCode.Done,
+            CliRun
+                .Of(
+                    "harvest",
+                    "--out",
+                    Folder,
+                    "--frames",
+                    $"{HarvestedFrames}",
+                    "--seed",
+                    "5",
+                    "--size",
+                    "80x60",
+                    "--masks",
+                    "--semantics",
+                    "rays",
+                    "--no-report"
+                )
+                .ExitCode
+        );
         Copy(Folder, ShortFolder);
         string[] lines = File.ReadAllLines(Path.Combine(Folder, "labels.jsonl"));
         for (int frame = HarvestedFrames; frame < Frames; frame++)

@@ -70,7 +70,8 @@ public sealed class MasksCommandTests
 
         Assert.Equal(
             (ExitCode.Done, "harvester: 6 pixels match no object and are dropped, first in frame 1: values 900, 901\n"),
-            (run.ExitCode, run.Error));
+            (run.ExitCode, run.Error)
+        );
     }
 
     /// <summary>The harvest recorded what rays found of objects and faces; what was imported since counts.</summary>
@@ -119,17 +120,17 @@ public sealed class MasksCommandTests
     }
 
     private static List<double> VisibleFaces(string session) =>
-    [
-        .. File.ReadLines(Path.Combine(session, "labels.jsonl"))
-            .SelectMany(line => JsonNode.Parse(line)!["objects"]!.AsArray())
-            .Where(item => item!["parent"] is not null)
-            .Select(item => item!["visibleFraction"]!.GetValue<double>()),
-    ];
+        [
+            .. File.ReadLines(Path.Combine(session, "labels.jsonl"))
+                .SelectMany(line => JsonNode.Parse(line)!["objects"]!.AsArray())
+                .Where(item => item!["parent"] is not null)
+                .Select(item => item!["visibleFraction"]!.GetValue<double>()),
+        ];
 
     private static List<string?> VisibleBoxes(string session) =>
-    [
-        .. File.ReadLines(Path.Combine(session, "labels.jsonl"))
-            .SelectMany(line => JsonNode.Parse(line)!["objects"]!.AsArray())
-            .Select(item => item!["box2dVisible"]?.ToJsonString()),
-    ];
+        [
+            .. File.ReadLines(Path.Combine(session, "labels.jsonl"))
+                .SelectMany(line => JsonNode.Parse(line)!["objects"]!.AsArray())
+                .Select(item => item!["box2dVisible"]?.ToJsonString()),
+        ];
 }

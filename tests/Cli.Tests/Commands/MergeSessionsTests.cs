@@ -20,8 +20,14 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
         // Of each frame picture, mask and scene; labels, manifest, header and report; roads and faces.
         Assert.Equal((8 * 3) + 4 + 2, files.Length);
         Assert.Equal(files, Files(_folder.PathOf("merged/session")));
-        Assert.All(files, file => Assert.Equal(
-            File.ReadAllBytes(harvested.PathOf($"whole/session/{file}")), File.ReadAllBytes(_folder.PathOf($"merged/session/{file}"))));
+        Assert.All(
+            files,
+            file =>
+                Assert.Equal(
+                    File.ReadAllBytes(harvested.PathOf($"whole/session/{file}")),
+                    File.ReadAllBytes(_folder.PathOf($"merged/session/{file}"))
+                )
+        );
     }
 
     [Theory]
@@ -30,7 +36,10 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
     public void Shard_is_a_valid_session_of_its_frames_without_a_report(string part, int frames)
     {
         Assert.StartsWith(
-            $"{harvested.PathOf(part)}: {frames} frames", CliRun.Of("validate", harvested.PathOf(part)).Out, StringComparison.Ordinal);
+            $"{harvested.PathOf(part)}: {frames} frames",
+            CliRun.Of("validate", harvested.PathOf(part)).Out,
+            StringComparison.Ordinal
+        );
         Assert.False(File.Exists(harvested.PathOf($"{part}/report.html")));
     }
 
@@ -51,7 +60,8 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
         string part = Changed(
             "part-2",
             "labels.jsonl",
-            text => string.Concat(text.Split('\n').Where((_, line) => line != 1).Select(line => line + "\n")).TrimEnd() + "\n");
+            text => string.Concat(text.Split('\n').Where((_, line) => line != 1).Select(line => line + "\n")).TrimEnd() + "\n"
+        );
 
         Merge("merged", "part-1", part, "part-3").AssertFailed(ExitCode.BadData, "has no frame 4");
         Assert.False(File.Exists(_folder.PathOf("merged/session.json")));
@@ -75,7 +85,8 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
 
     [Fact]
     public void Merge_reports_a_missing_folder() =>
-        CliRun.Of("merge", _folder.PathOf("nowhere"), "--out", _folder.PathOf("out"))
+        CliRun
+            .Of("merge", _folder.PathOf("nowhere"), "--out", _folder.PathOf("out"))
             .AssertFailed(ExitCode.InputOutput, "Folder not found: '");
 
     [Fact]
@@ -105,6 +116,10 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
         CliRun.Of(["merge", .. shards.Select(harvested.PathOf), "--out", _folder.PathOf(name)]);
 
     private static string[] Files(string folder) =>
-        [.. Directory.EnumerateFiles(folder, "*", SearchOption.AllDirectories).Select(file => Path.GetRelativePath(folder, file)).Order(
-            StringComparer.Ordinal)];
+        [
+            .. Directory
+                .EnumerateFiles(folder, "*", SearchOption.AllDirectories)
+                .Select(file => Path.GetRelativePath(folder, file))
+                .Order(StringComparer.Ordinal),
+        ];
 }

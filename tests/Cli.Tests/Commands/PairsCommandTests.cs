@@ -24,13 +24,13 @@ public sealed class PairsCommandTests(HarvestedPairs harvested) : IClassFixture<
 
         Assert.Equal((ExitCode.Done, "", $"{Made}: 4 groups, {pictures} pictures\n"), (run.ExitCode, run.Error, run.Out));
         string[][] rows = [.. File.ReadAllLines(Path.Combine(Made, "index.csv")).Select(line => line.Split(','))];
-        Assert.Equal(
-            ["group", "image", "weather", "time_of_day", "without", "x_min", "y_min", "x_max", "y_max"], rows[0]);
+        Assert.Equal(["group", "image", "weather", "time_of_day", "without", "x_min", "y_min", "x_max", "y_max"], rows[0]);
         Assert.Equal(pictures, rows.Length - 1);
         Assert.All(rows.Skip(1), row => Assert.True(File.Exists(Path.Combine(Made, row[1]))));
         Assert.Equal(
             File.ReadAllBytes(Path.Combine(harvested.Session, "pairs/00000000/rain-00.png")),
-            File.ReadAllBytes(Path.Combine(Made, "images/00000000/rain-00.png")));
+            File.ReadAllBytes(Path.Combine(Made, "images/00000000/rain-00.png"))
+        );
         Assert.Equal(labels.Sum(label => label.Objects.Count), File.ReadAllLines(Path.Combine(Made, "objects.csv")).Length - 1);
 
         PairLabel hidden = labels[0].Pairs.First(pair => pair.Without.Count == 1);
@@ -56,11 +56,18 @@ public sealed class PairsCommandTests(HarvestedPairs harvested) : IClassFixture<
         }
 
         Assert.Equal(
-            labels.SelectMany(label => ((string[])[".json", ".frame.png"])
-                .Concat(label.Pairs.Select(pair => "." + Path.GetFileName(pair.File))).Select(end => $"{label.Frame:D8}{end}")),
-            names);
+            labels.SelectMany(label =>
+                ((string[])[".json", ".frame.png"])
+                    .Concat(label.Pairs.Select(pair => "." + Path.GetFileName(pair.File)))
+                    .Select(end => $"{label.Frame:D8}{end}")
+            ),
+            names
+        );
         Assert.Contains(
-            "pairs-000000.tar/00000000.rain-12.png", File.ReadAllText(Path.Combine(Made, "index.csv")), StringComparison.Ordinal);
+            "pairs-000000.tar/00000000.rain-12.png",
+            File.ReadAllText(Path.Combine(Made, "index.csv")),
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]
@@ -94,7 +101,12 @@ public sealed class PairsCommandTests(HarvestedPairs harvested) : IClassFixture<
         string archive = Path.Combine(Made, "pairs-000000.tar");
         byte[] bytes = File.ReadAllBytes(archive);
         bytes[bytes.Length / 2] ^= state == "byte" ? (byte)1 : (byte)0;
-        File.WriteAllBytes(archive, state == "short" ? bytes[..(bytes.Length / 2)] : state == "longer" ? [.. bytes, .. bytes] : bytes);
+        File.WriteAllBytes(
+            archive,
+            state == "short" ? bytes[..(bytes.Length / 2)]
+                : state == "longer" ? [.. bytes, .. bytes]
+                : bytes
+        );
         File.Copy(archive, Path.Combine(Made, "pairs-000001.tar"));
         UnfinishedMark.Write(Made, CommandText.Of(command.Where(word => word != Made && word is not ("--out" or "--resume"))));
         var longAgo = new DateTime(2001, 2, 3, 4, 5, 6, DateTimeKind.Utc);

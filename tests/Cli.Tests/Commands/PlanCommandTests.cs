@@ -52,8 +52,7 @@ public sealed class PlanCommandTests : IDisposable
     public void Rig_with_an_impossible_name_is_a_problem()
     {
         string plan = _folder.PathOf("plan.json");
-        File.WriteAllText(
-            plan, """{"name":"p","places":[{"name":"a","spread":2}],"cameras":[{"name":"c","rig":"a\u0000b.json"}]}""");
+        File.WriteAllText(plan, """{"name":"p","places":[{"name":"a","spread":2}],"cameras":[{"name":"c","rig":"a\u0000b.json"}]}""");
 
         CliRun run = CliRun.Of("plan", "check", plan);
 
@@ -71,7 +70,9 @@ public sealed class PlanCommandTests : IDisposable
         Assert.Equal(ExitCode.BadData, run.ExitCode);
         Assert.Equal(
             "hz must be a number from 0.01 to 60.\nhour is not a field of a plan. Correct its name or delete it.\n"
-            + $"{PlanPath}: 2 problems\n", run.Out);
+                + $"{PlanPath}: 2 problems\n",
+            run.Out
+        );
     }
 
     [Fact]
@@ -126,13 +127,20 @@ public sealed class PlanCommandTests : IDisposable
         File.WriteAllText(roads, WritingCommand.Roads);
         File.WriteAllText(other, WritingCommand.Roads.Replace("200,30", "190,30", StringComparison.Ordinal));
         Directory.CreateDirectory(Out);
-        File.WriteAllText(Path.Combine(Out, "plan-status.jsonl"), string.Concat(((string[])["a", "b"]).Select(place =>
-            $$"""{"trial":"{{place}}_clear_1200_c_001","state":"done","attempt":1,"frames":2}""" + "\n")));
+        File.WriteAllText(
+            Path.Combine(Out, "plan-status.jsonl"),
+            string.Concat(
+                ((string[])["a", "b"]).Select(place =>
+                    $$"""{"trial":"{{place}}_clear_1200_c_001","state":"done","attempt":1,"frames":2}""" + "\n"
+                )
+            )
+        );
         File.Copy(PlanPath, Path.Combine(Out, "plan.json"));
         string[] command = ["plan", "run", PlanPath, "--out", Out, "--resume"];
         CliRun.Of([.. command, "--roads", roads]).AssertDone();
 
-        CliRun.Of(value == "other" ? [.. command, option, other] : [.. command, "--roads", roads, option, value])
+        CliRun
+            .Of(value == "other" ? [.. command, option, other] : [.. command, "--roads", roads, option, value])
             .AssertFailed(ExitCode.Usage, "has results of other roads or of another detail");
         CliRun.Of([.. command, "--roads", roads]).AssertDone();
     }
@@ -147,28 +155,38 @@ public sealed class PlanCommandTests : IDisposable
         using (var cancellation = new CancellationTokenSource())
         {
             Task<CliRun> run = CliRun.BesideAsync(cancellation.Token, "plan", "run", PlanPath, "--out", stopped);
-            SpinWait.SpinUntil(
-                () => run.IsCompleted || Directory.Exists(Path.Combine(stopped, "trials", "a_rain_1200_c_001", "frames")));
+            SpinWait.SpinUntil(() => run.IsCompleted || Directory.Exists(Path.Combine(stopped, "trials", "a_rain_1200_c_001", "frames")));
             await cancellation.CancelAsync();
             Assert.Equal(ExitCode.Cancelled, (await run).ExitCode);
         }
 
-        CliRun.Of("plan", "run", PlanPath, "--out", stopped)
+        CliRun
+            .Of("plan", "run", PlanPath, "--out", stopped)
             .AssertFailed(ExitCode.Usage, "has results of this plan. Continue with --resume");
         CliRun.Of("plan", "run", PlanPath, "--out", stopped, "--resume").AssertDone();
 
         AssertSameFiles(Path.Combine(Out, "trials"), Path.Combine(stopped, "trials"));
         Assert.Equal(
-            File.ReadAllText(Path.Combine(Out, "plan-status.jsonl")), File.ReadAllText(Path.Combine(stopped, "plan-status.jsonl")));
+            File.ReadAllText(Path.Combine(Out, "plan-status.jsonl")),
+            File.ReadAllText(Path.Combine(stopped, "plan-status.jsonl"))
+        );
     }
 
     [Fact]
     public void Trial_that_fails_three_times_is_skipped_and_reported()
     {
-        File.WriteAllText(PlanPath, Small.Replace("\"x\":0", "\"x\":9000", StringComparison.Ordinal)
-            .Replace("""
-                ,"rain"
-                """, "", StringComparison.Ordinal));
+        File.WriteAllText(
+            PlanPath,
+            Small
+                .Replace("\"x\":0", "\"x\":9000", StringComparison.Ordinal)
+                .Replace(
+                    """
+                    ,"rain"
+                    """,
+                    "",
+                    StringComparison.Ordinal
+                )
+        );
 
         CliRun run = CliRun.Of("plan", "run", PlanPath, "--out", Out);
 
@@ -194,7 +212,8 @@ public sealed class PlanCommandTests : IDisposable
     {
         File.WriteAllText(PlanPath, """{"name":"p","places":[{"name":"a","space":"NOWHERE"}]}""");
 
-        CliRun.Of("plan", "show", PlanPath)
+        CliRun
+            .Of("plan", "show", PlanPath)
             .AssertFailed(ExitCode.Usage, "No space 'NOWHERE' of the place 'a' is in this world, which has ");
     }
 
@@ -210,8 +229,10 @@ public sealed class PlanCommandTests : IDisposable
     public void Run_of_too_many_images_is_refused()
     {
         File.WriteAllText(
-            PlanPath, """{"name":"p","places":[{"name":"a","x":0,"y":0}],"weathers":["clear","rain","foggy"],"""
-            + """ "repetitions":1000,"frames":1000000}""");
+            PlanPath,
+            """{"name":"p","places":[{"name":"a","x":0,"y":0}],"weathers":["clear","rain","foggy"],"""
+                + """ "repetitions":1000,"frames":1000000}"""
+        );
 
         CliRun.Of("plan", "run", PlanPath, "--out", Out).AssertFailed(ExitCode.Usage, "The plan has 3000000000 images; a run may have ");
     }
@@ -240,8 +261,10 @@ public sealed class PlanCommandTests : IDisposable
     {
         string[] names = NamesIn(expected);
         Assert.Equal(names, NamesIn(actual));
-        Assert.All(names, name =>
-            Assert.Equal(File.ReadAllBytes(Path.Combine(expected, name)), File.ReadAllBytes(Path.Combine(actual, name))));
+        Assert.All(
+            names,
+            name => Assert.Equal(File.ReadAllBytes(Path.Combine(expected, name)), File.ReadAllBytes(Path.Combine(actual, name)))
+        );
     }
 
     private static string[] NamesIn(string folder) =>

@@ -5,8 +5,7 @@ namespace Harvester.Cli.Tests.Commands;
 
 public sealed class ProjectCommandTests
 {
-    private static readonly string[] Camera =
-        ["project", "--position", "0,0,0", "--rotation", "0,0,0", "--fov", "90", "--size", "800x600"];
+    private static readonly string[] Camera = ["project", "--position", "0,0,0", "--rotation", "0,0,0", "--fov", "90", "--size", "800x600"];
 
     [Fact]
     public void Project_of_points_ahead_gives_pixels_worked_out_by_hand()
@@ -66,7 +65,17 @@ public sealed class ProjectCommandTests
     {
         // A yaw of 90 degrees looks west (-x): the point 10 m west of the camera is in the middle.
         CliRun run = CliRun.WithInput(
-            "-15,-6,-7\n", "project", "--position", "-5,-6,-7", "--rotation", "-0,0,90", "--fov", "50", "--size", "100x100");
+            "-15,-6,-7\n",
+            "project",
+            "--position",
+            "-5,-6,-7",
+            "--rotation",
+            "-0,0,90",
+            "--fov",
+            "50",
+            "--size",
+            "100x100"
+        );
 
         AssertRow(run.Out.Split('\n')[1], 50, 50, 10, "inImage");
     }

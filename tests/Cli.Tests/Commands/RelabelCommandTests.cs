@@ -27,12 +27,15 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
         Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
         Assert.EndsWith($"{Made}: 8 frames\n", run.Out, StringComparison.Ordinal);
         Assert.Equal(File.ReadAllBytes(Path.Combine(Session, "labels.jsonl")), File.ReadAllBytes(Path.Combine(Made, "labels.jsonl")));
-        Assert.All(Directory.GetFiles(Path.Combine(Session, "masks")), mask =>
-            Assert.Equal(File.ReadAllBytes(mask), File.ReadAllBytes(Path.Combine(Made, "masks", Path.GetFileName(mask)))));
+        Assert.All(
+            Directory.GetFiles(Path.Combine(Session, "masks")),
+            mask => Assert.Equal(File.ReadAllBytes(mask), File.ReadAllBytes(Path.Combine(Made, "masks", Path.GetFileName(mask))))
+        );
         Assert.Equal(
             File.ReadAllText(Path.Combine(Session, "session.json"))
                 .Replace("\"scenes\": true", "\"scenes\": false", StringComparison.Ordinal),
-            Without("relabelledBy", File.ReadAllText(Path.Combine(Made, "session.json"))));
+            Without("relabelledBy", File.ReadAllText(Path.Combine(Made, "session.json")))
+        );
         Assert.True(File.Exists(Path.Combine(Made, "report.html")));
     }
 
@@ -48,7 +51,8 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
             Assert.EndsWith(
                 $"{part}: shard {number}/2, 4 frames. When all shards are done, merge them: harvester merge SHARD... --out DIR\n",
                 run.Out,
-                StringComparison.Ordinal);
+                StringComparison.Ordinal
+            );
         }
 
         CliRun.Of("merge", _folder.PathOf("part-2"), _folder.PathOf("part-1"), "--out", _folder.PathOf("merged/made"));
@@ -56,7 +60,9 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
         foreach (string file in Directory.EnumerateFiles(Made, "*", SearchOption.AllDirectories))
         {
             Assert.Equal(
-                File.ReadAllBytes(file), File.ReadAllBytes(Path.Combine(_folder.PathOf("merged/made"), Path.GetRelativePath(Made, file))));
+                File.ReadAllBytes(file),
+                File.ReadAllBytes(Path.Combine(_folder.PathOf("merged/made"), Path.GetRelativePath(Made, file)))
+            );
         }
     }
 
@@ -68,8 +74,11 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
         CliRun run = Relabel("--calibration", _folder.File("lens.ini", before + Lens));
 
         Assert.Equal("", run.Error);
-        Assert.All(new SessionReader(Made).ReadLabels(), label => Assert.Equal(
-            (new DistortionLabel(1.02, -0.03, 0), 80.16, null), (label.Camera.Distortion, label.Camera.Cx, label.Mask)));
+        Assert.All(
+            new SessionReader(Made).ReadLabels(),
+            label =>
+                Assert.Equal((new DistortionLabel(1.02, -0.03, 0), 80.16, null), (label.Camera.Distortion, label.Camera.Cx, label.Mask))
+        );
         Assert.Equal(ExitCode.Done, CliRun.Of("validate", Made).ExitCode);
     }
 
@@ -99,7 +108,8 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
         Assert.Contains(
             "\"narrowLaneWidth\": \"3\"",
             File.ReadAllText(Path.Combine(_folder.PathOf("narrower"), "session.json")),
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
 
         IEnumerable<double?> Widths(string name) =>
             new SessionReader(_folder.PathOf(name)).ReadLabels().Select(label => label.Lanes!.LaneWidthMetres).Distinct();
@@ -114,9 +124,12 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
         SharedHarvest.CopyTo(session, "--frames", "1", "--seed", "5", "--size", "64x48", "--masks", "--no-report");
         string header = Path.Combine(session, "session.json");
         File.WriteAllText(
-            header, File.ReadAllText(header).Replace("\"laneWidth\": \"5.4\"", $"\"laneWidth\": \"{width}\"", StringComparison.Ordinal));
+            header,
+            File.ReadAllText(header).Replace("\"laneWidth\": \"5.4\"", $"\"laneWidth\": \"{width}\"", StringComparison.Ordinal)
+        );
 
-        CliRun.Of("relabel", session, "--out", Made)
+        CliRun
+            .Of("relabel", session, "--out", Made)
             .AssertFailed(ExitCode.BadData, $"settings.laneWidth must be metres above 0, not '{width}'");
     }
 
@@ -131,13 +144,17 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
         CliRun relabel = Relabel("--spaces", survey);
 
         Assert.Equal(("", ""), (harvest.Error, relabel.Error));
-        Assert.All([session, Made], folder =>
-            Assert.Contains("\"spaces\": \"survey\"", File.ReadAllText(Path.Combine(folder, "session.json")), StringComparison.Ordinal));
+        Assert.All(
+            [session, Made],
+            folder =>
+                Assert.Contains("\"spaces\": \"survey\"", File.ReadAllText(Path.Combine(folder, "session.json")), StringComparison.Ordinal)
+        );
     }
 
     [Fact]
     public void Relabel_onto_the_session_itself_is_refused() =>
-        CliRun.Of("relabel", Session, "--out", Session + "/.", "--overwrite")
+        CliRun
+            .Of("relabel", Session, "--out", Session + "/.", "--overwrite")
             .AssertFailed(ExitCode.Usage, "is the recorded session itself");
 
     [Fact]
@@ -152,7 +169,8 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
 
     [Fact]
     public void Relabel_of_a_shard_asks_to_merge_first() =>
-        CliRun.Of("relabel", harvested.PathOf("part-1"), "--out", Made)
+        CliRun
+            .Of("relabel", harvested.PathOf("part-1"), "--out", Made)
             .AssertFailed(ExitCode.BadData, "is shard 1/3 of a session. Merge the shards first");
 
     [Theory]
@@ -167,7 +185,9 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
     {
         RoadNode[] nodes = [.. Enumerable.Range(0, 31).Select(i => new RoadNode(0, i, new Vector3D(0, 10 * i, 0), "", RoadNodeFlags.None))];
         var street = new RoadNetwork(
-            nodes, [.. Enumerable.Range(0, 30).Select(i => new RoadLink(i, i + 1, 2, 2, 0, RoadLinkFlags.NarrowRoad))]);
+            nodes,
+            [.. Enumerable.Range(0, 30).Select(i => new RoadLink(i, i + 1, 2, 2, 0, RoadLinkFlags.NarrowRoad))]
+        );
         using var text = new StringWriter();
         RoadCsvWriter.Write(street, text);
         return text.ToString();

@@ -20,12 +20,9 @@ public sealed class RepairCommandTests : IDisposable
 
         Assert.Equal(ExitCode.BadData, run.ExitCode);
         Assert.Equal(
-            [
-                "labels.jsonl, line 2: image 'frames/00000001.png' is missing.",
-                $"{Session}-repaired: 2 frames recovered, 1 lost",
-                "",
-            ],
-            run.Out.Split('\n'));
+            ["labels.jsonl, line 2: image 'frames/00000001.png' is missing.", $"{Session}-repaired: 2 frames recovered, 1 lost", ""],
+            run.Out.Split('\n')
+        );
         Assert.Equal(ExitCode.Done, CliRun.Of("validate", Session + "-repaired").ExitCode);
     }
 
@@ -77,7 +74,10 @@ public sealed class RepairCommandTests : IDisposable
 
         Assert.Equal((ExitCode.BadData, ""), (run.ExitCode, run.Error));
         Assert.Contains(
-            "session.json: it is damaged (it is not UTF-8); game, options and lens are lost.", run.Out, StringComparison.Ordinal);
+            "session.json: it is damaged (it is not UTF-8); game, options and lens are lost.",
+            run.Out,
+            StringComparison.Ordinal
+        );
     }
 
     /// <summary>Bits, missing and inserted bytes, and missing ends, spread over the file.</summary>
@@ -130,7 +130,10 @@ public sealed class RepairCommandTests : IDisposable
 
         Assert.Equal(ExitCode.BadData, run.ExitCode);
         Assert.StartsWith(
-            "labels.jsonl, line 2: image 'frames/00000001.png' is damaged: its SHA-256 differs", run.Out, StringComparison.Ordinal);
+            "labels.jsonl, line 2: image 'frames/00000001.png' is damaged: its SHA-256 differs",
+            run.Out,
+            StringComparison.Ordinal
+        );
     }
 
     private void Harvest() => SharedHarvest.CopyTo(Session, "--frames", "3", "--seed", "5", "--size", "80x60", "--no-report");

@@ -29,7 +29,8 @@ public sealed class ReportCommandTests
         using var folder = new TemporaryFolder();
         folder.File("session.json", Header);
 
-        CliRun.Of("report", folder.Path, "--out", Path.Combine(folder.Path, "none", "page.html"))
+        CliRun
+            .Of("report", folder.Path, "--out", Path.Combine(folder.Path, "none", "page.html"))
             .AssertFailed(ExitCode.InputOutput, "none");
     }
 
@@ -48,8 +49,7 @@ public sealed class ReportCommandTests
         using var folder = new TemporaryFolder();
         folder.File("session.json", Header);
 
-        CliRun.Of("report", folder.Path, "--still", "7")
-            .AssertFailed(ExitCode.BadData, $"'{folder.Path}' has no frame 7. It is empty.");
+        CliRun.Of("report", folder.Path, "--still", "7").AssertFailed(ExitCode.BadData, $"'{folder.Path}' has no frame 7. It is empty.");
     }
 
     [Theory]
@@ -61,7 +61,8 @@ public sealed class ReportCommandTests
         using var folder = new TemporaryFolder();
         folder.File("session.json", Header);
 
-        CliRun.Of(["report", folder.Path, "--out", folder.PathOf(file), .. still])
+        CliRun
+            .Of(["report", folder.Path, "--out", folder.PathOf(file), .. still])
             .AssertFailed(ExitCode.Usage, "--out takes a file that ends in .");
 
         Assert.False(File.Exists(folder.PathOf(file)));
@@ -75,13 +76,15 @@ public sealed class ReportCommandTests
         using var folder = new TemporaryFolder();
         folder.File("session.json", Header);
 
-        CliRun.Of(["report", folder.Path, "--still", "7", .. option])
+        CliRun
+            .Of(["report", folder.Path, "--still", "7", .. option])
             .AssertFailed(ExitCode.Usage, $"{option[0]} has no effect with --still.");
     }
 
     [Fact]
     public void Report_still_requires_a_frame_number() =>
-        CliRun.Of("report", "session", "--still", "frame.png")
+        CliRun
+            .Of("report", "session", "--still", "frame.png")
             .AssertFailed(ExitCode.Usage, "--still takes a frame number, e.g. 12, not 'frame.png'.");
 
     [Theory]
@@ -112,10 +115,10 @@ public sealed class ReportCommandTests
         SharedHarvest.CopyTo(folder.PathOf("session"), "--frames", "3", "--seed", "5", "--size", "80x60", "--no-report");
         string session = folder.PathOf("session");
 
-        CliRun.Of("report", session, "--predictions", folder.File("bad.json", "[{}]"))
+        CliRun
+            .Of("report", session, "--predictions", folder.File("bad.json", "[{}]"))
             .AssertFailed(ExitCode.BadData, "bad.json', line 1: image_id is missing");
         CliRun.Of("report", session, "--predictions", folder.PathOf("none.json")).AssertFailed(ExitCode.InputOutput, "none.json");
-        CliRun.Of("report", session, "--min-score", "0.3")
-            .AssertFailed(ExitCode.Usage, "--min-score has no effect without --predictions.");
+        CliRun.Of("report", session, "--min-score", "0.3").AssertFailed(ExitCode.Usage, "--min-score has no effect without --predictions.");
     }
 }

@@ -40,8 +40,9 @@ public sealed class RigExportTests(HarvestedRig harvested) : IClassFixture<Harve
 
         File.WriteAllBytes(Directory.EnumerateFiles(Path.Combine(session, "lidar"), "*", SearchOption.AllDirectories).Order().First(), []);
 
-        CliRun.Of("export", session, "--format", format, "--out", _folder.PathOf("out")).AssertFailed(
-            ExitCode.BadData, "are 0, but the label says");
+        CliRun
+            .Of("export", session, "--format", format, "--out", _folder.PathOf("out"))
+            .AssertFailed(ExitCode.BadData, "are 0, but the label says");
     }
 
     [Theory]
@@ -74,8 +75,10 @@ public sealed class RigExportTests(HarvestedRig harvested) : IClassFixture<Harve
         Export(format);
         string path = _folder.PathOf("out/" + file);
         File.WriteAllText(
-            path, File.ReadAllText(path, System.Text.Encoding.Latin1).Replace(before, after, StringComparison.Ordinal),
-            System.Text.Encoding.Latin1);
+            path,
+            File.ReadAllText(path, System.Text.Encoding.Latin1).Replace(before, after, StringComparison.Ordinal),
+            System.Text.Encoding.Latin1
+        );
 
         CliRun run = CliRun.Of("validate", _folder.PathOf("out"));
 
@@ -111,8 +114,12 @@ public sealed class RigExportTests(HarvestedRig harvested) : IClassFixture<Harve
     {
         Export("nuscenes");
         string path = _folder.PathOf("out/v1.0-gta/sample.json");
-        File.WriteAllText(path, File.ReadAllText(path).Replace("\n", "", StringComparison.Ordinal)
-            .Replace(",\"", "," + between + "\"", StringComparison.Ordinal));
+        File.WriteAllText(
+            path,
+            File.ReadAllText(path)
+                .Replace("\n", "", StringComparison.Ordinal)
+                .Replace(",\"", "," + between + "\"", StringComparison.Ordinal)
+        );
         File.Delete(_folder.PathOf("out/manifest.jsonl"));
 
         CliRun run = CliRun.Of("validate", _folder.PathOf("out"));
@@ -132,8 +139,19 @@ public sealed class RigExportTests(HarvestedRig harvested) : IClassFixture<Harve
     public void Split_between_neighbouring_frames_is_warned_of()
     {
         CliRun run = CliRun.Of(
-            "export", harvested.Session, "--format", "coco", "--out", _folder.PathOf("out"), "--split", "train:0.5,val:0.5",
-            "--split-block", "1", "--seed", "1");
+            "export",
+            harvested.Session,
+            "--format",
+            "coco",
+            "--out",
+            _folder.PathOf("out"),
+            "--split",
+            "train:0.5,val:0.5",
+            "--split-block",
+            "1",
+            "--seed",
+            "1"
+        );
 
         Assert.Contains("which look alike, are in different splits", run.Error, StringComparison.Ordinal);
     }

@@ -40,7 +40,8 @@ public sealed class RoadsCommandTests : IDisposable
         Assert.Matches(@"length +0\.0 km\n", info.Out);
         Assert.Equal(
             ["roads.csv.gz", "roads.txt"],
-            Directory.GetFiles(_folder.Path).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+            Directory.GetFiles(_folder.Path).Select(Path.GetFileName).Order(StringComparer.Ordinal)
+        );
     }
 
     [Fact]
@@ -79,7 +80,9 @@ public sealed class RoadsCommandTests : IDisposable
     public void Nodes_of_a_survey_with_road_edges_have_the_measured_width()
     {
         // A lane each way to the north, 4.5 m wide, reported twice at both ends.
-        string survey = _folder.File("survey.csv", """
+        string survey = _folder.File(
+            "survey.csv",
+            """
             harvester roads,1
             node,0,0,0,0,10,,,,
             node,0,1,0,20,10,,,,
@@ -89,7 +92,8 @@ public sealed class RoadsCommandTests : IDisposable
             edge,0,from,4.5,0,10
             edge,0,to,-4.5,20,10
             end,2,1
-            """);
+            """
+        );
         string imported = Path.Combine(_folder.Path, "roads.csv");
         string csv = Path.Combine(_folder.Path, "nodes.csv");
 
@@ -122,10 +126,12 @@ public sealed class RoadsCommandTests : IDisposable
 
         Assert.Equal(
             ["highway", "one-way", "street", "unpaved", "not drivable", "water"],
-            paths[6..].Select(path => path.ElementsAfterSelf().First().Value));
+            paths[6..].Select(path => path.ElementsAfterSelf().First().Value)
+        );
         Assert.Equal(
             paths[..6].Reverse().Select(path => path.Attribute("stroke")!.Value),
-            paths[6..].Select(path => path.Attribute("stroke")!.Value));
+            paths[6..].Select(path => path.Attribute("stroke")!.Value)
+        );
         Assert.Equal("#dc7814", paths[6].Attribute("stroke")!.Value);
     }
 
@@ -139,7 +145,8 @@ public sealed class RoadsCommandTests : IDisposable
         Assert.StartsWith(
             $"{png}: 20 x 40 pixels of 1 m; highways orange, ",
             CliRun.Of("roads", "map", from, "--out", png, "--area=-10,0,10,40", "--size", "40").Out,
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
         Assert.Equal(0, CliRun.Of("roads", "map", from, "--out", svg, "--area=-10,0,10,40", "--size", "40").ExitCode);
 
         Assert.True(File.ReadAllBytes(png) is [0x89, (byte)'P', (byte)'N', (byte)'G', ..]);
@@ -166,17 +173,20 @@ public sealed class RoadsCommandTests : IDisposable
     [InlineData("--area=-10,0,10,40", "2.5")] // 40 m
     [InlineData("--area=-5000,-5000,5555,5000", "660")] // 10,555 m: 659.6875 m a pixel
     [InlineData("--area=-50000,-50000,50000,50000", "6250")] // 100 km
-    public void Map_shows_its_scale_in_three_digits(string area, string metres) => Assert.Contains(
-        $" pixels of {metres} m;",
-        CliRun.Of("roads", "map", _folder.File("roads.txt", Ipl), "--out", _folder.PathOf("map.png"), "--size", "16", area).Out,
-        StringComparison.Ordinal);
+    public void Map_shows_its_scale_in_three_digits(string area, string metres) =>
+        Assert.Contains(
+            $" pixels of {metres} m;",
+            CliRun.Of("roads", "map", _folder.File("roads.txt", Ipl), "--out", _folder.PathOf("map.png"), "--size", "16", area).Out,
+            StringComparison.Ordinal
+        );
 
     [Fact]
     public void Import_of_a_corrupt_file_fails_with_the_position()
     {
         string from = _folder.File("roads.txt", Ipl.Replace("0, 1, 2, 2, 1, 0", "0, 9, 2, 2, 1, 0", StringComparison.Ordinal));
 
-        CliRun.Of("roads", "import", from, "--out", Path.Combine(_folder.Path, "x.csv"))
+        CliRun
+            .Of("roads", "import", from, "--out", Path.Combine(_folder.Path, "x.csv"))
             .AssertFailed(1, "roads.txt, line 7: the link runs from node 0 to node 9");
         CliRun.Of("roads", "info", Path.Combine(_folder.Path, "absent")).AssertFailed(3, "absent");
     }

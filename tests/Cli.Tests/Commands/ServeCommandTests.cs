@@ -24,7 +24,15 @@ public sealed class ServeCommandTests
         IPEndPoint at = new(IPAddress.Loopback, FreePort.Find());
         using CancellationTokenSource stopping = new();
         Task<CliRun> serve = CliRun.BesideAsync(
-            stopping.Token, "serve", "--port", at.Port.ToString(CultureInfo.InvariantCulture), "--traffic", "0", "--size", "80x60");
+            stopping.Token,
+            "serve",
+            "--port",
+            at.Port.ToString(CultureInfo.InvariantCulture),
+            "--traffic",
+            "0",
+            "--size",
+            "80x60"
+        );
         int client;
         using (SocketClient hailing = await ConnectAsync(at, serve))
         {
@@ -78,14 +86,15 @@ public sealed class ServeCommandTests
         CliRun serve = CliRun.Of("serve", "--folder", folder.Path, "--duration", "0.1");
         CliRun drive = CliRun.Of("drive", "--out", folder.PathOf("out"), "--bridge", "folder", "--folder", folder.Path, "--distance", "1");
 
-        serve
-            .AssertFailed(
-                ExitCode.Usage,
-                $"'{folder.Path}' has files that are not a bridge's, e.g. '{foreign}'. Name another folder with --folder.");
+        serve.AssertFailed(
+            ExitCode.Usage,
+            $"'{folder.Path}' has files that are not a bridge's, e.g. '{foreign}'. Name another folder with --folder."
+        );
         drive.AssertFailed(ExitCode.Usage, "has files that are not a bridge's");
         Assert.Equal(
             files.Order(StringComparer.Ordinal),
-            Directory.EnumerateFileSystemEntries(folder.Path).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+            Directory.EnumerateFileSystemEntries(folder.Path).Select(Path.GetFileName).Order(StringComparer.Ordinal)
+        );
     }
 
     [Theory]
@@ -96,7 +105,8 @@ public sealed class ServeCommandTests
     {
         using var folder = new TemporaryFolder();
 
-        CliRun.Of("serve", "--folder", folder.PathOf(bridge), "--record", folder.PathOf(session))
+        CliRun
+            .Of("serve", "--folder", folder.PathOf(bridge), "--record", folder.PathOf(session))
             .AssertFailed(ExitCode.Usage, bridge == session ? "name the same folder, '" : ", is inside that of --");
         Assert.Empty(Directory.EnumerateFileSystemEntries(folder.Path));
     }
@@ -112,7 +122,9 @@ public sealed class ServeCommandTests
         folder.File("notes.txt", "mine");
 
         Assert.Equal(
-            ExitCode.Done, CliRun.Of("serve", "--folder", folder.Path, "--duration", "0.1", "--traffic", "0", "--size", "80x60").ExitCode);
+            ExitCode.Done,
+            CliRun.Of("serve", "--folder", folder.Path, "--duration", "0.1", "--traffic", "0", "--size", "80x60").ExitCode
+        );
     }
 
     [Theory]

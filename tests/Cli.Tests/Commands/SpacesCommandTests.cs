@@ -34,7 +34,10 @@ public sealed class SpacesCommandTests : IDisposable
 
         Assert.Equal(ExitCode.BadData, run.ExitCode);
         Assert.StartsWith(
-            $"{file}: line 2, fulX, blrX: the cuboid is inside out: fulX must be less than blrX.", run.Out, StringComparison.Ordinal);
+            $"{file}: line 2, fulX, blrX: the cuboid is inside out: fulX must be less than blrX.",
+            run.Out,
+            StringComparison.Ordinal
+        );
         Assert.EndsWith($"{file}: 1 valid row, 1 invalid\n", run.Out, StringComparison.Ordinal);
     }
 
@@ -59,7 +62,8 @@ public sealed class SpacesCommandTests : IDisposable
     [InlineData("model,hash,class,name,mutcd,face,fulX,fulY,fulZ,blrX,blrY,blrZ,facing,provenance,source\n", ExitCode.Done)]
     [InlineData(
         "model, hash, class, name, mutcd, face, fulX, fulY, fulZ, blrX, blrY, blrZ, facing, provenance,\"source\"\nstop,1\n",
-        ExitCode.BadData)]
+        ExitCode.BadData
+    )]
     [InlineData("# none yet\n", ExitCode.Done)]
     [InlineData(InsideOut + "\n", ExitCode.BadData)]
     public void Check_of_a_table_without_a_valid_row_reports_zero_rows(string content, int code)
@@ -125,9 +129,10 @@ public sealed class SpacesCommandTests : IDisposable
         _folder.File(
             "photos.csv",
             "file,model,x,y,z,pitch,roll,yaw,verticalFov\n"
-            + "prop_sign_road_01a.png,prop_sign_road_01a,0,-4.06,2.25,0,0,0,53.13010235\n"
-            + "prop_sign_road_03g.png,prop_sign_road_03g,0,-4,2,0,0,0,50\n"
-            + "prop_sign_road_03h.png,prop_sign_road_03h,0,-4,2,0,0,0,50\n");
+                + "prop_sign_road_01a.png,prop_sign_road_01a,0,-4.06,2.25,0,0,0,53.13010235\n"
+                + "prop_sign_road_03g.png,prop_sign_road_03g,0,-4,2,0,0,0,50\n"
+                + "prop_sign_road_03h.png,prop_sign_road_03h,0,-4,2,0,0,0,50\n"
+        );
 
         CliRun run = CliRun.Of("spaces", "gallery", _folder.Path);
 
@@ -153,7 +158,9 @@ public sealed class SpacesCommandTests : IDisposable
         Directory.CreateDirectory(_folder.PathOf("photos"));
         _folder.File(Path.Combine("photos", "stop.png"), "a picture");
         _folder.File(
-            "photos.csv", "file,model,x,y,z,pitch,roll,yaw,verticalFov\nstop.png,prop_sign_road_01a,0,-4.06,2.25,0,0,0,53.13010235\n");
+            "photos.csv",
+            "file,model,x,y,z,pitch,roll,yaw,verticalFov\nstop.png,prop_sign_road_01a,0,-4.06,2.25,0,0,0,53.13010235\n"
+        );
 
         Assert.Equal(ExitCode.Done, CliRun.Of("spaces", "gallery", _folder.Path).ExitCode);
 
@@ -178,7 +185,8 @@ public sealed class SpacesCommandTests : IDisposable
 
         Assert.Equal(
             (ExitCode.BadData, "harvester: 1 invalid row not listed. For the reasons, run 'harvester spaces check'.\n"),
-            (run.ExitCode, run.Error));
+            (run.ExitCode, run.Error)
+        );
         Assert.Contains("prop_sign_road_01a", run.Out, StringComparison.Ordinal);
     }
 
@@ -189,12 +197,24 @@ public sealed class SpacesCommandTests : IDisposable
         string session = _folder.PathOf("session");
         string file = _folder.File("spaces.csv", Good + "\n");
         CliRun run = CliRun.Of(
-            "harvest", "--out", session, "--frames", "6", "--hz", "0.5", "--size", "320x240", "--no-report", "--spaces", file);
+            "harvest",
+            "--out",
+            session,
+            "--frames",
+            "6",
+            "--hz",
+            "0.5",
+            "--size",
+            "320x240",
+            "--no-report",
+            "--spaces",
+            file
+        );
         Assert.Equal("", run.Error);
 
         List<ObjectLabel> parts =
         [
-            .. new SessionReader(session).ReadLabels().SelectMany(label => label.Objects).Where(item => item.Face is not null)
+            .. new SessionReader(session).ReadLabels().SelectMany(label => label.Objects).Where(item => item.Face is not null),
         ];
         Assert.Contains(parts, part => part.Name == "TRAFFIC LIGHT");
         Assert.All(parts.Where(part => part.Model == "prop_sign_road_01a"), part => Assert.Equal("BIG STOP", part.Name));
@@ -214,12 +234,15 @@ public sealed class SpacesCommandTests : IDisposable
             CliRun.Of("spaces", "gallery", file),
         ];
 
-        Assert.All(runs, run =>
-        {
-            Assert.Equal(ExitCode.Done, run.ExitCode);
-            Assert.Contains($"{file}: line 1, fulX", run.Error, StringComparison.Ordinal);
-            Assert.Contains("1 of 2 rows are invalid and are ignored", run.Error, StringComparison.Ordinal);
-        });
+        Assert.All(
+            runs,
+            run =>
+            {
+                Assert.Equal(ExitCode.Done, run.ExitCode);
+                Assert.Contains($"{file}: line 1, fulX", run.Error, StringComparison.Ordinal);
+                Assert.Contains("1 of 2 rows are invalid and are ignored", run.Error, StringComparison.Ordinal);
+            }
+        );
         Assert.Contains("BIG STOP", File.ReadAllText(Path.Combine(session, "scenes", "spaces.csv")), StringComparison.Ordinal);
     }
 

@@ -11,7 +11,8 @@ public sealed class StatsCommandTests
         using var folder = new TemporaryFolder();
         folder.File(
             "session.json",
-            """{ "formatVersion": 1, "game": "simulation", "image": { "width": 80, "height": 60 }, "counters": { "captured": 0 } }""");
+            """{ "formatVersion": 1, "game": "simulation", "image": { "width": 80, "height": 60 }, "counters": { "captured": 0 } }"""
+        );
 
         CliRun run = CliRun.Of("stats", folder.Path, folder.Path);
 
@@ -19,12 +20,14 @@ public sealed class StatsCommandTests
         Assert.Contains(
             "\nwithout signs, traffic lights and riders, which KITTI does not label by themselves: 0 labels, 0.0 labels per frame\n",
             run.Out,
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
         Assert.Contains("\ndistance, m: none\n", run.Out, StringComparison.Ordinal);
         Assert.StartsWith(
             "0 frames, 0 labels, 0.0 labels per frame\nKITTI object detection, for comparison: 7481 training and 7518 test images, ",
             run.Out,
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]

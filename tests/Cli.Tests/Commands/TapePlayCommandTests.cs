@@ -71,8 +71,12 @@ public sealed class TapePlayCommandTests : IDisposable
     [InlineData(TapeFacts.Rig, """{"name": "r", "origin": [0, 0, 0], "cameras": [CAMERAS]}""")]
     public void Pictures_above_the_limit_are_refused(string fact, string text)
     {
-        string cameras = string.Join(", ", Enumerable.Range(0, 3).Select(i =>
-            $$"""{"name": "c{{i}}", "position": [0, 1, 1], "verticalFovDegrees": 50, "width": 3840, "height": 2160}"""));
+        string cameras = string.Join(
+            ", ",
+            Enumerable
+                .Range(0, 3)
+                .Select(i => $$"""{"name": "c{{i}}", "position": [0, 1, 1], "verticalFovDegrees": 50, "width": 3840, "height": 2160}""")
+        );
 
         Play(TapeBytes.Of([new TapeFact(fact, text.Replace("CAMERAS", cameras, StringComparison.Ordinal)), new TapeTick()]))
             .AssertFailed(ExitCode.BadData, "exceed the limit of 3840 x 2160 pixels");
@@ -87,9 +91,18 @@ public sealed class TapePlayCommandTests : IDisposable
     public void Hostile_settings_write_nothing_outside(string settings)
     {
         string outside = _folder.PathOf("outside");
-        Play(TapeBytes.Of(
-            [new TapeFact(TapeFacts.Settings, settings.Replace("OUT", outside, StringComparison.Ordinal)), new TapeTick(),
-                new TapeKey(85, false), new TapeTick(), new TapeKey(78, false), new TapeTick(), new TapeKey(85, false), new TapeTick()]));
+        Play(
+            TapeBytes.Of([
+                new TapeFact(TapeFacts.Settings, settings.Replace("OUT", outside, StringComparison.Ordinal)),
+                new TapeTick(),
+                new TapeKey(85, false),
+                new TapeTick(),
+                new TapeKey(78, false),
+                new TapeTick(),
+                new TapeKey(85, false),
+                new TapeTick(),
+            ])
+        );
 
         Assert.Equal([_folder.PathOf("a.tape")], Directory.GetFileSystemEntries(_folder.Path));
     }

@@ -29,9 +29,10 @@ public sealed class TwoWritersTests : IDisposable
             Assert.Equal(ExitCode.Usage, second.ExitCode);
             Assert.StartsWith(
                 $"harvester: '{_folder.PathOf("out")}' is being written by another harvester "
-                + $"(process {first.Id} on {Environment.MachineName} since ",
+                    + $"(process {first.Id} on {Environment.MachineName} since ",
                 error,
-                StringComparison.Ordinal);
+                StringComparison.Ordinal
+            );
             Assert.Equal(1, error.Count(character => character == '\n'));
             Assert.False(first.HasExited);
         }
@@ -54,7 +55,8 @@ public sealed class TwoWritersTests : IDisposable
         string folder = _folder.PathOf("shared");
         using var bridge = new FolderBridge(folder, new ImageSize(80, 60));
 
-        CliRun.Of("serve", "--folder", folder, "--duration", "0.1", "--traffic", "0", "--size", "80x60")
+        CliRun
+            .Of("serve", "--folder", folder, "--duration", "0.1", "--traffic", "0", "--size", "80x60")
             .AssertFailed(ExitCode.Usage, $"is being written by another harvester (process {Environment.ProcessId} on ");
     }
 

@@ -36,7 +36,8 @@ public sealed class ValidateCommandTests
                 $"{folder.Path}: 0 frames, 0 labels, 2 problems",
                 "",
             ],
-            run.Out.Split('\n'));
+            run.Out.Split('\n')
+        );
     }
 
     [Fact]
@@ -59,7 +60,9 @@ public sealed class ValidateCommandTests
     {
         using var folder = new TemporaryFolder();
         folder.File(
-            "session.json", Header.Replace(""", "counters":""", $""", "start": {start}{lag}, "counters":""", StringComparison.Ordinal));
+            "session.json",
+            Header.Replace(""", "counters":""", $""", "start": {start}{lag}, "counters":""", StringComparison.Ordinal)
+        );
 
         CliRun run = CliRun.Of("validate", folder.Path);
 
@@ -91,7 +94,8 @@ public sealed class ValidateCommandTests
         Assert.StartsWith(
             "manifest.jsonl: it is missing, but session.json says that the session was closed with it.\n",
             run.Out,
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
         Assert.DoesNotContain("has no manifest.jsonl", run.Out, StringComparison.Ordinal);
     }
 
@@ -141,12 +145,18 @@ public sealed class ValidateCommandTests
         CliRun damaged = CliRun.Of("validate", dataset);
 
         Assert.Equal(
-            (ExitCode.Done,
+            (
+                ExitCode.Done,
                 "Note: 1 file in the folder not listed in manifest.jsonl, e.g. 'labels/train.cache'; readers of the format ignore "
-                + $"such files.\n{dataset}: yolo, 2 frames, no problems\n"),
-            (noted.ExitCode, noted.Out));
+                    + $"such files.\n{dataset}: yolo, 2 frames, no problems\n"
+            ),
+            (noted.ExitCode, noted.Out)
+        );
         Assert.Equal(ExitCode.BadData, damaged.ExitCode);
         Assert.StartsWith(
-            "images/train/00000001.png: it is damaged: its SHA-256 differs from manifest.jsonl.\n", damaged.Out, StringComparison.Ordinal);
+            "images/train/00000001.png: it is damaged: its SHA-256 differs from manifest.jsonl.\n",
+            damaged.Out,
+            StringComparison.Ordinal
+        );
     }
 }

@@ -14,9 +14,34 @@ public sealed class ValidateSchemaTests(SmallSession small) : IClassFixture<Smal
     {
         using var folder = new TemporaryFolder();
         string session = folder.PathOf("session");
-        Assert.Equal(ExitCode.Done, CliRun.Of(
-            "harvest", "--out", session, "--frames", "2", "--seed", "3", "--size", "80x60", "--no-report", "--no-scenes",
-            "--image-format", "jpg", "--freeze", "auto", "--k1", "-0.05", "--near", "0,0", "--quirks", "lag=2").ExitCode);
+        Assert.Equal(
+            ExitCode.Done,
+            CliRun
+                .Of(
+                    "harvest",
+                    "--out",
+                    session,
+                    "--frames",
+                    "2",
+                    "--seed",
+                    "3",
+                    "--size",
+                    "80x60",
+                    "--no-report",
+                    "--no-scenes",
+                    "--image-format",
+                    "jpg",
+                    "--freeze",
+                    "auto",
+                    "--k1",
+                    "-0.05",
+                    "--near",
+                    "0,0",
+                    "--quirks",
+                    "lag=2"
+                )
+                .ExitCode
+        );
 
         AssertConforms(session);
     }
@@ -46,7 +71,8 @@ public sealed class ValidateSchemaTests(SmallSession small) : IClassFixture<Smal
         string labels = Path.Combine(session, "labels.jsonl");
         string[] lines = File.ReadAllLines(labels);
         JsonNode line = JsonNode.Parse(lines[1])!;
-        JsonNode inner = place.Split('/', StringSplitOptions.RemoveEmptyEntries)
+        JsonNode inner = place
+            .Split('/', StringSplitOptions.RemoveEmptyEntries)
             .Aggregate(line, (node, name) => int.TryParse(name, out int index) ? node[index]! : node[name]!);
         inner[field] = JsonNode.Parse(value);
         File.WriteAllText(labels, lines[0] + "\n" + line.ToJsonString() + "\n");

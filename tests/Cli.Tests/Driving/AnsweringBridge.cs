@@ -31,7 +31,5 @@ internal sealed class AnsweringBridge(Func<BridgeState, IEnumerable<ClientMessag
 
     public bool TryReceive([NotNullWhen(true)] out ClientMessage? message) => _messages.TryDequeue(out message);
 
-    public void Dispose()
-    {
-    }
+    public void Dispose() { }
 }

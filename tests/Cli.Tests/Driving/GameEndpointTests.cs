@@ -14,14 +14,22 @@ namespace Harvester.Cli.Tests.Driving;
 public sealed class BridgedGameTests
 {
     private const double TickSeconds = 0.05;
-    private readonly SimulatedGame _game = new(new SimulationOptions { Seed = 1, TrafficDensity = 0, PedestrianDensity = 0 });
+    private readonly SimulatedGame _game = new(
+        new SimulationOptions
+        {
+            Seed = 1,
+            TrafficDensity = 0,
+            PedestrianDensity = 0,
+        }
+    );
 
     [Fact]
     public void Dead_client_stops_the_car_even_in_a_junction()
     {
         bool isDead = false;
-        using AnsweringBridge bridge = new(
-            state => isDead ? [] : [new IndicatorsMessage(IndicatorOrder.Values(state.TorcsEquivalent), state.Frame)]);
+        using AnsweringBridge bridge = new(state =>
+            isDead ? [] : [new IndicatorsMessage(IndicatorOrder.Values(state.TorcsEquivalent), state.Frame)]
+        );
         using GameEndpoint bridged = Bridged(bridge);
         while (bridged.Status.AreLanesKnown || _game.Ports.World.ReadEgo().Velocity.Length < 3)
         {
@@ -47,11 +55,14 @@ public sealed class BridgedGameTests
     {
         int controllers = 0;
         using AnsweringBridge bridge = new(state => [new IndicatorsMessage(IndicatorOrder.Values(state.TorcsEquivalent), state.Frame)]);
-        using GameEndpoint bridged = Bridged(bridge, () =>
-        {
-            controllers++;
-            return new DeepDrivingController();
-        });
+        using GameEndpoint bridged = Bridged(
+            bridge,
+            () =>
+            {
+                controllers++;
+                return new DeepDrivingController();
+            }
+        );
         for (int tick = 0; tick < 20; tick++)
         {
             bridged.Tick(TickSeconds);
@@ -73,10 +84,11 @@ public sealed class BridgedGameTests
         Pose at = _game.Ports.World.ReadEgo().Pose;
         Queue<ClientMessage> once = new([new ResetMessage(at.Position + (at.Axes.Right * 1.5), Angles.HeadingDegrees(at.Axes.Forward))]);
         using AnsweringBridge bridge = new(state =>
-        [
-            .. once.TryDequeue(out ClientMessage? reset) ? [reset] : Array.Empty<ClientMessage>(),
-            new ControlsMessage(new DrivingControls(0, 0.3, 0), state.Frame),
-        ]);
+            [
+                .. once.TryDequeue(out ClientMessage? reset) ? [reset] : Array.Empty<ClientMessage>(),
+                new ControlsMessage(new DrivingControls(0, 0.3, 0), state.Frame),
+            ]
+        );
         using GameEndpoint bridged = Bridged(bridge);
         for (int tick = 0; tick < 20; tick++)
         {
@@ -86,11 +98,13 @@ public sealed class BridgedGameTests
         Assert.True(bridged.IsByClient);
     }
 
-    private GameEndpoint Bridged(IDrivingBridge bridge, Func<IController>? newController = null) => new(
-        _game,
-        new FixedRoads(_game.Roads, "simulation"),
-        new DrivingOptions { Picture = new ImageSize(32, 24) },
-        bridge,
-        newController ?? (static () => new DeepDrivingController()),
-        isAssisted: true);
+    private GameEndpoint Bridged(IDrivingBridge bridge, Func<IController>? newController = null) =>
+        new(
+            _game,
+            new FixedRoads(_game.Roads, "simulation"),
+            new DrivingOptions { Picture = new ImageSize(32, 24) },
+            bridge,
+            newController ?? (static () => new DeepDrivingController()),
+            isAssisted: true
+        );
 }

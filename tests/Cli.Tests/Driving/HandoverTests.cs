@@ -63,18 +63,20 @@ public sealed class HandoverTests
     /// <summary>A car in a lane.</summary>
     /// <param name="centre">Middle of the lane, metres to the right of the car.</param>
     /// <param name="width">Its width, metres.</param>
-    private static LaneIndicators InLane(double centre, double width = 5.4) => LaneIndicators.Unknown with
-    {
-        Angle = Indicator.Of(0),
-        ToMarkingML = Indicator.Of(centre - (width / 2)),
-        ToMarkingMR = Indicator.Of(centre + (width / 2)),
-    };
+    private static LaneIndicators InLane(double centre, double width = 5.4) =>
+        LaneIndicators.Unknown with
+        {
+            Angle = Indicator.Of(0),
+            ToMarkingML = Indicator.Of(centre - (width / 2)),
+            ToMarkingMR = Indicator.Of(centre + (width / 2)),
+        };
 
-    private static LaneObservation Seen(LaneIndicators here, LaneIndicators there) => new()
-    {
-        Status = LaneStatus.Known,
-        Match = new RoadMatch { Outcome = RoadMatchOutcome.Matched },
-        IndicatorsAtCar = here,
-        Indicators = there,
-    };
+    private static LaneObservation Seen(LaneIndicators here, LaneIndicators there) =>
+        new()
+        {
+            Status = LaneStatus.Known,
+            Match = new RoadMatch { Outcome = RoadMatchOutcome.Matched },
+            IndicatorsAtCar = here,
+            Indicators = there,
+        };
 }

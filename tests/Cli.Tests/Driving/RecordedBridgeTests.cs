@@ -28,11 +28,14 @@ public sealed class RecordedBridgeTests : IDisposable
 
         JsonElement[] drives = Drives();
         Assert.InRange(drives.Length, 15, 18);
-        Assert.All(drives[..^1], drive =>
-        {
-            Assert.Equal(1, drive.GetProperty("controls").GetProperty("throttle").GetDouble());
-            Assert.InRange(drive.GetProperty("answerSeconds").GetDouble(), 16 * TickSeconds, 19 * TickSeconds);
-        });
+        Assert.All(
+            drives[..^1],
+            drive =>
+            {
+                Assert.Equal(1, drive.GetProperty("controls").GetProperty("throttle").GetDouble());
+                Assert.InRange(drive.GetProperty("answerSeconds").GetDouble(), 16 * TickSeconds, 19 * TickSeconds);
+            }
+        );
         Assert.Equal(bridge.Sent, drives.Select(drive => drive.GetProperty("bridgeFrame").GetInt64()));
     }
 
@@ -50,27 +53,35 @@ public sealed class RecordedBridgeTests : IDisposable
     {
         using var bridge = new AnsweringBridge(
             static state => state.Frame == 0 ? [new ControlsMessage(FullThrottle, 0), new StepMessage(1)] : [],
-            new RequestFrameMessage());
+            new RequestFrameMessage()
+        );
         Record(bridge, new DrivingOptions { Picture = new ImageSize(32, 24), IsLockStep = true }, ticks: 25);
 
         JsonElement[] ticks = [.. Drives()[0].GetProperty("ticks").EnumerateArray()];
         Assert.Equal(["client", "none"], ticks.Select(tick => tick.GetProperty("driver").GetString()).Distinct());
-        Assert.All(ticks, tick => Assert.Equal(
-            tick.GetProperty("driver").GetString() == "client" ? 1 : 0,
-            tick.GetProperty("applied").GetProperty("throttle").GetDouble()));
+        Assert.All(
+            ticks,
+            tick =>
+                Assert.Equal(
+                    tick.GetProperty("driver").GetString() == "client" ? 1 : 0,
+                    tick.GetProperty("applied").GetProperty("throttle").GetDouble()
+                )
+        );
     }
 
     [Fact]
     public void Answer_to_a_repeated_frame_is_that_of_the_recorded_one()
     {
         using var bridge = new AnsweringBridge(
-            static state => state.Frame switch
-            {
-                0 => [new RequestFrameMessage()],
-                1 => [new ControlsMessage(FullThrottle, 1), new StepMessage(0.2)],
-                _ => [],
-            },
-            new RequestFrameMessage());
+            static state =>
+                state.Frame switch
+                {
+                    0 => [new RequestFrameMessage()],
+                    1 => [new ControlsMessage(FullThrottle, 1), new StepMessage(0.2)],
+                    _ => [],
+                },
+            new RequestFrameMessage()
+        );
         Record(bridge, new DrivingOptions { Picture = new ImageSize(32, 24), IsLockStep = true }, ticks: 10);
 
         JsonElement first = Drives()[0];
@@ -85,17 +96,21 @@ public sealed class RecordedBridgeTests : IDisposable
         Pose at = game.Ports.World.ReadEgo().Pose;
         double heading = Angles.HeadingDegrees(at.Axes.Forward);
         using var bridge = new AnsweringBridge(
-            state => state.Frame switch
-            {
-                0 => [new ControlsMessage(FullThrottle, 0), new StepMessage(0.4)],
-                1 => [new ResetMessage(at.Position, heading), new StepMessage(0.2)],
-                _ => [],
-            },
-            new RequestFrameMessage());
+            state =>
+                state.Frame switch
+                {
+                    0 => [new ControlsMessage(FullThrottle, 0), new StepMessage(0.4)],
+                    1 => [new ResetMessage(at.Position, heading), new StepMessage(0.2)],
+                    _ => [],
+                },
+            new RequestFrameMessage()
+        );
         Record(bridge, new DrivingOptions { Picture = new ImageSize(32, 24), IsLockStep = true }, ticks: 25, game);
 
-        JsonElement[] measured = [.. Drives().SelectMany(drive => drive.GetProperty("ticks").EnumerateArray())
-            .Select(tick => tick.GetProperty("acceleration"))];
+        JsonElement[] measured =
+        [
+            .. Drives().SelectMany(drive => drive.GetProperty("ticks").EnumerateArray()).Select(tick => tick.GetProperty("acceleration")),
+        ];
         Assert.Single(measured, each => each.ValueKind == JsonValueKind.Null);
         Assert.All(measured.Where(each => each.ValueKind != JsonValueKind.Null), each => Assert.InRange(each[1].GetDouble(), -9, 5));
     }
@@ -126,21 +141,35 @@ public sealed class RecordedBridgeTests : IDisposable
         return new WeakReference(game);
     }
 
-    private static SimulatedGame Game() => new(new SimulationOptions { Seed = 1, TrafficDensity = 0, PedestrianDensity = 0 });
+    private static SimulatedGame Game() =>
+        new(
+            new SimulationOptions
+            {
+                Seed = 1,
+                TrafficDensity = 0,
+                PedestrianDensity = 0,
+            }
+        );
 
-    private DriveRecording NewRecording(bool isNumbered = false) => new(
-        new Terminal(TextReader.Null, TextWriter.Null, TextWriter.Null, IsInteractive: false),
-        new RecordPlan(_folder.PathOf("session"), 0.2, new ImageSize(32, 24)) { IsNumbered = isNumbered }, "drive", overwrite: false);
+    private DriveRecording NewRecording(bool isNumbered = false) =>
+        new(
+            new Terminal(TextReader.Null, TextWriter.Null, TextWriter.Null, IsInteractive: false),
+            new RecordPlan(_folder.PathOf("session"), 0.2, new ImageSize(32, 24)) { IsNumbered = isNumbered },
+            "drive",
+            overwrite: false
+        );
 
     private void Record(IDrivingBridge bridge, DrivingOptions options, int ticks, SimulatedGame? driven = null)
     {
         SimulatedGame game = driven ?? Game();
         FixedRoads roads = new(game.Roads, "simulation");
         using DriveRecording recording = NewRecording();
-        using (var endpoint = new GameEndpoint(game, roads, options, bridge, static () => new DeepDrivingController(), isAssisted: false)
-        {
-            Recording = recording.Of(game, roads, 1),
-        })
+        using (
+            var endpoint = new GameEndpoint(game, roads, options, bridge, static () => new DeepDrivingController(), isAssisted: false)
+            {
+                Recording = recording.Of(game, roads, 1),
+            }
+        )
         {
             endpoint.Listen();
             for (int tick = 0; tick < ticks; tick++)
@@ -153,10 +182,10 @@ public sealed class RecordedBridgeTests : IDisposable
     }
 
     private JsonElement[] Drives() =>
-    [
-        .. File.ReadLines(_folder.PathOf("session/labels.jsonl"))
-            .Select(line => JsonDocument.Parse(line).RootElement.GetProperty("drive")),
-    ];
+        [
+            .. File.ReadLines(_folder.PathOf("session/labels.jsonl"))
+                .Select(line => JsonDocument.Parse(line).RootElement.GetProperty("drive")),
+        ];
 
     /// <summary>A bridge to a client that answers each frame after some ticks. It is sent a frame when it has answered the last.</summary>
     private sealed class SlowBridge(int ticks) : IDrivingBridge
@@ -194,8 +223,6 @@ public sealed class RecordedBridgeTests : IDisposable
             return isAnswer;
         }
 
-        public void Dispose()
-        {
-        }
+        public void Dispose() { }
     }
 }

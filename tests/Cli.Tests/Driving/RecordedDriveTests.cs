@@ -20,8 +20,14 @@ public sealed class RecordedDriveTests
         CliRun.Of("validate", folder.PathOf("one-session"), "--schema").AssertDone();
         string[] files = [.. Directory.EnumerateFiles(folder.PathOf("one-session"), "*", SearchOption.AllDirectories)];
         Assert.True(files.Length > 20);
-        Assert.All(files, file => Assert.Equal(
-            File.ReadAllBytes(file), File.ReadAllBytes(file.Replace("one-session", "two-session", StringComparison.Ordinal))));
+        Assert.All(
+            files,
+            file =>
+                Assert.Equal(
+                    File.ReadAllBytes(file),
+                    File.ReadAllBytes(file.Replace("one-session", "two-session", StringComparison.Ordinal))
+                )
+        );
         JsonElement line = Lines(folder.PathOf("one-session"))[0];
         Assert.Equal("rain", line.GetProperty("environment").GetProperty("weather").GetString());
         Assert.Equal(13, line.GetProperty("lanes").GetProperty("indicators").EnumerateObject().Count());
@@ -65,8 +71,10 @@ public sealed class RecordedDriveTests
     {
         using TemporaryFolder folder = new();
         Drive(folder, "drive", "--distance", "80");
-        JsonElement[] ticks = [.. Lines(folder.PathOf("drive-session"))
-            .SelectMany(line => line.GetProperty("drive").GetProperty("ticks").EnumerateArray())];
+        JsonElement[] ticks =
+        [
+            .. Lines(folder.PathOf("drive-session")).SelectMany(line => line.GetProperty("drive").GetProperty("ticks").EnumerateArray()),
+        ];
 
         // The origin is ahead of the axle that moves straight ahead, so the speed also has a part sideways while the car turns.
         const double sideways = 1;
@@ -90,14 +98,19 @@ public sealed class RecordedDriveTests
         JsonElement[] disturbed = [.. drives.Where(drive => drive.GetProperty("disturbed").GetBoolean())];
 
         Assert.InRange(disturbed.Length, 5, drives.Length / 2);
-        Assert.All(disturbed, drive =>
-        {
-            Assert.NotEqual(Controls(drive, "controls")[0], Controls(drive, "applied")[0]);
-            Assert.Equal(Controls(drive, "controls")[1..], Controls(drive, "applied")[1..]);
-        });
+        Assert.All(
+            disturbed,
+            drive =>
+            {
+                Assert.NotEqual(Controls(drive, "controls")[0], Controls(drive, "applied")[0]);
+                Assert.Equal(Controls(drive, "controls")[1..], Controls(drive, "applied")[1..]);
+            }
+        );
         Assert.All(drives.Except(disturbed), drive => Assert.Equal(Controls(drive, "controls"), Controls(drive, "applied")));
         Assert.Equal(
-            File.ReadAllBytes(folder.PathOf("one-session/labels.jsonl")), File.ReadAllBytes(folder.PathOf("two-session/labels.jsonl")));
+            File.ReadAllBytes(folder.PathOf("one-session/labels.jsonl")),
+            File.ReadAllBytes(folder.PathOf("two-session/labels.jsonl"))
+        );
     }
 
     [Fact]
@@ -123,8 +136,11 @@ public sealed class RecordedDriveTests
         Drive(folder, "drive", "--distance", "60", "--controller", controller, "--traffic", "0", "--speed", $"{mostSpeed}");
         JsonElement[] lines = Lines(folder.PathOf("drive-session"));
 
-        Assert.All(lines, line => Assert.Equal(
-            Driver(line) != "controller", line.GetProperty("drive").GetProperty("target").ValueKind == JsonValueKind.Null));
+        Assert.All(
+            lines,
+            line =>
+                Assert.Equal(Driver(line) != "controller", line.GetProperty("drive").GetProperty("target").ValueKind == JsonValueKind.Null)
+        );
         JsonElement[] driven = [.. lines.Where(line => Driver(line) == "controller")];
         Assert.All(driven, line => Assert.InRange(Number(Target(line), "speed"), 0.1, mostSpeed));
         Assert.Contains(driven, line => Number(Target(line), "speed") > 0.9 * mostSpeed);
@@ -169,7 +185,10 @@ public sealed class RecordedDriveTests
             using JsonDocument sample = JsonDocument.Parse(files[$"{i:D8}.json"]);
             Assert.Equal(action.GetRawText(), sample.RootElement.GetProperty("drive").GetRawText());
             Assert.Equal(
-                Controls(action, "controls")[0], double.Parse(rows[i + 1].Split(',')[steering], CultureInfo.InvariantCulture), Rounding);
+                Controls(action, "controls")[0],
+                double.Parse(rows[i + 1].Split(',')[steering], CultureInfo.InvariantCulture),
+                Rounding
+            );
         }
     }
 
@@ -190,10 +209,20 @@ public sealed class RecordedDriveTests
     }
 
     private static void Drive(TemporaryFolder folder, string name, params string[] options) =>
-        CliRun.Of([
-            "drive", "--seed", "1", "--out", folder.PathOf(name), "--record", folder.PathOf(name + "-session"), "--size", "80x60",
-            .. options,
-        ]).AssertDone();
+        CliRun
+            .Of([
+                "drive",
+                "--seed",
+                "1",
+                "--out",
+                folder.PathOf(name),
+                "--record",
+                folder.PathOf(name + "-session"),
+                "--size",
+                "80x60",
+                .. options,
+            ])
+            .AssertDone();
 
     private static Dictionary<string, byte[]> Archived(string path)
     {

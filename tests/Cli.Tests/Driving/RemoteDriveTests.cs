@@ -31,10 +31,12 @@ public sealed class BridgedDriveTests
     public void Run_with_a_fault_in_the_middle_of_the_drive_fails()
     {
         using AnsweringBridge bridge = new(
-            state => state.Frame < 5
-                ? [new ControlsMessage(Gentle, state.Frame), new StepMessage(0.1)]
-                : throw new InvalidOperationException("the screen is gone"),
-            new RequestFrameMessage());
+            state =>
+                state.Frame < 5
+                    ? [new ControlsMessage(Gentle, state.Frame), new StepMessage(0.1)]
+                    : throw new InvalidOperationException("the screen is gone"),
+            new RequestFrameMessage()
+        );
 
         Assert.Throws<GameFaultException>(() => Drive(bridge, TimeSpan.FromHours(1)));
     }
@@ -52,7 +54,9 @@ public sealed class BridgedDriveTests
     public void Run_gives_up_on_a_client_that_pauses_and_falls_silent()
     {
         using AnsweringBridge bridge = new(
-            state => state.Frame < 5 ? [new ControlsMessage(Gentle, state.Frame), new StepMessage(0.1)] : [], new RequestFrameMessage());
+            state => state.Frame < 5 ? [new ControlsMessage(Gentle, state.Frame), new StepMessage(0.1)] : [],
+            new RequestFrameMessage()
+        );
 
         Assert.Throws<IOException>(() => Drive(bridge, Little));
     }
@@ -61,8 +65,9 @@ public sealed class BridgedDriveTests
     public void Run_waits_for_a_client_that_joins_after_the_first_frame()
     {
         // Nobody was there for frame 0.
-        using AnsweringBridge bridge = new(
-            state => state.Frame == 0 ? [] : [new ControlsMessage(Gentle, state.Frame), new StepMessage(0.1)]);
+        using AnsweringBridge bridge = new(state =>
+            state.Frame == 0 ? [] : [new ControlsMessage(Gentle, state.Frame), new StepMessage(0.1)]
+        );
 
         Assert.NotEmpty(Drive(bridge, Ample, metres: 1));
     }
@@ -70,8 +75,9 @@ public sealed class BridgedDriveTests
     [Fact]
     public void Run_continues_with_a_client_that_starts_with_a_step()
     {
-        using AnsweringBridge bridge = new(
-            state => [new StepMessage(0.1), .. state.TimeSeconds > 0 ? [new ControlsMessage(Gentle, null)] : Array.Empty<ClientMessage>()]);
+        using AnsweringBridge bridge = new(state =>
+            [new StepMessage(0.1), .. state.TimeSeconds > 0 ? [new ControlsMessage(Gentle, null)] : Array.Empty<ClientMessage>()]
+        );
 
         Assert.NotEmpty(Drive(bridge, Ample, metres: 1));
     }
@@ -110,18 +116,37 @@ public sealed class BridgedDriveTests
 
                 return [new ControlsMessage(Gentle, state.Frame), new StepMessage(0.1)];
             },
-            new RequestFrameMessage());
+            new RequestFrameMessage()
+        );
 
         // The tenth frame after the first is at 1.0 s: ten samples, or one more with the rest of its tick.
         Assert.InRange(Drive(bridge, TimeSpan.FromHours(1), stopping: stopping.Token).Count, 9, 11);
     }
 
     private static IReadOnlyList<DriveSample> Drive(
-        IDrivingBridge bridge, TimeSpan patience, double metres = 100, bool isRealTime = false, CancellationToken stopping = default)
+        IDrivingBridge bridge,
+        TimeSpan patience,
+        double metres = 100,
+        bool isRealTime = false,
+        CancellationToken stopping = default
+    )
     {
-        SimulatedGame game = new(new SimulationOptions { Seed = 1, TrafficDensity = 0, PedestrianDensity = 0, WindowAspect = 4.0 / 3 });
+        SimulatedGame game = new(
+            new SimulationOptions
+            {
+                Seed = 1,
+                TrafficDensity = 0,
+                PedestrianDensity = 0,
+                WindowAspect = 4.0 / 3,
+            }
+        );
         RemoteDrive drive = new(
-            game, new FixedRoads(game.Roads, "simulation"), bridge, static () => new StanleyController(new StanleyOptions()), patience);
+            game,
+            new FixedRoads(game.Roads, "simulation"),
+            bridge,
+            static () => new StanleyController(new StanleyOptions()),
+            patience
+        );
         drive.Run(metres, 60, isRealTime, stopping);
         return drive.Samples;
     }
@@ -177,8 +202,6 @@ public sealed class BridgedDriveTests
             return _messages.TryDequeue(out message);
         }
 
-        public void Dispose()
-        {
-        }
+        public void Dispose() { }
     }
 }

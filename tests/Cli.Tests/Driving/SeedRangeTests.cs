@@ -37,7 +37,10 @@ public sealed class SeedRangeTests
         // 900 m and 100 m of road, and as much water.
         RoadNode[] nodes =
         [
-            Node(0, RoadNodeFlags.None), Node(900, RoadNodeFlags.None), Node(1000, RoadNodeFlags.None), Node(2000, RoadNodeFlags.Water),
+            Node(0, RoadNodeFlags.None),
+            Node(900, RoadNodeFlags.None),
+            Node(1000, RoadNodeFlags.None),
+            Node(2000, RoadNodeFlags.Water),
         ];
         RoadNetwork roads = new(nodes, [Link(0, 1), Link(1, 2), Link(2, 3)]);
         IReadOnlyList<Vector2D> places = RandomPlaces.On(roads, 400, seed: 3);

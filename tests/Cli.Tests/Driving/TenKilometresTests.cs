@@ -17,13 +17,20 @@ public sealed class TenKilometresTests
 {
     private const double Demanded = 10_000;
 
-    private static readonly Vector2D[] PlacesInTown =
-        [new(0, 0), new(-430, -200), new(-430, -400), new(200, -300), new(0, 300)];
+    private static readonly Vector2D[] PlacesInTown = [new(0, 0), new(-430, -200), new(-430, -400), new(200, -300), new(0, 300)];
 
     private static readonly Vector2D[] PlacesOnMap =
     [
-        new(-3000, 500), new(-200, 6300), new(1700, 3700), new(2000, 4900), new(0, 2700),
-        new(-500, 1000), new(2600, 3000), new(2500, -500), new(0, -1000), new(-1100, -1400),
+        new(-3000, 500),
+        new(-200, 6300),
+        new(1700, 3700),
+        new(2000, 4900),
+        new(0, 2700),
+        new(-500, 1000),
+        new(2600, 3000),
+        new(2500, -500),
+        new(0, -1000),
+        new(-1100, -1400),
     ];
 
     /// <summary>With the published noise it left its lane once in 12 km, and not at all in an earlier version.</summary>
@@ -41,7 +48,8 @@ public sealed class TenKilometresTests
     public void DeepDriving_with_emergency_brake_drives_synthetic_roads(bool isNoisy) =>
         AssertClean(
             DriveInTowns(new ControllerPlan { Kind = ControllerKind.DeepDriving, BrakesInEmergency = true }, isNoisy),
-            isNoisy ? DeparturesByNoise : 0);
+            isNoisy ? DeparturesByNoise : 0
+        );
 
     [RealWorldFact("nodes.zip")]
     public void Stanley_drives_the_real_network_by_true_indicators() => AssertClean(DriveOnMap(null));
@@ -49,24 +57,30 @@ public sealed class TenKilometresTests
     [RealWorldFact("nodes.zip")]
     public void Stanley_drives_the_real_network_by_noisy_indicators() => AssertClean(DriveOnMap(NoiseLevels.Published));
 
-    private static DriveFigures DriveInTowns(ControllerPlan controller, bool isNoisy) => Drive(new DrivePlan
-    {
-        Controller = controller,
-        Starts = PlacesInTown,
-        TrafficDensity = 0.5,
-        Metres = 2800,
-        Noise = isNoisy ? NoiseLevels.Published : null,
-    });
+    private static DriveFigures DriveInTowns(ControllerPlan controller, bool isNoisy) =>
+        Drive(
+            new DrivePlan
+            {
+                Controller = controller,
+                Starts = PlacesInTown,
+                TrafficDensity = 0.5,
+                Metres = 2800,
+                Noise = isNoisy ? NoiseLevels.Published : null,
+            }
+        );
 
-    private static DriveFigures DriveOnMap(NoiseLevels? noise) => Drive(new DrivePlan
-    {
-        Controller = new ControllerPlan { Kind = ControllerKind.Stanley },
-        Roads = RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!).Network,
-        Starts = PlacesOnMap,
-        Metres = 2400,
-        Seconds = 900,
-        Noise = noise,
-    });
+    private static DriveFigures DriveOnMap(NoiseLevels? noise) =>
+        Drive(
+            new DrivePlan
+            {
+                Controller = new ControllerPlan { Kind = ControllerKind.Stanley },
+                Roads = RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!).Network,
+                Starts = PlacesOnMap,
+                Metres = 2400,
+                Seconds = 900,
+                Noise = noise,
+            }
+        );
 
     private static DriveFigures Drive(DrivePlan plan)
     {

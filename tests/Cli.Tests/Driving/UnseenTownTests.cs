@@ -48,13 +48,14 @@ public sealed class UnseenTownTests
         Assert.Equal(records[0], records[1]);
     }
 
-    private static DrivePlan PlanOf(ControllerKind kind, double metres, int jobs) => new()
-    {
-        Controller = new ControllerPlan { Kind = kind, BrakesInEmergency = kind == ControllerKind.DeepDriving },
-        Seeds = [9201, 9202, 9203],
-        Metres = metres,
-        Seconds = 600,
-        Noise = NoiseLevels.Published,
-        Jobs = jobs,
-    };
+    private static DrivePlan PlanOf(ControllerKind kind, double metres, int jobs) =>
+        new()
+        {
+            Controller = new ControllerPlan { Kind = kind, BrakesInEmergency = kind == ControllerKind.DeepDriving },
+            Seeds = [9201, 9202, 9203],
+            Metres = metres,
+            Seconds = 600,
+            Noise = NoiseLevels.Published,
+            Jobs = jobs,
+        };
 }

@@ -22,7 +22,10 @@ public sealed class DurableOrderTests(SmallSession session) : IClassFixture<Smal
         foreach (string file in (string[])["in/out/images/train/00000000.png", "in/out/labels/train/00000001.txt"])
         {
             operations.AssertOrder(
-                $"open {file}", "write in/out/.export/journal-1-of-1.jsonl", "flush in/out/.export/journal-1-of-1.jsonl");
+                $"open {file}",
+                "write in/out/.export/journal-1-of-1.jsonl",
+                "flush in/out/.export/journal-1-of-1.jsonl"
+            );
         }
 
         foreach (string folder in (string[])["in", "in/out", "in/out/images", "in/out/images/train", "in/out/labels/train"])
@@ -47,7 +50,8 @@ public sealed class DurableOrderTests(SmallSession session) : IClassFixture<Smal
             "open in/out",
             "delete in/out/.export/plan.json",
             "rmdir in/out/.export",
-            "open in/out");
+            "open in/out"
+        );
     }
 
     [CompilerFact]
@@ -66,7 +70,8 @@ public sealed class DurableOrderTests(SmallSession session) : IClassFixture<Smal
             "rename in/out/export.json",
             "open in/out/export.json",
             "delete in/out/.export/plan.json",
-            "open in/out");
+            "open in/out"
+        );
     }
 
     [CompilerFact]
@@ -109,7 +114,8 @@ public sealed class DurableOrderTests(SmallSession session) : IClassFixture<Smal
             "exchange in/out",
             "open in/out.*.partial",
             "open in",
-            "delete in/out.*.partial/out/session.json");
+            "delete in/out.*.partial/out/session.json"
+        );
     }
 
     [CompilerFact]
@@ -123,7 +129,8 @@ public sealed class DurableOrderTests(SmallSession session) : IClassFixture<Smal
             "open in/out",
             "rename in/out/session.json",
             "delete in/out/.harvester-unfinished",
-            "open in/out");
+            "open in/out"
+        );
     }
 
     [CompilerFact]
@@ -146,7 +153,19 @@ public sealed class DurableOrderTests(SmallSession session) : IClassFixture<Smal
         {
             string number = $"{index + 1}/2";
             CliRun run = CliRun.Of(
-                "export", session.Folder, "--format", "yolo", "--out", shard, "--shard", number, "--sync", "never", "--images", "copy");
+                "export",
+                session.Folder,
+                "--format",
+                "yolo",
+                "--out",
+                shard,
+                "--shard",
+                number,
+                "--sync",
+                "never",
+                "--images",
+                "copy"
+            );
             Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
         }
 

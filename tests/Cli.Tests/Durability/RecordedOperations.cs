@@ -26,9 +26,10 @@ internal sealed class RecordedOperations
     }
 
     /// <summary>Paths of the operations of a kind, in their order.</summary>
-    public IEnumerable<string> Paths(string kind) => _operations
-        .Where(operation => operation.StartsWith(kind + " ", StringComparison.Ordinal))
-        .Select(operation => operation[(kind.Length + 1)..]);
+    public IEnumerable<string> Paths(string kind) =>
+        _operations
+            .Where(operation => operation.StartsWith(kind + " ", StringComparison.Ordinal))
+            .Select(operation => operation[(kind.Length + 1)..]);
 
     /// <summary>
     /// Checks that operations come in this order, each after the one before. To flush what another process or stream has written, or a

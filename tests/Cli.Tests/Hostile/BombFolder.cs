@@ -71,10 +71,14 @@ internal sealed class BombFolder : IDisposable
         foreach (string name in (string[])["session.json", "labels.jsonl"])
         {
             string path = Path.Combine(session, name);
-            System.IO.File.WriteAllText(path, System.IO.File.ReadAllText(path)
-                .Replace("\"width\":80,\"height\":60", $"\"width\":{LargestSide},\"height\":{LargestSide}", StringComparison.Ordinal)
-                .Replace("\"width\": 80", $"\"width\": {LargestSide}", StringComparison.Ordinal)
-                .Replace("\"height\": 60", $"\"height\": {LargestSide}", StringComparison.Ordinal));
+            System.IO.File.WriteAllText(
+                path,
+                System
+                    .IO.File.ReadAllText(path)
+                    .Replace("\"width\":80,\"height\":60", $"\"width\":{LargestSide},\"height\":{LargestSide}", StringComparison.Ordinal)
+                    .Replace("\"width\": 80", $"\"width\": {LargestSide}", StringComparison.Ordinal)
+                    .Replace("\"height\": 60", $"\"height\": {LargestSide}", StringComparison.Ordinal)
+            );
         }
 
         WritePng(Path.Combine(session, "frames/00000000.png"), LargestSide, LargestSide, unpackedMegabytes: null);
@@ -96,7 +100,9 @@ internal sealed class BombFolder : IDisposable
         string empty = frame.ToJsonString();
         string id = label[label.IndexOf("\"id\":", StringComparison.Ordinal)..label.IndexOf(',', StringComparison.Ordinal)];
         string objects = string.Join(
-            ',', Enumerable.Range(1, labels).Select(number => label.Replace(id, $"\"id\":{number}", StringComparison.Ordinal)));
+            ',',
+            Enumerable.Range(1, labels).Select(number => label.Replace(id, $"\"id\":{number}", StringComparison.Ordinal))
+        );
         using StreamWriter text = System.IO.File.CreateText(path);
         for (int i = 0; i < 100; i++)
         {

@@ -23,9 +23,12 @@ public sealed class ControlCharacterTests(SmallSession session) : IClassFixture<
         string check = Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(entry)))[..16];
         File.AppendAllText(_hostile.In("manifest.jsonl"), $"{entry},\"check\":\"{check}\"}}\n");
 
-        CliRun run = HostileSession.Run([.. command.Select(word => word
-            .Replace("SESSION", _hostile.Folder, StringComparison.Ordinal)
-            .Replace("OUT", _hostile.PathOf("out"), StringComparison.Ordinal))]);
+        CliRun run = HostileSession.Run([
+            .. command.Select(word =>
+                word.Replace("SESSION", _hostile.Folder, StringComparison.Ordinal)
+                    .Replace("OUT", _hostile.PathOf("out"), StringComparison.Ordinal)
+            ),
+        ]);
 
         Assert.Equal(ExitCode.BadData, run.ExitCode);
         Assert.Contains("x[2J: ", run.Out, StringComparison.Ordinal);

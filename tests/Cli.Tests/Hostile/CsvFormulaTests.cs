@@ -21,9 +21,12 @@ public sealed class CsvFormulaTests(SmallSession session) : IClassFixture<SmallS
     {
         string labels = File.ReadAllText(_hostile.In("labels.jsonl"));
         string model = labels.Split("\"model\":\"", 3)[2].Split('"')[0];
-        File.WriteAllText(_hostile.In("labels.jsonl"), labels
-            .Replace($"\"model\":\"{model}\"", $"\"model\":\"{text}\"", StringComparison.Ordinal)
-            .Replace("\"weather\":\"", $"\"weather\":\"{text}", StringComparison.Ordinal));
+        File.WriteAllText(
+            _hostile.In("labels.jsonl"),
+            labels
+                .Replace($"\"model\":\"{model}\"", $"\"model\":\"{text}\"", StringComparison.Ordinal)
+                .Replace("\"weather\":\"", $"\"weather\":\"{text}", StringComparison.Ordinal)
+        );
         string tables = _hostile.PathOf("tables");
 
         Assert.Equal(ExitCode.Done, HostileSession.Run("export", _hostile.Folder, "--format", "csv", "--out", tables).ExitCode);
@@ -31,9 +34,16 @@ public sealed class CsvFormulaTests(SmallSession session) : IClassFixture<SmallS
         string[] written = [.. (string[])["frames.csv", "objects.csv"]];
         string shown = text.Replace("\\t", "\t", StringComparison.Ordinal).Replace("\\r", " ", StringComparison.Ordinal);
         Assert.All(written, name => Assert.Contains("'" + shown, File.ReadAllText(Path.Combine(tables, name)), StringComparison.Ordinal));
-        Assert.All(written.SelectMany(name => Fields(Path.Combine(tables, name))), field =>
-            Assert.True(field.Length == 0 || !"=+-@\t\r".Contains(field[0], StringComparison.Ordinal)
-                || double.TryParse(field, System.Globalization.CultureInfo.InvariantCulture, out _), field));
+        Assert.All(
+            written.SelectMany(name => Fields(Path.Combine(tables, name))),
+            field =>
+                Assert.True(
+                    field.Length == 0
+                        || !"=+-@\t\r".Contains(field[0], StringComparison.Ordinal)
+                        || double.TryParse(field, System.Globalization.CultureInfo.InvariantCulture, out _),
+                    field
+                )
+        );
         Assert.Equal(ExitCode.Done, HostileSession.Run("validate", tables).ExitCode);
     }
 
@@ -41,8 +51,10 @@ public sealed class CsvFormulaTests(SmallSession session) : IClassFixture<SmallS
     public void Class_named_with_a_minus_gives_a_valid_dataset()
     {
         string tables = _hostile.PathOf("tables");
-        Assert.Equal(ExitCode.Done,
-            HostileSession.Run("export", _hostile.Folder, "--format", "csv", "--map", "car=-car", "--out", tables).ExitCode);
+        Assert.Equal(
+            ExitCode.Done,
+            HostileSession.Run("export", _hostile.Folder, "--format", "csv", "--map", "car=-car", "--out", tables).ExitCode
+        );
 
         CliRun check = HostileSession.Run("validate", tables);
         Assert.Equal((ExitCode.Done, ""), (check.ExitCode, check.Error));

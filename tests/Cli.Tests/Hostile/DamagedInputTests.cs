@@ -12,23 +12,26 @@ public sealed class DamagedInputTests(SmallSession session) : IClassFixture<Smal
     private readonly HostileSession _hostile = new(session);
 
     public static TheoryData<string> Readers =>
-    [
-        "validate SESSION",
-        "stats SESSION",
-        "report SESSION",
-        "report SESSION --still 0 --out OUT.png",
-        "relabel SESSION --no-report --out OUT",
-        "masks import SESSION SESSION/masks",
-        .. Exports,
-    ];
+        [
+            "validate SESSION",
+            "stats SESSION",
+            "report SESSION",
+            "report SESSION --still 0 --out OUT.png",
+            "relabel SESSION --no-report --out OUT",
+            "masks import SESSION SESSION/masks",
+            .. Exports,
+        ];
 
     /// <summary>Commands that look objects up by their ids.</summary>
     public static TheoryData<string> LookUps =>
         ["validate SESSION", "relabel SESSION --no-report --out OUT", "masks import SESSION SESSION/masks", .. Exports];
 
     private static IEnumerable<string> Exports =>
-        ("csv coco coco-panoptic yolo kitti voc cityscapes webdataset openlane tusimple deepdriving bdd100k motchallenge openlabel "
-            + "nuscenes culane imagefolder").Split(' ')
+        (
+            "csv coco coco-panoptic yolo kitti voc cityscapes webdataset openlane tusimple deepdriving bdd100k motchallenge openlabel "
+            + "nuscenes culane imagefolder"
+        )
+            .Split(' ')
             .Select(format => $"export SESSION --format {format} --out OUT");
 
     public void Dispose() => _hostile.Dispose();
@@ -145,12 +148,20 @@ public sealed class DamagedInputTests(SmallSession session) : IClassFixture<Smal
     [InlineData("plan.json", "{\"format\":\"\\ud800\"}")]
     [InlineData("journal-1-of-2.jsonl", "{}\nend\n")]
     [InlineData("journal-1-of-2.jsonl", "[]\nend\n")]
-    [InlineData("journal-1-of-2.jsonl", "{\"frame\":0,\"split\":\"other\",\"labels\":0,\"objects\":0,\"ignored\":0,"
-        + "\"files\":[{\"path\":\"images/00000000.png\",\"bytes\":1,\"sha256\":\"\"}],\"parts\":[]}\nend\n")]
-    [InlineData("journal-1-of-2.jsonl", "{\"frame\":0,\"split\":\"train\",\"labels\":0,\"objects\":0,\"ignored\":0,"
-        + "\"files\":[\"images/00000000.png\"],\"parts\":[]}\nend\n")]
-    [InlineData("journal-1-of-2.jsonl", "{\"frame\":0,\"split\":\"train\",\"labels\":0,\"objects\":0,\"ignored\":0,\"files\":[],"
-        + "\"parts\":[\"train\"]}\nend\n")]
+    [InlineData(
+        "journal-1-of-2.jsonl",
+        "{\"frame\":0,\"split\":\"other\",\"labels\":0,\"objects\":0,\"ignored\":0,"
+            + "\"files\":[{\"path\":\"images/00000000.png\",\"bytes\":1,\"sha256\":\"\"}],\"parts\":[]}\nend\n"
+    )]
+    [InlineData(
+        "journal-1-of-2.jsonl",
+        "{\"frame\":0,\"split\":\"train\",\"labels\":0,\"objects\":0,\"ignored\":0,"
+            + "\"files\":[\"images/00000000.png\"],\"parts\":[]}\nend\n"
+    )]
+    [InlineData(
+        "journal-1-of-2.jsonl",
+        "{\"frame\":0,\"split\":\"train\",\"labels\":0,\"objects\":0,\"ignored\":0,\"files\":[]," + "\"parts\":[\"train\"]}\nend\n"
+    )]
     [InlineData("journal-x-of-2.jsonl", "end\n")]
     [InlineData("journal-1-of-2147483647.jsonl", "end\n")]
     public void Merge_of_a_damaged_shard_is_refused(string name, string content)
@@ -158,8 +169,10 @@ public sealed class DamagedInputTests(SmallSession session) : IClassFixture<Smal
         string[] shards = [_hostile.PathOf("1"), _hostile.PathOf("2")];
         for (int i = 0; i < shards.Length; i++)
         {
-            Assert.Equal(ExitCode.Done,
-                CliRun.Of("export", _hostile.Folder, "--format", "csv", "--shard", $"{i + 1}/2", "--out", shards[i]).ExitCode);
+            Assert.Equal(
+                ExitCode.Done,
+                CliRun.Of("export", _hostile.Folder, "--format", "csv", "--shard", $"{i + 1}/2", "--out", shards[i]).ExitCode
+            );
         }
 
         File.WriteAllText(Path.Combine(shards[0], ".export", name), content);
@@ -218,8 +231,15 @@ public sealed class DamagedInputTests(SmallSession session) : IClassFixture<Smal
         Assert.Equal(ExitCode.Done, CliRun.Of("export", _hostile.Folder, "--format", "csv", "--out", _hostile.PathOf("csv")).ExitCode);
 
     private void AssertRefused(string message, params string[] command) =>
-        HostileSession.AssertRefused(message, [.. command.Select(word => word
-        .Replace("OUT", _hostile.PathOf("out"), StringComparison.Ordinal).Replace("SESSION", _hostile.Folder, StringComparison.Ordinal))]);
+        HostileSession.AssertRefused(
+            message,
+            [
+                .. command.Select(word =>
+                    word.Replace("OUT", _hostile.PathOf("out"), StringComparison.Ordinal)
+                        .Replace("SESSION", _hostile.Folder, StringComparison.Ordinal)
+                ),
+            ]
+        );
 
     /// <summary>Gives the first chunk of pixels another length.</summary>
     private void Damage(string name, uint length)
@@ -233,6 +253,8 @@ public sealed class DamagedInputTests(SmallSession session) : IClassFixture<Smal
     private JsonObject Label() => JsonNode.Parse(File.ReadLines(_hostile.In("labels.jsonl")).First())!.AsObject();
 
     private void WriteFirst(JsonObject label) =>
-        File.WriteAllLines(_hostile.In("labels.jsonl"),
-            [label.ToJsonString(), .. File.ReadLines(_hostile.In("labels.jsonl")).Skip(1).ToArray()]);
+        File.WriteAllLines(
+            _hostile.In("labels.jsonl"),
+            [label.ToJsonString(), .. File.ReadLines(_hostile.In("labels.jsonl")).Skip(1).ToArray()]
+        );
 }

@@ -79,16 +79,16 @@ public sealed class EscapingNameTests(SmallSession session) : IClassFixture<Smal
     }
 
     public static TheoryData<string> ReadersOfPictures =>
-    [
-        "report SESSION",
-        "report SESSION --link --out OUT.html",
-        "report SESSION --still 0 --out OUT.png",
-        "export SESSION --format csv --out OUT",
-        "export SESSION --format csv --image-format jpg --out OUT",
-        "export SESSION --format webdataset --out OUT",
-        "relabel SESSION --no-report --out OUT",
-        "validate SESSION",
-    ];
+        [
+            "report SESSION",
+            "report SESSION --link --out OUT.html",
+            "report SESSION --still 0 --out OUT.png",
+            "export SESSION --format csv --out OUT",
+            "export SESSION --format csv --image-format jpg --out OUT",
+            "export SESSION --format webdataset --out OUT",
+            "relabel SESSION --no-report --out OUT",
+            "validate SESSION",
+        ];
 
     [PosixTheory]
     [MemberData(nameof(ReadersOfPictures))]
@@ -162,8 +162,10 @@ public sealed class EscapingNameTests(SmallSession session) : IClassFixture<Smal
     private static void AssertNothingHolds(string folder, string text)
     {
         string[] files = Directory.Exists(folder) ? Directory.GetFiles(folder, "*", SearchOption.AllDirectories) : [];
-        Assert.All(files, file =>
-            Assert.DoesNotContain(text, System.Text.Encoding.Latin1.GetString(File.ReadAllBytes(file)), StringComparison.Ordinal));
+        Assert.All(
+            files,
+            file => Assert.DoesNotContain(text, System.Text.Encoding.Latin1.GetString(File.ReadAllBytes(file)), StringComparison.Ordinal)
+        );
     }
 
     private static void EditJournal(string shard, string old, string with)
@@ -179,8 +181,10 @@ public sealed class EscapingNameTests(SmallSession session) : IClassFixture<Smal
         string[] folders = [_hostile.PathOf("shards/1"), _hostile.PathOf("shards/2")];
         for (int i = 0; i < folders.Length; i++)
         {
-            Assert.Equal(ExitCode.Done,
-                CliRun.Of("export", _hostile.Folder, "--format", format, "--shard", $"{i + 1}/2", "--out", folders[i]).ExitCode);
+            Assert.Equal(
+                ExitCode.Done,
+                CliRun.Of("export", _hostile.Folder, "--format", format, "--shard", $"{i + 1}/2", "--out", folders[i]).ExitCode
+            );
         }
 
         return folders;
@@ -198,8 +202,16 @@ public sealed class EscapingNameTests(SmallSession session) : IClassFixture<Smal
     private void AssertRefusedAndNotCopied(string command, string secret)
     {
         string output = _hostile.PathOf("out");
-        HostileSession.AssertRefused("points outside", [.. command.Split(' ').Select(
-            word => word.Replace("OUT", output, StringComparison.Ordinal).Replace("SESSION", _hostile.Folder, StringComparison.Ordinal))]);
+        HostileSession.AssertRefused(
+            "points outside",
+            [
+                .. command
+                    .Split(' ')
+                    .Select(word =>
+                        word.Replace("OUT", output, StringComparison.Ordinal).Replace("SESSION", _hostile.Folder, StringComparison.Ordinal)
+                    ),
+            ]
+        );
 
         Assert.False(File.Exists(output + ".png") || File.Exists(output + ".html"));
         byte[] content = File.ReadAllBytes(secret);

@@ -15,11 +15,16 @@ public sealed class FaultReportTests
         var terminal = new Terminal(new StringReader("0,5,0\n"), new FailingWriter(), error, IsInteractive: false);
 
         int code = await Application.RunAsync(
-            ["project", "--position", "0,0,0", "--rotation", "0,0,0", "--fov", "50", "--size", "80x60"], terminal, CancellationToken.None);
+            ["project", "--position", "0,0,0", "--rotation", "0,0,0", "--fov", "50", "--size", "80x60"],
+            terminal,
+            CancellationToken.None
+        );
 
         Assert.Equal(ExitCode.ProgramFault, code);
-        Match line = Regex.Match(error.ToString(), "^harvester: Internal error: InvalidTimeZoneException. Please report it with "
-            + "'(.*)', which has the details.\n$");
+        Match line = Regex.Match(
+            error.ToString(),
+            "^harvester: Internal error: InvalidTimeZoneException. Please report it with " + "'(.*)', which has the details.\n$"
+        );
         Assert.True(line.Success, error.ToString());
         string details = await File.ReadAllTextAsync(line.Groups[1].Value);
         Assert.Contains(nameof(FailingWriter), details, StringComparison.Ordinal);

@@ -14,8 +14,10 @@ public sealed class FuzzCorpus : IDisposable
         FuzzTexts.WriteTo(_folder.Path);
         foreach ((string name, string format) in new[] { ("session", "png"), ("jpg", "jpg"), ("bmp", "bmp") })
         {
-            Run($"harvest --out {{0}}/{name} --frames 2 --seed 6 --size 80x60 --masks --semantics rays --normals --no-report "
-                + $"--image-format {format}");
+            Run(
+                $"harvest --out {{0}}/{name} --frames 2 --seed 6 --size 80x60 --masks --semantics rays --normals --no-report "
+                    + $"--image-format {format}"
+            );
         }
 
         foreach (string command in FuzzKind.Makers)
@@ -63,15 +65,21 @@ public sealed class FuzzCorpus : IDisposable
     /// what it has written and the journal by which it continues.
     /// </summary>
     internal string? LeftBy(CliRun run, string command) =>
-        run.ExitCode != ExitCode.BadData || run.Error.Length == 0 || !Directory.Exists(_folder.PathOf("out"))
-            || (command.StartsWith("export ", StringComparison.Ordinal) && Directory.Exists(_folder.PathOf("out/.export")))
+        run.ExitCode != ExitCode.BadData
+        || run.Error.Length == 0
+        || !Directory.Exists(_folder.PathOf("out"))
+        || (command.StartsWith("export ", StringComparison.Ordinal) && Directory.Exists(_folder.PathOf("out/.export")))
             ? null
             : $"{Directory.GetFiles(_folder.PathOf("out"), "*", SearchOption.AllDirectories).Length} files are left: {run.Error}";
 
     private void Restore()
     {
-        foreach (string file in Directory.EnumerateFiles(_folder.Path, "*", SearchOption.AllDirectories)
-            .Where(file => !_files.ContainsKey(Path.GetRelativePath(_folder.Path, file))).ToArray())
+        foreach (
+            string file in Directory
+                .EnumerateFiles(_folder.Path, "*", SearchOption.AllDirectories)
+                .Where(file => !_files.ContainsKey(Path.GetRelativePath(_folder.Path, file)))
+                .ToArray()
+        )
         {
             File.Delete(file);
         }

@@ -35,8 +35,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
 {
     private const string Relabel = "relabel {0}/session --no-report --out {0}/out";
     private const string Project = "project --position 0,0,0 --rotation 0,0,0 --fov 50 --size 80x60 --points {0}/points.csv";
-    private const string Sheet =
-        "contact-sheet --roads {0}/straight.csv --size 64x48 --seconds 0 --out {0}/out.png";
+    private const string Sheet = "contact-sheet --roads {0}/straight.csv --size 64x48 --seconds 0 --out {0}/out.png";
 
     private const string Schema = "validate {0}/session --schema --quick";
     private const string Merge = "merge {0}/shard {0}/shard2 --out {0}/out";
@@ -46,7 +45,9 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
     [
         "harvest --out {0}/people --frames 1 --pedestrians 5 --roads {0}/straight.csv --seed 2 --size 64x48 --masks --no-report",
         .. "coco-keypoints jta".Split(' ').Select(format => $"export {{0}}/people --format {format} --out {{0}}/{format}"),
-        .. DatasetFormats.All.Select(format => format.Name).Except(["coco-keypoints", "jta"])
+        .. DatasetFormats
+            .All.Select(format => format.Name)
+            .Except(["coco-keypoints", "jta"])
             .Select(format => $"export {{0}}/session --format {format} --out {{0}}/{format}"),
     ];
 
@@ -56,34 +57,81 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
     /// <summary>All kinds.</summary>
     public static IReadOnlyList<FuzzKind> All { get; } =
     [
-        new("session", "session/session.json", ValidateSession, "validate {0}/session", "stats {0}/session", "report {0}/session", Relabel,
-            Export("csv"), "doctor {0}/session", Schema),
-        new("labels", "session/labels.jsonl", ReadLabels, [
-            "validate {0}/session", Schema, "stats {0}/session", "report {0}/session --out {0}/out.html",
-            "report {0}/session --still 0 --out "
-                + "{0}/out.png", "compare {0}/session {0}/session --out {0}/out.html", Relabel, "masks import {0}/session {0}/maps",
-            .. DatasetFormats.All.Select(format => Export(format.Name)),
-        ]),
-        new("joints", "people/labels.jsonl", ReadPeople, "validate {0}/people", "stats {0}/people", "report {0}/people --out {0}/out.html",
-            "relabel {0}/people --no-report --out {0}/out", "export {0}/people --format coco-keypoints --out {0}/out",
-            "export {0}/people --format jta --out {0}/out"),
-        new("manifest", "session/manifest.jsonl", ValidateSession, "validate {0}/session", Relabel, "repair {0}/session --out {0}/out",
-            "masks import {0}/session {0}/maps", Export("csv")),
+        new(
+            "session",
+            "session/session.json",
+            ValidateSession,
+            "validate {0}/session",
+            "stats {0}/session",
+            "report {0}/session",
+            Relabel,
+            Export("csv"),
+            "doctor {0}/session",
+            Schema
+        ),
+        new(
+            "labels",
+            "session/labels.jsonl",
+            ReadLabels,
+            [
+                "validate {0}/session",
+                Schema,
+                "stats {0}/session",
+                "report {0}/session --out {0}/out.html",
+                "report {0}/session --still 0 --out " + "{0}/out.png",
+                "compare {0}/session {0}/session --out {0}/out.html",
+                Relabel,
+                "masks import {0}/session {0}/maps",
+                .. DatasetFormats.All.Select(format => Export(format.Name)),
+            ]
+        ),
+        new(
+            "joints",
+            "people/labels.jsonl",
+            ReadPeople,
+            "validate {0}/people",
+            "stats {0}/people",
+            "report {0}/people --out {0}/out.html",
+            "relabel {0}/people --no-report --out {0}/out",
+            "export {0}/people --format coco-keypoints --out {0}/out",
+            "export {0}/people --format jta --out {0}/out"
+        ),
+        new(
+            "manifest",
+            "session/manifest.jsonl",
+            ValidateSession,
+            "validate {0}/session",
+            Relabel,
+            "repair {0}/session --out {0}/out",
+            "masks import {0}/session {0}/maps",
+            Export("csv")
+        ),
         new("scene", "session/scenes/00000000.json", ValidateSession, "validate {0}/session", Relabel),
         Roads("roads", "session/scenes/roads.csv", "validate {0}/session", Relabel),
         Roads("ipl", "paths.ipl"),
         Roads("paths-xml", "paths.xml"),
         Roads("ynd", "nodes.ynd.xml"),
         Roads("road-dump", "nodes.json"),
-        new("faces", "session/scenes/spaces.csv", folder => ReadFaces(In(folder, "session/scenes/spaces.csv")),
-            "validate {0}/session", "spaces check {0}/session/scenes/spaces.csv", "spaces list {0}/session/scenes/spaces.csv",
-            "spaces gallery {0}/session/scenes/spaces.csv --out {0}/out.html"),
+        new(
+            "faces",
+            "session/scenes/spaces.csv",
+            folder => ReadFaces(In(folder, "session/scenes/spaces.csv")),
+            "validate {0}/session",
+            "spaces check {0}/session/scenes/spaces.csv",
+            "spaces list {0}/session/scenes/spaces.csv",
+            "spaces gallery {0}/session/scenes/spaces.csv --out {0}/out.html"
+        ),
         Picture("png", "session", "png", "export {0}/session --format csv --image-format bmp --out {0}/out", Export("deepdriving")),
         new("mask", "session/masks/00000000.png", ValidatePictures, "validate {0}/session", Export("coco"), Export("cityscapes"), Relabel),
         new("class-map", "session/classes/00000000.png", ValidatePictures, "validate {0}/session", Export("semantic")),
         new("normals", "session/normals/00000000.png", ValidatePictures, "validate {0}/session", Relabel),
-        new("map", "maps/0.png", folder => PngDecoder.ReadInstanceMap(In(folder, "maps/0.png")), "masks import {0}/session {0}/maps",
-            "masks import {0}/session {0}/maps --match"),
+        new(
+            "map",
+            "maps/0.png",
+            folder => PngDecoder.ReadInstanceMap(In(folder, "maps/0.png")),
+            "masks import {0}/session {0}/maps",
+            "masks import {0}/session {0}/maps --match"
+        ),
         Picture("jpg", "jpg", "jpg"),
         Picture("bmp", "bmp", "bmp"),
         Dataset("export", "csv", "export.json"),
@@ -121,8 +169,13 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Dataset("culane", "culane", "list/train.txt"),
         Dataset("culane-truth", "culane", "list/train_gt.txt"),
         Dataset("imagefolder", "imagefolder", "data/train/metadata.jsonl"),
-        new("experiment", "plan.json", folder => PlanFile.Read(In(folder, "plan.json")), "plan check {0}/plan.json",
-            "plan show {0}/plan.json"),
+        new(
+            "experiment",
+            "plan.json",
+            folder => PlanFile.Read(In(folder, "plan.json")),
+            "plan check {0}/plan.json",
+            "plan show {0}/plan.json"
+        ),
         new("experiment-rig", "rig.json", folder => PlanFile.Read(In(folder, "plan.json")), "plan check {0}/plan.json"),
         Compared("kitti-compared", "kitti/training/label_2/000000.txt", ComparedKitti.Open, "--kitti {0}/kitti"),
         Compared("nuscenes-compared", "nuscenes/v1.0-gta/sample_annotation.json", ComparedNuScenes.Open, "--nuscenes {0}/nuscenes"),
@@ -130,19 +183,25 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         new("plan", "shard/.export/plan.json", MergeShards, Merge, "validate {0}/shard"),
         new("journal", "shard/.export/journal-1-of-2.jsonl", MergeShards, Merge),
         new("points", "points.csv", ReadPoints, Project),
-        new("vehicles", "vehicles.csv", ReadVehicles, "lanes --roads {0}/session/scenes/roads.csv --position 0,0,0 --heading 0 --vehicles "
-            + "{0}/vehicles.csv"),
+        new(
+            "vehicles",
+            "vehicles.csv",
+            ReadVehicles,
+            "lanes --roads {0}/session/scenes/roads.csv --position 0,0,0 --heading 0 --vehicles " + "{0}/vehicles.csv"
+        ),
         new("places", "places.csv", folder => PlaceList.Read(In(folder, "places.csv")), $"{Sheet} --list {{0}}/places.csv"),
         new("props", "props.json", folder => PropPlacementImporter.Import(In(folder, "props.json")), $"{Sheet} --props {{0}}/props.json"),
         new("lens", "lens.txt", folder => LensFile.Read(In(folder, "lens.txt")), $"{Project} --calibration {{0}}/lens.txt"),
         new("boxes", "boxes.json", folder => BoxSceneReader.Read(new FileInfo(In(folder, "boxes.json"))), "boxes {0}/boxes.json"),
-        new("log", "GtaDataHarvester.log", folder => Doctor.Examine(In(folder, "GtaDataHarvester.log")),
-            "doctor {0}/GtaDataHarvester.log"),
+        new("log", "GtaDataHarvester.log", folder => Doctor.Examine(In(folder, "GtaDataHarvester.log")), "doctor {0}/GtaDataHarvester.log"),
         new("self-test", "selftest.json", folder => Doctor.Examine(In(folder, "selftest.json")), "doctor {0}/selftest.json"),
         new("tape", "a.tape", folder => TapePlayCommand.Play(In(folder, "a.tape"), CancellationToken.None), "tape play {0}/a.tape"),
-        new("photos", "survey/photos.csv", folder =>
-            new FaceGallery(ReadFaces(In(folder, "survey/spaces.csv")), In(folder, "survey")).Write(Stream.Null),
-            "spaces gallery {0}/survey --out {0}/out.html")
+        new(
+            "photos",
+            "survey/photos.csv",
+            folder => new FaceGallery(ReadFaces(In(folder, "survey/spaces.csv")), In(folder, "survey")).Write(Stream.Null),
+            "spaces gallery {0}/survey --out {0}/out.html"
+        )
         {
             IsReadWhatever = true,
         },
@@ -172,23 +231,34 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         }
     }
 
-    private static FuzzKind Dataset(string name, string dataset, string file) => new(
-        name, $"{dataset}/{file}", folder => DatasetValidator.Validate(In(folder, dataset)), $"validate {{0}}/{dataset}");
+    private static FuzzKind Dataset(string name, string dataset, string file) =>
+        new(name, $"{dataset}/{file}", folder => DatasetValidator.Validate(In(folder, dataset)), $"validate {{0}}/{dataset}");
 
-    private static FuzzKind Compared(string name, string file, Func<string, IComparedDataset> open, string other) => new(
-        name, file, folder => open(In(folder, file.Split('/')[0])).Read(static _ => { }, CancellationToken.None),
-        $"compare {{0}}/session {other} --out {{0}}/out.html");
+    private static FuzzKind Compared(string name, string file, Func<string, IComparedDataset> open, string other) =>
+        new(
+            name,
+            file,
+            folder => open(In(folder, file.Split('/')[0])).Read(static _ => { }, CancellationToken.None),
+            $"compare {{0}}/session {other} --out {{0}}/out.html"
+        );
 
-    private static FuzzKind Roads(string name, string file, params string[] more) => new(
-        name, file, folder => RoadImporter.Import(In(folder, file)),
-        [$"roads info {{0}}/{file}", $"roads map {{0}}/{file} --out {{0}}/out.svg", .. more]);
+    private static FuzzKind Roads(string name, string file, params string[] more) =>
+        new(
+            name,
+            file,
+            folder => RoadImporter.Import(In(folder, file)),
+            [$"roads info {{0}}/{file}", $"roads map {{0}}/{file} --out {{0}}/out.svg", .. more]
+        );
 
     private static FuzzKind Picture(string name, string session, string extension, params string[] more)
     {
         string file = $"{session}/frames/00000000.{extension}";
         return new FuzzKind(
-            name, file, folder => PictureReader.Read(In(folder, file)),
-            [$"validate {{0}}/{session}", $"report {{0}}/{session} --still 0 --out {{0}}/out.png", .. more]);
+            name,
+            file,
+            folder => PictureReader.Read(In(folder, file)),
+            [$"validate {{0}}/{session}", $"report {{0}}/{session} --still 0 --out {{0}}/out.png", .. more]
+        );
     }
 
     private static string Export(string format) => $"export {{0}}/session --format {format} --out {{0}}/out";

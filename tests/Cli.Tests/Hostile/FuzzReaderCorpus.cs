@@ -67,8 +67,7 @@ public sealed class FuzzReaderCorpus : IDisposable
 
     private void Run(string command)
     {
-        CliRun run = HostileSession.Run(
-            [.. command.Split(' ').Select(word => string.Format(CultureInfo.InvariantCulture, word, Origin))]);
+        CliRun run = HostileSession.Run([.. command.Split(' ').Select(word => string.Format(CultureInfo.InvariantCulture, word, Origin))]);
         Assert.True(run.ExitCode == ExitCode.Done, $"{command}: {run.Error}");
     }
 }

@@ -59,7 +59,8 @@ public sealed class FuzzTests(FuzzCorpus corpus, ITestOutputHelper output) : ICl
         string kept = Keep(name, faults);
         Assert.True(
             faults.Count == 0,
-            $"{string.Join('\n', faults.Keys)}\nThe inputs are kept in {kept}; move them to tests/Cli.Tests/Hostile/Inputs/{name}.");
+            $"{string.Join('\n', faults.Keys)}\nThe inputs are kept in {kept}; move them to tests/Cli.Tests/Hostile/Inputs/{name}."
+        );
 
         // Mutations that do no harm would prove nothing.
         Assert.True(refused > 0 || kind.IsReadWhatever);
@@ -72,11 +73,14 @@ public sealed class FuzzTests(FuzzCorpus corpus, ITestOutputHelper output) : ICl
         FuzzKind kind = FuzzKind.Of(name);
         byte[] content = File.ReadAllBytes(Path.Combine(AppContext.BaseDirectory, "Hostile", "Inputs", name, file));
 
-        Assert.All(kind.Commands, command =>
-        {
-            CliRun run = corpus.Run(kind, content, command);
-            Assert.Null(FaultOf(run) ?? corpus.LeftBy(run, command));
-        });
+        Assert.All(
+            kind.Commands,
+            command =>
+            {
+                CliRun run = corpus.Run(kind, content, command);
+                Assert.Null(FaultOf(run) ?? corpus.LeftBy(run, command));
+            }
+        );
     }
 
     /// <summary>
@@ -92,8 +96,12 @@ public sealed class FuzzTests(FuzzCorpus corpus, ITestOutputHelper output) : ICl
 
     // Notes on what was ignored may stand before the line of the error.
     private static int LinesOf(string error) =>
-        error.Split('\n', StringSplitOptions.RemoveEmptyEntries).Count(line => !line.StartsWith("Note: ", StringComparison.Ordinal)
-            && !line.Contains("the recording was interrupted", StringComparison.Ordinal));
+        error
+            .Split('\n', StringSplitOptions.RemoveEmptyEntries)
+            .Count(line =>
+                !line.StartsWith("Note: ", StringComparison.Ordinal)
+                && !line.Contains("the recording was interrupted", StringComparison.Ordinal)
+            );
 
     private static string Details(string error) =>
         error.Split('\'') is [_, var file, ..] && File.Exists(file) ? File.ReadAllText(file) : "";

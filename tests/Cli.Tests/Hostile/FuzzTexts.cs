@@ -13,24 +13,37 @@ internal static class FuzzTexts
         ("vehicles.csv", "10,20,0,90\n-5,3,0,0,12\n"),
         ("straight.csv", WritingCommand.Roads),
         ("places.csv", "# places\nname,x,y\nNorth end,0,150.5\nSouth end,-1,-150\n"),
-        ("props.json", """
+        (
+            "props.json",
+            """
             [{"Name": "prop_traffic_01a", "Position": {"X": 5.5, "Y": 20, "Z": 30}, "Rotation": {"X": 0, "Y": 0, "Z": 90}},
              {"Name": "prop_streetlight_01", "Position": {"X": -6, "Y": 40, "Z": 30}, "Rotation": {"X": 0, "Y": 0, "Z": -90}}]
-            """),
+            """
+        ),
         ("lens.txt", "FocalScale = 1.1\nCentreOffsetX = 0.01\nCentreOffsetY = 0\nK1 = 0.05\nK2 = 0\n"),
-        ("boxes.json", """
+        (
+            "boxes.json",
+            """
             {"camera": {"position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 50, "width": 80, "height": 60},
              "cuboids": [{"name": "a", "centre": [0, 10, 0], "halfExtents": [1, 2, 1], "rotation": [0, 0, 30]}]}
-            """),
-        ("selftest.json", """
+            """
+        ),
+        (
+            "selftest.json",
+            """
             {"formatVersion":1,"kind":"selfTest","tool":"GtaDataHarvester 1.0","game":"GTA V","isComplete":true,"checks":[
             {"check":"window","verdict":"good","finding":"Pictures show the game's window."},
             {"check":"hud","verdict":"problem","finding":"The game's display stays in the picture."}],
             "changedSettings":{"Freeze":"TimeScale"},"pictures":["colours.png"]}
-            """),
-        ("GtaDataHarvester.log", "2026-01-01 10:00:00 GtaDataHarvester 1.0.0, API v3.6.0, game 1.0.3095.0\n"
-            + "2026-01-01 10:00:01 Harvest started.\n"),
-        ("paths.ipl", """
+            """
+        ),
+        (
+            "GtaDataHarvester.log",
+            "2026-01-01 10:00:00 GtaDataHarvester 1.0.0, API v3.6.0, game 1.0.3095.0\n" + "2026-01-01 10:00:01 Harvest started.\n"
+        ),
+        (
+            "paths.ipl",
+            """
             version
             end
             vnod
@@ -41,8 +54,11 @@ internal static class FuzzTexts
             0, 1, -1, 2, 1, 3
             end
 
-            """),
-        ("paths.xml", """
+            """
+        ),
+        (
+            "paths.xml",
+            """
             <?xml version="1.0"?>
             <scene><objects>
             <object class="vehiclenode" guid="{0}"><transform><object><position x="0" y="-200" z="30" /></object></transform>
@@ -54,8 +70,11 @@ internal static class FuzzTexts
             <children /><references><ref guid="{0}" /><ref guid="{1}" /></references></object>
             </objects></scene>
 
-            """),
-        ("nodes.ynd.xml", """
+            """
+        ),
+        (
+            "nodes.ynd.xml",
+            """
             <?xml version="1.0" encoding="UTF-8"?>
             <NodeDictionary>
              <VehicleNodeCount value="2" />
@@ -74,21 +93,30 @@ internal static class FuzzTexts
              </Nodes>
             </NodeDictionary>
 
-            """),
-        ("plan.json", """
+            """
+        ),
+        (
+            "plan.json",
+            """
             {"name": "fuzz", "seed": 7, "places": [{"name": "a", "x": 1.5, "y": -2, "headingDegrees": 90, "metres": 50},
              {"name": "b", "path": [[0, -40], [0, 40]], "seconds": 20}], "weathers": ["clear", "rain"], "hours": ["07:30", "12:00"],
              "cameras": [{"name": "wide", "width": 64, "height": 48, "verticalFovDegrees": 90}, {"name": "pair", "rig": "rig.json"}],
              "repetitions": 2, "frames": 3, "hz": 5,
              "speed": 10, "traffic": 0.5, "pedestrians": 1, "parked": 2, "masks": "rays"}
 
-            """),
-        ("rig.json", """
+            """
+        ),
+        (
+            "rig.json",
+            """
             {"name": "pair", "cameras": [{"name": "LEFT", "position": [0, 1.7, 1.5], "verticalFovDegrees": 39, "width": 64, "height": 48}],
              "lidars": [{"name": "TOP", "model": "HDL-32E", "position": [0, 0.94, 1.84], "rateHz": 20}]}
 
-            """),
-        ("nodes.json", """
+            """
+        ),
+        (
+            "nodes.json",
+            """
             [{"AreaId": 495, "Nodes": [
               {"Id": 0, "StreetName": "0", "IsValidForGps": true, "IsJunction": false, "IsFreeway": true, "IsGravelRoad": false,
                "IsBackroad": false, "IsOnWater": false, "IsPedCrossway": false, "TrafficlightExists": false, "LeftTurnNoReturn": false,
@@ -101,7 +129,8 @@ internal static class FuzzTexts
                "IsBackroad": false, "IsOnWater": false, "IsPedCrossway": false, "TrafficlightExists": false, "LeftTurnNoReturn": false,
                "RightTurnNoReturn": false, "Position": {"X": 0, "Y": -10, "Z": 30}, "ConnectedNodes": []}]}]
 
-            """),
+            """
+        ),
     ];
 
     /// <summary>Writes them into a folder.</summary>

@@ -28,32 +28,41 @@ public sealed class FuzzedReaderTests(FuzzReaderCorpus corpus, ITestOutputHelper
         TimeSpan before = Environment.CpuUsage.TotalTime;
         var faults = new ConcurrentDictionary<string, byte[]>(StringComparer.Ordinal);
         int workers = Environment.ProcessorCount;
-        Parallel.For(0, workers, new ParallelOptions { MaxDegreeOfParallelism = workers }, worker =>
-        {
-            string folder = corpus.FolderOf(worker);
-            string file = Path.Combine(folder, kind.File);
-            for (int i = worker; i < cases; i += workers)
+        Parallel.For(
+            0,
+            workers,
+            new ParallelOptions { MaxDegreeOfParallelism = workers },
+            worker =>
             {
-                byte[] damaged = Mutation.Of(sound, new Random(unchecked((seed * 31) + i)));
-                File.Delete(file);
-                File.WriteAllBytes(file, damaged);
-                if (kind.FaultOf(folder) is { } fault)
+                string folder = corpus.FolderOf(worker);
+                string file = Path.Combine(folder, kind.File);
+                for (int i = worker; i < cases; i += workers)
                 {
-                    faults.TryAdd(fault, damaged);
+                    byte[] damaged = Mutation.Of(sound, new Random(unchecked((seed * 31) + i)));
+                    File.Delete(file);
+                    File.WriteAllBytes(file, damaged);
+                    if (kind.FaultOf(folder) is { } fault)
+                    {
+                        faults.TryAdd(fault, damaged);
+                    }
                 }
-            }
 
-            File.WriteAllBytes(file, sound);
-        });
+                File.WriteAllBytes(file, sound);
+            }
+        );
 
         double seconds = (Environment.CpuUsage.TotalTime - before).TotalSeconds;
-        output.WriteLine(string.Create(
-            CultureInfo.InvariantCulture,
-            $"{name}: seed {seed}, {cases} cases of {sound.Length} bytes, {seconds:0.0} s of processor time"));
+        output.WriteLine(
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"{name}: seed {seed}, {cases} cases of {sound.Length} bytes, {seconds:0.0} s of processor time"
+            )
+        );
         string kept = Keep(name, faults);
         Assert.True(
             faults.IsEmpty,
-            $"{string.Join('\n', faults.Keys)}\nThe inputs are kept in {kept}; move them to tests/Cli.Tests/Hostile/Inputs/{name}.");
+            $"{string.Join('\n', faults.Keys)}\nThe inputs are kept in {kept}; move them to tests/Cli.Tests/Hostile/Inputs/{name}."
+        );
     }
 
     private static string Keep(string name, ConcurrentDictionary<string, byte[]> faults)

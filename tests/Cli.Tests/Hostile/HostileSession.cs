@@ -58,8 +58,10 @@ internal sealed class HostileSession : IDisposable
     public static void AssertRefused(string message, params string[] arguments)
     {
         CliRun run = Run(arguments);
-        Assert.True(run.ExitCode is ExitCode.BadData
-            or ExitCode.InputOutput, $"'{string.Join(' ', arguments)}' ends with {run.ExitCode}: {run.Error}");
+        Assert.True(
+            run.ExitCode is ExitCode.BadData or ExitCode.InputOutput,
+            $"'{string.Join(' ', arguments)}' ends with {run.ExitCode}: {run.Error}"
+        );
         Assert.Contains(message, run.Error + run.Out, StringComparison.Ordinal);
         Assert.InRange(run.Error.Count(character => character == '\n'), 0, 1);
     }

@@ -15,7 +15,18 @@ public sealed class HugeSession : IDisposable
     public HugeSession()
     {
         CliRun harvest = CliRun.Of(
-            "harvest", "--frames", "1", "--seed", "5", "--size", "80x60", "--masks", "--no-report", "--out", Session);
+            "harvest",
+            "--frames",
+            "1",
+            "--seed",
+            "5",
+            "--size",
+            "80x60",
+            "--masks",
+            "--no-report",
+            "--out",
+            Session
+        );
         Assert.True(harvest.ExitCode == ExitCode.Done, harvest.Error);
         string labels = System.IO.Path.Combine(Session, "labels.jsonl");
         string line = File.ReadAllText(labels);

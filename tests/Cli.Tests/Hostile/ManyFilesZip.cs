@@ -64,9 +64,15 @@ internal static class ManyFilesZip
         {
             switch (field)
             {
-                case ushort value: writer.Write(value); break;
-                case uint value: writer.Write(value); break;
-                default: writer.Write((long)field); break;
+                case ushort value:
+                    writer.Write(value);
+                    break;
+                case uint value:
+                    writer.Write(value);
+                    break;
+                default:
+                    writer.Write((long)field);
+                    break;
             }
         }
     }

@@ -84,8 +84,10 @@ public sealed class MemoryTests(ITestOutputHelper output) : IDisposable
     {
         const int bytes = 30_000_000;
         string tape = _bombs.PathOf("facts.tape");
-        File.WriteAllBytes(tape, TapeBytes.Of(
-            [], [.. Enumerable.Range(0, 40).Select(i => TapeBytes.Encoded(new TapeFact($"fact {i}", new string('a', bytes))))]));
+        File.WriteAllBytes(
+            tape,
+            TapeBytes.Of([], [.. Enumerable.Range(0, 40).Select(i => TapeBytes.Encoded(new TapeFact($"fact {i}", new string('a', bytes))))])
+        );
 
         AssertRefused("tape", "play", tape);
     }
@@ -112,19 +114,46 @@ public sealed class MemoryTests(ITestOutputHelper output) : IDisposable
     }
 
     [Fact]
-    public void Line_of_100_MB_of_points_is_refused() => AssertRefused(
-        "project", "--position", "0,0,0", "--rotation", "0,0,0", "--fov", "50", "--size", "80x60", "--points",
-        _bombs.File("points.csv", "", "1,", megabytes: 100));
+    public void Line_of_100_MB_of_points_is_refused() =>
+        AssertRefused(
+            "project",
+            "--position",
+            "0,0,0",
+            "--rotation",
+            "0,0,0",
+            "--fov",
+            "50",
+            "--size",
+            "80x60",
+            "--points",
+            _bombs.File("points.csv", "", "1,", megabytes: 100)
+        );
 
     [Fact]
-    public void Millions_of_vehicles_are_refused() => AssertRefused(
-        "lanes", "--roads", _bombs.Roads(), "--position", "0,0,0", "--heading", "0", "--vehicles",
-        _bombs.File("vehicles.csv", "", "10,20,0,90\n", megabytes: 100));
+    public void Millions_of_vehicles_are_refused() =>
+        AssertRefused(
+            "lanes",
+            "--roads",
+            _bombs.Roads(),
+            "--position",
+            "0,0,0",
+            "--heading",
+            "0",
+            "--vehicles",
+            _bombs.File("vehicles.csv", "", "10,20,0,90\n", megabytes: 100)
+        );
 
     [Fact]
-    public void List_of_31_MB_of_empty_props_is_refused() => AssertRefused(
-        "contact-sheet", "--out", _bombs.PathOf("sheet.png"), "--roads", _bombs.Roads(), "--props",
-        _bombs.File("props.json", "[", "[],", megabytes: 31));
+    public void List_of_31_MB_of_empty_props_is_refused() =>
+        AssertRefused(
+            "contact-sheet",
+            "--out",
+            _bombs.PathOf("sheet.png"),
+            "--roads",
+            _bombs.Roads(),
+            "--props",
+            _bombs.File("props.json", "[", "[],", megabytes: 31)
+        );
 
     [Theory]
     [InlineData("stats", "[", 900)]
@@ -200,16 +229,17 @@ public sealed class MemoryTests(ITestOutputHelper output) : IDisposable
         AssertRefused("validate", dataset);
     }
 
-    private string[] CommandOf(string name, string session) => name switch
-    {
-        "still" => ["report", session, "--still", "0", "--out", _bombs.PathOf("still.png")],
-        "report" => ["report", session, "--out", _bombs.PathOf("report.html")],
-        "coco" => ["export", session, "--format", "coco", "--out", _bombs.PathOf("out")],
-        "csv-jpg" => ["export", session, "--format", "csv", "--image-format", "jpg", "--out", _bombs.PathOf("out")],
-        "relabel" => ["relabel", session, "--no-report", "--out", _bombs.PathOf("out")],
-        "masks" => ["masks", "import", session, Path.Combine(session, "masks")],
-        _ => [name, session],
-    };
+    private string[] CommandOf(string name, string session) =>
+        name switch
+        {
+            "still" => ["report", session, "--still", "0", "--out", _bombs.PathOf("still.png")],
+            "report" => ["report", session, "--out", _bombs.PathOf("report.html")],
+            "coco" => ["export", session, "--format", "coco", "--out", _bombs.PathOf("out")],
+            "csv-jpg" => ["export", session, "--format", "csv", "--image-format", "jpg", "--out", _bombs.PathOf("out")],
+            "relabel" => ["relabel", session, "--no-report", "--out", _bombs.PathOf("out")],
+            "masks" => ["masks", "import", session, Path.Combine(session, "masks")],
+            _ => [name, session],
+        };
 
     private void AssertRefused(params string[] arguments)
     {

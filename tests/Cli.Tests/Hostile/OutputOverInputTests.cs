@@ -86,9 +86,13 @@ public sealed class OutputOverInputTests(SmallSession session) : IClassFixture<S
         File.WriteAllText(roads, WritingCommand.Roads);
         File.WriteAllText(list, "North,0,150\n");
 
-        CliRun run = HostileSession.Run([.. command.Select(word => word
-            .Replace("a/../LIST", _hostile.PathOf("a/../places.csv"), StringComparison.Ordinal)
-            .Replace("LIST", list, StringComparison.Ordinal).Replace("ROADS", roads, StringComparison.Ordinal))]);
+        CliRun run = HostileSession.Run([
+            .. command.Select(word =>
+                word.Replace("a/../LIST", _hostile.PathOf("a/../places.csv"), StringComparison.Ordinal)
+                    .Replace("LIST", list, StringComparison.Ordinal)
+                    .Replace("ROADS", roads, StringComparison.Ordinal)
+            ),
+        ]);
 
         run.AssertFailed(ExitCode.Usage, "would replace an input");
         Assert.Equal((WritingCommand.Roads, "North,0,150\n"), (File.ReadAllText(roads), File.ReadAllText(list)));
@@ -96,6 +100,8 @@ public sealed class OutputOverInputTests(SmallSession session) : IClassFixture<S
 
     [Fact]
     public void Still_may_lie_in_the_folder_of_the_session() =>
-        Assert.Equal(ExitCode.Done,
-            HostileSession.Run("report", _hostile.Folder, "--still", "0", "--out", _hostile.In("still.png")).ExitCode);
+        Assert.Equal(
+            ExitCode.Done,
+            HostileSession.Run("report", _hostile.Folder, "--still", "0", "--out", _hostile.In("still.png")).ExitCode
+        );
 }

@@ -33,8 +33,10 @@ public sealed class PipeTests(SmallSession session) : IClassFixture<SmallSession
     {
         _hostile.ReplaceByPipe(name);
 
-        HostileSession.AssertRefused("pipe",
-            [command, _hostile.Folder, .. options.Select(word => word.Replace("OUT", _hostile.PathOf("out"), StringComparison.Ordinal))]);
+        HostileSession.AssertRefused(
+            "pipe",
+            [command, _hostile.Folder, .. options.Select(word => word.Replace("OUT", _hostile.PathOf("out"), StringComparison.Ordinal))]
+        );
     }
 
     [PosixTheory]
@@ -53,10 +55,16 @@ public sealed class PipeTests(SmallSession session) : IClassFixture<SmallSession
     {
         _hostile.ReplaceByPipe("pipe");
 
-        HostileSession.AssertRefused("pipe", [.. command.Select(word => word
-            .Replace("OUT", _hostile.PathOf("out"), StringComparison.Ordinal)
-            .Replace("PIPE", _hostile.In("pipe"), StringComparison.Ordinal)
-            .Replace("ROADS", _hostile.In("scenes/roads.csv"), StringComparison.Ordinal))]);
+        HostileSession.AssertRefused(
+            "pipe",
+            [
+                .. command.Select(word =>
+                    word.Replace("OUT", _hostile.PathOf("out"), StringComparison.Ordinal)
+                        .Replace("PIPE", _hostile.In("pipe"), StringComparison.Ordinal)
+                        .Replace("ROADS", _hostile.In("scenes/roads.csv"), StringComparison.Ordinal)
+                ),
+            ]
+        );
     }
 
     [PosixFact]

@@ -55,7 +55,9 @@ public sealed class PrivacyTests : IClassFixture<PrivacyTests.Work>, IDisposable
         using var stop = new CancellationTokenSource();
 
         Task<CliRun> run = CliRun.BesideAsync(
-            stop.Token, _work.Of("harvest --out OUT --roads ROADS --places 1 --frames 100000 --size 80x60 --no-report", made));
+            stop.Token,
+            _work.Of("harvest --out OUT --roads ROADS --places 1 --frames 100000 --size 80x60 --no-report", made)
+        );
         while (!run.IsCompleted && !(File.Exists(mark) && File.Exists(Path.Combine(made, "labels.jsonl"))))
         {
             await Task.Delay(1);
@@ -130,11 +132,16 @@ public sealed class PrivacyTests : IClassFixture<PrivacyTests.Work>, IDisposable
         public string PathOf(string name) => Path.Combine(_folder.PathOf(Folder), name);
 
         public string[] Of(string command, string to) =>
-        [
-            .. command.Split(' ').Select(word => word.Replace("SESSION", PathOf("session"), StringComparison.Ordinal)
-                .Replace("PART", PathOf("part"), StringComparison.Ordinal).Replace("ROADS", PathOf("roads.csv"), StringComparison.Ordinal)
-                .Replace("OUT", to, StringComparison.Ordinal)),
-        ];
+            [
+                .. command
+                    .Split(' ')
+                    .Select(word =>
+                        word.Replace("SESSION", PathOf("session"), StringComparison.Ordinal)
+                            .Replace("PART", PathOf("part"), StringComparison.Ordinal)
+                            .Replace("ROADS", PathOf("roads.csv"), StringComparison.Ordinal)
+                            .Replace("OUT", to, StringComparison.Ordinal)
+                    ),
+            ];
 
         public void Dispose() => _folder.Dispose();
 

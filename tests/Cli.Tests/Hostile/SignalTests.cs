@@ -122,7 +122,8 @@ public sealed class SignalTests(HugeSession session) : IClassFixture<HugeSession
     {
         try
         {
-            return Directory.EnumerateFiles($"/proc/{process.Id}/fd")
+            return Directory
+                .EnumerateFiles($"/proc/{process.Id}/fd")
                 .Any(file => new FileInfo(file).LinkTarget?.StartsWith(folder, StringComparison.Ordinal) == true);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
@@ -143,8 +144,10 @@ public sealed class SignalTests(HugeSession session) : IClassFixture<HugeSession
 
     private Process Start(string command, string source, string? temporary = null)
     {
-        string words = command.Replace("SESSION", session.Session, StringComparison.Ordinal)
-            .Replace("ROADS", session.Roads, StringComparison.Ordinal).Replace("OUT", _folder.PathOf("out"), StringComparison.Ordinal);
+        string words = command
+            .Replace("SESSION", session.Session, StringComparison.Ordinal)
+            .Replace("ROADS", session.Roads, StringComparison.Ordinal)
+            .Replace("OUT", _folder.PathOf("out"), StringComparison.Ordinal);
         var start = new ProcessStartInfo("/bin/sh")
         {
             RedirectStandardInput = true,

@@ -13,19 +13,35 @@ internal static class TapeBytes
     /// <summary>The ticks of a mod that is not asked for anything.</summary>
     public static IReadOnlyList<TapeEntry> Idle { get; } =
     [
-        new TapeFact(TapeFacts.Mod, "1.2.3"), new TapeFact(TapeFacts.Program, "GTA5.exe"), new TapeFact(TapeFacts.Build, "1.0.3179.0"),
-        new TapeFact(TapeFacts.Settings, "[Harvest]\nWidth = 64\nHeight = 48\n"), new TapeTick(), new TapeClock(160_000), new TapeTick(),
-        new TapeTick(), new TapeEnd("the script ended"),
+        new TapeFact(TapeFacts.Mod, "1.2.3"),
+        new TapeFact(TapeFacts.Program, "GTA5.exe"),
+        new TapeFact(TapeFacts.Build, "1.0.3179.0"),
+        new TapeFact(TapeFacts.Settings, "[Harvest]\nWidth = 64\nHeight = 48\n"),
+        new TapeTick(),
+        new TapeClock(160_000),
+        new TapeTick(),
+        new TapeTick(),
+        new TapeEnd("the script ended"),
     ];
 
     /// <summary>An entry of every kind.</summary>
     public static IReadOnlyList<TapeEntry> Every { get; } =
     [
-        .. Idle.SkipLast(1), new TapeKey(73, true), new TapeKey(73, false),
-        new TapeCall(0xD80958FC74E988A6, [TapeValue.Of(1), TapeValue.Of(1f), TapeValue.Of("a"), TapeValue.Memory(2)], TapeValue.Of(true),
-            [[1, 2]]),
+        .. Idle.SkipLast(1),
+        new TapeKey(73, true),
+        new TapeKey(73, false),
+        new TapeCall(
+            0xD80958FC74E988A6,
+            [TapeValue.Of(1), TapeValue.Of(1f), TapeValue.Of("a"), TapeValue.Memory(2)],
+            TapeValue.Of(true),
+            [
+                [1, 2],
+            ]
+        ),
         new TapeCall(TapeLists.Peds, [TapeValue.Of(1, 2, 3), TapeValue.Of((string?)null)], TapeValue.Failed(new IOException()), []),
-        new TapeWork("loading", true), new TapeGrab(2, 1, null, 5, [1, 2, 3, 4, 5, 6]), new TapeGrab(2, 1, "covered", 0, null),
+        new TapeWork("loading", true),
+        new TapeGrab(2, 1, null, 5, [1, 2, 3, 4, 5, 6]),
+        new TapeGrab(2, 1, "covered", 0, null),
         new TapeEnd("the script ended"),
     ];
 

@@ -26,10 +26,9 @@ public sealed class ViewedLinesTests(ITestOutputHelper output) : IDisposable
         _bombs.File("session.json", """{ "formatVersion": 1, "game": "simulation", "image": { "width": 80, "height": 60 } }""");
         await File.AppendAllTextAsync(_bombs.File("labels.jsonl", "", again, megabytes), "\n");
         string program = Path.Combine(AppContext.BaseDirectory, "harvester.dll");
-        using Process viewer = Process.Start(new ProcessStartInfo("dotnet", [program, "view", _bombs.Folder])
-        {
-            RedirectStandardOutput = true,
-        })!;
+        using Process viewer = Process.Start(
+            new ProcessStartInfo("dotnet", [program, "view", _bombs.Folder]) { RedirectStandardOutput = true }
+        )!;
         try
         {
             string address = (await viewer.StandardOutput.ReadLineAsync())!;

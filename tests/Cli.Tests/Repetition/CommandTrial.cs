@@ -61,12 +61,16 @@ internal sealed class CommandTrial
     public static FolderContent ContentOf(string root) => FolderContent.Of(root).Without(name => name == "out/heartbeat.json");
 
     /// <summary>The content of a folder without what a stopped command may leave; it is gone after the next.</summary>
-    public static FolderContent ResultIn(string root) => ContentOf(root).Without(name =>
-        name.Contains(".partial", StringComparison.Ordinal) || name.Contains(".harvester-", StringComparison.Ordinal));
+    public static FolderContent ResultIn(string root) =>
+        ContentOf(root)
+            .Without(name => name.Contains(".partial", StringComparison.Ordinal) || name.Contains(".harvester-", StringComparison.Ordinal));
 
     /// <summary>Whether each result is whole, the old one or the new one.</summary>
-    public bool IsWhole(FolderContent left) => left.Tops.Union(Former.Tops).Union(Expected.Tops)
-        .All(top => left.In(top).Equals(Former.In(top)) || left.In(top).Equals(Expected.In(top)));
+    public bool IsWhole(FolderContent left) =>
+        left
+            .Tops.Union(Former.Tops)
+            .Union(Expected.Tops)
+            .All(top => left.In(top).Equals(Former.In(top)) || left.In(top).Equals(Expected.In(top)));
 
     /// <summary>Makes a folder what it is before the command.</summary>
     public void Restore(string root)
@@ -89,8 +93,8 @@ internal sealed class CommandTrial
     public string? FaultOfRepetition(string root, FolderContent left)
     {
         CliRun again = Run(root);
-        bool wasOver = again.ExitCode == ExitCode.Usage && again.Error.Contains("already has", StringComparison.Ordinal)
-            && left.Equals(Expected);
+        bool wasOver =
+            again.ExitCode == ExitCode.Usage && again.Error.Contains("already has", StringComparison.Ordinal) && left.Equals(Expected);
         if (again.ExitCode != ExitCode.Done && !wasOver)
         {
             return $"given again it ends with {again.ExitCode}: {again.Error.TrimEnd()}";

@@ -6,7 +6,8 @@ internal sealed class CompilerFactAttribute : FactAttribute
 {
     public CompilerFactAttribute()
     {
-        Skip = !OperatingSystem.IsLinux() ? "Preloads a library, which is tested on Linux."
+        Skip =
+            !OperatingSystem.IsLinux() ? "Preloads a library, which is tested on Linux."
             : Environment.GetEnvironmentVariable("PATH")!.Split(':').Any(folder => File.Exists(Path.Combine(folder, "cc"))) ? null
             : "Needs a C compiler named cc.";
     }

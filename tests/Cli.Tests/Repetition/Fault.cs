@@ -14,7 +14,10 @@ internal sealed record Fault(FileOperation Operation, int Error, bool Kills = fa
 
     public static Fault None { get; } = new(FileOperation.None, 0);
 
-    private string Kind => Kills ? "kill" : Vanishes ? "no drive" : $"error {Error}";
+    private string Kind =>
+        Kills ? "kill"
+        : Vanishes ? "no drive"
+        : $"error {Error}";
 
     public override string ToString() => $"{Kind} at {Operation}{(CanExchange ? "" : " without exchange")}";
 }

@@ -29,10 +29,15 @@ internal sealed partial class FaultDriver
         FaultInjector.Begin(root, Fault.None);
         trial.Run(root);
         FaultInjector.End();
-        _operations = [.. FaultInjector.Operations()
-            .Where(operation => !WritingCommand.IsTimed(operation.Path))
-            .Where(operation => trial.Command.Only is not { } only
-                || only.Any(start => operation.Path.StartsWith(start, StringComparison.Ordinal)))];
+        _operations =
+        [
+            .. FaultInjector
+                .Operations()
+                .Where(operation => !WritingCommand.IsTimed(operation.Path))
+                .Where(operation =>
+                    trial.Command.Only is not { } only || only.Any(start => operation.Path.StartsWith(start, StringComparison.Ordinal))
+                ),
+        ];
     }
 
     /// <summary>Runs the commands whose names come from standard input, one a line, with all their faults.</summary>
@@ -52,7 +57,8 @@ internal sealed partial class FaultDriver
             driver.RunFaults();
             Console.WriteLine(
                 $"{name}: {driver._operations.Count} operations, {driver._faults} faults, {driver._failures.Count} failures, "
-                + $"{watch.Elapsed.TotalSeconds:0} s");
+                    + $"{watch.Elapsed.TotalSeconds:0} s"
+            );
             driver._failures.Take(20).ToList().ForEach(Console.WriteLine);
             Console.WriteLine();
             Directory.Delete(own, recursive: true);

@@ -19,12 +19,21 @@ public sealed class FaultInjectionTests(ITestOutputHelper output) : IDisposable
         CommandTrial.MakeInputs(_folder.PathOf("inputs"));
         FolderContent inputs = FolderContent.Of(_folder.PathOf("inputs"));
         var names = new ConcurrentQueue<string>(
-            WritingCommand.Chosen.OrderByDescending(command => command.BuildsWorld).Select(command => command.Name));
+            WritingCommand.Chosen.OrderByDescending(command => command.BuildsWorld).Select(command => command.Name)
+        );
         var reports = new ConcurrentQueue<string>();
-        Task.WaitAll([.. Enumerable.Range(0, Environment.ProcessorCount)
-            .Select(driver => Task.Factory.StartNew(
-                () => Drive(library, _folder.PathOf($"work-{driver}"), names, reports), CancellationToken.None,
-                TaskCreationOptions.LongRunning, TaskScheduler.Default))]);
+        Task.WaitAll([
+            .. Enumerable
+                .Range(0, Environment.ProcessorCount)
+                .Select(driver =>
+                    Task.Factory.StartNew(
+                        () => Drive(library, _folder.PathOf($"work-{driver}"), names, reports),
+                        CancellationToken.None,
+                        TaskCreationOptions.LongRunning,
+                        TaskScheduler.Default
+                    )
+                ),
+        ]);
         output.WriteLine(string.Join('\n', reports));
 
         Assert.Equal(WritingCommand.Chosen.Count, reports.Count);

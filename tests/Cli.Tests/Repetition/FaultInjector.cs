@@ -38,14 +38,18 @@ internal static partial class FaultInjector
     }
 
     /// <summary>Begins to record the operations below a folder, and to let one of them fail.</summary>
-    public static void Begin(string folder, Fault fault) => Begin(
-        folder,
-        fault.Operation.Kind,
-        fault.Operation.Path,
-        fault.Operation.Number,
-        fault.Error,
-        fault.Kills ? 1 : fault.Vanishes ? 2 : 0,
-        fault.CanExchange ? 1 : 0);
+    public static void Begin(string folder, Fault fault) =>
+        Begin(
+            folder,
+            fault.Operation.Kind,
+            fault.Operation.Path,
+            fault.Operation.Number,
+            fault.Error,
+            fault.Kills ? 1
+                : fault.Vanishes ? 2
+                : 0,
+            fault.CanExchange ? 1 : 0
+        );
 
     /// <summary>Ends recording.</summary>
     /// <returns>Whether the operation came and failed.</returns>

@@ -23,7 +23,9 @@ internal sealed class FolderContent : IEquatable<FolderContent>
             string name = Path.GetRelativePath(folder, path).Replace('\\', '/');
             bool isFolder = Directory.Exists(path);
             content._entries.Add(
-                isFolder ? name + "/" : name, isFolder ? "folder" : Convert.ToHexString(SHA256.HashData(File.ReadAllBytes(path))));
+                isFolder ? name + "/" : name,
+                isFolder ? "folder" : Convert.ToHexString(SHA256.HashData(File.ReadAllBytes(path)))
+            );
         }
 
         return content;
@@ -48,12 +50,20 @@ internal sealed class FolderContent : IEquatable<FolderContent>
     public FolderContent In(string top) => Without(name => TopOf(name) != top);
 
     /// <summary>What is more, less or different, for a message.</summary>
-    public string DifferenceFrom(FolderContent other) => string.Join(
-        ", ",
-        Names.Except(other.Names).Select(name => "+" + name)
-            .Concat(other.Names.Except(Names).Select(name => "-" + name))
-            .Concat(_entries.Where(entry => other._entries.TryGetValue(entry.Key, out string? bytes) && bytes != entry.Value)
-                .Select(entry => "~" + entry.Key)).Take(12));
+    public string DifferenceFrom(FolderContent other) =>
+        string.Join(
+            ", ",
+            Names
+                .Except(other.Names)
+                .Select(name => "+" + name)
+                .Concat(other.Names.Except(Names).Select(name => "-" + name))
+                .Concat(
+                    _entries
+                        .Where(entry => other._entries.TryGetValue(entry.Key, out string? bytes) && bytes != entry.Value)
+                        .Select(entry => "~" + entry.Key)
+                )
+                .Take(12)
+        );
 
     public bool Equals(FolderContent? other) => other is not null && _entries.SequenceEqual(other._entries);
 

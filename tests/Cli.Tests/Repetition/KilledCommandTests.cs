@@ -41,7 +41,9 @@ public sealed class KilledCommandTests : IDisposable
         _output = output;
         CommandTrial.MakeInputs(Inputs);
         _trials = Commands.ToDictionary(
-            command => command.Name, command => new CommandTrial(command, Inputs, Path.Combine(Trials, command.Name)));
+            command => command.Name,
+            command => new CommandTrial(command, Inputs, Path.Combine(Trials, command.Name))
+        );
     }
 
     private static IEnumerable<WritingCommand> Commands => WritingCommand.Chosen.Where(command => command.IsKilled);
@@ -63,14 +65,21 @@ public sealed class KilledCommandTests : IDisposable
         WritingCommand[][] groups = [.. Commands.GroupBy(command => command.BuildsWorld).Select(group => group.ToArray())];
         TimeSpan[] latest = [.. groups.Select(group => LatestMoment * TimeOfAll(group))];
         int kills = (stops + Threads - 1) / Threads;
-        Parallel.For(0, kills * groups.Length, new ParallelOptions { MaxDegreeOfParallelism = Environment.ProcessorCount }, kill =>
-        {
-            int group = kill % groups.Length;
-            KillAndRepeat(groups[group], latest[group] * new Random(unchecked((seed * 31) + kill)).NextDouble());
-        });
+        Parallel.For(
+            0,
+            kills * groups.Length,
+            new ParallelOptions { MaxDegreeOfParallelism = Environment.ProcessorCount },
+            kill =>
+            {
+                int group = kill % groups.Length;
+                KillAndRepeat(groups[group], latest[group] * new Random(unchecked((seed * 31) + kill)).NextDouble());
+            }
+        );
 
         string moments = string.Join(
-            ", ", latest.Select(time => string.Create(CultureInfo.InvariantCulture, $"{time.TotalSeconds:0.0} s")));
+            ", ",
+            latest.Select(time => string.Create(CultureInfo.InvariantCulture, $"{time.TotalSeconds:0.0} s"))
+        );
         _output.WriteLine($"seed {seed}, {kills} kills of each of {groups.Length} groups of commands, at moments up to {moments}");
         foreach (string name in _trials.Keys)
         {
@@ -156,7 +165,13 @@ public sealed class KilledCommandTests : IDisposable
     {
         string[] arguments =
         [
-            typeof(Program).Assembly.Location, "loop", Inputs, Trials, work, $"{Threads}", .. commands.Select(command => command.Name),
+            typeof(Program).Assembly.Location,
+            "loop",
+            Inputs,
+            Trials,
+            work,
+            $"{Threads}",
+            .. commands.Select(command => command.Name),
         ];
         var start = new ProcessStartInfo("dotnet", arguments) { RedirectStandardInput = true, RedirectStandardOutput = true };
 

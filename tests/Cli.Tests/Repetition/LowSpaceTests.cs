@@ -29,8 +29,7 @@ public sealed class LowSpaceTests : IClassFixture<ResumedDerivationTests.Inputs>
         CliRun stopped = CliRun.Of([.. Words(command), "--out", Out, "--min-free", Everything]);
 
         Assert.Equal(ExitCode.InputOutput, stopped.ExitCode);
-        Assert.Matches(
-            @"^harvester: The disk of '[^']*' has [0-9.]+ GB free; 1000000000 GB must stay free\. .*\n\z", stopped.Error);
+        Assert.Matches(@"^harvester: The disk of '[^']*' has [0-9.]+ GB free; 1000000000 GB must stay free\. .*\n\z", stopped.Error);
         Assert.EndsWith("The same command with --resume continues; --min-free sets the limit.\n", stopped.Error, StringComparison.Ordinal);
         CliRun.Of([.. Words(command), "--out", Out, "--min-free", "0", "--resume"]).AssertDone();
         CliRun.Of([.. Words(command), "--out", Whole]).AssertDone();
@@ -43,8 +42,9 @@ public sealed class LowSpaceTests : IClassFixture<ResumedDerivationTests.Inputs>
     [InlineData("-1GB")]
     [InlineData("2000000TB")]
     public void Size_without_unit_or_out_of_range_is_refused(string size) =>
-        CliRun.Of([.. Words("export SESSION --format voc"), "--out", Out, "--min-free", size]).AssertFailed(
-            ExitCode.Usage, $"--min-free takes 0, or a number with KB, MB, GB or TB, e.g. 500MB, not '{size}'.");
+        CliRun
+            .Of([.. Words("export SESSION --format voc"), "--out", Out, "--min-free", size])
+            .AssertFailed(ExitCode.Usage, $"--min-free takes 0, or a number with KB, MB, GB or TB, e.g. 500MB, not '{size}'.");
 
     [Fact]
     public void Locked_file_ends_a_command_and_changes_nothing()
@@ -63,13 +63,17 @@ public sealed class LowSpaceTests : IClassFixture<ResumedDerivationTests.Inputs>
     }
 
     private string[] Words(string command) =>
-    [
-        .. command.Split(' ').SelectMany(word => word switch
-        {
-            "ROADS" => [_inputs.Roads],
-            "SESSION" => [_inputs.Session],
-            "SHARDS" => _inputs.Shards,
-            _ => (string[])[word],
-        }),
-    ];
+        [
+            .. command
+                .Split(' ')
+                .SelectMany(word =>
+                    word switch
+                    {
+                        "ROADS" => [_inputs.Roads],
+                        "SESSION" => [_inputs.Session],
+                        "SHARDS" => _inputs.Shards,
+                        _ => (string[])[word],
+                    }
+                ),
+        ];
 }

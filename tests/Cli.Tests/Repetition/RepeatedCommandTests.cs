@@ -32,10 +32,12 @@ public sealed class RepeatedCommandTests : IDisposable
         HalfHarvest();
         FolderContent stopped = FolderContent.Of(Out);
 
-        Harvest("out", "3").AssertFailed(
-            ExitCode.Usage,
-            $"'{Out}' has the unfinished result of 'harvester harvest --frames 2 --seed 5 --size 64x48 --masks --no-report'. "
-            + "Run that command again, name another folder with --out, or replace it with --overwrite.");
+        Harvest("out", "3")
+            .AssertFailed(
+                ExitCode.Usage,
+                $"'{Out}' has the unfinished result of 'harvester harvest --frames 2 --seed 5 --size 64x48 --masks --no-report'. "
+                    + "Run that command again, name another folder with --out, or replace it with --overwrite."
+            );
 
         Assert.Equal(stopped, FolderContent.Of(Out));
         Assert.Equal((ExitCode.Done, ""), Ending(Harvest("out", "3", "--overwrite")));
@@ -149,7 +151,8 @@ public sealed class RepeatedCommandTests : IDisposable
         UnfinishedMark.Write(Out, "harvester harvest");
         Recorded("2", "2", "--shard", "2/2");
 
-        CliRun.Of("merge", Out, _folder.PathOf("2"), "--out", _folder.PathOf("merged"))
+        CliRun
+            .Of("merge", Out, _folder.PathOf("2"), "--out", _folder.PathOf("merged"))
             .AssertFailed(ExitCode.BadData, "Shard 1/2 in '" + Out + "' is not finished. Run it again.");
     }
 

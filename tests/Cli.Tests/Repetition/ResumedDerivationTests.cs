@@ -114,8 +114,10 @@ public sealed class ResumedDerivationTests : IClassFixture<ResumedDerivationTest
         StopRelabel();
         var made = new List<int>();
 
-        new SessionRelabeller(new SessionReader(_inputs.Session), new RelabelOptions { RangeMetres = 50, Resume = true })
-            .Run(Out, made.Add);
+        new SessionRelabeller(new SessionReader(_inputs.Session), new RelabelOptions { RangeMetres = 50, Resume = true }).Run(
+            Out,
+            made.Add
+        );
 
         Assert.Equal(1, made[0]);
     }
@@ -169,8 +171,7 @@ public sealed class ResumedDerivationTests : IClassFixture<ResumedDerivationTest
     {
         Run([.. RelabelWords, "--out", Out]);
         FolderContent complete = FolderContent.Of(Out);
-        string[] other =
-            [.. RelabelWords.Where((word, index) => word != option && (index == 0 || RelabelWords[index - 1] != option))];
+        string[] other = [.. RelabelWords.Where((word, index) => word != option && (index == 0 || RelabelWords[index - 1] != option))];
 
         CliRun.Of([.. other, option, value, "--out", Out, "--resume"]).AssertFailed(ExitCode.Usage, $"'{Out}' already has a session.");
 
@@ -204,8 +205,9 @@ public sealed class ResumedDerivationTests : IClassFixture<ResumedDerivationTest
 
     [Fact]
     public void Resume_and_overwrite_of_a_relabelling_are_refused() =>
-        CliRun.Of([.. RelabelWords, "--out", Out, "--resume", "--overwrite"]).AssertFailed(
-            ExitCode.Usage, "--resume continues a session, and --overwrite replaces it. Give only one of them.");
+        CliRun
+            .Of([.. RelabelWords, "--out", Out, "--resume", "--overwrite"])
+            .AssertFailed(ExitCode.Usage, "--resume continues a session, and --overwrite replaces it. Give only one of them.");
 
     private static void Run(string[] words) => CliRun.Of(words).AssertDone();
 
@@ -216,17 +218,18 @@ public sealed class ResumedDerivationTests : IClassFixture<ResumedDerivationTest
         Assert.Equal("", FolderContent.Of(Out).DifferenceFrom(FolderContent.Of(Whole)));
     }
 
-    private DateTime[] MaskTimes() =>
-        [.. Directory.GetFiles(Path.Combine(Out, FramePaths.Masks)).Order().Select(File.GetLastWriteTimeUtc)];
+    private DateTime[] MaskTimes() => [.. Directory.GetFiles(Path.Combine(Out, FramePaths.Masks)).Order().Select(File.GetLastWriteTimeUtc)];
 
-    private SessionRelabeller Relabeller(bool resume) => new(
-        new SessionReader(_inputs.Session),
-        new RelabelOptions
-        {
-            RangeMetres = 60,
-            Classes = [Sessions.Scenes.ObjectClass.Sign, Sessions.Scenes.ObjectClass.TrafficLight],
-            Resume = resume,
-        });
+    private SessionRelabeller Relabeller(bool resume) =>
+        new(
+            new SessionReader(_inputs.Session),
+            new RelabelOptions
+            {
+                RangeMetres = 60,
+                Classes = [Sessions.Scenes.ObjectClass.Sign, Sessions.Scenes.ObjectClass.TrafficLight],
+                Resume = resume,
+            }
+        );
 
     private void StopRelabel()
     {
@@ -243,8 +246,7 @@ public sealed class ResumedDerivationTests : IClassFixture<ResumedDerivationTest
         File.Move(missing, missing + ".away");
         try
         {
-            Assert.Throws<DatasetFormatException>(
-                () => SessionMerger.Merge(_inputs.Shards, Out, new MergeOptions(ImageTransfer.Copy)));
+            Assert.Throws<DatasetFormatException>(() => SessionMerger.Merge(_inputs.Shards, Out, new MergeOptions(ImageTransfer.Copy)));
         }
         finally
         {
@@ -287,10 +289,22 @@ public sealed class ResumedDerivationTests : IClassFixture<ResumedDerivationTest
 
         public void Dispose() => _folder.Dispose();
 
-        private void Harvest(string folder, params string[] more) => Run(
-        [
-            "harvest", "--out", folder, "--frames", $"{Frames}", "--seed", "5", "--size", "64x48", "--masks", "--no-report", "--roads",
-            Roads, .. more,
-        ]);
+        private void Harvest(string folder, params string[] more) =>
+            Run([
+                "harvest",
+                "--out",
+                folder,
+                "--frames",
+                $"{Frames}",
+                "--seed",
+                "5",
+                "--size",
+                "64x48",
+                "--masks",
+                "--no-report",
+                "--roads",
+                Roads,
+                .. more,
+            ]);
     }
 }

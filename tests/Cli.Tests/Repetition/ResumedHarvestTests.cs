@@ -85,7 +85,8 @@ public sealed class ResumedHarvestTests : IDisposable
         FolderContent complete = FolderContent.Of(Out);
         string[] asked = ["harvest", "--out", Out, "--size", "80x60", "--roads", Roads, "--no-report", "--resume", option, value];
 
-        CliRun.Of(option == "--frames" ? asked : [.. asked, "--frames", "1"])
+        CliRun
+            .Of(option == "--frames" ? asked : [.. asked, "--frames", "1"])
             .AssertFailed(ExitCode.Usage, $"'{Out}' already has a session.");
 
         Assert.Equal(complete, FolderContent.Of(Out));
@@ -93,16 +94,31 @@ public sealed class ResumedHarvestTests : IDisposable
 
     [Fact]
     public void Resume_and_overwrite_together_are_refused() =>
-        Harvest(Out, "1/1", "--resume", "--overwrite").AssertFailed(
-            ExitCode.Usage, "--resume continues a session, and --overwrite replaces it. Give only one of them.");
+        Harvest(Out, "1/1", "--resume", "--overwrite")
+            .AssertFailed(ExitCode.Usage, "--resume continues a session, and --overwrite replaces it. Give only one of them.");
 
     private static string FrameOf(string folder, int frame) => Path.Combine(folder, FramePaths.Image(frame, ImageFormat.Png));
 
-    private CliRun Harvest(string folder, string shard, params string[] more) => CliRun.Of(
-    [
-        "harvest", "--out", folder, "--frames", "8", "--shard", shard, "--seed", "5", "--size", "64x48", "--places", "2", "--no-report",
-        "--roads", Roads, .. more,
-    ]);
+    private CliRun Harvest(string folder, string shard, params string[] more) =>
+        CliRun.Of([
+            "harvest",
+            "--out",
+            folder,
+            "--frames",
+            "8",
+            "--shard",
+            shard,
+            "--seed",
+            "5",
+            "--size",
+            "64x48",
+            "--places",
+            "2",
+            "--no-report",
+            "--roads",
+            Roads,
+            .. more,
+        ]);
 
     /// <summary>
     /// Makes what a harvest leaves that is killed after some frames: the lines of these, half a line of the next with its image, and a
@@ -116,7 +132,9 @@ public sealed class ResumedHarvestTests : IDisposable
         File.WriteAllText(labels, string.Join('\n', lines.Take(Recorded)) + "\n" + lines[Recorded][..20]);
         string manifest = Path.Combine(Out, Manifest.FileName);
         File.WriteAllLines(
-            manifest, [.. File.ReadAllLines(manifest).Where(line => !line.Contains("session.json", StringComparison.Ordinal))]);
+            manifest,
+            [.. File.ReadAllLines(manifest).Where(line => !line.Contains("session.json", StringComparison.Ordinal))]
+        );
         string header = Path.Combine(Out, "session.json");
         string text = File.ReadAllText(header);
         File.WriteAllText(header, text[..text.IndexOf("\n  \"state\"", StringComparison.Ordinal)] + "\n  \"state\": \"recording\"\n}\n");
@@ -127,6 +145,7 @@ public sealed class ResumedHarvestTests : IDisposable
 
         UnfinishedMark.Write(
             Out,
-            CommandText.Of($"harvest --frames 8 --shard {shard} --seed 5 --size 64x48 --places 2 --no-report --roads {Roads}".Split(' ')));
+            CommandText.Of($"harvest --frames 8 --shard {shard} --seed 5 --size 64x48 --places 2 --no-report --roads {Roads}".Split(' '))
+        );
     }
 }

@@ -27,10 +27,11 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
     public static string Places { get; } = "name,x,y\nNorth,0,150\n";
 
     /// <summary>A plan of two trials, the file plan.json of the inputs.</summary>
-    public static string Plan { get; } = """
-        {"name":"two","places":[{"name":"a","x":0,"y":-50}],"weathers":["clear","rain"],"frames":2,
-        "cameras":[{"name":"c","width":64,"height":48}],"masks":"rays"}
-        """;
+    public static string Plan { get; } =
+        """
+            {"name":"two","places":[{"name":"a","x":0,"y":-50}],"weathers":["clear","rain"],"frames":2,
+            "cameras":[{"name":"c","width":64,"height":48}],"masks":"rays"}
+            """;
 
     /// <summary>
     /// How the paths of the files begin whose operations are the command's own, because another command has all others; null for all.
@@ -38,7 +39,11 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
     public IReadOnlyList<string>? Only { get; private init; }
 
     /// <summary>Whether it is killed at random moments; those with operations of their own only are not, unless this is set.</summary>
-    public bool IsKilled { get => field || Only is null; private init; }
+    public bool IsKilled
+    {
+        get => field || Only is null;
+        private init;
+    }
 
     /// <summary>Command lines that make the inputs of all commands.</summary>
     public static IReadOnlyList<string> Inputs { get; } =
@@ -57,7 +62,6 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("harvest", $"harvest --out {{root}}/out --frames 2 {Small}"),
         new("harvest-resume", $"harvest --out {{root}}/out --resume --frames 3 --no-report {Unchecked}"),
         new("harvest-town", "harvest --out {root}/out --frames 1 --size 64x48 --seed 5 --no-report") { Only = ["out/scenes/roads.csv"] },
-
         // Of five frames, some have their pictures drawn while others are written.
         new("harvest-queue", $"harvest --out {{root}}/out --frames 5 --no-report --no-scenes {Unchecked}") { Only = ["out/frames/"] },
         new("harvest-overwrite", $"harvest --out {{root}}/out --frames 1 --no-report --overwrite {Unchecked}", Former),
@@ -95,7 +99,8 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
             "merge-export-in-place",
             "merge {root}/out --out {root}/out",
             "export {inputs}/session --format csv --out {root}/out --shard 1/2",
-            "export {inputs}/session --format csv --out {root}/out --shard 2/2"),
+            "export {inputs}/session --format csv --out {root}/out --shard 2/2"
+        ),
         new("masks-import", "masks import {root}/out {inputs}/session/masks", $"harvest --out {{root}}/out --frames 2 {Small}"),
         new("repair", "repair {inputs}/session --out {root}/out"),
         new("report", "report {inputs}/session --out {root}/page.html", "report {inputs}/session --out {root}/page.html --frames 1"),
@@ -144,8 +149,11 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
 
     /// <summary>The words of a command line, in folders.</summary>
     public static string[] WordsOf(string words, string inputs, string root) =>
-    [
-        .. words.Split(' ').Select(word => word
-            .Replace("{inputs}", inputs, StringComparison.Ordinal).Replace("{root}", root, StringComparison.Ordinal)),
-    ];
+        [
+            .. words
+                .Split(' ')
+                .Select(word =>
+                    word.Replace("{inputs}", inputs, StringComparison.Ordinal).Replace("{root}", root, StringComparison.Ordinal)
+                ),
+        ];
 }

@@ -18,7 +18,12 @@ namespace Harvester.Cli.Tests.Serving;
 /// <summary>A served game in lock-step, over the socket.</summary>
 public sealed class LockStepTests
 {
-    private static readonly SimulationOptions World = new() { Seed = 1, TrafficDensity = 0.3, PedestrianDensity = 0.3 };
+    private static readonly SimulationOptions World = new()
+    {
+        Seed = 1,
+        TrafficDensity = 0.3,
+        PedestrianDensity = 0.3,
+    };
 
     [Theory]
     [InlineData(false)]
@@ -75,8 +80,7 @@ public sealed class LockStepTests
         {
             time = TimeOf(client);
             Assert.InRange(time, 0, 0.4);
-        }
-        while (time < 0.4);
+        } while (time < 0.4);
         await served.StopAsync();
     }
 
@@ -154,8 +158,17 @@ public sealed class LockStepTests
     {
         IPEndPoint at = new(IPAddress.Loopback, FreePort.Find());
         Task<CliRun> serve = CliRun.BesideAsync(
-            CancellationToken.None, "serve", "--lockstep", "--once", "--port", at.Port.ToString(CultureInfo.InvariantCulture),
-            "--traffic", "0", "--size", "80x60");
+            CancellationToken.None,
+            "serve",
+            "--lockstep",
+            "--once",
+            "--port",
+            at.Port.ToString(CultureInfo.InvariantCulture),
+            "--traffic",
+            "0",
+            "--size",
+            "80x60"
+        );
         using (SocketClient client = Connect(at, serve))
         {
             client.Send("""{"type":"restart","seed":2}""");
@@ -186,8 +199,19 @@ public sealed class LockStepTests
     {
         IPEndPoint at = new(IPAddress.Loopback, FreePort.Find());
         Task<CliRun> serve = CliRun.BesideAsync(
-            CancellationToken.None, "serve", "--lockstep", "--once", "--port", at.Port.ToString(CultureInfo.InvariantCulture),
-            "--traffic", "0", "--size", "80x60", "--near", near);
+            CancellationToken.None,
+            "serve",
+            "--lockstep",
+            "--once",
+            "--port",
+            at.Port.ToString(CultureInfo.InvariantCulture),
+            "--traffic",
+            "0",
+            "--size",
+            "80x60",
+            "--near",
+            near
+        );
         (JsonElement First, JsonElement Restarted) starts;
         using (SocketClient client = Connect(at, serve))
         {
@@ -266,11 +290,20 @@ public sealed class LockStepTests
                 _bridge,
                 restart => new SimulatedGame(World with { TrafficSeed = restart?.Seed, StartSeed = restart?.Seed }),
                 game => new GameEndpoint(
-                    game, new FixedRoads(game.Roads, "simulation"), options, _bridge, static () => new DeepDrivingController(),
-                    isAssisted));
+                    game,
+                    new FixedRoads(game.Roads, "simulation"),
+                    options,
+                    _bridge,
+                    static () => new DeepDrivingController(),
+                    isAssisted
+                )
+            );
             _serving = Task.Factory.StartNew(
-                () => game.Run(double.PositiveInfinity, _stopping.Token), CancellationToken.None, TaskCreationOptions.LongRunning,
-                TaskScheduler.Default);
+                () => game.Run(double.PositiveInfinity, _stopping.Token),
+                CancellationToken.None,
+                TaskCreationOptions.LongRunning,
+                TaskScheduler.Default
+            );
         }
 
         public IPEndPoint EndPoint => _bridge.EndPoint;

@@ -16,24 +16,35 @@ namespace Harvester.Cli.Tests.Serving;
 
 public sealed class ServedGameTests
 {
-    private readonly SimulatedGame _game = new(new SimulationOptions { Seed = 1, TrafficDensity = 0, PedestrianDensity = 0 });
+    private readonly SimulatedGame _game = new(
+        new SimulationOptions
+        {
+            Seed = 1,
+            TrafficDensity = 0,
+            PedestrianDensity = 0,
+        }
+    );
 
     [Fact]
     public void Client_in_lock_step_keeps_its_lane_by_the_sent_indicators()
     {
         const int frames = 300;
         List<double> offsetsInLane = [];
-        DrivingStatus status = Serve(frames, out double metres, state =>
-        {
-            EgoState ego = _game.Ports.World.ReadEgo();
-            Vector3D centre = ego.Pose.ToWorld((ego.ModelMin + ego.ModelMax) * 0.5);
-            if (_game.Truth.Locate(centre, ego.Pose.Axes.Forward) is { IsInJunction: false } place && state.AreLanesKnown)
+        DrivingStatus status = Serve(
+            frames,
+            out double metres,
+            state =>
             {
-                offsetsInLane.Add(place.RightOfLaneCentre);
-            }
+                EgoState ego = _game.Ports.World.ReadEgo();
+                Vector3D centre = ego.Pose.ToWorld((ego.ModelMin + ego.ModelMax) * 0.5);
+                if (_game.Truth.Locate(centre, ego.Pose.Axes.Forward) is { IsInJunction: false } place && state.AreLanesKnown)
+                {
+                    offsetsInLane.Add(place.RightOfLaneCentre);
+                }
 
-            return [new IndicatorsMessage(IndicatorOrder.Values(state.TorcsEquivalent), state.Frame)];
-        });
+                return [new IndicatorsMessage(IndicatorOrder.Values(state.TorcsEquivalent), state.Frame)];
+            }
+        );
 
         Assert.Null(status.Ending);
 
@@ -71,14 +82,16 @@ public sealed class ServedGameTests
                 return [new StepMessage(0.1), .. answer(state)];
             },
             new PauseMessage(true),
-            new RequestFrameMessage());
+            new RequestFrameMessage()
+        );
         using GameEndpoint bridged = new(
             _game,
             new FixedRoads(_game.Roads, "simulation"),
             new DrivingOptions { Picture = new ImageSize(32, 24) },
             bridge,
             static () => new DeepDrivingController(),
-            isAssisted: true);
+            isAssisted: true
+        );
         DrivingStatus status = new ServedGame(_game, bridged).Run(double.PositiveInfinity, done.Token);
         metres = bridged.Metres;
         return status;

@@ -30,8 +30,7 @@ public sealed class ServedRecordingTests : IDisposable
     {
         int number = FreePort.Find();
         string port = number.ToString(CultureInfo.InvariantCulture);
-        await RecordAsync(
-            ["--port", port], ["--bridge", "socket", "--at", $"{IPAddress.Loopback}:{port}"], () => IsListening(number));
+        await RecordAsync(["--port", port], ["--bridge", "socket", "--at", $"{IPAddress.Loopback}:{port}"], () => IsListening(number));
     }
 
     [Fact]
@@ -39,7 +38,10 @@ public sealed class ServedRecordingTests : IDisposable
     {
         string shared = _folder.PathOf("shared");
         await RecordAsync(
-            ["--folder", shared], ["--bridge", "folder", "--folder", shared], () => File.Exists(Path.Combine(shared, "bridge.json")));
+            ["--folder", shared],
+            ["--bridge", "folder", "--folder", shared],
+            () => File.Exists(Path.Combine(shared, "bridge.json"))
+        );
     }
 
     private static bool IsListening(int port)
@@ -62,7 +64,9 @@ public sealed class ServedRecordingTests : IDisposable
         using CancellationTokenSource stopping = new();
         using CancellationTokenSource leaving = new();
         Task<CliRun> serve = CliRun.BesideAsync(
-            stopping.Token, ["serve", "--record", session, "--size", "80x60", "--traffic", "0", "--seed", "1", .. bridge]);
+            stopping.Token,
+            ["serve", "--record", session, "--size", "80x60", "--traffic", "0", "--seed", "1", .. bridge]
+        );
         DateTime deadline = DateTime.UtcNow + Deadline;
         while (!isOpen() && !serve.IsCompleted && DateTime.UtcNow < deadline)
         {
@@ -126,7 +130,8 @@ public sealed class ServedRecordingTests : IDisposable
         using var file = new FileStream(labels, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
         using var reader = new StreamReader(file);
         string text = reader.ReadToEnd();
-        return text[..(text.LastIndexOf('\n') + 1)].Split('\n', StringSplitOptions.RemoveEmptyEntries)
+        return text[..(text.LastIndexOf('\n') + 1)]
+            .Split('\n', StringSplitOptions.RemoveEmptyEntries)
             .Count(line => IsAnswered(JsonDocument.Parse(line).RootElement.GetProperty("drive")));
     }
 }

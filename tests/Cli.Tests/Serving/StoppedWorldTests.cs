@@ -22,16 +22,31 @@ public sealed class StoppedWorldTests
     public async Task Folder_client_drives_on_in_a_world_left_paused_by_another(double? stepSeconds)
     {
         using TemporaryFolder folder = new();
-        SimulatedGame game = new(new SimulationOptions { Seed = 1, TrafficDensity = 0, PedestrianDensity = 0 });
+        SimulatedGame game = new(
+            new SimulationOptions
+            {
+                Seed = 1,
+                TrafficDensity = 0,
+                PedestrianDensity = 0,
+            }
+        );
         ImageSize picture = new(32, 24);
         using FolderBridge bridge = new(folder.Path, picture);
         using GameEndpoint bridged = new(
-            game, new FixedRoads(game.Roads, "simulation"), new DrivingOptions { Picture = picture }, bridge,
-            static () => new DeepDrivingController(), isAssisted: true);
+            game,
+            new FixedRoads(game.Roads, "simulation"),
+            new DrivingOptions { Picture = picture },
+            bridge,
+            static () => new DeepDrivingController(),
+            isAssisted: true
+        );
         using CancellationTokenSource ending = new();
         Task<DrivingStatus> serving = Task.Factory.StartNew(
-            () => new ServedGame(game, bridged).Run(double.PositiveInfinity, ending.Token), CancellationToken.None,
-            TaskCreationOptions.LongRunning, TaskScheduler.Default);
+            () => new ServedGame(game, bridged).Run(double.PositiveInfinity, ending.Token),
+            CancellationToken.None,
+            TaskCreationOptions.LongRunning,
+            TaskScheduler.Default
+        );
         await File.WriteAllTextAsync(folder.PathOf("command.json"), """{"type":"pause","paused":true}""");
         DateTime deadline = DateTime.UtcNow + Ample;
         while (!game.IsFrozen)

@@ -119,7 +119,8 @@ public sealed class HeartbeatJudgeTests
         Assert.Null(judge.Last);
         Assert.Equal(
             "its heartbeat names process 3, which the command did not start",
-            judge.Judge(Beat(1, 51, process: 3), TimeSpan.FromSeconds(2), Noon, id => id == Own));
+            judge.Judge(Beat(1, 51, process: 3), TimeSpan.FromSeconds(2), Noon, id => id == Own)
+        );
     }
 
     [Fact]
@@ -156,24 +157,31 @@ public sealed class HeartbeatJudgeTests
         Assert.Equal(5, _progress.Frames);
     }
 
-    private HeartbeatJudge Judge(HeartbeatReading before) => new(
-        new SupervisorOptions
-        {
-            Program = "game",
-            Arguments = [],
-            HeartbeatPath = "heartbeat.json",
-            Timeout = TimeSpan.FromSeconds(10),
-            StartTimeout = TimeSpan.FromSeconds(50),
-            Stall = TimeSpan.FromSeconds(30),
-        },
-        before,
-        _progress);
+    private HeartbeatJudge Judge(HeartbeatReading before) =>
+        new(
+            new SupervisorOptions
+            {
+                Program = "game",
+                Arguments = [],
+                HeartbeatPath = "heartbeat.json",
+                Timeout = TimeSpan.FromSeconds(10),
+                StartTimeout = TimeSpan.FromSeconds(50),
+                Stall = TimeSpan.FromSeconds(30),
+            },
+            before,
+            _progress
+        );
 
     private string? At(double seconds, HeartbeatReading reading) =>
         _judge.Judge(reading, TimeSpan.FromSeconds(seconds), Noon.AddSeconds(seconds), id => id == Own);
 
     private static HeartbeatReading Beat(
-        double seconds, long frames, HeartbeatState state = HeartbeatState.Running, string trial = "", int process = Own)
+        double seconds,
+        long frames,
+        HeartbeatState state = HeartbeatState.Running,
+        string trial = "",
+        int process = Own
+    )
     {
         var heartbeat = new SeenHeartbeat(process, Noon.AddSeconds(seconds), state, trial, frames);
         return new HeartbeatReading(Encoding.UTF8.GetBytes(heartbeat.ToString()), heartbeat, null);

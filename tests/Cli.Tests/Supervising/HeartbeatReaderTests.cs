@@ -16,10 +16,17 @@ public sealed class HeartbeatReaderTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public void Every_field_is_read() => Assert.Equal(
-        new SeenHeartbeat(
-            12, new DateTime(2026, 1, 2, 12, 0, 0, 500, DateTimeKind.Utc), HeartbeatState.Running, "rain-3", 4_000_000_000),
-        ReadText(Good).Heartbeat);
+    public void Every_field_is_read() =>
+        Assert.Equal(
+            new SeenHeartbeat(
+                12,
+                new DateTime(2026, 1, 2, 12, 0, 0, 500, DateTimeKind.Utc),
+                HeartbeatState.Running,
+                "rain-3",
+                4_000_000_000
+            ),
+            ReadText(Good).Heartbeat
+        );
 
     [Theory]
     [InlineData(", \"trial\": \"rain-3\"", "", "")]
@@ -51,8 +58,7 @@ public sealed class HeartbeatReaderTests : IDisposable
     public void Missing_file_is_no_problem() => Assert.Equal(HeartbeatReading.Missing, HeartbeatReader.Read(Path));
 
     [Fact]
-    public void Large_file_is_not_read() =>
-        Assert.Equal("It has more than 65536 bytes.", ReadText(Good + new string(' ', 70_000)).Problem);
+    public void Large_file_is_not_read() => Assert.Equal("It has more than 65536 bytes.", ReadText(Good + new string(' ', 70_000)).Problem);
 
     [Fact]
     public void Link_is_not_followed()

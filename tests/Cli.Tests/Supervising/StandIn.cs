@@ -131,8 +131,7 @@ internal static class StandIn
         do
         {
             Write(folder, "running", frames: 1);
-        }
-        while (!stop.Wait(Beat));
+        } while (!stop.Wait(Beat));
         return 0;
 
         void Stop(PosixSignalContext signal)
@@ -151,7 +150,8 @@ internal static class StandIn
             path + ".new",
             $$"""
             {"process": {{process ?? Environment.ProcessId}}, "time": "{{time}}", "state": "{{state}}", "trial": null, "frames": {{frames}}}
-            """);
+            """
+        );
         File.Move(path + ".new", path, overwrite: true);
     }
 }

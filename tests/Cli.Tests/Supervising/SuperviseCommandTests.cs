@@ -168,8 +168,18 @@ public sealed class SuperviseCommandTests : IDisposable
               $! "$(date -u +%Y-%m-%dT%H:%M:%SZ)" > "$0"
             """;
         CliRun run = CliRun.Of(
-            "supervise", "--heartbeat", _folder.Path, "--max-restarts", "0", "--any-process", "--",
-            "sh", "-c", launcher, _folder.PathOf("heartbeat.json"));
+            "supervise",
+            "--heartbeat",
+            _folder.Path,
+            "--max-restarts",
+            "0",
+            "--any-process",
+            "--",
+            "sh",
+            "-c",
+            launcher,
+            _folder.PathOf("heartbeat.json")
+        );
 
         Assert.Equal(ExitCode.HarvestFault, run.ExitCode);
         Assert.Contains("crashed: it ended (exit code 0)", run.Out, StringComparison.Ordinal);
@@ -177,8 +187,9 @@ public sealed class SuperviseCommandTests : IDisposable
 
     [Fact]
     public void Program_that_does_not_exist_is_reported() =>
-        CliRun.Of("supervise", "--heartbeat", _folder.Path, "--", _folder.PathOf("none")).AssertFailed(
-            ExitCode.InputOutput, "cannot be started");
+        CliRun
+            .Of("supervise", "--heartbeat", _folder.Path, "--", _folder.PathOf("none"))
+            .AssertFailed(ExitCode.InputOutput, "cannot be started");
 
     [Fact]
     public void Command_to_supervise_is_required() =>
@@ -209,11 +220,13 @@ public sealed class SuperviseCommandTests : IDisposable
     {
         string program = Path.Combine(AppContext.BaseDirectory, "harvester.dll");
         string words = string.Join(' ', arguments.Prepend(program).Select(ShellWord.Of));
-        return Process.Start(new ProcessStartInfo("sh", ["-c", $"{HeededSignals.Script}exec $heeding dotnet {words}"])
-        {
-            RedirectStandardInput = true,
-            RedirectStandardOutput = true,
-        })!;
+        return Process.Start(
+            new ProcessStartInfo("sh", ["-c", $"{HeededSignals.Script}exec $heeding dotnet {words}"])
+            {
+                RedirectStandardInput = true,
+                RedirectStandardOutput = true,
+            }
+        )!;
     }
 
     private static void Signal(string signal, int process)
@@ -263,8 +276,18 @@ public sealed class SuperviseCommandTests : IDisposable
     private CliRun Supervise(string behaviour, params string[] options) => CliRun.Of(Words(behaviour, options));
 
     private string[] Words(string behaviour, params string[] options) =>
-    [
-        "supervise", "--heartbeat", _folder.Path, "--delay", "0.01", .. options, "--", "dotnet", typeof(Program).Assembly.Location,
-        "stand-in", _folder.Path, behaviour,
-    ];
+        [
+            "supervise",
+            "--heartbeat",
+            _folder.Path,
+            "--delay",
+            "0.01",
+            .. options,
+            "--",
+            "dotnet",
+            typeof(Program).Assembly.Location,
+            "stand-in",
+            _folder.Path,
+            behaviour,
+        ];
 }

@@ -14,7 +14,8 @@ public sealed class FileFaultTests : IDisposable
         _folder.File("file", "mine");
         _folder.File(
             "session.json",
-            """{ "formatVersion": 1, "game": "simulation", "image": { "width": 80, "height": 60 }, "counters": { "captured": 0 } }""");
+            """{ "formatVersion": 1, "game": "simulation", "image": { "width": 80, "height": 60 }, "counters": { "captured": 0 } }"""
+        );
     }
 
     public void Dispose() => _folder.Dispose();
@@ -46,28 +47,39 @@ public sealed class FileFaultTests : IDisposable
     [InlineData("No space left on device", 28, "'kitti'")]
     [InlineData(
         "There is not enough space on the disk. : 'D:\\out\\p.html.0123456789abcdef.partial'",
-        unchecked((int)0x80070070), "'D:\\out\\p.html'")]
-    public void Full_disk_is_reported_with_the_path_and_advice(string message, int code, string place) => Assert.Equal(
-        $"The disk is full: {place} cannot be written. Free some space, or write to another disk, and run the command again.",
-        FileFault.TextOf(new IOException(message, code), "kitti"));
+        unchecked((int)0x80070070),
+        "'D:\\out\\p.html'"
+    )]
+    public void Full_disk_is_reported_with_the_path_and_advice(string message, int code, string place) =>
+        Assert.Equal(
+            $"The disk is full: {place} cannot be written. Free some space, or write to another disk, and run the command again.",
+            FileFault.TextOf(new IOException(message, code), "kitti")
+        );
 
     [Fact]
     public void Full_disk_without_a_path_is_still_reported() =>
         Assert.StartsWith(
             "The disk is full. Free some space",
             FileFault.TextOf(new IOException("No space left on device", 28), output: null),
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
 
     [Fact]
-    public void File_without_read_permission_is_reported_as_such() => Assert.Equal(
-        $"Permission denied: '{_folder.PathOf("file")}'. Change its permissions, or name another path.",
-        FileFault.TextOf(new UnauthorizedAccessException($"Access to the path '{_folder.PathOf("file")}' is denied.") { Source = Runtime },
-            output: null));
+    public void File_without_read_permission_is_reported_as_such() =>
+        Assert.Equal(
+            $"Permission denied: '{_folder.PathOf("file")}'. Change its permissions, or name another path.",
+            FileFault.TextOf(
+                new UnauthorizedAccessException($"Access to the path '{_folder.PathOf("file")}' is denied.") { Source = Runtime },
+                output: null
+            )
+        );
 
     [Fact]
-    public void Folder_in_place_of_a_file_is_reported_as_such() => Assert.Equal(
-        $"'{_folder.PathOf("folder")}' is a folder. Name a file.",
-        FileFault.TextOf(new IOException($"Is a directory : '{_folder.PathOf("folder")}'") { Source = Runtime }, output: null));
+    public void Folder_in_place_of_a_file_is_reported_as_such() =>
+        Assert.Equal(
+            $"'{_folder.PathOf("folder")}' is a folder. Name a file.",
+            FileFault.TextOf(new IOException($"Is a directory : '{_folder.PathOf("folder")}'") { Source = Runtime }, output: null)
+        );
 
     [Fact]
     public void Messages_of_the_project_are_left_unchanged() =>
@@ -75,9 +87,9 @@ public sealed class FileFaultTests : IDisposable
 
     private static string? Runtime => typeof(File).Assembly.GetName().Name;
 
-    private string InFolder(string text) => text
-        .Replace("{folder}", _folder.PathOf("folder"), StringComparison.Ordinal)
-        .Replace("{file}", _folder.PathOf("file"), StringComparison.Ordinal)
-        .Replace("{none}", _folder.PathOf("none"), StringComparison.Ordinal)
-        .Replace("{.}", _folder.Path, StringComparison.Ordinal);
+    private string InFolder(string text) =>
+        text.Replace("{folder}", _folder.PathOf("folder"), StringComparison.Ordinal)
+            .Replace("{file}", _folder.PathOf("file"), StringComparison.Ordinal)
+            .Replace("{none}", _folder.PathOf("none"), StringComparison.Ordinal)
+            .Replace("{.}", _folder.Path, StringComparison.Ordinal);
 }

@@ -17,8 +17,7 @@ public sealed class JobProgressTests
         Assert.Equal(expected, JobProgress.Describe(done, all, rate));
 
     [Fact]
-    public void Describe_names_the_unit() =>
-        Assert.Equal("300 of 1000 m, 30.0 m/s, 24 s left", JobProgress.Describe(300, 1000, 30, "m"));
+    public void Describe_names_the_unit() => Assert.Equal("300 of 1000 m, 30.0 m/s, 24 s left", JobProgress.Describe(300, 1000, 30, "m"));
 
     [Fact]
     public void Rate_excludes_the_start_up_and_is_unknown_at_first()

@@ -47,9 +47,12 @@ public sealed class OutputDiskTests : IDisposable
         string plan = _folder.PathOf("plan.json");
         CliRun.Of("plan", "init", plan);
 
-        CliRun.Of([.. command.Split(' ').Select(word => word == "PLAN" ? plan : word)]).AssertFailed(
-            ExitCode.InputOutput,
-            "Nothing can be written to '/proc/harvester-test'. Change the permissions, or name another folder with --out.");
+        CliRun
+            .Of([.. command.Split(' ').Select(word => word == "PLAN" ? plan : word)])
+            .AssertFailed(
+                ExitCode.InputOutput,
+                "Nothing can be written to '/proc/harvester-test'. Change the permissions, or name another folder with --out."
+            );
     }
 
     [Theory]
@@ -62,14 +65,17 @@ public sealed class OutputDiskTests : IDisposable
         File.WriteAllText(plan, """{"name":"p","places":[{"name":"a","spread":2}],"frames":1}""");
         string[] words =
         [
-            .. command.Select(word => word switch
-            {
-                "OUT" => _folder.PathOf("out"),
-                "DRIVE" => _folder.PathOf("drive"),
-                "PLAN" => plan,
-                _ => word,
-            }),
-            "--min-free", "900000TB",
+            .. command.Select(word =>
+                word switch
+                {
+                    "OUT" => _folder.PathOf("out"),
+                    "DRIVE" => _folder.PathOf("drive"),
+                    "PLAN" => plan,
+                    _ => word,
+                }
+            ),
+            "--min-free",
+            "900000TB",
         ];
 
         CliRun run = CliRun.Of(words);

@@ -40,7 +40,8 @@ public sealed class SeparateFoldersTests
         Directory.CreateDirectory(folder.PathOf("real"));
         Directory.CreateSymbolicLink(folder.PathOf("link"), folder.PathOf("real"));
 
-        Assert.Throws<UsageException>(
-            () => SeparateFolders.Check(("--out", folder.PathOf("real")), ("--record", folder.PathOf("link/session"))));
+        Assert.Throws<UsageException>(() =>
+            SeparateFolders.Check(("--out", folder.PathOf("real")), ("--record", folder.PathOf("link/session")))
+        );
     }
 }

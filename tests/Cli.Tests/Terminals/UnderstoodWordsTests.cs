@@ -27,8 +27,7 @@ public sealed class UnderstoodWordsTests : IDisposable
     {
         SharedHarvest.CopyTo(_folder.PathOf("session"), "--frames", "1", "--size", "80x60", "--no-report");
 
-        CliRun.Of(
-            "export", _folder.PathOf("session"), "--format", "COCO", "--map", "Bus=car", "--out", _folder.PathOf("out")).AssertDone();
+        CliRun.Of("export", _folder.PathOf("session"), "--format", "COCO", "--map", "Bus=car", "--out", _folder.PathOf("out")).AssertDone();
     }
 
     [Theory]
@@ -52,7 +51,8 @@ public sealed class UnderstoodWordsTests : IDisposable
         File.WriteAllText(table, "");
         string[] source = command[0] == "spaces" ? [table] : [];
 
-        CliRun.Of([.. command, .. source, "--out", _folder.PathOf("x.txt")])
+        CliRun
+            .Of([.. command, .. source, "--out", _folder.PathOf("x.txt")])
             .AssertFailed(ExitCode.Usage, $"--out takes a file that ends in {expected}, not");
 
         Assert.False(File.Exists(_folder.PathOf("x.txt")));

@@ -29,7 +29,8 @@ public sealed class AddressFileTests
         Assert.Equal(UnixFileMode.UserRead | UnixFileMode.UserWrite, File.GetUnixFileMode(file.Path));
         Assert.Equal(
             UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.UserExecute,
-            File.GetUnixFileMode(Path.GetDirectoryName(file.Path)!));
+            File.GetUnixFileMode(Path.GetDirectoryName(file.Path)!)
+        );
     }
 
     [Fact]

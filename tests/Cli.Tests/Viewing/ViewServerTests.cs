@@ -32,7 +32,8 @@ public sealed class ViewServerTests : IAsyncLifetime, IDisposable
     public async Task Image_is_the_file_of_the_session() =>
         Assert.Equal(
             await File.ReadAllBytesAsync(_folder.PathOf("session/frames/00000000.png")),
-            await _client.GetByteArrayAsync(new Uri(_server.Address, "image/0")));
+            await _client.GetByteArrayAsync(new Uri(_server.Address, "image/0"))
+        );
 
     [Theory]
     [InlineData("/")]

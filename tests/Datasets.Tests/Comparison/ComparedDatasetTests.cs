@@ -35,8 +35,12 @@ public sealed class ComparedDatasetTests(SimulatedSession session) : IDisposable
         // A car 3 m high whose bottom is 1.5 m below the camera, 3 m to the right and 4 m ahead: its centre is 5 m away.
         Write(
             "label_2/000000.txt",
-            "Car 0.25 1 1.5 100 50 150 80 3 1.6 4 3 1.5 4 2.1\nDontCare -1 -1 -10 0 0 9 9 -1 -1 -1 -1000 -1000 -1000 -10\n"
-                .Replace(" ", separator, StringComparison.Ordinal));
+            "Car 0.25 1 1.5 100 50 150 80 3 1.6 4 3 1.5 4 2.1\nDontCare -1 -1 -10 0 0 9 9 -1 -1 -1 -1000 -1000 -1000 -10\n".Replace(
+                " ",
+                separator,
+                StringComparison.Ordinal
+            )
+        );
         Write("label_2/000001.txt", "");
 
         DatasetProfile profile = Read(ComparedKitti.Open(_folder));
@@ -85,7 +89,10 @@ public sealed class ComparedDatasetTests(SimulatedSession session) : IDisposable
         Assert.InRange(comparison.WassersteinOf(ComparedQuantity.Distance)!.Value, 0, MetresToKitti);
         Assert.InRange(comparison.WassersteinOf(ComparedQuantity.Orientation)!.Value, 0, DegreesToKitti);
         Assert.InRange(
-            DatasetComparison.Between(comparison.First.Classes, comparison.Second.Classes)!.Value.TotalVariation, 0, ClassesToKitti);
+            DatasetComparison.Between(comparison.First.Classes, comparison.Second.Classes)!.Value.TotalVariation,
+            0,
+            ClassesToKitti
+        );
         Assert.Equal(comparison.First.Frames, ImageBrightness.Of(Kept(ComparedKitti.Open(_folder)).Images).Count());
     }
 
@@ -100,7 +107,10 @@ public sealed class ComparedDatasetTests(SimulatedSession session) : IDisposable
         Assert.InRange(comparison.WassersteinOf(ComparedQuantity.Distance)!.Value, 0, MetresToNuScenes);
         Assert.InRange(comparison.WassersteinOf(ComparedQuantity.Orientation)!.Value, 0, DegreesToNuScenes);
         Assert.InRange(
-            DatasetComparison.Between(comparison.First.Classes, comparison.Second.Classes)!.Value.TotalVariation, 0, ClassesToNuScenes);
+            DatasetComparison.Between(comparison.First.Classes, comparison.Second.Classes)!.Value.TotalVariation,
+            0,
+            ClassesToNuScenes
+        );
     }
 
     [Theory]
@@ -116,7 +126,8 @@ public sealed class ComparedDatasetTests(SimulatedSession session) : IDisposable
         double[] rider = [.. ridden.Pedestrian(0)["box2d"]!.AsArray().Select(side => (double)side!)];
 
         DatasetProfile profile = Read(
-            terms == "kitti" ? ComparedSession.InKittiTerms(ridden.Open()) : ComparedSession.InNuScenesTerms(ridden.Open()));
+            terms == "kitti" ? ComparedSession.InKittiTerms(ridden.Open()) : ComparedSession.InNuScenesTerms(ridden.Open())
+        );
 
         Assert.Equal((1, 1), (profile.Labels, profile.Classes.Of(kind)));
         Assert.Equal(Math.Max(bicycle[2], rider[2]) - Math.Min(bicycle[0], rider[0]), Only(profile, ComparedQuantity.BoxWidth));
@@ -132,7 +143,8 @@ public sealed class ComparedDatasetTests(SimulatedSession session) : IDisposable
 
         Assert.All(
             ComparedQuantity.All.Where(quantity => comparison.First.Of(quantity).Count > 0),
-            quantity => Assert.Equal((0.0, 0.0), (comparison.WassersteinOf(quantity), comparison.JensenShannonOf(quantity))));
+            quantity => Assert.Equal((0.0, 0.0), (comparison.WassersteinOf(quantity), comparison.JensenShannonOf(quantity)))
+        );
         Assert.Equal((0.0, 0.0), DatasetComparison.Between(comparison.First.Classes, comparison.Second.Classes));
     }
 

@@ -45,40 +45,50 @@ public sealed class DistributionDistanceTests
     }
 
     [Fact]
-    public void Distance_is_the_mean_difference_of_sorted_values() => RandomCases.Check(
-        200,
-        RandomCases.ArrayOf(RandomCases.Number(-50, 50), 12),
-        numbers =>
-        {
-            double[] first = [.. numbers.Take(6).Order()];
-            double[] second = [.. numbers.Skip(6).Order()];
-            double expected = first.Zip(second).Average(pair => Math.Abs(pair.First - pair.Second));
+    public void Distance_is_the_mean_difference_of_sorted_values() =>
+        RandomCases.Check(
+            200,
+            RandomCases.ArrayOf(RandomCases.Number(-50, 50), 12),
+            numbers =>
+            {
+                double[] first = [.. numbers.Take(6).Order()];
+                double[] second = [.. numbers.Skip(6).Order()];
+                double expected = first.Zip(second).Average(pair => Math.Abs(pair.First - pair.Second));
 
-            double actual = DistributionDistance.Wasserstein(Sketch(first), Sketch(second))!.Value;
+                double actual = DistributionDistance.Wasserstein(Sketch(first), Sketch(second))!.Value;
 
-            Assert.Equal(expected, actual, Rounding + (50 * SketchFraction));
-        });
+                Assert.Equal(expected, actual, Rounding + (50 * SketchFraction));
+            }
+        );
 
     [Fact]
-    public void Distance_on_a_circle_is_that_of_the_best_rotation() => RandomCases.Check(
-        200,
-        RandomCases.ArrayOf(RandomCases.Number(-180, 180), 8),
-        numbers =>
-        {
-            double[] first = [.. numbers.Take(4).Order()];
-            double[] second = [.. numbers.Skip(4).Order()];
-
-            // The best assignment of points on a circle keeps their order, so it is one of the rotations.
-            double expected = Enumerable.Range(0, 4).Min(shift => Enumerable.Range(0, 4).Average(i =>
+    public void Distance_on_a_circle_is_that_of_the_best_rotation() =>
+        RandomCases.Check(
+            200,
+            RandomCases.ArrayOf(RandomCases.Number(-180, 180), 8),
+            numbers =>
             {
-                double apart = Math.Abs(first[i] - second[(i + shift) % 4]);
-                return Math.Min(apart, Turn - apart);
-            }));
+                double[] first = [.. numbers.Take(4).Order()];
+                double[] second = [.. numbers.Skip(4).Order()];
 
-            double actual = DistributionDistance.WassersteinOnCircle(Sketch(first), Sketch(second), Turn)!.Value;
+                // The best assignment of points on a circle keeps their order, so it is one of the rotations.
+                double expected = Enumerable
+                    .Range(0, 4)
+                    .Min(shift =>
+                        Enumerable
+                            .Range(0, 4)
+                            .Average(i =>
+                            {
+                                double apart = Math.Abs(first[i] - second[(i + shift) % 4]);
+                                return Math.Min(apart, Turn - apart);
+                            })
+                    );
 
-            Assert.Equal(expected, actual, Rounding + (180 * SketchFraction));
-        });
+                double actual = DistributionDistance.WassersteinOnCircle(Sketch(first), Sketch(second), Turn)!.Value;
+
+                Assert.Equal(expected, actual, Rounding + (180 * SketchFraction));
+            }
+        );
 
     [Fact]
     public void Disjoint_histograms_differ_by_one_and_equal_ones_by_zero()

@@ -49,7 +49,9 @@ public sealed class ClassTallyTests
     {
         // Precision 1 up to recall 1/2, then 2/3: the second of three predictions is wrong.
         ClassTally tally = Tally(
-            [Predicted(Square, 0.9), Predicted(Square, 0.8), Predicted(Elsewhere, 0.7)], [Truth(Square), Truth(Elsewhere)]);
+            [Predicted(Square, 0.9), Predicted(Square, 0.8), Predicted(Elsewhere, 0.7)],
+            [Truth(Square), Truth(Elsewhere)]
+        );
 
         Assert.Equal((51 + (50 * 2 / 3.0)) / 101, tally.AveragePrecision(All)!.Value, Rounding);
     }
@@ -59,7 +61,8 @@ public sealed class ClassTallyTests
     {
         ClassTally tally = Tally(
             [Predicted(new Box2D(50, 50, 55, 55), 0.95), Predicted(new Box2D(55, 55, 60, 60), 0.9), Predicted(Square, 0.5)],
-            [Truth(Square), new TruthBox(0, Elsewhere, 100, IsCrowd: true)]);
+            [Truth(Square), new TruthBox(0, Elsewhere, 100, IsCrowd: true)]
+        );
 
         Assert.Equal(1, tally.AveragePrecision(All)!.Value, Rounding);
     }

@@ -8,8 +8,7 @@ namespace Harvester.Datasets.Tests.Diagnosis;
 /// <summary>The doctor reads the result of the mod's self-test, alone and in its zip.</summary>
 public sealed class SelfTestDoctorTests : IDisposable
 {
-    private const string Text =
-        """
+    private const string Text = """
         {"formatVersion":1,"kind":"selfTest","tool":"mod 1","game":"GTA V","isComplete":true,"checks":[
         {"check":"window","verdict":"good","finding":"Pictures show the game's window."},
         {"check":"lag","verdict":"note","finding":"The picture is 2 ticks behind."},
@@ -38,9 +37,11 @@ public sealed class SelfTestDoctorTests : IDisposable
         Assert.Equal("mod 1", Doctor.Examine(Zipped(SelfTestJson.FileName, Text)).SelfTest!.Tool);
 
     [Fact]
-    public void Every_check_has_advice() => Assert.All(
-        SelfTestChecks.All.Except([SelfTestChecks.Cost]),
-        check => Assert.DoesNotContain("Report it", Harvester.Datasets.Diagnosis.Diagnosis.AdviceFor(check), StringComparison.Ordinal));
+    public void Every_check_has_advice() =>
+        Assert.All(
+            SelfTestChecks.All.Except([SelfTestChecks.Cost]),
+            check => Assert.DoesNotContain("Report it", Harvester.Datasets.Diagnosis.Diagnosis.AdviceFor(check), StringComparison.Ordinal)
+        );
 
     [Theory]
     [InlineData("")]

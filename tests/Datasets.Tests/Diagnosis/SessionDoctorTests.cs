@@ -19,7 +19,8 @@ public sealed class SessionDoctorTests : IDisposable
     {
         _session.Info["options"] = JsonNode.Parse("""{ "freezeBy": "paused" }""");
         _session.Info["counters"] = JsonNode.Parse(
-            $$"""{ "captured": 3, "discarded": 52, "discards": { "{{reason}}": 50, "objectMoved": 2 } }""");
+            $$"""{ "captured": 3, "discarded": 52, "discards": { "{{reason}}": 50, "objectMoved": 2 } }"""
+        );
 
         Finding finding = Assert.Single(Examine());
         Assert.Contains(cause, finding.Cause, StringComparison.Ordinal);
@@ -29,7 +30,9 @@ public sealed class SessionDoctorTests : IDisposable
 
     [Theory]
     [InlineData(
-        "The camera model is off by 3.1 px, more than the 1.0 px allowed: calibrate the camera first.", "does not fit the camera model")]
+        "The camera model is off by 3.1 px, more than the 1.0 px allowed: calibrate the camera first.",
+        "does not fit the camera model"
+    )]
     [InlineData("The sky fell.", "ended with an error")]
     public void Session_with_a_fault_is_explained(string fault, string cause)
     {

@@ -13,8 +13,10 @@ public abstract class CheckTests(SimulatedSession simulated, string format) : Ex
 {
     private protected static readonly ExportOptions Copied = new() { Images = ImageTransfer.Copy };
 
-    private protected static readonly ExportOptions TwoSplits =
-        Copied with { Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 1, 1) };
+    private protected static readonly ExportOptions TwoSplits = Copied with
+    {
+        Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 1, 1),
+    };
 
     private protected SimulatedSession Simulated => simulated;
 
@@ -59,7 +61,8 @@ public abstract class CheckTests(SimulatedSession simulated, string format) : Ex
         string[] problems = Problems();
         Assert.True(
             problems.Any(problem => problem.StartsWith(expected, StringComparison.Ordinal)),
-            $"Not found: {expected}\n{string.Join('\n', problems)}");
+            $"Not found: {expected}\n{string.Join('\n', problems)}"
+        );
     }
 
     private protected string[] Problems() =>

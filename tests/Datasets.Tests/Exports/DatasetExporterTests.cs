@@ -31,7 +31,9 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         Assert.Equal(result.Format.HasObjects, result.Objects > 0);
         Assert.Equal(Folder.Contents("a"), Folder.Contents("b"));
         Assert.DoesNotContain(
-            Folder.Contents("a").Keys, name => name.Contains("partial", StringComparison.Ordinal) || name.StartsWith('.'));
+            Folder.Contents("a").Keys,
+            name => name.Contains("partial", StringComparison.Ordinal) || name.StartsWith('.')
+        );
     }
 
     [Theory]
@@ -98,8 +100,9 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         Folder.Export("csv", simulated.Open(), to: "a", shard: new Shard(1, 3));
         Folder.Export("csv", simulated.Open(), to: "b", shard: new Shard(3, 3));
 
-        DatasetFormatException refused = Assert.Throws<DatasetFormatException>(
-            () => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), default));
+        DatasetFormatException refused = Assert.Throws<DatasetFormatException>(() =>
+            DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), default)
+        );
 
         Assert.Equal("Shard 2 is missing; run it, and name its folder too.", refused.Message);
     }
@@ -110,8 +113,9 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         Folder.Export("csv", simulated.Open(), to: "a", shard: new Shard(1, 2));
         Folder.Export("csv", simulated.Open(), TwoSplits, "b", new Shard(2, 2));
 
-        Assert.Throws<DatasetFormatException>(
-            () => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), default));
+        Assert.Throws<DatasetFormatException>(() =>
+            DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), default)
+        );
     }
 
     [Fact]
@@ -119,11 +123,16 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     {
         Folder.Export("csv", simulated.Open(), to: "a", shard: new Shard(1, 2));
         using var stop = new CancellationTokenSource();
-        Assert.Throws<OperationCanceledException>(() => new DatasetExporter(
-            ExportFolder.Plan("csv", [simulated.Open()]), Folder.PathOf("b"), new Shard(2, 2)).Run(_ => stop.Cancel(), stop.Token));
+        Assert.Throws<OperationCanceledException>(() =>
+            new DatasetExporter(ExportFolder.Plan("csv", [simulated.Open()]), Folder.PathOf("b"), new Shard(2, 2)).Run(
+                _ => stop.Cancel(),
+                stop.Token
+            )
+        );
 
-        DatasetFormatException refused = Assert.Throws<DatasetFormatException>(
-            () => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), default));
+        DatasetFormatException refused = Assert.Throws<DatasetFormatException>(() =>
+            DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), default)
+        );
 
         Assert.Contains("Shard 2/2", refused.Message, StringComparison.Ordinal);
     }
@@ -158,7 +167,10 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         Directory.CreateDirectory(Folder.PathOf("out/.export"));
         using var other = new FileStream(
             Folder.PathOf("out/.export/plan.json.0123456789abcdef.partial"),
-            FileMode.CreateNew, FileAccess.Write, FileShare.None);
+            FileMode.CreateNew,
+            FileAccess.Write,
+            FileShare.None
+        );
 
         Assert.Equal(2, Folder.Export("csv", Session.Open(), shard: new Shard(1, 2)).Frames);
         Assert.Equal(1, Folder.Export("csv", Session.Open(), shard: new Shard(2, 2)).Frames);
@@ -181,7 +193,9 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
 
         Assert.Contains(
             "points outside the session",
-            Assert.Throws<DatasetFormatException>(() => Folder.Export("csv", Session.Open())).Message, StringComparison.Ordinal);
+            Assert.Throws<DatasetFormatException>(() => Folder.Export("csv", Session.Open())).Message,
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]
@@ -192,7 +206,8 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         Assert.Contains(
             "00000001.png' is missing",
             Assert.Throws<DatasetFormatException>(() => Folder.Export("csv", Session.Open())).Message,
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]
@@ -200,12 +215,14 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     {
         File.WriteAllBytes(
             Session.PathOf("masks/00000000.png"),
-            TestImages.PngWithoutPixels(TestSession.Width, TestSession.Height, bitDepth: 16, colourType: 0));
+            TestImages.PngWithoutPixels(TestSession.Width, TestSession.Height, bitDepth: 16, colourType: 0)
+        );
 
         Assert.Contains(
             "masks/00000000.png",
             Assert.Throws<DatasetFormatException>(() => Folder.Export("coco", Session.Open())).Message,
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]
@@ -215,7 +232,9 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
 
         Assert.Contains(
             "it has no mask",
-            Assert.Throws<DatasetFormatException>(() => Folder.Export("yolo-segment", Session.Open())).Message, StringComparison.Ordinal);
+            Assert.Throws<DatasetFormatException>(() => Folder.Export("yolo-segment", Session.Open())).Message,
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]
@@ -226,7 +245,8 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         Assert.Contains(
             "bends straight lines",
             Assert.Throws<DatasetFormatException>(() => Folder.Export("kitti", Session.Open())).Message,
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]

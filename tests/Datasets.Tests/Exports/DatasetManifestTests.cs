@@ -25,8 +25,10 @@ public sealed class DatasetManifestTests(SimulatedSession simulated) : ExportTes
         string[] files = [.. Folder.Contents("out").Keys.Where(name => name != "manifest.jsonl")];
         Assert.Equal(
             files.Select(name => Manifest.FileLine(name, FileDigest.OfFile(Folder.PathOf("out/" + name)))),
-            Folder.Lines("out/manifest.jsonl")
-                .OrderBy(line => line[..line.IndexOf("\",", StringComparison.Ordinal)], StringComparer.Ordinal));
+            Folder
+                .Lines("out/manifest.jsonl")
+                .OrderBy(line => line[..line.IndexOf("\",", StringComparison.Ordinal)], StringComparer.Ordinal)
+        );
         Assert.Contains($"\"files\":{files.Length},", File.ReadAllText(Folder.PathOf("out/export.json")), StringComparison.Ordinal);
     }
 
@@ -62,7 +64,8 @@ public sealed class DatasetManifestTests(SimulatedSession simulated) : ExportTes
 
         Assert.Equal(
             "images/train/00000000.png: it is damaged: its SHA-256 differs from manifest.jsonl.",
-            Assert.Single(Validate().Problems).ToString());
+            Assert.Single(Validate().Problems).ToString()
+        );
     }
 
     [Fact]
@@ -91,7 +94,8 @@ public sealed class DatasetManifestTests(SimulatedSession simulated) : ExportTes
         const string message = "it is not listed in manifest.jsonl, but readers take it for a part of the dataset. Delete it.";
         Assert.Equal(
             [$"images/train/copy.PNG: {message}", $"labels/train/copy.txt: {message}"],
-            problems.Where(problem => problem.EndsWith(message, StringComparison.Ordinal)));
+            problems.Where(problem => problem.EndsWith(message, StringComparison.Ordinal))
+        );
     }
 
     [Fact]
@@ -116,7 +120,8 @@ public sealed class DatasetManifestTests(SimulatedSession simulated) : ExportTes
 
         Assert.Equal(
             $"manifest.jsonl: it lists {lines.Length - 3} files, but export.json counts {lines.Length}.",
-            Assert.Single(Validate().Problems).ToString());
+            Assert.Single(Validate().Problems).ToString()
+        );
     }
 
     [Fact]
@@ -140,7 +145,8 @@ public sealed class DatasetManifestTests(SimulatedSession simulated) : ExportTes
 
         Assert.Contains(
             Validate().Problems,
-            problem => problem.File == path && problem.Message.Contains("points outside", StringComparison.Ordinal));
+            problem => problem.File == path && problem.Message.Contains("points outside", StringComparison.Ordinal)
+        );
     }
 
     [Fact]
@@ -149,8 +155,7 @@ public sealed class DatasetManifestTests(SimulatedSession simulated) : ExportTes
         Folder.Export("voc", simulated.Open());
         File.Delete(ManifestFile);
 
-        Assert.Equal(
-            "manifest.jsonl: it is missing, but export.json counts its files.", Assert.Single(Validate().Problems).ToString());
+        Assert.Equal("manifest.jsonl: it is missing, but export.json counts its files.", Assert.Single(Validate().Problems).ToString());
     }
 
     [Fact]

@@ -45,8 +45,9 @@ public sealed class DatasetReadmeTests(SimulatedSession simulated) : ExportTests
 
         Assert.Contains(
             "harvester export SESSION... --format yolo --split train:0.5,val:0.5 --seed 1 --split-block 2 --classes car,bus "
-            + "--map 'bus=big car' --min-visible 0.25 --parts none --boxes visible --image-format jpg --quality 95 --out DIR",
-            Folder.Lines(Readme));
+                + "--map 'bus=big car' --min-visible 0.25 --parts none --boxes visible --image-format jpg --quality 95 --out DIR",
+            Folder.Lines(Readme)
+        );
     }
 
     [Theory]
@@ -60,12 +61,28 @@ public sealed class DatasetReadmeTests(SimulatedSession simulated) : ExportTests
         string[] lines = Folder.Lines(Readme);
         Assert.Equal(
             [
-                "---", "pretty_name: Driving images with labels", "license: unknown", "task_categories:", "- object-detection",
-                "size_categories:", "- n<1K", "tags:", "- autonomous-driving", "- synthetic", "- " + format, "configs:",
-                "- config_name: default", "  data_files:", "  - split: train", $"    path: '{train}'", "  - split: train_2",
-                $"    path: '{validation}'", "---",
+                "---",
+                "pretty_name: Driving images with labels",
+                "license: unknown",
+                "task_categories:",
+                "- object-detection",
+                "size_categories:",
+                "- n<1K",
+                "tags:",
+                "- autonomous-driving",
+                "- synthetic",
+                "- " + format,
+                "configs:",
+                "- config_name: default",
+                "  data_files:",
+                "  - split: train",
+                $"    path: '{train}'",
+                "  - split: train_2",
+                $"    path: '{validation}'",
+                "---",
             ],
-            lines[..19]);
+            lines[..19]
+        );
         Assert.Contains("from datasets import load_dataset", lines);
     }
 
@@ -89,6 +106,5 @@ public sealed class DatasetReadmeTests(SimulatedSession simulated) : ExportTests
         Assert.Equal(["NOTES.md"], DatasetValidator.Validate(Folder.PathOf("out")).OtherFiles);
     }
 
-    private string[] Problems() =>
-        [.. DatasetValidator.Validate(Folder.PathOf("out")).Problems.Select(problem => problem.ToString())];
+    private string[] Problems() => [.. DatasetValidator.Validate(Folder.PathOf("out")).Problems.Select(problem => problem.ToString())];
 }

@@ -26,7 +26,8 @@ public sealed class DatasetValidatorTests(SimulatedSession simulated) : ExportTe
         Folder.Export(
             format,
             [simulated.OpenFor(format), simulated.OpenFor(format)],
-            new ExportOptions { Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 1, 1) });
+            new ExportOptions { Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 1, 1) }
+        );
 
         Assert.Empty(DatasetValidator.Validate(Folder.PathOf("out")).Problems);
     }
@@ -38,7 +39,8 @@ public sealed class DatasetValidatorTests(SimulatedSession simulated) : ExportTe
 
         Assert.Equal(
             ("voc", SimulatedSession.Frames),
-            (DatasetValidator.Validate(Folder.PathOf("out")).Format, DatasetValidator.Validate(Folder.PathOf("out")).Frames));
+            (DatasetValidator.Validate(Folder.PathOf("out")).Format, DatasetValidator.Validate(Folder.PathOf("out")).Frames)
+        );
     }
 
     [Fact]

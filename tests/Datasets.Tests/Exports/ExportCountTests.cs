@@ -35,7 +35,9 @@ public sealed class ExportCountTests(SimulatedSession simulated) : ExportTests
     [Fact]
     public void Objects_of_cityscapes_are_those_with_a_visible_pixel() =>
         Assert.Equal(
-            Folder.Export("yolo-segment", simulated.Open()).Objects, Folder.Export("cityscapes", simulated.Open(), to: "city").Objects);
+            Folder.Export("yolo-segment", simulated.Open()).Objects,
+            Folder.Export("cityscapes", simulated.Open(), to: "city").Objects
+        );
 
     [Fact]
     public void Filters_omit_labels_and_export_json_counts_both()
@@ -51,7 +53,8 @@ public sealed class ExportCountTests(SimulatedSession simulated) : ExportTests
         using JsonDocument manifest = JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/export.json")));
         Assert.Equal(
             (some.Labels, some.Objects),
-            (manifest.RootElement.GetProperty("labels").GetInt32(), manifest.RootElement.GetProperty("objects").GetInt32()));
+            (manifest.RootElement.GetProperty("labels").GetInt32(), manifest.RootElement.GetProperty("objects").GetInt32())
+        );
     }
 
     [Theory]
@@ -77,7 +80,9 @@ public sealed class ExportCountTests(SimulatedSession simulated) : ExportTests
         ExportResult result = Folder.Export(format, new SessionReader(session));
 
         Assert.Equal(
-            (known, SimulatedSession.Frames - known, known), (result.Frames, result.FramesLeftOut, result.FramesOfSplits["train"]));
+            (known, SimulatedSession.Frames - known, known),
+            (result.Frames, result.FramesLeftOut, result.FramesOfSplits["train"])
+        );
         Assert.Equal(known, Pictures().Length);
         Assert.Empty(DatasetValidator.Validate(Folder.PathOf("out")).Problems);
     }
@@ -97,8 +102,9 @@ public sealed class ExportCountTests(SimulatedSession simulated) : ExportTests
 
     /// <summary>The images of the frames; culane's maps are images too.</summary>
     private string[] Pictures() =>
-    [
-        .. Directory.GetFiles(Folder.PathOf("out"), "*.png", SearchOption.AllDirectories)
-            .Where(path => !path.Contains("laneseg_label", StringComparison.Ordinal)),
-    ];
+        [
+            .. Directory
+                .GetFiles(Folder.PathOf("out"), "*.png", SearchOption.AllDirectories)
+                .Where(path => !path.Contains("laneseg_label", StringComparison.Ordinal)),
+        ];
 }

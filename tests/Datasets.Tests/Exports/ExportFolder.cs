@@ -16,14 +16,23 @@ internal sealed class ExportFolder : IDisposable
     public string[] Lines(string name) => File.ReadAllLines(PathOf(name));
 
     public ExportResult Export(
-        string format, SessionReader session, ExportOptions? options = null, string to = "out", Shard? shard = null,
-        SyncMode sync = SyncMode.Never) => Export(format, [session], options, to, shard, sync);
+        string format,
+        SessionReader session,
+        ExportOptions? options = null,
+        string to = "out",
+        Shard? shard = null,
+        SyncMode sync = SyncMode.Never
+    ) => Export(format, [session], options, to, shard, sync);
 
     /// <summary>Exports; by default without waiting for the disk, which takes most of the time of a small export.</summary>
     public ExportResult Export(
-        string format, IReadOnlyList<SessionReader> sessions, ExportOptions? options = null, string to = "out", Shard? shard = null,
-        SyncMode sync = SyncMode.Never) =>
-        new DatasetExporter(Plan(format, sessions, options), PathOf(to), shard ?? Shard.Whole, sync).Run(_ => { });
+        string format,
+        IReadOnlyList<SessionReader> sessions,
+        ExportOptions? options = null,
+        string to = "out",
+        Shard? shard = null,
+        SyncMode sync = SyncMode.Never
+    ) => new DatasetExporter(Plan(format, sessions, options), PathOf(to), shard ?? Shard.Whole, sync).Run(_ => { });
 
     public static ExportPlan Plan(string format, IReadOnlyList<SessionReader> sessions, ExportOptions? options = null) =>
         new(DatasetFormats.Find(format)!, sessions, options ?? new ExportOptions());

@@ -26,8 +26,9 @@ public sealed class ExportSyncTests(SimulatedSession simulated) : ExportTests
     [Fact]
     public void Frame_whose_file_cannot_be_flushed_has_no_line()
     {
-        Assert.Throws<FileNotFoundException>(() => Export(
-            SyncMode.Batch, _ => File.Delete(Folder.PathOf("out/labels/train/00000000.txt"))));
+        Assert.Throws<FileNotFoundException>(() =>
+            Export(SyncMode.Batch, _ => File.Delete(Folder.PathOf("out/labels/train/00000000.txt")))
+        );
 
         Assert.Equal("", ReadJournal());
     }
@@ -50,8 +51,9 @@ public sealed class ExportSyncTests(SimulatedSession simulated) : ExportTests
         Folder.Export("yolo", simulated.Open(), shard: new Shard(number, count));
         SortedDictionary<string, string> before = Folder.Contents("out");
 
-        OccupiedFolderException refused = Assert.Throws<OccupiedFolderException>(
-            () => Folder.Export("yolo", simulated.Open(), shard: new Shard(otherNumber, otherCount)));
+        OccupiedFolderException refused = Assert.Throws<OccupiedFolderException>(() =>
+            Folder.Export("yolo", simulated.Open(), shard: new Shard(otherNumber, otherCount))
+        );
 
         Assert.EndsWith(message, refused.Message, StringComparison.Ordinal);
         Assert.Equal(before, Folder.Contents("out"));
@@ -63,16 +65,22 @@ public sealed class ExportSyncTests(SimulatedSession simulated) : ExportTests
         using var stop = new CancellationTokenSource();
         Assert.Throws<OperationCanceledException>(() => Export(SyncMode.Batch, _ => stop.Cancel(), stop.Token));
 
-        OccupiedFolderException refused = Assert.Throws<OccupiedFolderException>(
-            () => Folder.Export("yolo", simulated.Open(), shard: new Shard(2, 2)));
+        OccupiedFolderException refused = Assert.Throws<OccupiedFolderException>(() =>
+            Folder.Export("yolo", simulated.Open(), shard: new Shard(2, 2))
+        );
 
-        Assert.EndsWith("has the unfinished export of all frames, so shard 2/2 goes to another folder. Name another with --out.",
-            refused.Message, StringComparison.Ordinal);
+        Assert.EndsWith(
+            "has the unfinished export of all frames, so shard 2/2 goes to another folder. Name another with --out.",
+            refused.Message,
+            StringComparison.Ordinal
+        );
     }
 
     private void Export(SyncMode sync, Action<int> report, CancellationToken cancellation = default) =>
-        new DatasetExporter(ExportFolder.Plan("yolo", [simulated.Open()]), Folder.PathOf("out"), Shard.Whole, sync)
-            .Run(report, cancellation);
+        new DatasetExporter(ExportFolder.Plan("yolo", [simulated.Open()]), Folder.PathOf("out"), Shard.Whole, sync).Run(
+            report,
+            cancellation
+        );
 
     /// <summary>The journal's text, while the export has it open.</summary>
     private string ReadJournal()

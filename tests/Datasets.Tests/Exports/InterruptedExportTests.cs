@@ -22,8 +22,9 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
         KillAfter(3, format);
 
         var done = new List<int>();
-        new DatasetExporter(ExportFolder.Plan(format, [simulated.OpenFor(format)], splits), Folder.PathOf("killed"), Shard.Whole)
-            .Run(done.Add);
+        new DatasetExporter(ExportFolder.Plan(format, [simulated.OpenFor(format)], splits), Folder.PathOf("killed"), Shard.Whole).Run(
+            done.Add
+        );
 
         Assert.Equal(4, done[0]);
         Assert.Equal(Folder.Contents("single"), Folder.Contents("killed"));
@@ -38,8 +39,7 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
         File.WriteAllText(written[1], File.ReadAllText(written[1]).Replace("<", "{", StringComparison.Ordinal));
 
         var done = new List<int>();
-        new DatasetExporter(ExportFolder.Plan("voc", [simulated.Open()], TwoSplits), Folder.PathOf("killed"), Shard.Whole)
-            .Run(done.Add);
+        new DatasetExporter(ExportFolder.Plan("voc", [simulated.Open()], TwoSplits), Folder.PathOf("killed"), Shard.Whole).Run(done.Add);
 
         Assert.Equal(2, done[0]);
         Assert.Equal(Folder.Contents("single"), Folder.Contents("killed"));
@@ -76,8 +76,9 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
     {
         KillAfter(2, "csv");
 
-        OccupiedFolderException refused = Assert.Throws<OccupiedFolderException>(
-            () => Folder.Export("csv", simulated.Open(), to: "killed"));
+        OccupiedFolderException refused = Assert.Throws<OccupiedFolderException>(() =>
+            Folder.Export("csv", simulated.Open(), to: "killed")
+        );
 
         Assert.Contains("other sessions or options", refused.Message, StringComparison.Ordinal);
     }
@@ -95,8 +96,9 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
         Assert.Contains(good, text, StringComparison.Ordinal);
         File.WriteAllText(journal, text.Replace(good, bad, StringComparison.Ordinal));
 
-        DatasetFormatException refused = Assert.Throws<DatasetFormatException>(
-            () => Folder.Export("csv", simulated.Open(), TwoSplits, "killed"));
+        DatasetFormatException refused = Assert.Throws<DatasetFormatException>(() =>
+            Folder.Export("csv", simulated.Open(), TwoSplits, "killed")
+        );
 
         Assert.StartsWith($"'{journal}' has a damaged line", refused.Message, StringComparison.Ordinal);
         Assert.EndsWith("export again.", refused.Message, StringComparison.Ordinal);
@@ -138,8 +140,9 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
         Folder.Export("voc", Session.Open(), to: "shards", shard: new Shard(2, 2));
 
         Assert.Throws<OccupiedFolderException>(() => Folder.Export("voc", Session.Open()));
-        Assert.Throws<OccupiedFolderException>(
-            () => DatasetMerger.Merge([Folder.PathOf("shards")], Folder.PathOf("out"), new MergeOptions(ImageTransfer.Link)));
+        Assert.Throws<OccupiedFolderException>(() =>
+            DatasetMerger.Merge([Folder.PathOf("shards")], Folder.PathOf("out"), new MergeOptions(ImageTransfer.Link))
+        );
     }
 
     [Fact]
@@ -151,8 +154,9 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
         File.Copy(Path.Combine(simulated.Folder, "labels.jsonl"), Path.Combine(other, "labels.jsonl"));
         File.WriteAllText(Path.Combine(other, "session.json"), File.ReadAllText(Path.Combine(simulated.Folder, "session.json")) + "\n");
 
-        OccupiedFolderException refused = Assert.Throws<OccupiedFolderException>(
-            () => Folder.Export("csv", new SessionReader(other), TwoSplits, "killed"));
+        OccupiedFolderException refused = Assert.Throws<OccupiedFolderException>(() =>
+            Folder.Export("csv", new SessionReader(other), TwoSplits, "killed")
+        );
 
         Assert.Contains("other sessions or options", refused.Message, StringComparison.Ordinal);
     }
@@ -164,16 +168,20 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
         var exporter = new DatasetExporter(
             ExportFolder.Plan(format, [simulated.OpenFor(format)], DatasetExporterTests.SplitsOf(format)),
             Folder.PathOf("killed"),
-            Shard.Whole);
-        Assert.Throws<OperationCanceledException>(() => exporter.Run(
-            done =>
-            {
-                if (done == frames)
+            Shard.Whole
+        );
+        Assert.Throws<OperationCanceledException>(() =>
+            exporter.Run(
+                done =>
                 {
-                    stop.Cancel();
-                }
-            },
-            stop.Token));
+                    if (done == frames)
+                    {
+                        stop.Cancel();
+                    }
+                },
+                stop.Token
+            )
+        );
         File.AppendAllText(Folder.PathOf("killed/.export/journal-1-of-1.jsonl"), "{\"frame\":3,\"split\":\"tra");
     }
 }

@@ -29,9 +29,13 @@ public sealed class PartExportTests : ExportTests
         Folder.Export("coco", Session.Open(), new ExportOptions { Parts = parts });
 
         using JsonDocument coco = JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/annotations/instances_train.json")));
-        Assert.Equal(expected, coco.RootElement.GetProperty("annotations").EnumerateArray().Where(
-            item => item.GetProperty("category_id").GetInt32() == 8)
-            .Select(item => $"{item.GetProperty("bbox").GetRawText()} {item.GetProperty("area").GetRawText()}"));
+        Assert.Equal(
+            expected,
+            coco.RootElement.GetProperty("annotations")
+                .EnumerateArray()
+                .Where(item => item.GetProperty("category_id").GetInt32() == 8)
+                .Select(item => $"{item.GetProperty("bbox").GetRawText()} {item.GetProperty("area").GetRawText()}")
+        );
         AssertValid();
     }
 
@@ -45,7 +49,8 @@ public sealed class PartExportTests : ExportTests
         Folder.Export("cityscapes", Session.Open(), new ExportOptions { Parts = parts });
 
         InstanceMap labels = PngDecoder.ReadLabelMap(
-            Folder.PathOf("out/gtFine/train/session0000/session0000_000000_000000_gtFine_labelIds.png"));
+            Folder.PathOf("out/gtFine/train/session0000/session0000_000000_000000_gtFine_labelIds.png")
+        );
         Assert.Equal((signPixels, polePixels), (labels.Ids.Count(id => id == sign), labels.Ids.Count(id => id == pole)));
         AssertValid();
     }
@@ -61,12 +66,17 @@ public sealed class PartExportTests : ExportTests
         // Car 1, face 4, pole and background: numbers, categories and areas.
         Assert.Equal(
             [(1, 1, 25), (4, 8, FacePixels), (65536, 101, PostPixels), (131072, 102, (80 * 60) - 25 - FacePixels - PostPixels)],
-            segments.Select(item => (item.GetProperty("id")
-                .GetInt32(), item.GetProperty("category_id").GetInt32(), item.GetProperty("area").GetInt32())));
+            segments.Select(item =>
+                (item.GetProperty("id").GetInt32(), item.GetProperty("category_id").GetInt32(), item.GetProperty("area").GetInt32())
+            )
+        );
         Assert.Equal(
             ["pole 0", "background 0"],
-            coco.RootElement.GetProperty("categories").EnumerateArray().TakeLast(2).Select(
-                item => $"{item.GetProperty("name").GetString()} {item.GetProperty("isthing").GetInt32()}"));
+            coco.RootElement.GetProperty("categories")
+                .EnumerateArray()
+                .TakeLast(2)
+                .Select(item => $"{item.GetProperty("name").GetString()} {item.GetProperty("isthing").GetInt32()}")
+        );
         AssertValid();
     }
 
@@ -80,12 +90,14 @@ public sealed class PartExportTests : ExportTests
         Assert.Equal("7 0.25 0.333333 0.125 0.166667", Folder.Lines("out/labels/train/00000000.txt")[1]);
         Assert.Equal(
             ["0.1875 0.25", "0.1875 0.416667", "0.3125 0.25", "0.3125 0.416667"],
-            Folder.Lines("outlines/labels/train/00000000.txt")[1]
+            Folder
+                .Lines("outlines/labels/train/00000000.txt")[1]
                 .Split(' ')
                 .Skip(1)
                 .Chunk(2)
                 .Select(corner => string.Join(' ', corner))
-                .Order());
+                .Order()
+        );
         AssertValid();
     }
 
@@ -109,7 +121,8 @@ public sealed class PartExportTests : ExportTests
 
         Assert.Single(Folder.Lines("out/labels/train/00000000.txt"));
         InstanceMap labels = PngDecoder.ReadLabelMap(
-            Folder.PathOf("city/gtFine/train/session0000/session0000_000000_000000_gtFine_labelIds.png"));
+            Folder.PathOf("city/gtFine/train/session0000/session0000_000000_000000_gtFine_labelIds.png")
+        );
         Assert.Equal(FacePixels + PostPixels, labels.Ids.Count(id => id == 17));
     }
 

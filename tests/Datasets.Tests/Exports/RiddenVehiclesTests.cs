@@ -82,7 +82,10 @@ public sealed class RiddenVehiclesTests
         };
 
         Assert.Contains(
-            "impossibly far apart", Assert.Throws<DatasetFormatException>(() => Joined(opposite, far)).Message, StringComparison.Ordinal);
+            "impossibly far apart",
+            Assert.Throws<DatasetFormatException>(() => Joined(opposite, far)).Message,
+            StringComparison.Ordinal
+        );
     }
 
     private static ObjectLabel[] Joined(params ObjectLabel[] objects)

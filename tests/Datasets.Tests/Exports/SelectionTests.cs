@@ -33,7 +33,9 @@ public sealed class SelectionTests : ExportTests
         Folder.Export("kitti-tracking", Session.Open());
 
         Assert.Equal(
-            "1 -1 DontCare -1 -1 -10 69.5 23.5 79 35.5 -1000 -1000 -1000 -10 -1 -1 -1", Folder.Lines("out/training/label_02/0000.txt")[3]);
+            "1 -1 DontCare -1 -1 -10 69.5 23.5 79 35.5 -1000 -1000 -1000 -10 -1 -1 -1",
+            Folder.Lines("out/training/label_02/0000.txt")[3]
+        );
         AssertValid();
     }
 
@@ -58,10 +60,13 @@ public sealed class SelectionTests : ExportTests
         Folder.Export("voc", Session.Open());
         Folder.Export("yolo", Session.Open(), to: "yolo");
 
-        Assert.Equal(["0", "1"], System.Xml.Linq.XDocument
-            .Load(Folder.PathOf("out/Annotations/00000000.xml"))
-            .Descendants("difficult")
-            .Select(item => item.Value));
+        Assert.Equal(
+            ["0", "1"],
+            System
+                .Xml.Linq.XDocument.Load(Folder.PathOf("out/Annotations/00000000.xml"))
+                .Descendants("difficult")
+                .Select(item => item.Value)
+        );
         Assert.Single(Folder.Lines("yolo/labels/train/00000000.txt"));
         AssertValid();
     }
@@ -70,7 +75,8 @@ public sealed class SelectionTests : ExportTests
     public void Recorded_ignore_region_is_marked_in_the_formats_own_way()
     {
         Session.Lines[0]["ignoreRegions"] = JsonNode.Parse(
-            """[{ "reason": "beyondRange", "class": "truck", "box2d": [10, 20, 14, 26], "distanceMetres": 157 }]""");
+            """[{ "reason": "beyondRange", "class": "truck", "box2d": [10, 20, 14, 26], "distanceMetres": 157 }]"""
+        );
         Session.DeterminePedestrians();
         Folder.Export("kitti", Session.Open(), to: "kitti");
         Folder.Export("voc", Session.Open(), to: "voc");
@@ -78,19 +84,26 @@ public sealed class SelectionTests : ExportTests
         Folder.Export("coco", Session.Open());
 
         Assert.Equal(
-            "DontCare -1 -1 -10 9.5 19.5 13.5 25.5 -1 -1 -1 -1000 -1000 -1000 -10", Folder.Lines("kitti/training/label_2/000000.txt")[2]);
-        System.Xml.Linq.XElement region =
-            System.Xml.Linq.XDocument.Load(Folder.PathOf("voc/Annotations/00000000.xml")).Descendants("object").Last();
+            "DontCare -1 -1 -10 9.5 19.5 13.5 25.5 -1 -1 -1 -1000 -1000 -1000 -10",
+            Folder.Lines("kitti/training/label_2/000000.txt")[2]
+        );
+        System.Xml.Linq.XElement region = System
+            .Xml.Linq.XDocument.Load(Folder.PathOf("voc/Annotations/00000000.xml"))
+            .Descendants("object")
+            .Last();
         Assert.Equal(
             ("truck", "1", "11"),
-            (region.Element("name")!.Value, region.Element("difficult")!.Value, region.Element("bndbox")!.Element("xmin")!.Value));
+            (region.Element("name")!.Value, region.Element("difficult")!.Value, region.Element("bndbox")!.Element("xmin")!.Value)
+        );
         Assert.Equal(
             ["frame,reason,class,box2d_xmin,box2d_ymin,box2d_xmax,box2d_ymax,distance_metres", "0,beyondRange,truck,10,20,14,26,157"],
-            Folder.Lines("csv/ignore_regions.csv"));
+            Folder.Lines("csv/ignore_regions.csv")
+        );
         JsonElement crowd = Annotations()[1];
         Assert.Equal(
             (2, 1, "[10,20,4,6]"),
-            (crowd.GetProperty("category_id").GetInt32(), crowd.GetProperty("iscrowd").GetInt32(), crowd.GetProperty("bbox").GetRawText()));
+            (crowd.GetProperty("category_id").GetInt32(), crowd.GetProperty("iscrowd").GetInt32(), crowd.GetProperty("bbox").GetRawText())
+        );
         Assert.All((string[])["out", "kitti", "voc", "csv"], name => Assert.Empty(DatasetValidator.Validate(Folder.PathOf(name)).Problems));
     }
 
@@ -125,8 +138,10 @@ public sealed class SelectionTests : ExportTests
         // The car is seen to 0.75; its visible pixels are columns 38 to 42, which begin 0.5 before their centres.
         Assert.Equal(
             ["Pedestrian", "DontCare -1 -1 -10 37.5 27.5 42.5 32.5 -1 -1 -1 -1000 -1000 -1000 -10"],
-            Folder.Lines("out/training/label_2/000000.txt")
-                .Select(line => line.StartsWith("Pedestrian", StringComparison.Ordinal) ? "Pedestrian" : line));
+            Folder
+                .Lines("out/training/label_2/000000.txt")
+                .Select(line => line.StartsWith("Pedestrian", StringComparison.Ordinal) ? "Pedestrian" : line)
+        );
         Assert.Equal(Folder.Lines("out/training/label_2/000000.txt"), Folder.Lines("class/training/label_2/000000.txt"));
     }
 
@@ -163,8 +178,9 @@ public sealed class SelectionTests : ExportTests
     {
         Session.Lines.ForEach(line => line["mask"] = null);
 
-        DatasetFormatException refused = Assert.Throws<DatasetFormatException>(
-            () => Folder.Export("voc", Session.Open(), new ExportOptions { Boxes = BoxKind.Visible }));
+        DatasetFormatException refused = Assert.Throws<DatasetFormatException>(() =>
+            Folder.Export("voc", Session.Open(), new ExportOptions { Boxes = BoxKind.Visible })
+        );
         Assert.Contains("need masks", refused.Message, StringComparison.Ordinal);
     }
 
@@ -201,7 +217,8 @@ public sealed class SelectionTests : ExportTests
         Folder.Export(
             "yolo",
             Session.Open(),
-            new ExportOptions { Subclasses = Subclasses.Mutcd | Subclasses.Light, Classes = [ObjectClass.Sign, ObjectClass.TrafficLight] });
+            new ExportOptions { Subclasses = Subclasses.Mutcd | Subclasses.Light, Classes = [ObjectClass.Sign, ObjectClass.TrafficLight] }
+        );
 
         Assert.Equal(
             [
@@ -212,7 +229,8 @@ public sealed class SelectionTests : ExportTests
                 "  4: trafficLight-amber",
                 "  5: trafficLight-green",
             ],
-            Folder.Lines("out/data.yaml")[^6..]);
+            Folder.Lines("out/data.yaml")[^6..]
+        );
         Assert.Equal("1", Assert.Single(Folder.Lines("out/labels/train/00000000.txt"))[..1]);
         AssertValid();
     }
@@ -229,9 +247,12 @@ public sealed class SelectionTests : ExportTests
     }
 
     private JsonElement[] Annotations() =>
-        [.. JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/annotations/instances_train.json"))).RootElement
-            .GetProperty("annotations")
-            .EnumerateArray()];
+        [
+            .. JsonDocument
+                .Parse(File.ReadAllText(Folder.PathOf("out/annotations/instances_train.json")))
+                .RootElement.GetProperty("annotations")
+                .EnumerateArray(),
+        ];
 
     private void AssertValid() => Assert.Empty(DatasetValidator.Validate(Folder.PathOf("out")).Problems);
 }

@@ -15,8 +15,10 @@ public sealed class SequenceTests : ExportTests
     [InlineData("openlabel", "images/train/0000/00000001.png", "images/train/0001/00000000.png")]
     [InlineData("mcap", "train/0000.mcap", "train/0001.mcap")]
     [InlineData(
-        "cityscapes", "leftImg8bit/train/session0000/session0000_000000_000001_leftImg8bit.png",
-        "leftImg8bit/train/session0000/session0000_000001_000000_leftImg8bit.png")]
+        "cityscapes",
+        "leftImg8bit/train/session0000/session0000_000000_000001_leftImg8bit.png",
+        "leftImg8bit/train/session0000/session0000_000001_000000_leftImg8bit.png"
+    )]
     public void New_place_is_a_new_sequence(string format, string first, string second)
     {
         VisitTwoPlaces();
@@ -36,8 +38,10 @@ public sealed class SequenceTests : ExportTests
         Session.Lines.ForEach(line => line["objects"]![1]!["box3d"]!["halfExtents"] = new JsonArray(1, 0.1, 1));
         Folder.Export("nuscenes", Session.Open());
 
-        Assert.Equal(["maps/scene-2001.png", "maps/scene-2002.png"], Directory.GetFiles(Folder.PathOf("out/maps")).Order()
-            .Select(file => "maps/" + Path.GetFileName(file)));
+        Assert.Equal(
+            ["maps/scene-2001.png", "maps/scene-2002.png"],
+            Directory.GetFiles(Folder.PathOf("out/maps")).Order().Select(file => "maps/" + Path.GetFileName(file))
+        );
         Assert.Empty(DatasetValidator.Validate(Folder.PathOf("out")).Problems);
     }
 
@@ -50,7 +54,8 @@ public sealed class SequenceTests : ExportTests
         JsonArray frames = JsonNode.Parse(File.ReadAllText(Folder.PathOf("out/labels/det_20/det_train.json")))!.AsArray();
         Assert.Equal(
             [("sequence-0000", 0), ("sequence-0000", 1), ("sequence-0001", 0)],
-            frames.Select(frame => ((string)frame!["videoName"]!, (int)frame["frameIndex"]!)));
+            frames.Select(frame => ((string)frame!["videoName"]!, (int)frame["frameIndex"]!))
+        );
     }
 
     [Fact]
@@ -70,8 +75,9 @@ public sealed class SequenceTests : ExportTests
     {
         VisitTwoPlaces();
         DatasetSplit[] halves = [new("train", 0.5), new("val", 0.5)];
-        int seed = Enumerable.Range(0, 100).First(each =>
-            new SplitPlan(halves, each).Of(new(0, 0, 0)) != new SplitPlan(halves, each).Of(new(0, 1, 2)));
+        int seed = Enumerable
+            .Range(0, 100)
+            .First(each => new SplitPlan(halves, each).Of(new(0, 0, 0)) != new SplitPlan(halves, each).Of(new(0, 1, 2)));
         Folder.Export("csv", Session.Open(), new ExportOptions { Splits = new SplitPlan(halves, seed) });
 
         string[] splits = [.. Folder.Lines("out/frames.csv").Skip(1).Select(line => line.Split(',')[1])];

@@ -23,8 +23,7 @@ public sealed class SimulatedSession : IDisposable
     public SessionReader Open() => new(Folder);
 
     /// <summary>Opens the session, or the same with class maps for a format that needs them.</summary>
-    public SessionReader OpenFor(string format) =>
-        new(DatasetFormats.Find(format)!.NeedsClassMaps ? _withClassMaps.Value : Folder);
+    public SessionReader OpenFor(string format) => new(DatasetFormats.Find(format)!.NeedsClassMaps ? _withClassMaps.Value : Folder);
 
     public void Dispose()
     {
@@ -39,7 +38,15 @@ public sealed class SimulatedSession : IDisposable
     {
         string folder = Directory.CreateTempSubdirectory("harvester-test-").FullName;
         var game = new SimulatedGame(new SimulationOptions { Seed = 8, WindowAspect = 4.0 / 3 });
-        using var writer = new SessionWriter(folder, new SessionOrigin { Game = "simulation", Tool = "test", Seed = 8 });
+        using var writer = new SessionWriter(
+            folder,
+            new SessionOrigin
+            {
+                Game = "simulation",
+                Tool = "test",
+                Seed = 8,
+            }
+        );
         var options = new HarvestOptions
         {
             Image = new ImageSize(200, 150),
@@ -55,8 +62,7 @@ public sealed class SimulatedSession : IDisposable
             writer.WaitForRoom();
             game.Tick(1.0 / 60);
             session.Step();
-        }
-        while (!session.Status.IsOver);
+        } while (!session.Status.IsOver);
         session.Stop();
         writer.Dispose();
         Assert.Null(session.Fault ?? writer.Fault);

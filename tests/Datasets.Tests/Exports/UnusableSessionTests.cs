@@ -18,26 +18,33 @@ public sealed class UnusableSessionTests : ExportTests
         string message = Refusal("yolo", [Session.Open()], new ExportOptions { Splits = LargeBlocks });
 
         Assert.StartsWith(
-            "The split 'train' would be empty: 3 frames, assigned in blocks of 100. Use --split-block ", message, StringComparison.Ordinal);
+            "The split 'train' would be empty: 3 frames, assigned in blocks of 100. Use --split-block ",
+            message,
+            StringComparison.Ordinal
+        );
         int block = int.Parse(message.Split(' ')[^4], System.Globalization.CultureInfo.InvariantCulture);
         ExportResult result = Folder.Export(
-            "yolo", Session.Open(), new ExportOptions { Splits = new SplitPlan(LargeBlocks.Splits, LargeBlocks.Seed, block) });
+            "yolo",
+            Session.Open(),
+            new ExportOptions { Splits = new SplitPlan(LargeBlocks.Splits, LargeBlocks.Seed, block) }
+        );
         Assert.All(result.FramesOfSplits.Values, frames => Assert.True(frames > 0));
     }
 
     [Fact]
-    public void Empty_split_of_whole_places_is_refused() => Assert.Equal(
-        "The split 'train' would be empty: each place stays in one split, and the sessions have 1 place. "
-            + "Add sessions or places, or use fewer splits.",
-        Refusal("kitti-tracking", [Session.Open()], new ExportOptions { Splits = LargeBlocks }));
+    public void Empty_split_of_whole_places_is_refused() =>
+        Assert.Equal(
+            "The split 'train' would be empty: each place stays in one split, and the sessions have 1 place. "
+                + "Add sessions or places, or use fewer splits.",
+            Refusal("kitti-tracking", [Session.Open()], new ExportOptions { Splits = LargeBlocks })
+        );
 
     [Fact]
     public void Empty_split_is_refused_with_a_seed_that_works()
     {
         Session.Lines[2]["place"] = 1;
         SplitPlan PlanOf(int seed) => new([new("train", 0.5), new("val", 0.5)], seed);
-        int bad = Enumerable.Range(0, 100).First(seed =>
-            PlanOf(seed).Of(new(0, 0, 0)) == PlanOf(seed).Of(new(0, 1, 2)));
+        int bad = Enumerable.Range(0, 100).First(seed => PlanOf(seed).Of(new(0, 0, 0)) == PlanOf(seed).Of(new(0, 1, 2)));
 
         string message = Refusal("yolo", [Session.Open()], new ExportOptions { Splits = PlanOf(bad) });
 
@@ -53,8 +60,10 @@ public sealed class UnusableSessionTests : ExportTests
         Session.Info["options"] = new System.Text.Json.Nodes.JsonObject { ["rateHz"] = 0.5 };
 
         Assert.Contains(
-            "its session has 0.5 moments a second, and nuscenes needs 0.67 or more", Refusal("nuscenes", [Session.Open()]),
-            StringComparison.Ordinal);
+            "its session has 0.5 moments a second, and nuscenes needs 0.67 or more",
+            Refusal("nuscenes", [Session.Open()]),
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]
@@ -67,7 +76,9 @@ public sealed class UnusableSessionTests : ExportTests
         Session.Info["settings"] = new System.Text.Json.Nodes.JsonObject { ["shard"] = "2/8" };
 
         Assert.Equal(
-            $"'{Session.Folder}' is shard 2/8 of a session. Merge the shards first: harvester merge.", Refusal("csv", [Session.Open()]));
+            $"'{Session.Folder}' is shard 2/8 of a session. Merge the shards first: harvester merge.",
+            Refusal("csv", [Session.Open()])
+        );
     }
 
     [Theory]
@@ -80,7 +91,8 @@ public sealed class UnusableSessionTests : ExportTests
         Assert.Equal(
             $"Labels would not be comparable: '{_other.Folder}' has no masks, and '{Session.Folder}' has. Export sessions with and "
                 + $"without masks separately.",
-            Refusal(format, [Session.Open(), _other.Open()]));
+            Refusal(format, [Session.Open(), _other.Open()])
+        );
     }
 
     [Fact]
@@ -88,8 +100,7 @@ public sealed class UnusableSessionTests : ExportTests
     {
         Session.Lines[2]["mask"] = null;
 
-        Assert.Contains(
-            $"'{Session.Folder}' has masks for 2 of 3 frames", Refusal("coco", [Session.Open()]), StringComparison.Ordinal);
+        Assert.Contains($"'{Session.Folder}' has masks for 2 of 3 frames", Refusal("coco", [Session.Open()]), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -98,7 +109,10 @@ public sealed class UnusableSessionTests : ExportTests
         _other.Lines[2]["camera"]!["distortion"]!["k1"] = 0.05;
 
         Assert.Contains(
-            "frame 2: its lens bends straight lines", Refusal("kitti", [Session.Open(), _other.Open()]), StringComparison.Ordinal);
+            "frame 2: its lens bends straight lines",
+            Refusal("kitti", [Session.Open(), _other.Open()]),
+            StringComparison.Ordinal
+        );
     }
 
     [Theory]

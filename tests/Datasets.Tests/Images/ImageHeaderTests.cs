@@ -38,7 +38,10 @@ public sealed class ImageHeaderTests : IDisposable
 
         // 54 bytes of header, and 600 rows of 800 * 3.
         Assert.Contains(
-            "50 of 1440054 bytes", Assert.Throws<DatasetFormatException>(() => ImageHeader.Read(_path)).Message, StringComparison.Ordinal);
+            "50 of 1440054 bytes",
+            Assert.Throws<DatasetFormatException>(() => ImageHeader.Read(_path)).Message,
+            StringComparison.Ordinal
+        );
     }
 
     [Theory]
@@ -50,7 +53,10 @@ public sealed class ImageHeaderTests : IDisposable
         File.WriteAllBytes(_path, TestImages.PngWithoutPixels(width, 600));
 
         Assert.Contains(
-            "impossible size", Assert.Throws<DatasetFormatException>(() => ImageHeader.Read(_path)).Message, StringComparison.Ordinal);
+            "impossible size",
+            Assert.Throws<DatasetFormatException>(() => ImageHeader.Read(_path)).Message,
+            StringComparison.Ordinal
+        );
     }
 
     [Theory]

@@ -67,7 +67,10 @@ public sealed class JpegDecoderTests : IDisposable
         File.WriteAllBytes(_path, [.. file[..2], .. adobe, .. file[2..]]);
 
         Assert.Contains(
-            "not in YCbCr", Assert.Throws<DatasetFormatException>(() => JpegDecoder.ReadRgb(_path)).Message, StringComparison.Ordinal);
+            "not in YCbCr",
+            Assert.Throws<DatasetFormatException>(() => JpegDecoder.ReadRgb(_path)).Message,
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]
@@ -77,7 +80,10 @@ public sealed class JpegDecoderTests : IDisposable
         File.WriteAllBytes(_path, [.. file[..^40], 0xFF, 0xD9]);
 
         Assert.Contains(
-            "cut off", Assert.Throws<DatasetFormatException>(() => JpegDecoder.ReadRgb(_path)).Message, StringComparison.Ordinal);
+            "cut off",
+            Assert.Throws<DatasetFormatException>(() => JpegDecoder.ReadRgb(_path)).Message,
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]
@@ -86,16 +92,20 @@ public sealed class JpegDecoderTests : IDisposable
         byte[] good = File.ReadAllBytes(LibjpegPictures.PathOf("restarts.jpg"));
         byte[] values = [.. Enumerable.Range(0, 256).Select(value => (byte)value)];
         int refused = 0;
-        RandomCases.Check(400, ByteChange.Lists(count: 3, maxLength: 20, values), changes =>
-        {
-            File.WriteAllBytes(_path, ByteChange.Apply(changes, good));
-            refused += Record.Exception(() => JpegDecoder.ReadRgb(_path)) switch
+        RandomCases.Check(
+            400,
+            ByteChange.Lists(count: 3, maxLength: 20, values),
+            changes =>
             {
-                null => 0,
-                DatasetFormatException => 1,
-                Exception other => throw other,
-            };
-        });
+                File.WriteAllBytes(_path, ByteChange.Apply(changes, good));
+                refused += Record.Exception(() => JpegDecoder.ReadRgb(_path)) switch
+                {
+                    null => 0,
+                    DatasetFormatException => 1,
+                    Exception other => throw other,
+                };
+            }
+        );
 
         Assert.InRange(refused, 1, 400);
     }

@@ -46,7 +46,10 @@ public sealed class PictureReaderTests : IDisposable
         File.WriteAllBytes(_path, file);
 
         Assert.Contains(
-            "cut off", Assert.Throws<DatasetFormatException>(() => PictureReader.Read(_path)).Message, StringComparison.Ordinal);
+            "cut off",
+            Assert.Throws<DatasetFormatException>(() => PictureReader.Read(_path)).Message,
+            StringComparison.Ordinal
+        );
     }
 
     private PixelBuffer Write(ImageFormat format)

@@ -60,7 +60,8 @@ public sealed class PngDecoderTests : IDisposable
         Assert.Contains(
             "16-bit grey",
             Assert.Throws<DatasetFormatException>(() => PngDecoder.ReadInstanceMap(_path)).Message,
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
     }
 
     [Theory]
@@ -88,7 +89,10 @@ public sealed class PngDecoderTests : IDisposable
         WritePng(rows);
 
         Assert.Contains(
-            "damaged", Assert.Throws<DatasetFormatException>(() => PngDecoder.ReadRgb(_path)).Message, StringComparison.Ordinal);
+            "damaged",
+            Assert.Throws<DatasetFormatException>(() => PngDecoder.ReadRgb(_path)).Message,
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]
@@ -97,7 +101,10 @@ public sealed class PngDecoderTests : IDisposable
         File.WriteAllBytes(_path, TestImages.Png(2, 2, bitDepth: 16, colourType: 0));
 
         Assert.Contains(
-            "8-bit colour", Assert.Throws<DatasetFormatException>(() => PngDecoder.ReadRgb(_path)).Message, StringComparison.Ordinal);
+            "8-bit colour",
+            Assert.Throws<DatasetFormatException>(() => PngDecoder.ReadRgb(_path)).Message,
+            StringComparison.Ordinal
+        );
     }
 
     private void WritePng(byte[] rows)
@@ -113,6 +120,8 @@ public sealed class PngDecoderTests : IDisposable
         byte[] length = new byte[4];
         BinaryPrimitives.WriteInt32BigEndian(length, (int)compressed.Length);
         File.WriteAllBytes(
-            _path, [.. empty[..^endChunkLength], .. length, .. "IDAT"u8, .. compressed.ToArray(), 0, 0, 0, 0, .. empty[^endChunkLength..]]);
+            _path,
+            [.. empty[..^endChunkLength], .. length, .. "IDAT"u8, .. compressed.ToArray(), 0, 0, 0, 0, .. empty[^endChunkLength..]]
+        );
     }
 }

@@ -30,7 +30,9 @@ public sealed class FaceImportTests : MapsOfAnotherTool
         Assert.Equal(new Box2D(15, 15, 25, 40), label.Objects[2].Box2DVisible);
         ObjectLabel part = label.Objects[3];
         Assert.Equal(
-            (null, 0, 1, OcclusionMethod.Imported), (part.Box2DVisible, part.OccludedFraction, part.VisibleFraction, part.OcclusionMethod));
+            (null, 0, 1, OcclusionMethod.Imported),
+            (part.Box2DVisible, part.OccludedFraction, part.VisibleFraction, part.OcclusionMethod)
+        );
         Assert.Empty(SessionValidator.Validate(session).Problems);
     }
 
@@ -70,7 +72,6 @@ public sealed class FaceImportTests : MapsOfAnotherTool
     }
 
     /// <summary>A map does not distinguish the face from the rest of its sign, which may hide it; rays do.</summary>
-
     [Fact]
     public void Import_keeps_ray_occlusion_of_a_face_covered_by_nothing_else()
     {

@@ -28,7 +28,8 @@ public sealed class MaskImporterTests : MapsOfAnotherTool
         Assert.Contains("\"somethingNew\":\"keeps ä\"", File.ReadAllText(Session.PathOf("labels.jsonl")), StringComparison.Ordinal);
         Assert.Equal(
             ["frames", "labels.jsonl", "manifest.jsonl", "masks", "session.json"],
-            Directory.GetFileSystemEntries(Session.Folder).Select(Path.GetFileName).Order());
+            Directory.GetFileSystemEntries(Session.Folder).Select(Path.GetFileName).Order()
+        );
     }
 
     [Fact]
@@ -82,7 +83,6 @@ public sealed class MaskImporterTests : MapsOfAnotherTool
     }
 
     /// <summary>The pixels of a sign are its own, whatever of it they show; its face is seen where they are.</summary>
-
     [Theory]
     [InlineData("missing", "no mask for frame 2")]
     [InlineData("size", "is 40 x 60, but the image of frame 2 is 80 x 60")]
@@ -132,8 +132,8 @@ public sealed class MaskImporterTests : MapsOfAnotherTool
     }
 
     [Fact]
-    public void Import_reports_a_missing_folder() => Assert.Throws<DirectoryNotFoundException>(
-        () => MaskImporter.Import(Session.Open(), Path.Combine(Maps, "none"), MaskNumbers.Ids));
+    public void Import_reports_a_missing_folder() =>
+        Assert.Throws<DirectoryNotFoundException>(() => MaskImporter.Import(Session.Open(), Path.Combine(Maps, "none"), MaskNumbers.Ids));
 
     [Fact]
     public void Import_cancelled_changes_nothing()
@@ -141,8 +141,9 @@ public sealed class MaskImporterTests : MapsOfAnotherTool
         SessionReader session = Session.Open();
         Dictionary<string, byte[]> before = Contents();
 
-        Assert.Throws<OperationCanceledException>(
-            () => MaskImporter.Import(session, Maps, MaskNumbers.Ids, cancellation: new CancellationToken(true)));
+        Assert.Throws<OperationCanceledException>(() =>
+            MaskImporter.Import(session, Maps, MaskNumbers.Ids, cancellation: new CancellationToken(true))
+        );
 
         Assert.Equal(before, Contents());
     }
@@ -155,7 +156,9 @@ public sealed class MaskImporterTests : MapsOfAnotherTool
         ObjectLabel pedestrian = label.Objects[1];
         Assert.Equal(new Box2D(40, 24, 46, 36), pedestrian.Box2DVisible);
         Assert.Equal(
-            (0, 1, OcclusionMethod.Imported), (pedestrian.OccludedFraction, pedestrian.VisibleFraction, pedestrian.OcclusionMethod));
+            (0, 1, OcclusionMethod.Imported),
+            (pedestrian.OccludedFraction, pedestrian.VisibleFraction, pedestrian.OcclusionMethod)
+        );
     }
 
     private Dictionary<string, byte[]> Contents() =>

@@ -19,9 +19,11 @@ public sealed class PredictionEvaluationTests : IDisposable
     [Fact]
     public void Matches_misses_and_false_positives_are_counted()
     {
-        PredictionEvaluation evaluation = Evaluate($$"""
+        PredictionEvaluation evaluation = Evaluate(
+            $$"""
             [{{Right}}, { "image_id": 1, "category_id": 1, "bbox": [0, 0, 5, 5], "score": 0.8 }]
-            """);
+            """
+        );
 
         OutcomeCount cars = evaluation.Groups.Classes[Car];
         Assert.Equal((1, 2, 1), (cars.Matches, cars.Misses, cars.FalsePositives));
@@ -51,15 +53,15 @@ public sealed class PredictionEvaluationTests : IDisposable
     public void Result_without_a_box_has_that_of_its_segmentation(string segmentation)
     {
         PredictionEvaluation evaluation = Evaluate(
-            $$"""[{ "image_id": 0, "category_id": 1, "segmentation": {{segmentation}}, "score": 0.9 }]""");
+            $$"""[{ "image_id": 0, "category_id": 1, "segmentation": {{segmentation}}, "score": 0.9 }]"""
+        );
 
         Assert.Equal((1, 2, 0), (evaluation.Groups.All.Matches, evaluation.Groups.All.Misses, evaluation.Groups.All.FalsePositives));
         Assert.Equal(34 / 101.0, evaluation.MeanOf(tally => tally.AveragePrecision(0))!.Value, 1e-12);
     }
 
     [Fact]
-    public void Byte_order_mark_is_skipped() =>
-        Assert.Equal(1, Evaluate($"\uFEFF[{Right}]").Groups.All.Matches);
+    public void Byte_order_mark_is_skipped() => Assert.Equal(1, Evaluate($"\uFEFF[{Right}]").Groups.All.Matches);
 
     [Fact]
     public void Score_below_the_minimum_is_neither_match_nor_false_positive()
@@ -73,8 +75,7 @@ public sealed class PredictionEvaluationTests : IDisposable
     [Fact]
     public void Pedestrian_of_unknown_visibility_is_an_ignore_region()
     {
-        PredictionEvaluation evaluation = Evaluate(
-            """[{ "image_id": 0, "category_id": 7, "bbox": [71, 25, 5, 5], "score": 0.9 }]""");
+        PredictionEvaluation evaluation = Evaluate("""[{ "image_id": 0, "category_id": 7, "bbox": [71, 25, 5, 5], "score": 0.9 }]""");
 
         Assert.Equal(0, evaluation.Groups.All.FalsePositives);
         Assert.Equal(0, evaluation.Tallies[(int)ObjectClass.Pedestrian].CountIn(0));
@@ -153,8 +154,9 @@ public sealed class PredictionEvaluationTests : IDisposable
     {
         WriteKitti(0, "\n" + line + "\n");
 
-        DatasetFormatException e = Assert.Throws<DatasetFormatException>(
-            () => PredictionEvaluation.Of(_session.Open(), _session.PathOf("kitti"), 0.5));
+        DatasetFormatException e = Assert.Throws<DatasetFormatException>(() =>
+            PredictionEvaluation.Of(_session.Open(), _session.PathOf("kitti"), 0.5)
+        );
 
         Assert.Contains("000000.txt', line 2: ", e.Message, StringComparison.Ordinal);
         Assert.Contains(message, e.Message, StringComparison.Ordinal);
@@ -172,15 +174,16 @@ public sealed class PredictionEvaluationTests : IDisposable
             File.WriteAllText(_session.PathOf($"kitti/{name}"), "");
         }
 
-        DatasetFormatException e = Assert.Throws<DatasetFormatException>(
-            () => PredictionEvaluation.Of(_session.Open(), _session.PathOf("kitti"), 0.5));
+        DatasetFormatException e = Assert.Throws<DatasetFormatException>(() =>
+            PredictionEvaluation.Of(_session.Open(), _session.PathOf("kitti"), 0.5)
+        );
 
         Assert.Contains(message, e.Message, StringComparison.Ordinal);
     }
 
     [Fact]
-    public void Missing_predictions_are_an_input_error() => Assert.Throws<FileNotFoundException>(
-        () => PredictionEvaluation.Of(_session.Open(), _session.PathOf("none.json"), 0.5));
+    public void Missing_predictions_are_an_input_error() =>
+        Assert.Throws<FileNotFoundException>(() => PredictionEvaluation.Of(_session.Open(), _session.PathOf("none.json"), 0.5));
 
     private PredictionEvaluation Evaluate(string results, double minScore = 0.5)
     {

@@ -15,9 +15,12 @@ public sealed class PropPlacementImporterTests : IDisposable
     [Fact]
     public void Import_list_gives_every_prop_with_its_place()
     {
-        File.WriteAllText(_file, """
+        File.WriteAllText(
+            _file,
+            """
             [{"Name": "prop_traffic_01d", "Position": {"X": -99.25, "Y": 1.5, "Z": 33}, "Rotation": {"X": 0.0, "Y": -0.0, "Z": 160}}]
-            """);
+            """
+        );
 
         PropPlacement prop = Assert.Single(PropPlacementImporter.Import(_file));
 
@@ -30,7 +33,8 @@ public sealed class PropPlacementImporterTests : IDisposable
     [InlineData("""[{"Name": "a", "Position": {"X": 1, "Y": 1}, "Rotation": {"X": 0, "Y": 0, "Z": 0}}]""", "prop 0: Position.Z is missing")]
     [InlineData(
         """[{"Name": "a", "Position": {"X": 1e999, "Y": 1, "Z": 1}, "Rotation": {"X": 0, "Y": 0, "Z": 0}}]""",
-        "Position.X must be a finite number")]
+        "Position.X must be a finite number"
+    )]
     [InlineData("[{\"Name\": \"a\",\n", "line 2")]
     [InlineData("{}", "a list of props")]
     public void Import_of_an_invalid_prop_list_names_the_position(string text, string expected)

@@ -23,8 +23,10 @@ internal static class LabelContent
 
     public static HashSet<Vector3D> Places(FrameLabel label) => [.. label.Objects.Select(item => item.Box3D.Centre)];
 
-    public static Dictionary<int, string> Models(SessionReader session) => session.ReadLabels()
-        .SelectMany(label => label.Objects)
-        .DistinctBy(item => item.Id)
-        .ToDictionary(item => item.Id, item => item.Model);
+    public static Dictionary<int, string> Models(SessionReader session) =>
+        session
+            .ReadLabels()
+            .SelectMany(label => label.Objects)
+            .DistinctBy(item => item.Id)
+            .ToDictionary(item => item.Id, item => item.Model);
 }

@@ -31,13 +31,14 @@ public sealed class RecordedDrive : IDisposable
     /// <summary>The simulated game's faces as they are read when they have been written: a session keeps them to the millimetre.</summary>
     public static FaceTable Table { get; } = FaceTableReader.Read(new StringReader(FaceTableWriter.Text(ModelFaces.Table))).Table;
 
-    public static HarvestOptions Options { get; } = new()
-    {
-        Image = new ImageSize(320, 240),
-        MaxFrames = Frames,
-        RateHz = 1,
-        Faces = Table,
-    };
+    public static HarvestOptions Options { get; } =
+        new()
+        {
+            Image = new ImageSize(320, 240),
+            MaxFrames = Frames,
+            RateHz = 1,
+            Faces = Table,
+        };
 
     /// <summary>The drive without masks.</summary>
     public SessionReader Session { get; }
@@ -52,22 +53,41 @@ public sealed class RecordedDrive : IDisposable
     public RoadNetwork Roads { get; private set; } = null!;
 
     public SessionReader Harvest(
-        string name, HarvestOptions options, LookAhead? lookAhead = null, double laneWidth = RoadGeometry.LaneWidth)
+        string name,
+        HarvestOptions options,
+        LookAhead? lookAhead = null,
+        double laneWidth = RoadGeometry.LaneWidth
+    )
     {
         var game = new SimulatedGame(new SimulationOptions { Seed = 3, WindowAspect = 4.0 / 3 });
         Roads = game.Roads;
-        using var writer = new SessionWriter(PathOf(name), new SessionOrigin { Game = "simulation", Tool = "test", Seed = 3 });
+        using var writer = new SessionWriter(
+            PathOf(name),
+            new SessionOrigin
+            {
+                Game = "simulation",
+                Tool = "test",
+                Seed = 3,
+            }
+        );
         using var session = new HarvestSession(
-            options with { ProbeLag = false, MaxCalibrationErrorPixels = null },
-            game.Ports with { Roads = new FixedRoads(game.Roads, "roadFile", lookAhead, laneWidth) },
-            writer);
+            options with
+            {
+                ProbeLag = false,
+                MaxCalibrationErrorPixels = null,
+            },
+            game.Ports with
+            {
+                Roads = new FixedRoads(game.Roads, "roadFile", lookAhead, laneWidth),
+            },
+            writer
+        );
         do
         {
             writer.WaitForRoom();
             game.Tick(1.0 / 60);
             session.Step();
-        }
-        while (!session.Status.IsOver);
+        } while (!session.Status.IsOver);
         session.Stop();
         writer.Dispose();
         Assert.Null(session.Fault ?? writer.Fault);

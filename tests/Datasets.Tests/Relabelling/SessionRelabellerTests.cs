@@ -44,34 +44,40 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     public void Relabel_with_range_classes_and_sizes_equals_a_harvest()
     {
         ObjectClass[] classes = [ObjectClass.Car, ObjectClass.Truck, ObjectClass.Sign];
-        SessionReader harvested = drive.Harvest("narrow", RecordedDrive.Options with
-        {
-            RangeMetres = 35,
-            Classes = classes,
-            MinBoxAreaPixels = 40,
-            MinBoxSidePixels = 5,
-            MaxOccludedFraction = 0.5,
-        });
+        SessionReader harvested = drive.Harvest(
+            "narrow",
+            RecordedDrive.Options with
+            {
+                RangeMetres = 35,
+                Classes = classes,
+                MinBoxAreaPixels = 40,
+                MinBoxSidePixels = 5,
+                MaxOccludedFraction = 0.5,
+            }
+        );
 
-        SessionReader made = Relabel(drive.Session, new RelabelOptions
-        {
-            RangeMetres = 35,
-            Classes = classes,
-            MinBoxAreaPixels = 40,
-            MinBoxSidePixels = 5,
-            MaxOccludedFraction = 0.5,
-            Roads = drive.Roads,
-        });
+        SessionReader made = Relabel(
+            drive.Session,
+            new RelabelOptions
+            {
+                RangeMetres = 35,
+                Classes = classes,
+                MinBoxAreaPixels = 40,
+                MinBoxSidePixels = 5,
+                MaxOccludedFraction = 0.5,
+                Roads = drive.Roads,
+            }
+        );
 
         // The narrow harvest looks at what lies between the two ranges with few rays, which are the first of those that the wide one casts.
         Assert.Equal(ComparedLabels.Of(harvested, regions: IsBeyondBoth), ComparedLabels.Of(made, regions: IsBeyondBoth));
-        Assert.All(
-            harvested.ReadLabels().Zip(made.ReadLabels()),
-            frame => Assert.Superset(Seen(frame.First), Seen(frame.Second)));
+        Assert.All(harvested.ReadLabels().Zip(made.ReadLabels()), frame => Assert.Superset(Seen(frame.First), Seen(frame.Second)));
         Assert.Contains(made.ReadLabels(), label => label.IgnoreRegions.Any(region => !IsBeyondBoth(region)));
         Assert.NotEqual(ComparedLabels.Of(drive.Session), ComparedLabels.Of(made));
         Assert.Equal(
-            ["car", "truck", "sign"], SessionHeader(made).GetProperty("classes").EnumerateArray().Select(name => name.GetString()));
+            ["car", "truck", "sign"],
+            SessionHeader(made).GetProperty("classes").EnumerateArray().Select(name => name.GetString())
+        );
         Assert.Equal(35, SessionHeader(made).GetProperty("options").GetProperty("rangeMetres").GetDouble());
     }
 
@@ -84,8 +90,9 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
         var listed = drive.Session.ReadLabels().SelectMany(label => label.Objects).Select(item => item.Box3D.Centre).ToHashSet();
         ObjectLabel Known(ObjectLabel item) => listed.Contains(item.Box3D.Centre) ? item : ComparedLabels.WithoutVisibleJoints(item);
         Assert.Equal(ComparedLabels.Of(drive.FullSession, Known), ComparedLabels.Of(made, Known));
-        Assert.True(drive.FullSession.ReadLabels().Sum(label => label.Objects.Count) > drive.Session.ReadLabels().Sum(
-            label => label.Objects.Count));
+        Assert.True(
+            drive.FullSession.ReadLabels().Sum(label => label.Objects.Count) > drive.Session.ReadLabels().Sum(label => label.Objects.Count)
+        );
     }
 
     [Fact]
@@ -98,9 +105,7 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
         ObjectLabel[] others = [.. made.ReadLabels().SelectMany(label => label.Objects).Where(item => item.Class != ObjectClass.Car)];
         Assert.NotEmpty(others);
         Assert.All(others, item => Assert.Equal((null, OcclusionMethod.None), (item.OccludedFraction, item.OcclusionMethod)));
-        Assert.All(
-            made.ReadLabels().Zip(drive.Session.ReadLabels()),
-            frame => Assert.Superset(Places(frame.Second), Places(frame.First)));
+        Assert.All(made.ReadLabels().Zip(drive.Session.ReadLabels()), frame => Assert.Superset(Places(frame.Second), Places(frame.First)));
     }
 
     [Fact]
@@ -112,7 +117,8 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
 
         Assert.Equal(
             ComparedLabels.Of(harvested, item => Unlit(ComparedLabels.WithoutOcclusion(item)), ComparedLabels.Measured, _ => false),
-            ComparedLabels.Of(made, item => Unlit(ComparedLabels.WithoutOcclusion(item)), ComparedLabels.Measured, _ => false));
+            ComparedLabels.Of(made, item => Unlit(ComparedLabels.WithoutOcclusion(item)), ComparedLabels.Measured, _ => false)
+        );
     }
 
     [Fact]
@@ -123,11 +129,16 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
         foreach ((FrameLabel before, FrameLabel after) in drive.Session.ReadLabels().Zip(made.ReadLabels()))
         {
             Dictionary<int, ObjectLabel> known = before.Objects.ToDictionary(item => item.Id);
-            Assert.All(after.Objects, item => Assert.Equal(
-                known.TryGetValue(item.Id, out ObjectLabel? old) && old.TruncatedFraction == 0 && item.TruncatedFraction == 0
-                    ? (old.OccludedFraction, old.OcclusionMethod)
-                    : (null, OcclusionMethod.None),
-                (item.OccludedFraction, item.OcclusionMethod)));
+            Assert.All(
+                after.Objects,
+                item =>
+                    Assert.Equal(
+                        known.TryGetValue(item.Id, out ObjectLabel? old) && old.TruncatedFraction == 0 && item.TruncatedFraction == 0
+                            ? (old.OccludedFraction, old.OcclusionMethod)
+                            : (null, OcclusionMethod.None),
+                        (item.OccludedFraction, item.OcclusionMethod)
+                    )
+            );
         }
     }
 
@@ -149,11 +160,21 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     [Fact]
     public void Relabel_with_other_faces_equals_a_harvest_with_them()
     {
-        ModelFace[] moved = [.. RecordedDrive.Table.Faces.Where(face => face.Class == ObjectClass.Sign).Select(face =>
-            face with { Name = "MOVED", FrontUpperLeft = face.FrontUpperLeft + new Vector3D(0, 0, -0.25) })];
+        ModelFace[] moved =
+        [
+            .. RecordedDrive
+                .Table.Faces.Where(face => face.Class == ObjectClass.Sign)
+                .Select(face => face with { Name = "MOVED", FrontUpperLeft = face.FrontUpperLeft + new Vector3D(0, 0, -0.25) }),
+        ];
         var table = new FaceTable(moved);
         SessionReader harvested = drive.Harvest(
-            "moved", RecordedDrive.Options with { Faces = RecordedDrive.Table.OverriddenBy(table), MaxOccludedFraction = 1 });
+            "moved",
+            RecordedDrive.Options with
+            {
+                Faces = RecordedDrive.Table.OverriddenBy(table),
+                MaxOccludedFraction = 1,
+            }
+        );
 
         SessionReader made = Relabel(drive.FullSession, new RelabelOptions { Faces = table, Roads = drive.Roads });
 
@@ -172,7 +193,8 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
         SessionReader other = Relabel(drive.Session, new RelabelOptions { Roads = drive.Roads, LaneWidthMetres = 3.7 });
 
         LaneLinePoint[] recorded = [.. drive.FullSession.ReadLabels().SelectMany(Paint)];
-        Dictionary<Vector3D, Vector2D> pixels = recorded.DistinctBy(point => point.World)
+        Dictionary<Vector3D, Vector2D> pixels = recorded
+            .DistinctBy(point => point.World)
             .ToDictionary(point => point.World, point => point.Pixel);
         LaneLinePoint[] bent = [.. made.ReadLabels().SelectMany(Paint)];
         Assert.InRange(bent.Length, recorded.Length / 2, recorded.Length);
@@ -186,11 +208,20 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
         SessionReader harvested = drive.Harvest("lanes", RecordedDrive.Options, LookAhead.OfSeconds(1), 3.7);
 
         SessionReader made = Relabel(
-            drive.Session, new RelabelOptions { Roads = drive.Roads, LookAhead = LookAhead.OfSeconds(1), LaneWidthMetres = 3.7 });
+            drive.Session,
+            new RelabelOptions
+            {
+                Roads = drive.Roads,
+                LookAhead = LookAhead.OfSeconds(1),
+                LaneWidthMetres = 3.7,
+            }
+        );
 
         Assert.Equal(ComparedLabels.Of(harvested, lanes: ComparedLabels.Measured), ComparedLabels.Of(made, lanes: ComparedLabels.Measured));
         Assert.NotEqual(
-            ComparedLabels.Of(drive.Session, lanes: ComparedLabels.Measured), ComparedLabels.Of(made, lanes: ComparedLabels.Measured));
+            ComparedLabels.Of(drive.Session, lanes: ComparedLabels.Measured),
+            ComparedLabels.Of(made, lanes: ComparedLabels.Measured)
+        );
         Assert.Contains(made.ReadLabels().SelectMany(Points), point => point.IsHidden is null);
         Assert.DoesNotContain(drive.Session.ReadLabels().SelectMany(Points), point => point.IsHidden is null);
     }
@@ -215,13 +246,18 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     [Fact]
     public void Relabel_without_roads_refuses_other_lanes() =>
         Assert.Contains(
-            "name a road network with --roads", Refused(drive.Session, new RelabelOptions { LaneWidthMetres = 3 }),
-            StringComparison.Ordinal);
+            "name a road network with --roads",
+            Refused(drive.Session, new RelabelOptions { LaneWidthMetres = 3 }),
+            StringComparison.Ordinal
+        );
 
     [Fact]
     public void Relabel_refuses_a_range_that_was_not_recorded() =>
         Assert.Contains(
-            "was recorded up to 150 m", Refused(drive.Session, new RelabelOptions { RangeMetres = 200 }), StringComparison.Ordinal);
+            "was recorded up to 150 m",
+            Refused(drive.Session, new RelabelOptions { RangeMetres = 200 }),
+            StringComparison.Ordinal
+        );
 
     [Fact]
     public void Relabel_of_a_relabelled_session_is_refused()
@@ -235,7 +271,9 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     public void Masks_lose_only_the_pixels_of_objects_no_longer_labelled()
     {
         SessionReader made = Relabel(
-            drive.MaskedSession, new RelabelOptions { Classes = [ObjectClass.Pedestrian, ObjectClass.Sign, ObjectClass.TrafficLight] });
+            drive.MaskedSession,
+            new RelabelOptions { Classes = [ObjectClass.Pedestrian, ObjectClass.Sign, ObjectClass.TrafficLight] }
+        );
 
         int dropped = 0;
         foreach (FrameLabel label in made.ReadLabels())
@@ -255,7 +293,13 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     public void Objects_keep_their_ids_and_new_ones_follow_the_largest()
     {
         SessionReader cars = drive.Harvest(
-            "few", RecordedDrive.Options with { Classes = [ObjectClass.Bus, ObjectClass.Car], MinBoxAreaPixels = 400 });
+            "few",
+            RecordedDrive.Options with
+            {
+                Classes = [ObjectClass.Bus, ObjectClass.Car],
+                MinBoxAreaPixels = 400,
+            }
+        );
 
         SessionReader made = Relabel(cars, new RelabelOptions { MinBoxAreaPixels = 4, Classes = Enum.GetValues<ObjectClass>() });
 
@@ -269,11 +313,17 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     [Fact]
     public void Shards_of_a_relabelling_merge_to_the_bytes_of_a_single_run()
     {
-        var changes = new RelabelOptions { Roads = drive.Roads, LaneWidthMetres = 3.7, RangeMetres = 90, MinBoxAreaPixels = 2 };
+        var changes = new RelabelOptions
+        {
+            Roads = drive.Roads,
+            LaneWidthMetres = 3.7,
+            RangeMetres = 90,
+            MinBoxAreaPixels = 2,
+        };
         SessionReader whole = Relabel(drive.MaskedSession, changes);
         string[] parts =
         [
-            .. Enumerable.Range(1, 2).Select(number => Relabel(drive.MaskedSession, changes with { Shard = new(number, 2) }).Folder)
+            .. Enumerable.Range(1, 2).Select(number => Relabel(drive.MaskedSession, changes with { Shard = new(number, 2) }).Folder),
         ];
         string merged = drive.PathOf("merged");
 
@@ -281,8 +331,8 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
 
         Assert.All(
             Directory.EnumerateFiles(whole.Folder, "*", SearchOption.AllDirectories),
-            file => Assert.Equal(
-                File.ReadAllBytes(file), File.ReadAllBytes(Path.Combine(merged, Path.GetRelativePath(whole.Folder, file)))));
+            file => Assert.Equal(File.ReadAllBytes(file), File.ReadAllBytes(Path.Combine(merged, Path.GetRelativePath(whole.Folder, file))))
+        );
     }
 
     private SessionReader Relabel(SessionReader session, RelabelOptions changes)

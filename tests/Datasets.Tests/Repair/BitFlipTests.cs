@@ -9,8 +9,14 @@ public sealed class BitFlipTests(DamagedSession session) : IClassFixture<Damaged
 
     public static TheoryData<string> Names { get; } =
     [
-        "frames/00000001.png", "masks/00000001.png", "scenes/00000001.json", "scenes/roads.csv", "scenes/spaces.csv", "session.json",
-        "labels.jsonl", "manifest.jsonl",
+        "frames/00000001.png",
+        "masks/00000001.png",
+        "scenes/00000001.json",
+        "scenes/roads.csv",
+        "scenes/spaces.csv",
+        "session.json",
+        "labels.jsonl",
+        "manifest.jsonl",
     ];
 
     [Fact]

@@ -22,7 +22,17 @@ public sealed class DamagedSession : IDisposable
     public DamagedSession()
     {
         var game = new SimulatedGame(new SimulationOptions { Seed = 3, WindowAspect = 4.0 / 3 });
-        using (var writer = new SessionWriter(Folder, new SessionOrigin { Game = "simulation", Tool = "test", Seed = 3 }))
+        using (
+            var writer = new SessionWriter(
+                Folder,
+                new SessionOrigin
+                {
+                    Game = "simulation",
+                    Tool = "test",
+                    Seed = 3,
+                }
+            )
+        )
         {
             using var text = new StringWriter(CultureInfo.InvariantCulture);
             RoadCsvWriter.Write(game.Roads, text);
@@ -37,7 +47,8 @@ public sealed class DamagedSession : IDisposable
                     Masks = true,
                 },
                 game.Ports,
-                writer);
+                writer
+            );
             while (!session.Step().IsOver)
             {
                 writer.WaitForRoom();

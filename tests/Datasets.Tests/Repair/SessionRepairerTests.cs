@@ -17,8 +17,7 @@ public sealed class SessionRepairerTests(DamagedSession session) : IClassFixture
     {
         Assert.Equal(new SessionRepair(3, 0, true), Repair());
         Assert.Empty(_reported);
-        Assert.Equal(
-            File.ReadAllLines(session.PathOf("labels.jsonl")), File.ReadAllLines(Path.Combine(session.Repaired, "labels.jsonl")));
+        Assert.Equal(File.ReadAllLines(session.PathOf("labels.jsonl")), File.ReadAllLines(Path.Combine(session.Repaired, "labels.jsonl")));
         Assert.True(File.Exists(Path.Combine(session.Repaired, FramePaths.Roads)));
         Assert.True(File.Exists(Path.Combine(session.Repaired, FramePaths.Faces)));
     }
@@ -67,7 +66,10 @@ public sealed class SessionRepairerTests(DamagedSession session) : IClassFixture
 
         Assert.Equal(new SessionRepair(3, 0, false), Repair());
         Assert.InRange(
-            _reported.Count(line => line.StartsWith(Manifest.FileName, StringComparison.Ordinal)), 1, ProblemList.MaxProblems + 1);
+            _reported.Count(line => line.StartsWith(Manifest.FileName, StringComparison.Ordinal)),
+            1,
+            ProblemList.MaxProblems + 1
+        );
     }
 
     [Fact]
@@ -186,7 +188,10 @@ public sealed class SessionRepairerTests(DamagedSession session) : IClassFixture
 
     private SessionRepair Run() =>
         new SessionRepairer(session.Folder, problem => _reported.Add(problem.ToString())).Run(
-            session.Repaired, ImageTransfer.Copy, SyncMode.Never);
+            session.Repaired,
+            ImageTransfer.Copy,
+            SyncMode.Never
+        );
 
     /// <summary>Repairs, and checks that the result is valid and the damaged session unchanged.</summary>
     private SessionRepair Repair()
@@ -200,6 +205,6 @@ public sealed class SessionRepairerTests(DamagedSession session) : IClassFixture
         return repair;
     }
 
-    private Dictionary<string, byte[]> Contents() => Directory.EnumerateFiles(session.Folder, "*", SearchOption.AllDirectories)
-        .ToDictionary(file => file, File.ReadAllBytes);
+    private Dictionary<string, byte[]> Contents() =>
+        Directory.EnumerateFiles(session.Folder, "*", SearchOption.AllDirectories).ToDictionary(file => file, File.ReadAllBytes);
 }

@@ -9,7 +9,9 @@ public sealed class CuboidEdgesTests
 {
     // f = 300: fov 90, 800 x 600.
     private static readonly Camera Camera = new(
-        new Pose(Vector3D.Zero, Axes.Identity), new CameraIntrinsics(90, new ImageSize(800, 600), 4.0 / 3, 0.15, Lens.Ideal));
+        new Pose(Vector3D.Zero, Axes.Identity),
+        new CameraIntrinsics(90, new ImageSize(800, 600), 4.0 / 3, 0.15, Lens.Ideal)
+    );
 
     [Fact]
     public void Edges_of_a_cuboid_ahead_match_hand_computed_ends()

@@ -44,8 +44,10 @@ public sealed partial class ReportWriterTests : IDisposable
     {
         PaintFrames();
 
-        Assert.All(Images(Write(new ReportLimits())), image => Assert.Equal(
-            (ImageHeader.Jpeg, new ImageSize(TestSession.Width, TestSession.Height)), Header(image)));
+        Assert.All(
+            Images(Write(new ReportLimits())),
+            image => Assert.Equal((ImageHeader.Jpeg, new ImageSize(TestSession.Width, TestSession.Height)), Header(image))
+        );
     }
 
     [Fact]
@@ -103,9 +105,15 @@ public sealed partial class ReportWriterTests : IDisposable
 
         Assert.Equal(showsPosts, data.GetProperty("posts").GetBoolean());
         Assert.Equal(
-            [[false, false], [true, false], [false, false]],
-            data.GetProperty("frames").EnumerateArray().Select(
-                frame => frame.GetProperty("objects").EnumerateArray().Select(item => item.TryGetProperty("post", out _))));
+            [
+                [false, false],
+                [true, false],
+                [false, false],
+            ],
+            data.GetProperty("frames")
+                .EnumerateArray()
+                .Select(frame => frame.GetProperty("objects").EnumerateArray().Select(item => item.TryGetProperty("post", out _)))
+        );
     }
 
     [Fact]
@@ -122,11 +130,12 @@ public sealed partial class ReportWriterTests : IDisposable
                 "Labels (no signs or traffic lights)|6|80,256",
                 "Labels per image|2.0|5.4",
             ],
-            data.GetProperty("comparison").GetProperty("rows").EnumerateArray().Select(row => string.Join('|', row.EnumerateArray())));
+            data.GetProperty("comparison").GetProperty("rows").EnumerateArray().Select(row => string.Join('|', row.EnumerateArray()))
+        );
         Assert.Equal(
             ["distance", "box height", "box width", "box area", "truncation", "occlusion"],
-            data.GetProperty("histograms").EnumerateArray().Select(
-                chart => chart.GetProperty("title").GetString()!["Labels by ".Length..]));
+            data.GetProperty("histograms").EnumerateArray().Select(chart => chart.GetProperty("title").GetString()!["Labels by ".Length..])
+        );
         // The car's box is 6 x 6 pixels, the pedestrian's 10 x 12: 36 and 120 square pixels, in the bins from 0 and from 64 on.
         JsonElement areas = data.GetProperty("histograms")[3];
         Assert.Equal([0, 64, 256], areas.GetProperty("starts").EnumerateArray().Take(3).Select(start => start.GetInt32()));
@@ -204,7 +213,10 @@ public sealed partial class ReportWriterTests : IDisposable
         _session.Lines[1]["camera"]!["nearClip"] = -1;
 
         Assert.Contains(
-            "camera: nearClip", Assert.Throws<DatasetFormatException>(() => Write(new ReportLimits())).Message, StringComparison.Ordinal);
+            "camera: nearClip",
+            Assert.Throws<DatasetFormatException>(() => Write(new ReportLimits())).Message,
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]
@@ -268,8 +280,7 @@ public sealed partial class ReportWriterTests : IDisposable
     private static IEnumerable<int> Frames(JsonElement data) =>
         data.GetProperty("frames").EnumerateArray().Select(frame => frame.GetProperty("frame").GetInt32());
 
-    private static JsonElement Data(string page) =>
-        JsonDocument.Parse(DataElement().Match(page).Groups[1].Value).RootElement;
+    private static JsonElement Data(string page) => JsonDocument.Parse(DataElement().Match(page).Groups[1].Value).RootElement;
 
     private static List<byte[]> Images(string page) =>
         [.. ImageElement().Matches(page).Select(match => Convert.FromBase64String(match.Groups[1].Value))];

@@ -69,7 +69,8 @@ public sealed class StillWriterTests : IDisposable
         Assert.Contains(
             "no frame 7",
             Assert.Throws<DatasetFormatException>(() => StillWriter.Write(_session.Open(), 7, _session.PathOf("still.png"))).Message,
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
 
     private void DrawOnBlack(int frame)
     {

@@ -22,20 +22,31 @@ internal sealed record DriveResult(double Metres, DriveShare FarFromJunctions, D
         RoadMatch? previous = null;
         foreach (DriveSample sample in drive.Samples(metres))
         {
-            Vector3D position = sample.Position + new Vector3D(
-                Normal(random) * positionNoise, Normal(random) * positionNoise, Normal(random) * positionNoise);
+            Vector3D position =
+                sample.Position
+                + new Vector3D(Normal(random) * positionNoise, Normal(random) * positionNoise, Normal(random) * positionNoise);
             RoadMatch match = matcher.Match(
-                position, sample.HeadingDegrees + (Normal(random) * headingNoiseDegrees), sample.IsFirst ? null : previous);
+                position,
+                sample.HeadingDegrees + (Normal(random) * headingNoiseDegrees),
+                sample.IsFirst ? null : previous
+            );
             previous = match;
-            bool isRight = match.Outcome == RoadMatchOutcome.Matched && (IsAt(match, sample.Here)
-                || (sample.FromStart < endOfLink && IsAt(match, sample.Before)) || (sample.ToEnd < endOfLink && IsAt(match, sample.After)));
+            bool isRight =
+                match.Outcome == RoadMatchOutcome.Matched
+                && (
+                    IsAt(match, sample.Here)
+                    || (sample.FromStart < endOfLink && IsAt(match, sample.Before))
+                    || (sample.ToEnd < endOfLink && IsAt(match, sample.After))
+                );
             far = sample.IsNearJunction ? far : far.With(isRight);
             if (!match.InJunction)
             {
                 known = match.Outcome == RoadMatchOutcome.Matched ? known.With(isRight) : known;
-                string what = isRight ? "right" : match.Outcome != RoadMatchOutcome.Matched
-                    ? match.Outcome.ToString()
-                    : match.Link == sample.Here.Link ? "lane" : "link";
+                string what =
+                    isRight ? "right"
+                    : match.Outcome != RoadMatchOutcome.Matched ? match.Outcome.ToString()
+                    : match.Link == sample.Here.Link ? "lane"
+                    : "link";
                 outcomes[what] = outcomes.GetValueOrDefault(what) + 1;
             }
         }
@@ -43,9 +54,11 @@ internal sealed record DriveResult(double Metres, DriveShare FarFromJunctions, D
         return new DriveResult(drive.Driven, far, known, string.Join(", ", outcomes));
     }
 
-    public override string ToString() => string.Create(
-        CultureInfo.InvariantCulture,
-        $"{Metres / 1000:0.0} km; far from junctions {FarFromJunctions}; of known lanes {Known}; outside junctions {Outcomes}");
+    public override string ToString() =>
+        string.Create(
+            CultureInfo.InvariantCulture,
+            $"{Metres / 1000:0.0} km; far from junctions {FarFromJunctions}; of known lanes {Known}; outside junctions {Outcomes}"
+        );
 
     private static bool IsAt(RoadMatch match, DriveLane? lane) =>
         lane is { } there && match.Link == there.Link && match.IsForward == there.IsForward && match.Lane == there.Lane;

@@ -8,30 +8,42 @@ internal static class DumpText
 {
     /// <summary>The flags that the dump can hold as they are.</summary>
     public const RoadNodeFlags Flags =
-        RoadNodeFlags.NoGps | RoadNodeFlags.Junction | RoadNodeFlags.Highway | RoadNodeFlags.OffRoad | RoadNodeFlags.SwitchedOff
-        | RoadNodeFlags.Water | RoadNodeFlags.PedestrianCrossing | RoadNodeFlags.TrafficLight
-        | RoadNodeFlags.IndicateKeepLeft | RoadNodeFlags.IndicateKeepRight;
+        RoadNodeFlags.NoGps
+        | RoadNodeFlags.Junction
+        | RoadNodeFlags.Highway
+        | RoadNodeFlags.OffRoad
+        | RoadNodeFlags.SwitchedOff
+        | RoadNodeFlags.Water
+        | RoadNodeFlags.PedestrianCrossing
+        | RoadNodeFlags.TrafficLight
+        | RoadNodeFlags.IndicateKeepLeft
+        | RoadNodeFlags.IndicateKeepRight;
 
     private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true };
 
-    public static string Of(RoadNetwork network) => JsonSerializer.Serialize(
-        network.Nodes.Select((node, index) => (node, index)).GroupBy(item => item.node.Area).Select(area => new
-        {
-            AreaId = area.Key,
-            Nodes = area.Select(
-                item => Node(item.node, network.LinksOf(item.index).Select(i => Connection(network, item.index, network.Links[i])))),
-        }),
-        Indented);
+    public static string Of(RoadNetwork network) =>
+        JsonSerializer.Serialize(
+            network
+                .Nodes.Select((node, index) => (node, index))
+                .GroupBy(item => item.node.Area)
+                .Select(area => new
+                {
+                    AreaId = area.Key,
+                    Nodes = area.Select(item =>
+                        Node(item.node, network.LinksOf(item.index).Select(i => Connection(network, item.index, network.Links[i])))
+                    ),
+                }),
+            Indented
+        );
 
     private static object Connection(RoadNetwork network, int from, RoadLink link)
     {
         RoadLink seen = link.From == from ? link : link.Reversed();
         return new
         {
-            Node = Node(
-            network.Nodes[seen.To], null),
+            Node = Node(network.Nodes[seen.To], null),
             LaneCountForward = seen.LanesForward,
-            LaneCountBackward = seen.LanesBackward
+            LaneCountBackward = seen.LanesBackward,
         };
     }
 
@@ -52,7 +64,12 @@ internal static class DumpText
             TrafficlightExists = node.Flags.HasFlag(RoadNodeFlags.TrafficLight),
             LeftTurnNoReturn = node.Flags.HasFlag(RoadNodeFlags.IndicateKeepLeft),
             RightTurnNoReturn = node.Flags.HasFlag(RoadNodeFlags.IndicateKeepRight),
-            Position = new { stored.X, stored.Y, stored.Z },
+            Position = new
+            {
+                stored.X,
+                stored.Y,
+                stored.Z,
+            },
             ConnectedNodes = connections,
         };
     }

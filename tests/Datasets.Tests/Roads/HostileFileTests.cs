@@ -12,7 +12,6 @@ namespace Harvester.Datasets.Tests.Roads;
 /// <summary>Corrupt, truncated and hostile files end in an error with the place, never in another exception or an endless loop.</summary>
 public sealed class HostileFileTests : IDisposable
 {
-
     private static readonly RoadNetwork Network = RandomRoads.Make(seed: 11, nodeCount: 6, linkCount: 8);
 
     private readonly string _file = Path.GetTempFileName();
@@ -35,11 +34,15 @@ public sealed class HostileFileTests : IDisposable
         byte[] healthy = Bytes(format);
         byte[] values = [.. Enumerable.Range(0, 256).Select(value => (byte)value), .. "0123456789-.,<>\"{}[]e"u8];
         int refused = 0;
-        RandomCases.Check(count, ByteChange.Lists(count: 3, maxLength: 60, values), changes =>
-        {
-            File.WriteAllBytes(_file, ByteChange.Apply(changes, healthy));
-            refused += IsRefused() ? 1 : 0;
-        });
+        RandomCases.Check(
+            count,
+            ByteChange.Lists(count: 3, maxLength: 60, values),
+            changes =>
+            {
+                File.WriteAllBytes(_file, ByteChange.Apply(changes, healthy));
+                refused += IsRefused() ? 1 : 0;
+            }
+        );
 
         // Both outcomes must occur, or the mutations would prove nothing.
         Assert.InRange(refused, count / 10, count - 1);
@@ -78,7 +81,10 @@ public sealed class HostileFileTests : IDisposable
         File.WriteAllText(_file, text[..at] + lie + text[(at + healthy.Length)..]);
 
         Assert.Contains(
-            expected, Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
+            expected,
+            Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message,
+            StringComparison.Ordinal
+        );
     }
 
     [Theory]
@@ -87,7 +93,9 @@ public sealed class HostileFileTests : IDisposable
     public void Import_xml_with_entities_is_refused_before_they_are_expanded(string body)
     {
         File.WriteAllText(
-            _file, "<?xml version=\"1.0\"?>\n<!DOCTYPE lolz [<!ENTITY lol \"lol\"><!ENTITY lol2 \"&lol;&lol;&lol;\">]>\n" + body);
+            _file,
+            "<?xml version=\"1.0\"?>\n<!DOCTYPE lolz [<!ENTITY lol \"lol\"><!ENTITY lol2 \"&lol;&lol;&lol;\">]>\n" + body
+        );
 
         string message = Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message;
 
@@ -125,7 +133,10 @@ public sealed class HostileFileTests : IDisposable
         }
 
         Assert.Contains(
-            "limit of", Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
+            "limit of",
+            Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message,
+            StringComparison.Ordinal
+        );
     }
 
     [Theory]
@@ -158,14 +169,15 @@ public sealed class HostileFileTests : IDisposable
         Directory.Delete(folder, recursive: true);
     }
 
-    private static string Text(string format) => format switch
-    {
-        "ynd" => YndText.Cells(Network).First().Text,
-        "ipl" => IplText.Of(Network),
-        "scene" => SceneText.Of(Network),
-        "dump" => DumpText.Of(new RoadNetwork(Network.Nodes, [.. Network.Links.Select(link => link with { MedianWidth = null })])),
-        _ => CsvOf(RandomRoads.WithEdges(Network, seed: 12)),
-    };
+    private static string Text(string format) =>
+        format switch
+        {
+            "ynd" => YndText.Cells(Network).First().Text,
+            "ipl" => IplText.Of(Network),
+            "scene" => SceneText.Of(Network),
+            "dump" => DumpText.Of(new RoadNetwork(Network.Nodes, [.. Network.Links.Select(link => link with { MedianWidth = null })])),
+            _ => CsvOf(RandomRoads.WithEdges(Network, seed: 12)),
+        };
 
     /// <summary>A file without a line feed at its end, whose loss would be no harm.</summary>
     private static byte[] Bytes(string format)

@@ -63,9 +63,21 @@ public sealed class NetworkComparisonTests : IDisposable
     }
 
     private static RoadNetwork Network(
-        (double X, double Y)[] nodes, (int From, int To, int Forward, int Backward)[] links, double height = 0) => new(
-        [.. nodes.Select(
-            (node, i) => new RoadNode(0, i, new Vector3D(node.X, node.Y, height), string.Empty, RoadNodeFlags.None) { Speed =
-                RoadSpeed.Normal, Density = 5 })],
-        [.. links.Select(link => new RoadLink(link.From, link.To, link.Forward, link.Backward, 0, RoadLinkFlags.None))]);
+        (double X, double Y)[] nodes,
+        (int From, int To, int Forward, int Backward)[] links,
+        double height = 0
+    ) =>
+        new(
+            [
+                .. nodes.Select(
+                    (node, i) =>
+                        new RoadNode(0, i, new Vector3D(node.X, node.Y, height), string.Empty, RoadNodeFlags.None)
+                        {
+                            Speed = RoadSpeed.Normal,
+                            Density = 5,
+                        }
+                ),
+            ],
+            [.. links.Select(link => new RoadLink(link.From, link.To, link.Forward, link.Backward, 0, RoadLinkFlags.None))]
+        );
 }

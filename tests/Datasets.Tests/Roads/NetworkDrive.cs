@@ -54,7 +54,8 @@ internal sealed class NetworkDrive(RoadNetwork network, int seed)
                         t * length,
                         (1 - t) * length,
                         IsNear(junctions, line),
-                        i == 0 && step == 0);
+                        i == 0 && step == 0
+                    );
                 }
 
                 Driven += length;
@@ -69,18 +70,21 @@ internal sealed class NetworkDrive(RoadNetwork network, int seed)
         do
         {
             first = _random.Next(network.Links.Count);
-        }
-        while (!IsForCars(first));
+        } while (!IsForCars(first));
 
         var way = new List<(int Link, bool IsForward)> { (first, network.Links[first].LanesForward > 0) };
         while (way.Count < longest)
         {
             (int link, bool isForward) = way[^1];
             int node = isForward ? network.Links[link].To : network.Links[link].From;
-            (int Link, bool IsForward)[] next = [.. network.LinksOf(node)
-                .Where(other => other != link && IsForCars(other))
-                .Select(other => (other, network.Links[other].From == node))
-                .Where(other => (other.Item2 ? network.Links[other.other].LanesForward : network.Links[other.other].LanesBackward) > 0)];
+            (int Link, bool IsForward)[] next =
+            [
+                .. network
+                    .LinksOf(node)
+                    .Where(other => other != link && IsForCars(other))
+                    .Select(other => (other, network.Links[other].From == node))
+                    .Where(other => (other.Item2 ? network.Links[other.other].LanesForward : network.Links[other.other].LanesBackward) > 0),
+            ];
             if (next.Length == 0)
             {
                 break;
@@ -103,7 +107,10 @@ internal sealed class NetworkDrive(RoadNetwork network, int seed)
     {
         RoadLink road = network.Links[driven.Link];
         return new DriveLane(
-            driven.Link, driven.IsForward, Math.Min(wish, (driven.IsForward ? road.LanesForward : road.LanesBackward) - 1));
+            driven.Link,
+            driven.IsForward,
+            Math.Min(wish, (driven.IsForward ? road.LanesForward : road.LanesBackward) - 1)
+        );
     }
 
     private double OffsetOf(DriveLane lane)
@@ -142,8 +149,10 @@ internal sealed class NetworkDrive(RoadNetwork network, int seed)
         {
             for (int y = row - 1; y <= row + 1; y++)
             {
-                if (junctions.TryGetValue((x, y), out List<Vector3D>? there) && there.Exists(
-                    junction => (junction - place).Length < JunctionRadius))
+                if (
+                    junctions.TryGetValue((x, y), out List<Vector3D>? there)
+                    && there.Exists(junction => (junction - place).Length < JunctionRadius)
+                )
                 {
                     return true;
                 }

@@ -23,7 +23,12 @@ public sealed class RealDriveTests(ITestOutputHelper output)
         var matcher = new RoadMatcher(new RoadCurves(network), new LaneModel(network));
 
         DriveResult result = DriveResult.Of(
-            new NetworkDrive(network, seed: 2026), matcher, Kilometres * 1000, PositionNoise, HeadingNoiseDegrees);
+            new NetworkDrive(network, seed: 2026),
+            matcher,
+            Kilometres * 1000,
+            PositionNoise,
+            HeadingNoiseDegrees
+        );
 
         output.WriteLine(result.ToString());
         Assert.InRange(result.Metres, Kilometres * 1000, double.MaxValue);

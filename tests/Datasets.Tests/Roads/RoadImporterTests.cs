@@ -63,7 +63,9 @@ public sealed class RoadImporterTests : IDisposable
         try
         {
             File.WriteAllText(
-                Path.Combine(folder, "lights.json"), """[{"Name": "prop_traffic_01d", "Position": {"X": 1, "Y": 2, "Z": 3}}]""");
+                Path.Combine(folder, "lights.json"),
+                """[{"Name": "prop_traffic_01d", "Position": {"X": 1, "Y": 2, "Z": 3}}]"""
+            );
             File.WriteAllText(Path.Combine(folder, "nodes.json"), TwoNodes);
 
             Assert.Equal(2, RoadImporter.Import(folder).Network.Nodes.Count);
@@ -77,7 +79,10 @@ public sealed class RoadImporterTests : IDisposable
     [Theory]
     [InlineData("\"Id\": 8, \"Position\"", "\"Id\": 9, \"Position\"", "node 7 of cell 496 has a neighbour, node 9")]
     [InlineData(
-        "\"LaneCountForward\": 2", "\"LaneCountForward\": 8", "node 7 of cell 496 has a link without a number of lanes from 0 to 7")]
+        "\"LaneCountForward\": 2",
+        "\"LaneCountForward\": 8",
+        "node 7 of cell 496 has a link without a number of lanes from 0 to 7"
+    )]
     [InlineData("\"Id\": 8, \"StreetName\"", "\"Id\": \"8\", \"StreetName\"", "line 4")]
     [InlineData("\"LaneCountBackward\": 2}]}]}]", "\"LaneCountBackward\": 2}", "line 5")]
     [InlineData("\"X\": 10.25, \"Y\": -20.5, \"Z\": 3.0},\n   \"Conn", "\"X\": 1e999, \"Y\": -20.5, \"Z\": 3.0},\n   \"Conn", "finite")]
@@ -98,7 +103,8 @@ public sealed class RoadImporterTests : IDisposable
         // x = 600 lies one cell of 512 m further east than x = 30.
         File.WriteAllText(
             _file,
-            TwoNodes.Replace("\"Id\": 8, \"Position\": {\"X\": 30.0", "\"Id\": 8, \"Position\": {\"X\": 600.0", StringComparison.Ordinal));
+            TwoNodes.Replace("\"Id\": 8, \"Position\": {\"X\": 30.0", "\"Id\": 8, \"Position\": {\"X\": 600.0", StringComparison.Ordinal)
+        );
 
         RoadImport import = RoadImporter.Import(_file);
 
@@ -122,7 +128,9 @@ public sealed class RoadImporterTests : IDisposable
 
             Assert.Equal(3, import.Network.Nodes.Count);
             Assert.Equal(
-                "'update/deep/nodes495.ynd.xml' replaces 'nodes495.ynd.xml', which has the same cell 495.", Assert.Single(import.Notes));
+                "'update/deep/nodes495.ynd.xml' replaces 'nodes495.ynd.xml', which has the same cell 495.",
+                Assert.Single(import.Notes)
+            );
         }
         finally
         {
@@ -137,10 +145,14 @@ public sealed class RoadImporterTests : IDisposable
 
         Assert.Contains(
             "unknown road format",
-            Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
+            Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message,
+            StringComparison.Ordinal
+        );
     }
 
-    private static RoadNetwork NetworkOf(params Vector3D[] places) => new(
-        [.. places.Select((place, number) => new RoadNode(495, number, place, "", default))],
-        [.. Enumerable.Range(1, places.Length - 1).Select(number => PathBits.Link(number - 1, number, 0))]);
+    private static RoadNetwork NetworkOf(params Vector3D[] places) =>
+        new(
+            [.. places.Select((place, number) => new RoadNode(495, number, place, "", default))],
+            [.. Enumerable.Range(1, places.Length - 1).Select(number => PathBits.Link(number - 1, number, 0))]
+        );
 }

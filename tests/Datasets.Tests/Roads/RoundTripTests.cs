@@ -76,7 +76,8 @@ public sealed class RoundTripTests : IDisposable
         AssertSame(network, RoadImporter.Import(file).Network);
         Assert.All(
             database.ToString().Split('\n', StringSplitOptions.RemoveEmptyEntries).Skip(1),
-            row => Assert.Matches("^,.*,[0-9]+$", row));
+            row => Assert.Matches("^,.*,[0-9]+$", row)
+        );
     }
 
     [Fact]
@@ -86,8 +87,9 @@ public sealed class RoundTripTests : IDisposable
     [Fact]
     public void Import_dump_restores_everything_a_dump_can_hold()
     {
-        var nodes =
-            _network.Nodes.Select(node => node with { Flags = node.Flags & DumpText.Flags, Speed = null, Density = null }).ToArray();
+        var nodes = _network
+            .Nodes.Select(node => node with { Flags = node.Flags & DumpText.Flags, Speed = null, Density = null })
+            .ToArray();
         var links = _network.Links.Select(link => link with { MedianWidth = null, Flags = RoadLinkFlags.None }).ToArray();
         var held = new RoadNetwork(nodes, links);
 
@@ -100,9 +102,12 @@ public sealed class RoundTripTests : IDisposable
     public void Import_csv_reads_back_everything_in_its_order(bool packed)
     {
         RoadNetwork named = RandomRoads.WithEdges(
-            new RoadNetwork([.. _network.Nodes.Select((node, i) => i == 3
-                ? node with { Street = "Mirror \"Park\", Blvd" }
-                : node)], _network.Links), seed: 6);
+            new RoadNetwork(
+                [.. _network.Nodes.Select((node, i) => i == 3 ? node with { Street = "Mirror \"Park\", Blvd" } : node)],
+                _network.Links
+            ),
+            seed: 6
+        );
         string file = Path.Combine(_folder, packed ? "roads.csv.gz" : "roads.csv");
 
         RoadWriter.Write(named, file);
@@ -137,15 +142,18 @@ public sealed class RoundTripTests : IDisposable
     private static IEnumerable<RoadNode> Ordered(IEnumerable<RoadNode> nodes) => nodes.OrderBy(node => node.Number);
 
     /// <summary>The links by the numbers of their nodes, from the lower one, in order: what they are whichever way each is held.</summary>
-    private static IEnumerable<RoadLink> Described(RoadNetwork network) => network.Links
-        .Select(link => link with { From = network.Nodes[link.From].Number, To = network.Nodes[link.To].Number })
-        .Select(link => link.From < link.To ? link : link.Reversed())
-        .OrderBy(link => link.From).ThenBy(link => link.To);
+    private static IEnumerable<RoadLink> Described(RoadNetwork network) =>
+        network
+            .Links.Select(link => link with { From = network.Nodes[link.From].Number, To = network.Nodes[link.To].Number })
+            .Select(link => link.From < link.To ? link : link.Reversed())
+            .OrderBy(link => link.From)
+            .ThenBy(link => link.To);
 
     private static RoadNetwork WithoutCells(RoadNetwork network) =>
         new(
             [.. network.Nodes.Select(node => node with { Area = RoadNode.NoArea, Flags = node.Flags & ~RandomRoads.OfCellsOnly })],
-            network.Links);
+            network.Links
+        );
 
     private string Written(string text)
     {

@@ -9,8 +9,11 @@ internal static class SceneText
 {
     private static readonly (string Name, RoadNodeFlags Flag)[] NodeFlags =
     [
-        ("Disabled", RoadNodeFlags.SwitchedOff), ("Water", RoadNodeFlags.Water), ("Highway", RoadNodeFlags.Highway),
-        ("NoGps", RoadNodeFlags.NoGps), ("Tunnel", RoadNodeFlags.Tunnel),
+        ("Disabled", RoadNodeFlags.SwitchedOff),
+        ("Water", RoadNodeFlags.Water),
+        ("Highway", RoadNodeFlags.Highway),
+        ("NoGps", RoadNodeFlags.NoGps),
+        ("Tunnel", RoadNodeFlags.Tunnel),
         ("Cannot Go Left", RoadNodeFlags.CannotGoLeft),
         ("Left Turns Only", RoadNodeFlags.LeftTurnsOnly),
         ("Off Road", RoadNodeFlags.OffRoad),
@@ -26,7 +29,8 @@ internal static class SceneText
         ("Narrowroad", RoadLinkFlags.NarrowRoad),
         ("GpsBothWays", RoadLinkFlags.GpsBothWays),
         ("Block If No Lanes", RoadLinkFlags.BlockIfNoLanes),
-        ("Shortcut", RoadLinkFlags.Shortcut), ("Dont Use For Navigation", RoadLinkFlags.DontUseForNavigation),
+        ("Shortcut", RoadLinkFlags.Shortcut),
+        ("Dont Use For Navigation", RoadLinkFlags.DontUseForNavigation),
     ];
 
     public static string Of(RoadNetwork network)
@@ -38,7 +42,8 @@ internal static class SceneText
             text.Append(
                 CultureInfo.InvariantCulture,
                 $"<object class=\"vehiclenode\" guid=\"{{{i}}}\">\n<transform><object><position x=\"{node.Position.X}\" "
-                    + $"y=\"{node.Position.Y}\" z=\"{node.Position.Z}\" /></object></transform>\n<attributes>\n");
+                    + $"y=\"{node.Position.Y}\" z=\"{node.Position.Z}\" /></object></transform>\n<attributes>\n"
+            );
             Attribute(text, "Speed", (int)node.Speed!, 1);
             Attribute(text, "Special", IplText.Special(node.Flags), 0);
             text.Append(CultureInfo.InvariantCulture, $"<attribute name=\"Density\" value=\"{node.Density / 15.0:0.######}\" />\n");
@@ -61,7 +66,8 @@ internal static class SceneText
             text.Append(
                 CultureInfo.InvariantCulture,
                 $"</attributes>\n<children />\n<references><ref guid=\"{{{link.From}}}\" /><ref guid=\"{{{link.To}}}\" /></references>\n"
-                    + $"</object>\n");
+                    + $"</object>\n"
+            );
         }
 
         return text.Append("</objects>\n</scene>\n").ToString();

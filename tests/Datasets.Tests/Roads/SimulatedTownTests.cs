@@ -34,19 +34,24 @@ public sealed class SimulatedTownTests(ITestOutputHelper output) : IDisposable
         {
             Vector3D error = node.Position - _town.Nodes[node.Number].Position;
             Assert.InRange(
-                Math.Max(Math.Abs(error.X), Math.Abs(error.Y)), 0, Math.Abs(node.Position.X * node.Position.Y) < PathGrid.HorizontalStep
+                Math.Max(Math.Abs(error.X), Math.Abs(error.Y)),
+                0,
+                Math.Abs(node.Position.X * node.Position.Y) < PathGrid.HorizontalStep
                     ? PathGrid.HorizontalStep
-                    : PathGrid.HorizontalStep / 2);
+                    : PathGrid.HorizontalStep / 2
+            );
         }
 
         RoadNetwork flat = new(
             [.. stored.Nodes.Select(node => node with { Area = RoadNode.NoArea, Flags = node.Flags & ~RandomRoads.OfCellsOnly })],
-            stored.Links);
+            stored.Links
+        );
         RoundTripTests.AssertSame(flat, Import(IplText.Of(flat)));
         RoundTripTests.AssertSame(flat, Import(SceneText.Of(flat)));
         RoadNetwork bare = new(
             [.. stored.Nodes.Select(node => node with { Flags = node.Flags & DumpText.Flags, Speed = null, Density = null })],
-            [.. stored.Links.Select(link => link with { MedianWidth = null, Flags = RoadLinkFlags.None })]);
+            [.. stored.Links.Select(link => link with { MedianWidth = null, Flags = RoadLinkFlags.None })]
+        );
         RoundTripTests.AssertSame(bare, Import(DumpText.Of(bare)));
     }
 
@@ -58,16 +63,23 @@ public sealed class SimulatedTownTests(ITestOutputHelper output) : IDisposable
         var matcher = new RoadMatcher(new RoadCurves(imported), new LaneModel(imported));
 
         DriveResult result = DriveResult.Of(
-            new NetworkDrive(_town, seed: 4), matcher, Kilometres * 1000, PositionNoise, HeadingNoiseDegrees);
+            new NetworkDrive(_town, seed: 4),
+            matcher,
+            Kilometres * 1000,
+            PositionNoise,
+            HeadingNoiseDegrees
+        );
 
         output.WriteLine(result.ToString());
         Assert.InRange(result.FarFromJunctions.RightFraction, 0.99, 1);
         Assert.InRange(result.Known.RightFraction, 0.99, 1);
     }
 
-    private static RoadNetwork Stored(RoadNetwork town) => new(
-        [.. town.Nodes.Select((node, i) => Stored(node, i))],
-        [.. town.Links.Select(link => link with { MedianWidth = link.MedianWidth is { } median ? Math.Round(median) : null })]);
+    private static RoadNetwork Stored(RoadNetwork town) =>
+        new(
+            [.. town.Nodes.Select((node, i) => Stored(node, i))],
+            [.. town.Links.Select(link => link with { MedianWidth = link.MedianWidth is { } median ? Math.Round(median) : null })]
+        );
 
     private static RoadNode Stored(RoadNode node, int index)
     {

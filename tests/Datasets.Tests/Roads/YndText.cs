@@ -16,14 +16,17 @@ internal static class YndText
         var text = new StringBuilder();
         text.Append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<NodeDictionary>\n");
         text.Append(
-            CultureInfo.InvariantCulture, $" <VehicleNodeCount value=\"{indices.Length}\" />\n <PedNodeCount value=\"0\" />\n <Nodes>\n");
+            CultureInfo.InvariantCulture,
+            $" <VehicleNodeCount value=\"{indices.Length}\" />\n <PedNodeCount value=\"0\" />\n <Nodes>\n"
+        );
         foreach (int index in indices)
         {
             RoadNode node = network.Nodes[index];
             text.Append(
                 CultureInfo.InvariantCulture,
                 $"  <Item>\n   <AreaID value=\"{node.Area}\" />\n   <NodeID value=\"{node.Number}\" />\n   "
-                    + $"<StreetName>{node.Street}</StreetName>\n");
+                    + $"<StreetName>{node.Street}</StreetName>\n"
+            );
             // A stored coordinate is the unbiased one, truncated again.
             var stored = PathGrid.Truncate(node.Position);
             text.Append(CultureInfo.InvariantCulture, $"   <Position x=\"{stored.X}\" y=\"{stored.Y}\" z=\"{stored.Z}\" />\n");
@@ -41,11 +44,13 @@ internal static class YndText
                 int bits = LinkBits(link);
                 text.Append(
                     CultureInfo.InvariantCulture,
-                    $"    <Item>\n     <ToAreaID value=\"{to.Area}\" />\n     <ToNodeID value=\"{to.Number}\" />\n");
+                    $"    <Item>\n     <ToAreaID value=\"{to.Area}\" />\n     <ToNodeID value=\"{to.Number}\" />\n"
+                );
                 text.Append(
                     CultureInfo.InvariantCulture,
                     $"     <Flags0 value=\"{bits & 255}\" />\n     <Flags1 value=\"{(bits >> 8) & 255}\" />\n     <Flags2 "
-                        + $"value=\"{(bits >> 16) & 255}\" />\n     <LinkLength value=\"8\" />\n    </Item>\n");
+                        + $"value=\"{(bits >> 16) & 255}\" />\n     <LinkLength value=\"8\" />\n    </Item>\n"
+                );
             }
 
             text.Append("   </Links>\n  </Item>\n");
@@ -85,8 +90,9 @@ internal static class YndText
             + (Has(RoadLinkFlags.BlockIfNoLanes) ? 0x2 : 0)
             + (Has(RoadLinkFlags.NarrowRoad) ? 0x200 : 0)
             + ((int)(link.MedianWidth ?? 15) * 0x1000)
-                + (Has(RoadLinkFlags.DontUseForNavigation) ? 0x10000 : 0)
-                + (Has(RoadLinkFlags.Shortcut) ? 0x20000 : 0)
-            + (link.LanesBackward * 0x40000) + (link.LanesForward * 0x200000);
+            + (Has(RoadLinkFlags.DontUseForNavigation) ? 0x10000 : 0)
+            + (Has(RoadLinkFlags.Shortcut) ? 0x20000 : 0)
+            + (link.LanesBackward * 0x40000)
+            + (link.LanesForward * 0x200000);
     }
 }

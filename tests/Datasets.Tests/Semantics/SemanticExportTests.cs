@@ -60,11 +60,13 @@ public sealed class SemanticExportTests : IDisposable
         _folder.Export("coco-panoptic", _session.Open());
         (InstanceMap mask, InstanceMap classes) = Maps();
         JsonNode file = JsonNode.Parse(File.ReadAllText(_folder.PathOf("out/annotations/panoptic_train.json")))!;
-        Dictionary<int, string> names = file["categories"]!.AsArray().ToDictionary(
-            item => item!["id"]!.GetValue<int>(), item => item!["name"]!.GetValue<string>());
+        Dictionary<int, string> names = file["categories"]!
+            .AsArray()
+            .ToDictionary(item => item!["id"]!.GetValue<int>(), item => item!["name"]!.GetValue<string>());
         JsonNode annotation = file["annotations"]!.AsArray().First(item => item!["image_id"]!.GetValue<int>() == 0)!;
-        Dictionary<int, string> segments = annotation["segments_info"]!.AsArray().ToDictionary(
-            item => item!["id"]!.GetValue<int>(), item => names[item!["category_id"]!.GetValue<int>()]);
+        Dictionary<int, string> segments = annotation["segments_info"]!
+            .AsArray()
+            .ToDictionary(item => item!["id"]!.GetValue<int>(), item => names[item!["category_id"]!.GetValue<int>()]);
         PixelBuffer picture = PngDecoder.ReadRgb(_folder.PathOf("out/annotations/panoptic_train/00000000.png"));
         for (int i = 0; i < mask.Ids.Length; i++)
         {
@@ -97,7 +99,8 @@ public sealed class SemanticExportTests : IDisposable
         Assert.Equal([128, 64, 128], bytes[44..47]);
         Assert.Equal(
             classes.Ids.Select(value => value is (ushort)SemanticClass.Road or (ushort)SemanticClass.LaneMarking ? 255 : 0),
-            drivable.Ids.Select(value => (int)value));
+            drivable.Ids.Select(value => (int)value)
+        );
         AssertValid();
     }
 

@@ -18,13 +18,16 @@ internal sealed class SemanticSession : IDisposable
     public SemanticSession(SemanticsMethod method, Shard? shard = null)
     {
         var game = new SimulatedGame(new SimulationOptions { Seed = 8, WindowAspect = 4.0 / 3 });
-        using var writer = new SessionWriter(Folder, new SessionOrigin
-        {
-            Game = "simulation",
-            Tool = "test",
-            Seed = 8,
-            Settings = shard is { } part ? [new("shard", part.ToString())] : [],
-        });
+        using var writer = new SessionWriter(
+            Folder,
+            new SessionOrigin
+            {
+                Game = "simulation",
+                Tool = "test",
+                Seed = 8,
+                Settings = shard is { } part ? [new("shard", part.ToString())] : [],
+            }
+        );
         var options = new HarvestOptions
         {
             Image = new ImageSize(200, 150),
@@ -41,8 +44,7 @@ internal sealed class SemanticSession : IDisposable
             writer.WaitForRoom();
             game.Tick(1.0 / 60);
             session.Step();
-        }
-        while (!session.Status.IsOver);
+        } while (!session.Status.IsOver);
         session.Stop();
         writer.Dispose();
         Assert.Null(session.Fault ?? writer.Fault);

@@ -44,7 +44,8 @@ public sealed class SemanticSessionTests : IDisposable
                 Dictionary<int, ObjectLabel> objects = label.Objects.ToDictionary(item => item.Id);
                 Assert.All(
                     Enumerable.Range(0, mask.Ids.Length).Where(i => mask.Ids[i] != 0),
-                    i => Assert.Equal((ushort)SemanticClasses.Of(objects[mask.Ids[i]].Class), classes.Ids[i]));
+                    i => Assert.Equal((ushort)SemanticClasses.Of(objects[mask.Ids[i]].Class), classes.Ids[i])
+                );
             }
         }
     }
@@ -61,10 +62,15 @@ public sealed class SemanticSessionTests : IDisposable
 
         string[] problems = [.. SessionValidator.Validate(session.Open()).Problems.Select(problem => problem.ToString())];
 
-        Assert.Contains(problems, text => text.Contains(
-            $"line 1: class map '{First}' has values that are no classes: 22. Classes are 0 to 21.", StringComparison.Ordinal));
-        Assert.Contains(problems, text => text.Contains(
-            "line 2: class map 'classes/00000001.png' is missing.", StringComparison.Ordinal));
+        Assert.Contains(
+            problems,
+            text =>
+                text.Contains(
+                    $"line 1: class map '{First}' has values that are no classes: 22. Classes are 0 to 21.",
+                    StringComparison.Ordinal
+                )
+        );
+        Assert.Contains(problems, text => text.Contains("line 2: class map 'classes/00000001.png' is missing.", StringComparison.Ordinal));
     }
 
     [Fact]
@@ -77,7 +83,8 @@ public sealed class SemanticSessionTests : IDisposable
 
         Assert.Contains(
             SessionValidator.Validate(session.Open()).Problems,
-            problem => problem.ToString().Contains($"class map '{First}' ", StringComparison.Ordinal));
+            problem => problem.ToString().Contains($"class map '{First}' ", StringComparison.Ordinal)
+        );
     }
 
     [Fact]

@@ -26,9 +26,18 @@ public sealed class SessionReaderTests : IDisposable
         Assert.Equal("masks/00000001.png", label.Mask);
         Assert.Equal(new PixelMapLabel(1, 90, 70), label.PixelMap);
         Assert.Equal(new Pose(Vector3D.Zero, Axes.Identity), label.Camera.Pose);
-        Assert.Equal((90, 80, 60, 30, 30, 40, 30), (
-            label.Camera.VerticalFovDegrees,
-                label.Camera.Width, label.Camera.Height, label.Camera.Fx, label.Camera.Fy, label.Camera.Cx, label.Camera.Cy));
+        Assert.Equal(
+            (90, 80, 60, 30, 30, 40, 30),
+            (
+                label.Camera.VerticalFovDegrees,
+                label.Camera.Width,
+                label.Camera.Height,
+                label.Camera.Fx,
+                label.Camera.Fy,
+                label.Camera.Cx,
+                label.Camera.Cy
+            )
+        );
         Assert.Equal(new DistortionLabel(1, 0, 0), label.Camera.Distortion);
         Assert.Equal(new EgoLabel(new(0, -2, -1), 0, new(0, 10, 0), "adder"), label.Ego);
         Assert.Equal(new EnvironmentState("clear", new TimeSpan(13, 5, 0)), label.Environment);
@@ -89,7 +98,8 @@ public sealed class SessionReaderTests : IDisposable
         _session.Lines[1][field] = null;
         string labels = string.Concat(_session.Lines.Select(line => line.ToJsonString() + "\n"));
         SessionReader reader = _session.OpenWithLabels(
-            labels.Replace($"\"{field}\":null", $"\"{field}\":{value}", StringComparison.Ordinal));
+            labels.Replace($"\"{field}\":null", $"\"{field}\":{value}", StringComparison.Ordinal)
+        );
 
         DatasetFormatException error = Assert.Throws<DatasetFormatException>(() => reader.ReadLabels().Count());
 
@@ -106,7 +116,8 @@ public sealed class SessionReaderTests : IDisposable
         Assert.StartsWith(
             $"{_session.PathOf("labels.jsonl")}, line 3: objects[0].box3d: A cuboid's half extents",
             error.Message,
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]
@@ -123,14 +134,17 @@ public sealed class SessionReaderTests : IDisposable
     public void SessionReader_reports_a_missing_folder() =>
         Assert.Contains(
             "Folder not found",
-            Assert.Throws<DirectoryNotFoundException>(() => new SessionReader("no-such-folder")).Message, StringComparison.Ordinal);
+            Assert.Throws<DirectoryNotFoundException>(() => new SessionReader("no-such-folder")).Message,
+            StringComparison.Ordinal
+        );
 
     [Fact]
     public void SessionReader_of_another_folder_names_the_missing_file() =>
         Assert.Contains(
             "no session.json",
             Assert.Throws<FileNotFoundException>(() => new SessionReader(_session.Folder)).Message,
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
 
     [Fact]
     public void ReadLabels_of_a_session_without_a_frame_is_empty()

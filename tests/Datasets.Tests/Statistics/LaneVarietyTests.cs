@@ -35,12 +35,13 @@ public sealed class LaneVarietyTests
         Assert.Equal(0, variety.ActiveFraction(0));
     }
 
-    private static LanesLabel Lanes(double offset, int lanes, LaneIndicators indicators) => new()
-    {
-        Status = LaneStatus.Known,
-        Source = "simulation",
-        OffsetFromLaneCentreMetres = offset,
-        LaneCount = lanes,
-        Indicators = indicators,
-    };
+    private static LanesLabel Lanes(double offset, int lanes, LaneIndicators indicators) =>
+        new()
+        {
+            Status = LaneStatus.Known,
+            Source = "simulation",
+            OffsetFromLaneCentreMetres = offset,
+            LaneCount = lanes,
+            Indicators = indicators,
+        };
 }

@@ -15,19 +15,23 @@ public sealed class QuantileSketchTests
     [InlineData(2, 1, 1e5)]
     public void Median_is_that_of_the_sorted_numbers_to_the_width_of_a_bin(int count, double min, double max)
     {
-        RandomCases.Check(20, RandomCases.ArrayOf(RandomCases.Number(min, max), count), numbers =>
-        {
-            var sketch = new QuantileSketch();
-            foreach (double number in numbers)
+        RandomCases.Check(
+            20,
+            RandomCases.ArrayOf(RandomCases.Number(min, max), count),
+            numbers =>
             {
-                sketch.Add(number);
-            }
+                var sketch = new QuantileSketch();
+                foreach (double number in numbers)
+                {
+                    sketch.Add(number);
+                }
 
-            double[] sorted = [.. numbers.Order()];
-            double median = (sorted[(count - 1) / 2] + sorted[count / 2]) / 2;
-            Assert.InRange(sketch.Median, median * (1 - BinFraction), median * (1 + BinFraction));
-            Assert.Equal((count, numbers.Min()), (sketch.Count, sketch.Min));
-        });
+                double[] sorted = [.. numbers.Order()];
+                double median = (sorted[(count - 1) / 2] + sorted[count / 2]) / 2;
+                Assert.InRange(sketch.Median, median * (1 - BinFraction), median * (1 + BinFraction));
+                Assert.Equal((count, numbers.Min()), (sketch.Count, sketch.Min));
+            }
+        );
     }
 
     [Fact]

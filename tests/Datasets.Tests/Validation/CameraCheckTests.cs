@@ -15,7 +15,9 @@ public sealed class CameraCheckTests : IDisposable
         _session.Info["image"]!["width"] = 800;
 
         Assert.Contains(
-            SessionValidator.Validate(_session.Open()).Problems, problem => problem.Message.Contains("800 x 60", StringComparison.Ordinal));
+            SessionValidator.Validate(_session.Open()).Problems,
+            problem => problem.Message.Contains("800 x 60", StringComparison.Ordinal)
+        );
     }
 
     [Theory]

@@ -13,23 +13,30 @@ public sealed class SpaceCheckTests : IDisposable
     [InlineData(
         "null",
         """{"face":0,"mutcd":null,"facesCamera":true,"facingAngleDegrees":10,"provenance":"derived","light":null}""",
-        "parent and space must be given together")]
+        "parent and space must be given together"
+    )]
     [InlineData("77", "null", "parent and space must be given together")]
     [InlineData(
-        "0", """{"face":0,"mutcd":null,"facesCamera":true,"facingAngleDegrees":10,"provenance":"derived","light":null}""", "parent is 0")]
+        "0",
+        """{"face":0,"mutcd":null,"facesCamera":true,"facingAngleDegrees":10,"provenance":"derived","light":null}""",
+        "parent is 0"
+    )]
     [InlineData(
         "77",
         """{"face":0,"mutcd":null,"facesCamera":true,"facingAngleDegrees":181,"provenance":"derived","light":null}""",
-        "facingAngleDegrees is 181")]
+        "facingAngleDegrees is 181"
+    )]
     [InlineData(
         "77",
         """{"face":0,"mutcd":null,"facesCamera":true,"facingAngleDegrees":10,"provenance":"guessed","light":null}""",
-        "space.provenance must be one of estimated, derived, measured")]
+        "space.provenance must be one of estimated, derived, measured"
+    )]
     [InlineData(
         "77",
         """{"face":0,"mutcd":null,"facesCamera":true,"facingAngleDegrees":10"""
             + ""","provenance":"derived","light":{"state":"red","method":"set","litFraction":null}}""",
-        "light must be given for a trafficLight")]
+        "light must be given for a trafficLight"
+    )]
     public void Validate_finds_an_impossible_part(string parent, string space, string message)
     {
         _session.Car(1)["parent"] = JsonNode.Parse(parent);

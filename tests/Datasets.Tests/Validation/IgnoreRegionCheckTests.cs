@@ -43,11 +43,14 @@ public sealed class IgnoreRegionCheckTests : IDisposable
         _session.AssertProblem(1, "object 2: boxes is [cuboid, amodal, visible], but the label has [cuboid, amodal].");
     }
 
-    private void Mark(string box, double distance) => _session.Lines[0]["ignoreRegions"] = new JsonArray(new JsonObject
-    {
-        ["reason"] = "beyondRange",
-        ["class"] = "truck",
-        ["box2d"] = JsonNode.Parse(box),
-        ["distanceMetres"] = distance,
-    });
+    private void Mark(string box, double distance) =>
+        _session.Lines[0]["ignoreRegions"] = new JsonArray(
+            new JsonObject
+            {
+                ["reason"] = "beyondRange",
+                ["class"] = "truck",
+                ["box2d"] = JsonNode.Parse(box),
+                ["distanceMetres"] = distance,
+            }
+        );
 }

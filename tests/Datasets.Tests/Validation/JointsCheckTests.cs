@@ -19,7 +19,8 @@ public sealed class JointsCheckTests : IDisposable
     {
         Assert.DoesNotContain(
             SessionValidator.Validate(_session.Open()).Problems,
-            problem => problem.Message.Contains("joint", StringComparison.Ordinal));
+            problem => problem.Message.Contains("joint", StringComparison.Ordinal)
+        );
     }
 
     [Fact]

@@ -19,20 +19,32 @@ public sealed class LanesCheckTests(SimulatedSession session)
     [Fact]
     public void Problems_include_an_indicator_out_of_range() =>
         AssertProblem(
-            Good with { Indicators = Good.Indicators with { ToMarkingML = Indicator.Of(99) } },
-            "lanes.indicators.toMarkingML is 99; it must be");
+            Good with
+            {
+                Indicators = Good.Indicators with { ToMarkingML = Indicator.Of(99) },
+            },
+            "lanes.indicators.toMarkingML is 99; it must be"
+        );
 
     [Fact]
     public void Problems_include_a_vehicle_beyond_the_range() =>
         AssertProblem(
-            Good with { IndicatorsAtCar = Good.IndicatorsAtCar with { DistMM = Indicator.Of(80) } },
-            "lanes.atCar.indicators.distMM is 80; it must be 0 to 70.");
+            Good with
+            {
+                IndicatorsAtCar = Good.IndicatorsAtCar with { DistMM = Indicator.Of(80) },
+            },
+            "lanes.atCar.indicators.distMM is 80; it must be 0 to 70."
+        );
 
     [Fact]
     public void Problems_include_an_inactive_indicator_with_a_value() =>
         AssertProblem(
-            Good with { TorcsEquivalent = Good.TorcsEquivalent with { DistR = new Indicator(12, false) } },
-            "lanes.torcsEquivalent.distR is 12, but an invalid indicator must have 75.");
+            Good with
+            {
+                TorcsEquivalent = Good.TorcsEquivalent with { DistR = new Indicator(12, false) },
+            },
+            "lanes.torcsEquivalent.distR is 12, but an invalid indicator must have 75."
+        );
 
     [Fact]
     public void Problems_include_a_lane_that_does_not_exist() =>

@@ -39,7 +39,9 @@ public sealed class MaskCheckTests : IDisposable
 
         Assert.Equal(2, problems.Count);
         Assert.Equal(
-            "labels.jsonl, line 1: mask 'masks/00000000.png' has ids without an object in this line: 999.", problems[0].ToString());
+            "labels.jsonl, line 1: mask 'masks/00000000.png' has ids without an object in this line: 999.",
+            problems[0].ToString()
+        );
     }
 
     [Fact]
@@ -69,8 +71,7 @@ public sealed class MaskCheckTests : IDisposable
         _session.Lines[0]["objects"]![2]!["box2dVisible"] = JsonNode.Parse("[19, 25, 21, 40]");
         _session.Lines[0]["objects"]![3]!["box2dVisible"] = JsonNode.Parse("[15, 15, 25, 25]");
 
-        _session.AssertProblem(
-            1, "object 4: the mask has its id, but it is a part; pixels of parts have the id of the whole object, 3.");
+        _session.AssertProblem(1, "object 4: the mask has its id, but it is a part; pixels of parts have the id of the whole object, 3.");
     }
 
     [Fact]
@@ -110,6 +111,7 @@ public sealed class MaskCheckTests : IDisposable
 
         Assert.Equal(
             ["pixelMap is given without a mask.", "object 1: box2dVisible is given without a mask."],
-            SessionValidator.Validate(_session.Open()).Problems.Select(problem => problem.Message));
+            SessionValidator.Validate(_session.Open()).Problems.Select(problem => problem.Message)
+        );
     }
 }

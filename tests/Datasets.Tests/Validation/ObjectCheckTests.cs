@@ -22,7 +22,8 @@ public sealed class ObjectCheckTests : IDisposable
 
         Assert.Contains(
             SessionValidator.Validate(_session.Open()).Problems,
-            problem => problem.Line == 3 && problem.Message.Contains(message, StringComparison.Ordinal));
+            problem => problem.Line == 3 && problem.Message.Contains(message, StringComparison.Ordinal)
+        );
     }
 
     [Fact]

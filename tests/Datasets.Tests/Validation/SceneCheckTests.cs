@@ -36,7 +36,8 @@ public sealed class SceneCheckTests : IDisposable
         Assert.StartsWith(
             "labels.jsonl, line 3: scene 'scenes/00000002.json' cannot be used: invalid JSON",
             Assert.Single(Problems()),
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]

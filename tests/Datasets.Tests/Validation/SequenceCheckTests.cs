@@ -32,7 +32,8 @@ public sealed class SequenceCheckTests : IDisposable
 
         Assert.Contains(
             SessionValidator.Validate(_session.Open()).Problems,
-            problem => problem.Line == 1 && problem.Message.Contains("two objects have the id 1", StringComparison.Ordinal));
+            problem => problem.Line == 1 && problem.Message.Contains("two objects have the id 1", StringComparison.Ordinal)
+        );
     }
 
     [Theory]

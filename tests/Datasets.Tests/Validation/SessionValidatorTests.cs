@@ -31,7 +31,8 @@ public sealed class SessionValidatorTests : IDisposable
               { "reason": "undetermined", "class": "car", "box2d": [60, 20, 70, 25], "distanceMetres": 140 },
               { "reason": "beyondRange", "class": "car", "box2d": [60, 20, 70, 25], "distanceMetres": 157 }
             ]
-            """);
+            """
+        );
 
         SessionValidation validation = SessionValidator.Validate(_session.Open());
 

@@ -93,9 +93,7 @@ public sealed class LineIndexTests : IDisposable
 
     private void ReadAll()
     {
-        while (_lines.Extend(1 << 20))
-        {
-        }
+        while (_lines.Extend(1 << 20)) { }
     }
 
     private string Line(int number) => Encoding.UTF8.GetString(_lines.Read(number));

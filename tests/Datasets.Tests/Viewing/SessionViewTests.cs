@@ -91,6 +91,8 @@ public sealed class SessionViewTests : IDisposable
         Assert.Equal(3, (int)figures["classes"]!["car"]!["labels"]!);
     }
 
-    private static void AwaitFrames(SessionView view, int frames) => Assert.True(
-        SpinWait.SpinUntil(() => JsonSerializer.Deserialize<JsonNode>(view.State())!["read"]!.GetValue<int>() == frames, Patience));
+    private static void AwaitFrames(SessionView view, int frames) =>
+        Assert.True(
+            SpinWait.SpinUntil(() => JsonSerializer.Deserialize<JsonNode>(view.State())!["read"]!.GetValue<int>() == frames, Patience)
+        );
 }

@@ -135,17 +135,23 @@ public sealed class ClientInboxTests
         const int rounds = 500;
         string[] names = [.. Enumerable.Range(0, clients).Select(i => $"client {i}")];
         bool isOver = false;
-        Thread[] talking = [.. names.Select((name, i) => new Thread(() =>
-        {
-            while (!Volatile.Read(ref isOver))
-            {
-                _inbox.TryPut(name, new StepMessage(i));
-                _inbox.TryPut(name, new ControlsMessage(DrivingControls.Stop, i));
-            }
-        })
-        {
-            IsBackground = true,
-        })];
+        Thread[] talking =
+        [
+            .. names.Select(
+                (name, i) =>
+                    new Thread(() =>
+                    {
+                        while (!Volatile.Read(ref isOver))
+                        {
+                            _inbox.TryPut(name, new StepMessage(i));
+                            _inbox.TryPut(name, new ControlsMessage(DrivingControls.Stop, i));
+                        }
+                    })
+                    {
+                        IsBackground = true,
+                    }
+            ),
+        ];
         Array.ForEach(talking, thread => thread.Start());
 
         var wrong = new List<ClientMessage>();

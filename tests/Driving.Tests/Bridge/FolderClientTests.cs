@@ -83,8 +83,7 @@ public sealed class FolderClientTests : IDisposable
         {
             message = Frames.AwaitMessage(_bridge);
             Assert.IsNotType<ClientGoneMessage>(message);
-        }
-        while (message is not StepMessage);
+        } while (message is not StepMessage);
 
         _clock.Milliseconds += Patience + 1;
         Frames.Await(() => _bridge.TryReceive(out message) && message is ClientGoneMessage, "that the client is gone");
@@ -114,8 +113,13 @@ public sealed class FolderClientTests : IDisposable
         Await(() => _session.Status.Controls.Steering == steering, $"the controls of life {life}");
         if (_session.IsStepping)
         {
-            foreach (string command
-                in new[] { """{"type":"reset","position":[1,2,3],"headingDegrees":4}""", """{"type":"pause","paused":true}""" })
+            foreach (
+                string command in new[]
+                {
+                    """{"type":"reset","position":[1,2,3],"headingDegrees":4}""",
+                    """{"type":"pause","paused":true}""",
+                }
+            )
             {
                 Command(command);
                 AwaitRead();
@@ -137,13 +141,15 @@ public sealed class FolderClientTests : IDisposable
     }
 
     /// <summary>Ticks of the session alone: the game's time stands, so no step comes to its end by waiting.</summary>
-    private void Await(Func<bool> done, string what) => Frames.Await(
-        () =>
-        {
-            _session.Tick();
-            return done();
-        },
-        $"{what}; the bridge says: {_bridge.Problem}");
+    private void Await(Func<bool> done, string what) =>
+        Frames.Await(
+            () =>
+            {
+                _session.Tick();
+                return done();
+            },
+            $"{what}; the bridge says: {_bridge.Problem}"
+        );
 
     /// <summary>
     /// Writes a file by renaming, with another length than the version before, because file times are coarse on some systems.

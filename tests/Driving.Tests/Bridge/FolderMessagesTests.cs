@@ -14,7 +14,8 @@ public sealed class FolderMessagesTests
         Assert.Equal(new ControlsMessage(new DrivingControls(-0.25, 0.5, 0.125), 31), FolderMessages.ParseControls(Controls));
         Assert.All(
             Enumerable.Range(0, Controls.Length),
-            length => Assert.Throws<BridgeException>(() => FolderMessages.ParseControls(Controls[..length])));
+            length => Assert.Throws<BridgeException>(() => FolderMessages.ParseControls(Controls[..length]))
+        );
     }
 
     [Fact]

@@ -8,7 +8,14 @@ namespace Harvester.Driving.Tests.Bridge;
 internal sealed class FolderVandal(string folder, int seed) : IDisposable
 {
     private static readonly string[] Names =
-        ["controls.txt", "indicators.txt", "command.json", "alive.txt", "state.txt", "state.txt.0123456789abcdef.partial"];
+    [
+        "controls.txt",
+        "indicators.txt",
+        "command.json",
+        "alive.txt",
+        "state.txt",
+        "state.txt.0123456789abcdef.partial",
+    ];
 
     private static readonly string[] Contents =
     [
@@ -137,7 +144,9 @@ internal sealed class FolderVandal(string folder, int seed) : IDisposable
                 for (int i = 0; i < 100; i++)
                 {
                     File.WriteAllText(
-                        Path.Combine(folder, string.Create(CultureInfo.InvariantCulture, $"stranger {++_strangers}.txt")), "?");
+                        Path.Combine(folder, string.Create(CultureInfo.InvariantCulture, $"stranger {++_strangers}.txt")),
+                        "?"
+                    );
                 }
 
                 break;

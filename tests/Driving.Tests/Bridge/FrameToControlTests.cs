@@ -17,7 +17,8 @@ public sealed class FrameToControlTests : IDisposable
     private readonly FakeGame _game = new();
     private readonly FakeCar _car = new();
     private readonly AwaitedBridge _bridge = new(
-        new SocketBridge(SocketBridgeOptions.Loopback with { Port = 0 }, new DrivingOptions().Picture));
+        new SocketBridge(SocketBridgeOptions.Loopback with { Port = 0 }, new DrivingOptions().Picture)
+    );
 
     [Theory]
     [InlineData(0)]
@@ -26,7 +27,14 @@ public sealed class FrameToControlTests : IDisposable
     {
         const int ticks = 1_200;
         using var session = new DrivingSession(
-            new DrivingOptions { SettleTicks = settleTicks }, _game.Ports with { Car = _car }, _bridge, () => new DeepDrivingController());
+            new DrivingOptions { SettleTicks = settleTicks },
+            _game.Ports with
+            {
+                Car = _car,
+            },
+            _bridge,
+            () => new DeepDrivingController()
+        );
         using var client = new SocketClient(_bridge.EndPoint);
         client.Send("""{"type":"controls","steering":0,"throttle":0,"brake":0}""");
         _bridge.AwaitMessage();
@@ -44,8 +52,11 @@ public sealed class FrameToControlTests : IDisposable
                 JsonElement frame = client.Receive().Header;
                 Assert.Equal(before, frame.GetProperty("frame").GetInt64());
                 answered = ((before % 1_000) + 1) / 1_000.0;
-                client.Send(FormattableString.Invariant(
-                    $$"""{"type":"controls","steering":{{answered}},"throttle":0,"brake":0,"frame":{{before}}}"""));
+                client.Send(
+                    FormattableString.Invariant(
+                        $$"""{"type":"controls","steering":{{answered}},"throttle":0,"brake":0,"frame":{{before}}}"""
+                    )
+                );
                 _bridge.AwaitMessage();
             }
         }

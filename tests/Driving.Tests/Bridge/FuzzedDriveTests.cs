@@ -33,9 +33,13 @@ public sealed class FuzzedDriveTests
         using var bridge = new SocketBridge(SocketBridgeOptions.Loopback with { Port = 0 }, new DrivingOptions().Picture);
         using var session = new DrivingSession(
             new DrivingOptions { SettleTicks = 0 },
-            game.Ports with { Car = car },
+            game.Ports with
+            {
+                Car = car,
+            },
             bridge,
-            () => controller == typeof(StanleyController) ? new StanleyController(new StanleyOptions()) : new DeepDrivingController());
+            () => controller == typeof(StanleyController) ? new StanleyController(new StanleyOptions()) : new DeepDrivingController()
+        );
         var random = new Random(13);
         int refused = 0;
         for (int i = 0; i < 10_000; i++)
@@ -60,8 +64,11 @@ public sealed class FuzzedDriveTests
         Assert.False(session.Status.IsOver, session.Status.Ending);
         Assert.InRange(refused, 1_000, 9_000);
         Assert.Contains(car.Driven, controls => controls != DrivingControls.Stop);
-        Assert.All(car.Driven, controls => Assert.True(
-            Math.Abs(controls.Steering) <= 1 && controls.Throttle is >= 0 and <= 1 && controls.Brake is >= 0 and <= 1));
+        Assert.All(
+            car.Driven,
+            controls =>
+                Assert.True(Math.Abs(controls.Steering) <= 1 && controls.Throttle is >= 0 and <= 1 && controls.Brake is >= 0 and <= 1)
+        );
 
         using var good = new SocketClient(bridge.EndPoint);
         good.Send("""{"type":"controls","steering":0.625,"throttle":0,"brake":0}""");
@@ -71,7 +78,8 @@ public sealed class FuzzedDriveTests
                 game.Tick();
                 return session.Tick().Controls.Steering == 0.625;
             },
-            "the good client to drive");
+            "the good client to drive"
+        );
     }
 
     [Fact]
@@ -79,8 +87,12 @@ public sealed class FuzzedDriveTests
     public void Clients_that_trickle_bytes_are_cut_off_and_delay_nobody()
     {
         const string token = "open sesame";
-        SocketBridgeOptions options =
-            SocketBridgeOptions.Loopback with { Port = 0, Token = token, HelloPatience = TimeSpan.FromSeconds(10) };
+        SocketBridgeOptions options = SocketBridgeOptions.Loopback with
+        {
+            Port = 0,
+            Token = token,
+            HelloPatience = TimeSpan.FromSeconds(10),
+        };
         using var bridge = new SocketBridge(options, Frames.Size);
         SocketClient[] slow = [.. Enumerable.Range(0, 10).Select(_ => new SocketClient(bridge.EndPoint, hello: null))];
         using SocketClient good = Welcomed(bridge);
@@ -88,7 +100,9 @@ public sealed class FuzzedDriveTests
         // None of the reads waits for long, and at this pace the whole of this hello would take more than an hour.
         byte[] hello = Framed(
             Encoding.UTF8.GetBytes(
-                string.Concat("{\"type\":\"hello\",\"version\":1,", new string(' ', 60_000), "\"token\":\"open sesame\"}")));
+                string.Concat("{\"type\":\"hello\",\"version\":1,", new string(' ', 60_000), "\"token\":\"open sesame\"}")
+            )
+        );
         int sent = 0;
         Frames.Await(
             () =>
@@ -97,7 +111,8 @@ public sealed class FuzzedDriveTests
                 sent++;
                 return !slow.Any(client => client.TryWrite([hello[sent - 1]]));
             },
-            "the slow ones to be cut off");
+            "the slow ones to be cut off"
+        );
 
         Assert.All(slow, client => Assert.True(client.IsCutOff()));
         bridge.Publish(Frames.State(5), Frames.Picture(5));
@@ -139,7 +154,8 @@ public sealed class FuzzedDriveTests
 
                 return bridge.TryReceive(out ClientMessage? message) && message is RequestFrameMessage;
             },
-            "the good client to be welcome");
+            "the good client to be welcome"
+        );
         return client;
     }
 
@@ -151,13 +167,15 @@ public sealed class FuzzedDriveTests
         return client;
     }
 
-    private static void AwaitControls(DrivingSession session, FakeGame game) => Frames.Await(
-        () =>
-        {
-            game.Tick();
-            return session.Tick().IsClientAlive;
-        },
-        "the controls of a client");
+    private static void AwaitControls(DrivingSession session, FakeGame game) =>
+        Frames.Await(
+            () =>
+            {
+                game.Tick();
+                return session.Tick().IsClientAlive;
+            },
+            "the controls of a client"
+        );
 
     /// <summary>A valid message with bytes changed, removed or repeated, truncated, with other lengths, or unchanged.</summary>
     /// <returns>The bytes, and whether the car is driven by them for sure.</returns>

@@ -76,8 +76,11 @@ public sealed class FuzzedFolderTests : IDisposable
         }
 
         Assert.False(session.Status.IsOver, session.Status.Ending);
-        Assert.All(_car.Driven, controls => Assert.True(
-            Math.Abs(controls.Steering) <= 1 && controls.Throttle is >= 0 and <= 1 && controls.Brake is >= 0 and <= 1));
+        Assert.All(
+            _car.Driven,
+            controls =>
+                Assert.True(Math.Abs(controls.Steering) <= 1 && controls.Throttle is >= 0 and <= 1 && controls.Brake is >= 0 and <= 1)
+        );
 
         // Ten that the bridge keeps; the vandal's own are none of them.
         Frames.Await(() => Directory.GetFiles(_folder, "frame_*.png").Length <= 10, "old pictures to go");
@@ -103,7 +106,8 @@ public sealed class FuzzedFolderTests : IDisposable
                 Run(session, 1);
                 return false;
             },
-            $"the good client to drive; the bridge says: {bridge.Problem}");
+            $"the good client to drive; the bridge says: {bridge.Problem}"
+        );
 
         long frames = 0;
         Frames.Await(
@@ -111,20 +115,27 @@ public sealed class FuzzedFolderTests : IDisposable
             {
                 File.WriteAllText(Path.Combine(_folder, "command.json"), """{"type":"requestFrame"}""" + new string(' ', ++words % 100));
                 Run(session, 1);
-                string[] lines =
-                    File.Exists(Path.Combine(_folder, "state.txt")) ? File.ReadAllLines(Path.Combine(_folder, "state.txt")) : [];
+                string[] lines = File.Exists(Path.Combine(_folder, "state.txt"))
+                    ? File.ReadAllLines(Path.Combine(_folder, "state.txt"))
+                    : [];
                 long seen = lines.Length == 2 ? long.Parse(lines[1].Split(' ')[0], CultureInfo.InvariantCulture) : 0;
                 frames = frames == 0 ? session.Status.Frames : frames;
                 return seen >= frames && session.Status.Frames > frames;
             },
-            $"the good client to see; the bridge says: {bridge.Problem}");
+            $"the good client to see; the bridge says: {bridge.Problem}"
+        );
     }
 
-    private DrivingSession Session(FolderBridge bridge) => new(
-        new DrivingOptions { SettleTicks = 0, Picture = Frames.Size },
-        _game.Ports with { Car = _car },
-        bridge,
-        () => new DeepDrivingController());
+    private DrivingSession Session(FolderBridge bridge) =>
+        new(
+            new DrivingOptions { SettleTicks = 0, Picture = Frames.Size },
+            _game.Ports with
+            {
+                Car = _car,
+            },
+            bridge,
+            () => new DeepDrivingController()
+        );
 
     private void Run(DrivingSession session, int ticks)
     {

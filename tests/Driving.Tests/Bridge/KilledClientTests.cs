@@ -23,10 +23,13 @@ public sealed class KilledClientTests : IDisposable
         for (int life = 1; life <= Lives; life++)
         {
             // Every other time it does not rename its file into place.
-            using Process client = Start(string.Create(
-                CultureInfo.InvariantCulture,
-                $"echo '0.25 0.5 0 {life}' > part; mv part controls.txt; printf '0.25 ' > controls.txt; echo '0.5 0 {life}' >> "
-                    + $"controls.txt"));
+            using Process client = Start(
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"echo '0.25 0.5 0 {life}' > part; mv part controls.txt; printf '0.25 ' > controls.txt; echo '0.5 0 {life}' >> "
+                        + $"controls.txt"
+                )
+            );
             AwaitWordOf(bridge, life);
             bridge.Publish(Frames.State(life), Frames.Picture((byte)life));
             Kill(client, random);
@@ -45,23 +48,32 @@ public sealed class KilledClientTests : IDisposable
         using var bridge = new FolderBridge(_folder, Frames.Size, FolderBridge.DefaultPatienceSeconds, clock);
         using var session = new DrivingSession(
             new DrivingOptions { SettleTicks = 0, Picture = Frames.Size },
-            game.Ports with { Car = new FakeCar() },
+            game.Ports with
+            {
+                Car = new FakeCar(),
+            },
             bridge,
-            () => new DeepDrivingController());
+            () => new DeepDrivingController()
+        );
         var random = new Random(10);
         for (int life = 1; life <= Lives; life++)
         {
             double steering = 0.001 * life;
-            using Process client = Start(string.Create(
-                CultureInfo.InvariantCulture,
-                $$"""
-                n=$((n+1))
-                echo '{{steering}} 1 0' > part; mv part controls.txt
-                echo '{"type":"pause","paused":true}' > part; mv part command.json
-                echo '{"type":"step","seconds":4.'$n'}' > part; mv part command.json
-                """));
+            using Process client = Start(
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $$"""
+                    n=$((n+1))
+                    echo '{{steering}} 1 0' > part; mv part controls.txt
+                    echo '{"type":"pause","paused":true}' > part; mv part command.json
+                    echo '{"type":"step","seconds":4.'$n'}' > part; mv part command.json
+                    """
+                )
+            );
             Await(
-                () => session.Status.Controls.Steering == steering && (game.WantsFrozen || session.IsStepping), $"the word of life {life}");
+                () => session.Status.Controls.Steering == steering && (game.WantsFrozen || session.IsStepping),
+                $"the word of life {life}"
+            );
             Kill(client, random);
 
             // What it wrote last may be read after this, and is a sign of life.
@@ -71,19 +83,22 @@ public sealed class KilledClientTests : IDisposable
                     clock.Milliseconds += (FolderBridge.DefaultPatienceSeconds * 1000) + 1;
                     return !game.WantsFrozen && !session.IsStepping && session.Status.Controls == DrivingControls.Stop;
                 },
-                "the world to go on");
+                "the world to go on"
+            );
         }
 
         Assert.False(session.Status.IsOver, session.Status.Ending);
 
-        void Await(Func<bool> done, string what) => Frames.Await(
-            () =>
-            {
-                session.Tick();
-                game.Tick();
-                return done();
-            },
-            $"{what}; the bridge says: {bridge.Problem}");
+        void Await(Func<bool> done, string what) =>
+            Frames.Await(
+                () =>
+                {
+                    session.Tick();
+                    game.Tick();
+                    return done();
+                },
+                $"{what}; the bridge says: {bridge.Problem}"
+            );
     }
 
     public void Dispose() => Directory.Delete(_folder, recursive: true);
@@ -110,7 +125,8 @@ public sealed class KilledClientTests : IDisposable
 
                 return false;
             },
-            $"a word of life {life}; the bridge says: {bridge.Problem}");
+            $"a word of life {life}; the bridge says: {bridge.Problem}"
+        );
     }
 
     /// <summary>A client that does the same without end.</summary>

@@ -14,8 +14,16 @@ public sealed class KilledSocketClientTests : IDisposable
     private readonly SocketBridge _bridge = new(SocketBridgeOptions.Loopback with { Port = 0 }, new DrivingOptions().Picture);
     private readonly DrivingSession _session;
 
-    public KilledSocketClientTests() => _session = new DrivingSession(
-        new DrivingOptions { SettleTicks = 0 }, _game.Ports with { Car = _car }, _bridge, () => new DeepDrivingController());
+    public KilledSocketClientTests() =>
+        _session = new DrivingSession(
+            new DrivingOptions { SettleTicks = 0 },
+            _game.Ports with
+            {
+                Car = _car,
+            },
+            _bridge,
+            () => new DeepDrivingController()
+        );
 
     [Fact]
     public void World_resumes_without_pending_steps_when_a_client_dies()
@@ -93,13 +101,15 @@ public sealed class KilledSocketClientTests : IDisposable
     }
 
     /// <summary>Ticks of the session alone: the game's time stands, so no step comes to its end by waiting.</summary>
-    private void Await(Func<bool> done, string what) => Frames.Await(
-        () =>
-        {
-            _session.Tick();
-            return done();
-        },
-        what);
+    private void Await(Func<bool> done, string what) =>
+        Frames.Await(
+            () =>
+            {
+                _session.Tick();
+                return done();
+            },
+            what
+        );
 
     private void Run(int ticks)
     {

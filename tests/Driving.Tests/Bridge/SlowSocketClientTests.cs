@@ -101,7 +101,8 @@ public sealed class SlowSocketClientTests : IDisposable
                 bridge.Publish(Frames.State(++_published) with { IsAskedFor = true }, _noise);
                 return bridge.Problem is not null;
             },
-            "the sleeper to be cut off");
+            "the sleeper to be cut off"
+        );
 
         Assert.Contains("did not receive a frame", bridge.Problem, StringComparison.Ordinal);
         using SocketClient next = Connected(bridge);

@@ -217,14 +217,18 @@ public sealed class SocketBridgeTests
     {
         using var nobody = new System.Net.Sockets.TcpClient();
 
-        Assert.ThrowsAny<Exception>(() => BridgeClient.Serve(
-            nobody,
-            new SocketReception(
-                AnyPort,
-                new ClientInbox<BridgeClient>(),
-                new PendingClients<BridgeClient>(1),
-                new FrameOutbox(Frames.Size),
-                static _ => { })));
+        Assert.ThrowsAny<Exception>(() =>
+            BridgeClient.Serve(
+                nobody,
+                new SocketReception(
+                    AnyPort,
+                    new ClientInbox<BridgeClient>(),
+                    new PendingClients<BridgeClient>(1),
+                    new FrameOutbox(Frames.Size),
+                    static _ => { }
+                )
+            )
+        );
         Assert.Null(nobody.Client);
     }
 

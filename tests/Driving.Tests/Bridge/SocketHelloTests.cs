@@ -6,8 +6,11 @@ namespace Harvester.Driving.Tests.Bridge;
 /// <summary>Who may drive over a socket: a client that has sent a hello of the game's version.</summary>
 public sealed class SocketHelloTests
 {
-    private static readonly SocketBridgeOptions AnyPort =
-        SocketBridgeOptions.Loopback with { Port = 0, HelloPatience = Timeout.InfiniteTimeSpan };
+    private static readonly SocketBridgeOptions AnyPort = SocketBridgeOptions.Loopback with
+    {
+        Port = 0,
+        HelloPatience = Timeout.InfiniteTimeSpan,
+    };
 
     [Fact]
     public void Bare_connections_displace_nobody()
@@ -64,8 +67,7 @@ public sealed class SocketHelloTests
         using var bridge = new SocketBridge(AnyPort with { HelloPatience = TimeSpan.FromMilliseconds(50) }, Frames.Size);
         using var silent = new SocketClient(bridge.EndPoint, hello: null);
 
-        Assert.Equal(
-            "the first message must be a hello, sent in time.", silent.Receive().Header.GetProperty("reason").GetString());
+        Assert.Equal("the first message must be a hello, sent in time.", silent.Receive().Header.GetProperty("reason").GetString());
         Assert.True(silent.IsCutOff());
     }
 }

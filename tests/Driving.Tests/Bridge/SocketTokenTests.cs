@@ -30,7 +30,12 @@ public sealed class SocketTokenTests
     public void Connections_without_the_token_are_limited_and_block_nobody()
     {
         // No connection times out here: one that is closed has made room for another.
-        SocketBridgeOptions options = AnyPort with { Token = "open sesame", MaxPending = 4, HelloPatience = Timeout.InfiniteTimeSpan };
+        SocketBridgeOptions options = AnyPort with
+        {
+            Token = "open sesame",
+            MaxPending = 4,
+            HelloPatience = Timeout.InfiniteTimeSpan,
+        };
         using var bridge = new SocketBridge(options, Frames.Size);
         SocketClient[] strangers = [.. Enumerable.Range(0, 40).Select(_ => new SocketClient(bridge.EndPoint, hello: null))];
         Assert.All(strangers.Take(36), stranger => Assert.True(stranger.IsCutOff()));
@@ -52,7 +57,13 @@ public sealed class SocketTokenTests
     public void Connections_without_the_token_in_time_are_cut_off()
     {
         using var bridge = new SocketBridge(
-            AnyPort with { Token = "open sesame", HelloPatience = TimeSpan.FromMilliseconds(50) }, Frames.Size);
+            AnyPort with
+            {
+                Token = "open sesame",
+                HelloPatience = TimeSpan.FromMilliseconds(50),
+            },
+            Frames.Size
+        );
         using var silent = new SocketClient(bridge.EndPoint, hello: null);
         using var slow = new SocketClient(bridge.EndPoint, hello: null);
         slow.TryWrite([0, 0]);
@@ -76,11 +87,20 @@ public sealed class SocketTokenTests
     public void Silent_client_is_told_that_a_token_is_required()
     {
         using var bridge = new SocketBridge(
-            AnyPort with { Token = "open sesame", HelloPatience = TimeSpan.FromMilliseconds(50) }, Frames.Size);
+            AnyPort with
+            {
+                Token = "open sesame",
+                HelloPatience = TimeSpan.FromMilliseconds(50),
+            },
+            Frames.Size
+        );
         using var stranger = new SocketClient(bridge.EndPoint, hello: null);
 
         Assert.Contains(
-            "a hello with the right token", stranger.Receive().Header.GetProperty("reason").GetString(), StringComparison.Ordinal);
+            "a hello with the right token",
+            stranger.Receive().Header.GetProperty("reason").GetString(),
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]

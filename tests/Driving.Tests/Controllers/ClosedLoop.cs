@@ -69,7 +69,11 @@ internal sealed class ClosedLoop(IController controller, LaneSection section, do
     {
         VehicleAhead[] vehicles = Lead is { } lead ? [new(lead.Lane, lead.Along - Along)] : [];
         LaneIndicators at = IndicatorCalculator.Compute(
-            RoadHeading(Along + LookAhead) - RoadHeading(Along) - Yaw, Offset, section, vehicles);
+            RoadHeading(Along + LookAhead) - RoadHeading(Along) - Yaw,
+            Offset,
+            section,
+            vehicles
+        );
         return new DrivingState(at, TorcsEquivalent.Of(at, section), IsFast: Bend.Curvature == 0, Speed)
         {
             HeadingRadians = _headingRadians,

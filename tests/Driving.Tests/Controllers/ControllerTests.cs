@@ -91,8 +91,11 @@ public sealed class ControllerTests
             Lead = (1, 60, 4),
         };
 
-        loop.Run(40, at => Assert.True(
-            at.Lead!.Value.Along - at.Along is > 5 or < -5 || at.Offset < 5.4 + 0.5, "The car ran into the vehicle ahead."));
+        loop.Run(
+            40,
+            at =>
+                Assert.True(at.Lead!.Value.Along - at.Along is > 5 or < -5 || at.Offset < 5.4 + 0.5, "The car ran into the vehicle ahead.")
+        );
 
         Assert.True(loop.Along > loop.Lead!.Value.Along);
         Assert.Equal(2.7, loop.Offset, 0.2);
@@ -114,11 +117,7 @@ public sealed class ControllerTests
     [Fact]
     public void DeepDriving_moves_to_the_free_lane_when_blocked_and_passes()
     {
-        var loop = new ClosedLoop(new DeepDrivingController(), new LaneSection(3, 4), TorcsLock)
-        {
-            Offset = 6,
-            Lead = (1, 120, 8),
-        };
+        var loop = new ClosedLoop(new DeepDrivingController(), new LaneSection(3, 4), TorcsLock) { Offset = 6, Lead = (1, 120, 8) };
 
         loop.Run(60);
 
@@ -162,7 +161,8 @@ public sealed class ControllerTests
         var section = new LaneSection(1, 4);
         LaneIndicators at = IndicatorCalculator.Compute(0, 2, section, [new VehicleAhead(0, ahead)]);
         DrivingControls controls = new DeepDrivingController().Drive(
-            new DrivingState(at, TorcsEquivalent.Of(at, section), IsFast: true, 20.023));
+            new DrivingState(at, TorcsEquivalent.Of(at, section), IsFast: true, 20.023)
+        );
 
         Assert.Equal(ahead < 15 ? brake : 0.0023, controls.Brake, 0.0003);
     }
@@ -190,8 +190,11 @@ public sealed class ControllerTests
         // steers is the bend of its lane only: 2.9 / 52 = 0.0558 rad for a car of 2.9 m between the axles. A twentieth less is what it
         // finds, because few places tell no bend (2 m² on 43 of the places' spread); by its own steering it knows its heading less well.
         LaneIndicators at = IndicatorCalculator.Compute(10 / 50.0, 2, new LaneSection(1, 4), []);
-        IController controller =
-            new ControllerPlan { Kind = ControllerKind.DeepDriving, Car = new CarTraits { CharacteristicSpeed = 1e6 } }.New();
+        IController controller = new ControllerPlan
+        {
+            Kind = ControllerKind.DeepDriving,
+            Car = new CarTraits { CharacteristicSpeed = 1e6 },
+        }.New();
         double steering = 0;
         for (int frame = 0; frame < 60; frame++)
         {

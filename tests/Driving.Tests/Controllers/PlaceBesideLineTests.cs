@@ -16,7 +16,12 @@ public sealed class PlaceBesideLineTests
     [InlineData(2, 6, Left, 26, 26)] // the second of two lanes
     [InlineData(1, 3.8, Left, 23.8, 20)] // on the marking the car's place is known, and the lane's is not
     public void Bend_is_longer_outside_than_inside(
-        int lanes, double carRightOfLine, double bendOfLine, double radiusOfCar, double radiusOfLane)
+        int lanes,
+        double carRightOfLine,
+        double bendOfLine,
+        double radiusOfCar,
+        double radiusOfLane
+    )
     {
         var place = new PlaceBesideLine();
 

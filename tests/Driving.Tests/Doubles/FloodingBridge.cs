@@ -26,7 +26,5 @@ internal sealed class FloodingBridge : IDrivingBridge
         return true;
     }
 
-    public void Dispose()
-    {
-    }
+    public void Dispose() { }
 }

@@ -25,12 +25,19 @@ public abstract class DrivenGame : IDisposable
     }
 
     private protected DrivingSession Session(
-        Func<IController>? controller = null, GamePorts? ports = null, DrivingOptions? options = null) =>
+        Func<IController>? controller = null,
+        GamePorts? ports = null,
+        DrivingOptions? options = null
+    ) =>
         new(
             options ?? new DrivingOptions(),
-            (ports ?? Game.Ports) with { Car = Car },
+            (ports ?? Game.Ports) with
+            {
+                Car = Car,
+            },
             Bridge,
-            controller ?? (() => new NotingController(Left)));
+            controller ?? (() => new NotingController(Left))
+        );
 
     private protected void Run(DrivingSession session, int ticks)
     {

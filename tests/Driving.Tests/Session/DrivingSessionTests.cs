@@ -88,7 +88,8 @@ public sealed class DrivingSessionTests : DrivenGame
         // A straight one-way road north, 400 m, two lanes of 5.4 m: its left edge is 5.4 m left of the nodes, and so of the car.
         var network = new RoadNetwork(
             [new RoadNode(0, 0, new Vector3D(0, -200, 0), "", default), new RoadNode(0, 1, new Vector3D(0, 200, 0), "", default)],
-            [new RoadLink(0, 1, 2, 0, null, default)]);
+            [new RoadLink(0, 1, 2, 0, null, default)]
+        );
         using DrivingSession session = Session(ports: Game.Ports with { Roads = new FixedRoads(network, "simulation") });
         Run(session, 1);
 
@@ -247,7 +248,14 @@ public sealed class DrivingSessionTests : DrivenGame
     {
         using var flood = new FloodingBridge();
         using var session = new DrivingSession(
-            new DrivingOptions(), Game.Ports with { Car = Car }, flood, () => new NotingController(Left));
+            new DrivingOptions(),
+            Game.Ports with
+            {
+                Car = Car,
+            },
+            flood,
+            () => new NotingController(Left)
+        );
         Run(session, 10);
 
         Assert.Equal(10, Car.Driven.Count);
@@ -274,6 +282,7 @@ public sealed class DrivingSessionTests : DrivenGame
 
     [Fact]
     public void Game_without_a_car_to_drive_is_refused() =>
-        Assert.Throws<ArgumentException>(
-            () => new DrivingSession(new DrivingOptions(), Game.Ports, Bridge, () => new NotingController(Left)));
+        Assert.Throws<ArgumentException>(() =>
+            new DrivingSession(new DrivingOptions(), Game.Ports, Bridge, () => new NotingController(Left))
+        );
 }

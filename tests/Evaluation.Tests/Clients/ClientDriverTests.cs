@@ -31,7 +31,9 @@ public sealed class ClientDriverTests
         ClientDriver driver = new(link, static () => new StandingController(), TimeSpan.FromSeconds(0.05), TimeProvider.System);
 
         Assert.Equal(
-            "No frame has arrived from the game for 0.05 s.", Assert.Throws<IOException>(() => driver.Run(null, 2, default)).Message);
+            "No frame has arrived from the game for 0.05 s.",
+            Assert.Throws<IOException>(() => driver.Run(null, 2, default)).Message
+        );
     }
 
     [Fact]
@@ -96,7 +98,8 @@ public sealed class ClientDriverTests
                 return new StandingController();
             },
             Ample,
-            TimeProvider.System);
+            TimeProvider.System
+        );
         driver.Run(null, 0.3, default);
 
         Assert.Equal(2, made);
@@ -110,7 +113,11 @@ public sealed class ClientDriverTests
         ClientDriver driver = new(link, static () => new StandingController(), Ample, TimeProvider.System);
         game.Say(FakeGame.Frame(1));
         Task driving = Task.Factory.StartNew(
-            () => driver.Run(null, 60, default), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+            () => driver.Run(null, 60, default),
+            CancellationToken.None,
+            TaskCreationOptions.LongRunning,
+            TaskScheduler.Default
+        );
         game.Receive();
         game.Receive();
         Assert.Contains("\"controls\"", game.Receive(), StringComparison.Ordinal);
@@ -129,12 +136,18 @@ public sealed class ClientDriverTests
         game.Receive();
         game.Close();
 
-        Assert.ThrowsAny<IOException>(
-            () => new ClientDriver(link, static () => new StandingController(), Ample, TimeProvider.System).Run(null, 60, default));
+        Assert.ThrowsAny<IOException>(() =>
+            new ClientDriver(link, static () => new StandingController(), Ample, TimeProvider.System).Run(null, 60, default)
+        );
     }
 
-    private static ClientFrame FrameAt(int number, double x) => new(
-        number, number * 0.1, new DrivingState(LaneIndicators.Unknown, LaneIndicators.Unknown, IsFast: false, 10), new Vector3D(x, 0, 0));
+    private static ClientFrame FrameAt(int number, double x) =>
+        new(
+            number,
+            number * 0.1,
+            new DrivingState(LaneIndicators.Unknown, LaneIndicators.Unknown, IsFast: false, 10),
+            new Vector3D(x, 0, 0)
+        );
 
     private sealed class StandingController : IController
     {
@@ -159,15 +172,11 @@ public sealed class ClientDriverTests
 
         public void Send(DrivingControls controls, long frame) => Answers++;
 
-        public void AskForFrame()
-        {
-        }
+        public void AskForFrame() { }
 
         public void Step(double seconds) => Steps++;
 
-        public void Dispose()
-        {
-        }
+        public void Dispose() { }
     }
 
     /// <summary>
@@ -219,7 +228,10 @@ public sealed class ClientDriverTests
                     _isAskedFor = false;
                 }
 
-                _looksLeft = !_steps.TryDequeue(out bool isFirst) ? 0 : isFirst ? LooksOfFirstStep : 1;
+                _looksLeft =
+                    !_steps.TryDequeue(out bool isFirst) ? 0
+                    : isFirst ? LooksOfFirstStep
+                    : 1;
             }
 
             return _frames.TryDequeue(out ClientFrame? frame) ? frame : null;
@@ -241,8 +253,6 @@ public sealed class ClientDriverTests
             }
         }
 
-        public void Dispose()
-        {
-        }
+        public void Dispose() { }
     }
 }

@@ -35,10 +35,12 @@ internal sealed class FakeGame : IDisposable
         }
     }
 
-    public static byte[] Frame(int number, double x = 0) => Message(
-        $$"""{"type":"frame","frame":{{number}},"timeSeconds":{{number / 10.0:0.0}},"speedMetresPerSecond":5,"position":[{{x}},0,0]"""
-            + $$""","headingDegrees":0,"fast":true,"lanesKnown":true,"indicators":[-0.05,-7,3.5,7,75,75,-9.5,-2.7,2.7,9.5,75,75,75]"""
-            + $$""","torcsEquivalent":[0,-7,3.5,7,75,75,-9.5,-2,2,9.5,75,75,75]}""");
+    public static byte[] Frame(int number, double x = 0) =>
+        Message(
+            $$"""{"type":"frame","frame":{{number}},"timeSeconds":{{number / 10.0:0.0}},"speedMetresPerSecond":5,"position":[{{x}},0,0]"""
+                + $$""","headingDegrees":0,"fast":true,"lanesKnown":true,"indicators":[-0.05,-7,3.5,7,75,75,-9.5,-2.7,2.7,9.5,75,75,75]"""
+                + $$""","torcsEquivalent":[0,-7,3.5,7,75,75,-9.5,-2,2,9.5,75,75,75]}"""
+        );
 
     public static byte[] Message(string header)
     {

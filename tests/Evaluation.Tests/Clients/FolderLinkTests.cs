@@ -97,7 +97,8 @@ public sealed class FolderLinkTests : IDisposable
         Assert.Contains(
             "the game speaks version 2 of the bridge, this program version 1",
             Assert.Throws<IOException>(() => new FolderLink(_folder)).Message,
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]

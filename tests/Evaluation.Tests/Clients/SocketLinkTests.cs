@@ -56,16 +56,20 @@ public sealed class SocketLinkTests
     }
 
     [Fact]
-    public void Receive_of_an_error_reports_its_reason() => AssertFails(
-        FakeGame.Message("""{"type":"error","reason":"the first message must be a hello with the right token."}"""),
-        "a hello with the right token");
+    public void Receive_of_an_error_reports_its_reason() =>
+        AssertFails(
+            FakeGame.Message("""{"type":"error","reason":"the first message must be a hello with the right token."}"""),
+            "a hello with the right token"
+        );
 
     [Theory]
     [InlineData("nonsense")]
     [InlineData("[1]")]
     [InlineData("""{"type":"frame"}""")]
-    [InlineData("""{"type":"frame","frame":1,"timeSeconds":0,"speedMetresPerSecond":5,"position":[0],"headingDegrees":0,"fast":true"""
-        + ""","indicators":[1],"torcsEquivalent":[1]}""")]
+    [InlineData(
+        """{"type":"frame","frame":1,"timeSeconds":0,"speedMetresPerSecond":5,"position":[0],"headingDegrees":0,"fast":true"""
+            + ""","indicators":[1],"torcsEquivalent":[1]}"""
+    )]
     public void Receive_of_anything_but_a_frame_fails(string header) => AssertFails(FakeGame.Message(header), "an invalid frame");
 
     [Fact]
@@ -79,8 +83,7 @@ public sealed class SocketLinkTests
         using SocketLink link = new("127.0.0.1", game.Port, null, TimeSpan.FromSeconds(3));
         game.Say(FakeGame.Frame(1)[..20]);
 
-        Assert.Contains(
-            "in the middle of a message", Assert.Throws<IOException>(() => Next(link)).Message, StringComparison.Ordinal);
+        Assert.Contains("in the middle of a message", Assert.Throws<IOException>(() => Next(link)).Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -93,8 +96,7 @@ public sealed class SocketLinkTests
         game.Say(FakeGame.Frame(1)[..20]);
         game.Close();
 
-        Assert.Contains(
-            "in the middle of a message", Assert.Throws<IOException>(() => Next(link)).Message, StringComparison.Ordinal);
+        Assert.Contains("in the middle of a message", Assert.Throws<IOException>(() => Next(link)).Message, StringComparison.Ordinal);
     }
 
     [Theory]

@@ -12,9 +12,18 @@ public sealed class DriveFiguresTests
         [
             Drives.At(0),
             Drives.At(1),
-            Drives.At(2) with { Lane = null },
-            Drives.At(3) with { IsByController = false },
-            Drives.At(50) with { IsTeleported = true },
+            Drives.At(2) with
+            {
+                Lane = null,
+            },
+            Drives.At(3) with
+            {
+                IsByController = false,
+            },
+            Drives.At(50) with
+            {
+                IsTeleported = true,
+            },
             Drives.At(51),
         ];
         DriveFigures figures = DriveFigures.Of(samples);
@@ -53,12 +62,31 @@ public sealed class DriveFiguresTests
     {
         DriveSample[] samples =
         [
-            Drives.At(0) with { Touching = [4] },
-            Drives.At(1) with { Touching = [4, 5] },
+            Drives.At(0) with
+            {
+                Touching = [4],
+            },
+            Drives.At(1) with
+            {
+                Touching = [4, 5],
+            },
             Drives.At(2),
-            Drives.At(3) with { Touching = [4], Lane = null },
-            Drives.At(4) with { Touching = [6], IsByController = false },
-            Drives.At(5) with { Touching = [7, 8], IsByController = false, Lane = null },
+            Drives.At(3) with
+            {
+                Touching = [4],
+                Lane = null,
+            },
+            Drives.At(4) with
+            {
+                Touching = [6],
+                IsByController = false,
+            },
+            Drives.At(5) with
+            {
+                Touching = [7, 8],
+                IsByController = false,
+                Lane = null,
+            },
         ];
         DriveFigures figures = DriveFigures.Of(samples);
 

@@ -26,8 +26,7 @@ public sealed class LaneKeepingTests
     [Fact]
     public void Crossing_that_ends_in_the_next_lane_is_a_lane_change()
     {
-        var keeping = new LaneKeeping(
-            [Drives.At(0, 0, 0, 2), Drives.At(1, 2, 0, 2), Drives.At(2, -2, 1, 2), Drives.At(3, 0, 1, 2)]);
+        var keeping = new LaneKeeping([Drives.At(0, 0, 0, 2), Drives.At(1, 2, 0, 2), Drives.At(2, -2, 1, 2), Drives.At(3, 0, 1, 2)]);
 
         Assert.Empty(keeping.Departures);
         Assert.Equal(1, keeping.Changes);
@@ -45,8 +44,15 @@ public sealed class LaneKeepingTests
     [Fact]
     public void Crossing_that_ends_in_a_junction_is_neither()
     {
-        var keeping = new LaneKeeping(
-            [Drives.At(0, 0, 0, 2), Drives.At(1, 2, 0, 2), Drives.At(2) with { Lane = null }, Drives.At(3, 0, 0, 2)]);
+        var keeping = new LaneKeeping([
+            Drives.At(0, 0, 0, 2),
+            Drives.At(1, 2, 0, 2),
+            Drives.At(2) with
+            {
+                Lane = null,
+            },
+            Drives.At(3, 0, 0, 2),
+        ]);
 
         Assert.Empty(keeping.Departures);
         Assert.Equal(0, keeping.Changes);
@@ -57,7 +63,16 @@ public sealed class LaneKeepingTests
     {
         DriveSample[] samples =
         [
-            Drives.At(0), Drives.At(1, 2) with { IsByController = false }, Drives.At(2) with { Lane = null }, Drives.At(3),
+            Drives.At(0),
+            Drives.At(1, 2) with
+            {
+                IsByController = false,
+            },
+            Drives.At(2) with
+            {
+                Lane = null,
+            },
+            Drives.At(3),
         ];
 
         Assert.Empty(new LaneKeeping(samples).Departures);

@@ -26,25 +26,29 @@ public sealed class LaneKeepingVectorTests
         Assert.Equal(rows.Index().Where(row => row.Item[7] == "1").Select(row => row.Index), found);
     }
 
-    private static DriveSample SampleOf(string[] row, int index) => Drives.At(index) with
-    {
-        Lane = PlacementOf(row),
-        IsByController = row[5] == "1",
-        IsTeleported = row[6] == "1",
-    };
+    private static DriveSample SampleOf(string[] row, int index) =>
+        Drives.At(index) with
+        {
+            Lane = PlacementOf(row),
+            IsByController = row[5] == "1",
+            IsTeleported = row[6] == "1",
+        };
 
     /// <summary>A place in the lane from which the car reaches as far as the row says; null in a junction.</summary>
     private static LanePlacement? PlacementOf(string[] row)
     {
         (bool isBeyond, bool isAcross) = (row[3] == "1", row[4] == "1");
         return row[1].Length == 0
-            ? isBeyond ? new LanePlacement(-1, null, 0, 0, 0, 1) : null
+            ? isBeyond
+                ? new LanePlacement(-1, null, 0, 0, 0, 1)
+                : null
             : new LanePlacement(
                 int.Parse(row[1], CultureInfo.InvariantCulture),
                 row[2].Length == 0 ? null : int.Parse(row[2], CultureInfo.InvariantCulture),
                 isBeyond ? int.Parse("0" + row[2], CultureInfo.InvariantCulture) + 1 : ManyLanes,
                 5.4,
                 isAcross ? 2 : 0,
-                1);
+                1
+            );
     }
 }

@@ -31,12 +31,15 @@ public sealed class NoisyIndicatorsTests
         var section = new LaneSection(1, 4);
         LaneIndicators truth = IndicatorCalculator.Compute(0, 2, section, []);
 
-        Assert.All(Drive(truth, section).Take(50), state =>
-        {
-            Assert.Equal(truth.ToMarkingLL, state.Indicators.ToMarkingLL);
-            Assert.Equal(truth.DistRR, state.TorcsEquivalent.DistRR);
-            Assert.Equal(truth.ToMarkingM, state.TorcsEquivalent.ToMarkingM);
-        });
+        Assert.All(
+            Drive(truth, section).Take(50),
+            state =>
+            {
+                Assert.Equal(truth.ToMarkingLL, state.Indicators.ToMarkingLL);
+                Assert.Equal(truth.DistRR, state.TorcsEquivalent.DistRR);
+                Assert.Equal(truth.ToMarkingM, state.TorcsEquivalent.ToMarkingM);
+            }
+        );
     }
 
     private static List<DrivingState> Drive(LaneIndicators truth, LaneSection section)

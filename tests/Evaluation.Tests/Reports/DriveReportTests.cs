@@ -19,7 +19,8 @@ public sealed class DriveReportTests
 
         Assert.All(
             record.Figures.Rows().Concat(record.Summary.Rows()),
-            row => Assert.Contains($"<tr><td>{row.Name}</td><td>{row.Value}</td></tr>", page, StringComparison.Ordinal));
+            row => Assert.Contains($"<tr><td>{row.Name}</td><td>{row.Value}</td></tr>", page, StringComparison.Ordinal)
+        );
         Assert.Single(record.Collisions);
         Assert.Single(Regex.Matches(page, "<circle class=\"collision\""));
         Assert.DoesNotContain("<circle class=\"departure\"", page, StringComparison.Ordinal);
@@ -33,7 +34,7 @@ public sealed class DriveReportTests
         DriveSample[] samples = [.. speeds.Select((speed, i) => Drives.At(i) with { Speed = speed })];
         string[] plots =
         [
-            .. Regex.Matches(PageOf(RecordOf(samples)), "<svg.*?</svg>", RegexOptions.Singleline).Select(match => match.Value)
+            .. Regex.Matches(PageOf(RecordOf(samples)), "<svg.*?</svg>", RegexOptions.Singleline).Select(match => match.Value),
         ];
 
         Assert.Equal(5, plots.Length);
@@ -46,9 +47,13 @@ public sealed class DriveReportTests
         // A metre in each tenth of a second: a straight line.
         (double X, double Y)[] progress = PointsOf(plots[4]);
         Assert.All(
-            Enumerable.Range(0, 5), i => Assert.Equal(i / 4.0, (progress[i].X - progress[0].X) / (progress[4].X - progress[0].X), 0.01));
+            Enumerable.Range(0, 5),
+            i => Assert.Equal(i / 4.0, (progress[i].X - progress[0].X) / (progress[4].X - progress[0].X), 0.01)
+        );
         Assert.All(
-            Enumerable.Range(0, 5), i => Assert.Equal(i / 4.0, (progress[0].Y - progress[i].Y) / (progress[0].Y - progress[4].Y), 0.01));
+            Enumerable.Range(0, 5),
+            i => Assert.Equal(i / 4.0, (progress[0].Y - progress[i].Y) / (progress[0].Y - progress[4].Y), 0.01)
+        );
     }
 
     [Theory]
@@ -58,21 +63,31 @@ public sealed class DriveReportTests
     public void Settings_are_named_in_words_with_units(string key, string value, string expected)
     {
         DriveRecord record = RecordOf([Drives.At(0)]);
-        record = record with { Settings = new Dictionary<string, string> { ["controller"] = "stanley", [key] = value } };
+        record = record with
+        {
+            Settings = new Dictionary<string, string> { ["controller"] = "stanley", [key] = value },
+        };
 
         Assert.Contains(expected, PageOf(record), StringComparison.Ordinal);
     }
 
     private static DriveRecord RecordOf(DriveSample[] samples) =>
         DriveRecord.Of(
-            new Dictionary<string, string> { ["controller"] = "stanley" }, [new DriveEpisode(1, null, samples, 100, isStopped: false)]);
+            new Dictionary<string, string> { ["controller"] = "stanley" },
+            [new DriveEpisode(1, null, samples, 100, isStopped: false)]
+        );
 
     private static (double X, double Y)[] PointsOf(string plot) =>
-    [
-        .. Regex.Match(plot, "<polyline class=\"controller\" points=\"([^\"]*)\"").Groups[1].Value.Split(' ')
-            .Select(point => point.Split(','))
-            .Select(point => (double.Parse(point[0], CultureInfo.InvariantCulture), double.Parse(point[1], CultureInfo.InvariantCulture))),
-    ];
+        [
+            .. Regex
+                .Match(plot, "<polyline class=\"controller\" points=\"([^\"]*)\"")
+                .Groups[1]
+                .Value.Split(' ')
+                .Select(point => point.Split(','))
+                .Select(point =>
+                    (double.Parse(point[0], CultureInfo.InvariantCulture), double.Parse(point[1], CultureInfo.InvariantCulture))
+                ),
+        ];
 
     private static string PageOf(DriveRecord record)
     {

@@ -15,9 +15,19 @@ public sealed class DriveSummaryTests
         DriveSample[] samples =
         [
             Drives.At(0),
-            Drives.At(1) with { Counters = new DriveCounters(1, 0, 0, 0, 0) },
-            Drives.At(2) with { Counters = new DriveCounters(1, 2, 0, 1, 0), IsByController = false },
-            Drives.At(3) with { Counters = new DriveCounters(1, 2, 1, 1, 1) },
+            Drives.At(1) with
+            {
+                Counters = new DriveCounters(1, 0, 0, 0, 0),
+            },
+            Drives.At(2) with
+            {
+                Counters = new DriveCounters(1, 2, 0, 1, 0),
+                IsByController = false,
+            },
+            Drives.At(3) with
+            {
+                Counters = new DriveCounters(1, 2, 1, 1, 1),
+            },
         ];
         EpisodeScore score = EpisodeScore.Of(samples, 6);
 
@@ -30,8 +40,7 @@ public sealed class DriveSummaryTests
     public void Distance_outside_the_lanes_counts_as_a_share()
     {
         // A metre for each step, counted where it ends: two of four are outside.
-        DriveSample[] samples =
-            [Drives.At(0), Drives.At(1), Drives.At(2, lane: null), Drives.At(3, lane: null), Drives.At(4)];
+        DriveSample[] samples = [Drives.At(0), Drives.At(1), Drives.At(2, lane: null), Drives.At(3, lane: null), Drives.At(4)];
         EpisodeScore score = EpisodeScore.Of(samples, 4);
 
         Assert.Equal((2, 0.5, 50), (score.OutsideMetres, score.PenaltyFraction, score.DrivingScore));
@@ -64,8 +73,12 @@ public sealed class DriveSummaryTests
     public void Interval_holds_the_mean_of_normal_values()
     {
         Random random = new(5);
-        double[] values = [.. Enumerable.Range(0, 400).Select(_ =>
-            80 + (10 * Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble())))];
+        double[] values =
+        [
+            .. Enumerable
+                .Range(0, 400)
+                .Select(_ => 80 + (10 * Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble()))),
+        ];
         MeanInterval interval = MeanInterval.Of(values);
 
         // 1.96 · 10 / √400 = 0.98 on either side.

@@ -49,6 +49,5 @@ public sealed class ScoreVectorTests
     private static TheoryData<string> Lines(string name) =>
         [.. File.ReadAllLines(Path.Combine(AppContext.BaseDirectory, "Scores", name)).Skip(1)];
 
-    private static double[] NumbersOf(string line) =>
-        [.. line.Split(',').Select(text => double.Parse(text, CultureInfo.InvariantCulture))];
+    private static double[] NumbersOf(string line) => [.. line.Split(',').Select(text => double.Parse(text, CultureInfo.InvariantCulture))];
 }

@@ -19,28 +19,36 @@ public sealed class ConvexPolygonTests
 
     [Fact]
     public void Hull_does_not_depend_on_the_order_of_points() =>
-        RandomCases.Check(200, Arb.Zip(Points(12, 5), RandomCases.Integer(0, 1_000)), drawn =>
-        {
-            Vector2D[] points = [.. drawn.Item1];
-            IReadOnlyList<Vector2D> hull = ConvexPolygon.Hull(points);
-            new Random(drawn.Item2).Shuffle(points);
+        RandomCases.Check(
+            200,
+            Arb.Zip(Points(12, 5), RandomCases.Integer(0, 1_000)),
+            drawn =>
+            {
+                Vector2D[] points = [.. drawn.Item1];
+                IReadOnlyList<Vector2D> hull = ConvexPolygon.Hull(points);
+                new Random(drawn.Item2).Shuffle(points);
 
-            Assert.Equal(hull, ConvexPolygon.Hull(points));
-        });
+                Assert.Equal(hull, ConvexPolygon.Hull(points));
+            }
+        );
 
     [Fact]
     public void Hull_contains_every_point_and_turns_left_everywhere() =>
-        RandomCases.Check(200, Points(15, 49), points =>
-        {
-            IReadOnlyList<Vector2D> hull = ConvexPolygon.Hull(points);
-
-            Assert.All(points, point => Assert.True(ConvexPolygon.Contains(hull, point)));
-            for (int k = 0; k < hull.Count; k++)
+        RandomCases.Check(
+            200,
+            Points(15, 49),
+            points =>
             {
-                Vector2D side = hull[(k + 1) % hull.Count] - hull[k];
-                Assert.True(side.Cross(hull[(k + 2) % hull.Count] - hull[(k + 1) % hull.Count]) > 0);
+                IReadOnlyList<Vector2D> hull = ConvexPolygon.Hull(points);
+
+                Assert.All(points, point => Assert.True(ConvexPolygon.Contains(hull, point)));
+                for (int k = 0; k < hull.Count; k++)
+                {
+                    Vector2D side = hull[(k + 1) % hull.Count] - hull[k];
+                    Assert.True(side.Cross(hull[(k + 2) % hull.Count] - hull[(k + 1) % hull.Count]) > 0);
+                }
             }
-        });
+        );
 
     [Fact]
     public void Hull_degenerate_input_has_no_area()
@@ -86,21 +94,25 @@ public sealed class ConvexPolygonTests
     [Fact]
     public void Clip_area_agrees_with_counted_points()
     {
-        RandomCases.Check(20, RandomCases.ArrayOf(Draws.Pixels(100, 100), 8), points =>
-        {
-            IReadOnlyList<Vector2D> hull = ConvexPolygon.Hull(points);
-            var box = new Box2D(20, 30, 80, 70);
-            const int steps = 200;
-            int inside = 0;
-            for (int k = 0; k < steps * steps; k++)
+        RandomCases.Check(
+            20,
+            RandomCases.ArrayOf(Draws.Pixels(100, 100), 8),
+            points =>
             {
-                var point = new Vector2D(20 + ((k % steps + 0.5) * 60 / steps), 30 + ((k / steps + 0.5) * 40 / steps));
-                inside += ConvexPolygon.Contains(hull, point) ? 1 : 0;
-            }
+                IReadOnlyList<Vector2D> hull = ConvexPolygon.Hull(points);
+                var box = new Box2D(20, 30, 80, 70);
+                const int steps = 200;
+                int inside = 0;
+                for (int k = 0; k < steps * steps; k++)
+                {
+                    var point = new Vector2D(20 + ((k % steps + 0.5) * 60 / steps), 30 + ((k / steps + 0.5) * 40 / steps));
+                    inside += ConvexPolygon.Contains(hull, point) ? 1 : 0;
+                }
 
-            // Only cells along the outline can be miscounted, about one per step and side: 1 % of 2,400.
-            Assert.Equal(inside * 2400.0 / (steps * steps), ConvexPolygon.Area(ConvexPolygon.Clip(hull, box)), 24.0);
-        });
+                // Only cells along the outline can be miscounted, about one per step and side: 1 % of 2,400.
+                Assert.Equal(inside * 2400.0 / (steps * steps), ConvexPolygon.Area(ConvexPolygon.Clip(hull, box)), 24.0);
+            }
+        );
     }
 
     [Fact]
@@ -123,10 +135,13 @@ public sealed class ConvexPolygonTests
         Assert.Null(ConvexPolygon.Bounds([]));
     }
 
-    private static Arbitrary<Vector2D[]> Points(int count, int max) => RandomCases.ArrayOf(
-        Arb.Convert(
-            Arb.Zip(RandomCases.Integer(0, max), RandomCases.Integer(0, max)),
-            at => new Vector2D(at.Item1, at.Item2),
-            point => ((int)point.X, (int)point.Y)),
-        count);
+    private static Arbitrary<Vector2D[]> Points(int count, int max) =>
+        RandomCases.ArrayOf(
+            Arb.Convert(
+                Arb.Zip(RandomCases.Integer(0, max), RandomCases.Integer(0, max)),
+                at => new Vector2D(at.Item1, at.Item2),
+                point => ((int)point.X, (int)point.Y)
+            ),
+            count
+        );
 }

@@ -109,41 +109,52 @@ public sealed class CuboidProjectorTests
     {
         Camera camera = Looking(new Lens(1, 0, 0, k1, k2));
         Arbitrary<Cuboid> cuboids = Cuboids(sideways: 5, nearest: 2, farthest: 30);
-        RandomCases.Check(300, Arb.Zip(cuboids, RandomCases.ArrayOf(Draws.Vectors(1), 30)), drawn =>
-        {
-            (Cuboid cuboid, Vector3D[] places) = drawn;
-            CuboidProjection projection = CuboidProjector.Project(camera, cuboid);
-            foreach (Vector3D place in places)
+        RandomCases.Check(
+            300,
+            Arb.Zip(cuboids, RandomCases.ArrayOf(Draws.Vectors(1), 30)),
+            drawn =>
             {
-                Vector3D inside = cuboid.Centre + cuboid.Axes.ToWorld(new Vector3D(
-                    place.X * cuboid.HalfExtents.X, place.Y * cuboid.HalfExtents.Y, place.Z * cuboid.HalfExtents.Z));
-                Projection point = camera.Project(inside);
-                if (point.Outcome == ProjectionOutcome.InImage)
+                (Cuboid cuboid, Vector3D[] places) = drawn;
+                CuboidProjection projection = CuboidProjector.Project(camera, cuboid);
+                foreach (Vector3D place in places)
                 {
-                    Assert.Equal(BoxOutcome.InImage, projection.Outcome);
-                    Assert.True(projection.AmodalBox!.Value.Contains(new Box2D(point.U, point.V, point.U, point.V), BentEdgePixels));
-                    Assert.True(projection.Box!.Value.Contains(new Box2D(point.U, point.V, point.U, point.V), BentEdgePixels));
+                    Vector3D inside =
+                        cuboid.Centre
+                        + cuboid.Axes.ToWorld(
+                            new Vector3D(place.X * cuboid.HalfExtents.X, place.Y * cuboid.HalfExtents.Y, place.Z * cuboid.HalfExtents.Z)
+                        );
+                    Projection point = camera.Project(inside);
+                    if (point.Outcome == ProjectionOutcome.InImage)
+                    {
+                        Assert.Equal(BoxOutcome.InImage, projection.Outcome);
+                        Assert.True(projection.AmodalBox!.Value.Contains(new Box2D(point.U, point.V, point.U, point.V), BentEdgePixels));
+                        Assert.True(projection.Box!.Value.Contains(new Box2D(point.U, point.V, point.U, point.V), BentEdgePixels));
+                    }
                 }
             }
-        });
+        );
     }
 
     [Fact]
     public void Project_silhouette_is_where_rays_meet_the_cuboid()
     {
         Arbitrary<Cuboid> cuboids = Cuboids(sideways: 5, nearest: -2, farthest: 20);
-        RandomCases.Check(200, Arb.Zip(cuboids, RandomCases.ArrayOf(Draws.Pixels(800, 600), 50)), drawn =>
-        {
-            (Cuboid cuboid, Vector2D[] pixels) = drawn;
-            CuboidProjection projection = CuboidProjector.Project(Origin, cuboid);
-            foreach (Vector2D pixel in pixels)
+        RandomCases.Check(
+            200,
+            Arb.Zip(cuboids, RandomCases.ArrayOf(Draws.Pixels(800, 600), 50)),
+            drawn =>
             {
-                // The ray counts from the near plane on, as the projection does; from inside the cuboid everything is covered.
-                bool met = IsMet(Origin, cuboid, pixel.X, pixel.Y);
+                (Cuboid cuboid, Vector2D[] pixels) = drawn;
+                CuboidProjection projection = CuboidProjector.Project(Origin, cuboid);
+                foreach (Vector2D pixel in pixels)
+                {
+                    // The ray counts from the near plane on, as the projection does; from inside the cuboid everything is covered.
+                    bool met = IsMet(Origin, cuboid, pixel.X, pixel.Y);
 
-                Assert.Equal(met || cuboid.Contains(Vector3D.Zero), ConvexPolygon.Contains(projection.Silhouette, pixel));
+                    Assert.Equal(met || cuboid.Contains(Vector3D.Zero), ConvexPolygon.Contains(projection.Silhouette, pixel));
+                }
             }
-        });
+        );
     }
 
     [Theory]
@@ -160,35 +171,42 @@ public sealed class CuboidProjectorTests
         Arbitrary<Cuboid> seen = cuboids.Filter(cuboid =>
             !cuboid.Contains(Vector3D.Zero)
             && IsAcrossNearPlane(camera, cuboid) == isAcrossNearPlane
-            && CuboidProjector.Project(camera, cuboid).Box is not null);
-        RandomCases.Check(25, seen, cuboid =>
-        {
-            Box2D box = CuboidProjector.Project(camera, cuboid).Box!.Value;
-            for (double u = 2; u < 800; u += 20)
+            && CuboidProjector.Project(camera, cuboid).Box is not null
+        );
+        RandomCases.Check(
+            25,
+            seen,
+            cuboid =>
             {
-                for (double v = 2; v < 600; v += 20)
+                Box2D box = CuboidProjector.Project(camera, cuboid).Box!.Value;
+                for (double u = 2; u < 800; u += 20)
                 {
-                    Assert.True(
-                        !IsMet(camera, cuboid, u, v) || box.Contains(new Box2D(u, v, u, v), BentEdgePixels),
-                        $"{cuboid} is outside of {box}");
+                    for (double v = 2; v < 600; v += 20)
+                    {
+                        Assert.True(
+                            !IsMet(camera, cuboid, u, v) || box.Contains(new Box2D(u, v, u, v), BentEdgePixels),
+                            $"{cuboid} is outside of {box}"
+                        );
+                    }
+                }
+
+                if (box.Width > 1 && box.Height > 1)
+                {
+                    Assert.True(IsMetBetween(box.XMin + inside, box.YMin, box.XMin + inside, box.YMax), $"left of {box} of {cuboid}");
+                    Assert.True(IsMetBetween(box.XMax - inside, box.YMin, box.XMax - inside, box.YMax), $"right of {box} of {cuboid}");
+                    Assert.True(IsMetBetween(box.XMin, box.YMin + inside, box.XMax, box.YMin + inside), $"top of {box} of {cuboid}");
+                    Assert.True(IsMetBetween(box.XMin, box.YMax - inside, box.XMax, box.YMax - inside), $"bottom of {box} of {cuboid}");
+                }
+
+                bool IsMetBetween(double u, double v, double toU, double toV)
+                {
+                    int steps = (int)((toU - u + toV - v) / step);
+                    return Enumerable
+                        .Range(0, steps + 1)
+                        .Any(i => IsMet(camera, cuboid, u + ((toU - u) * i / steps), v + ((toV - v) * i / steps)));
                 }
             }
-
-            if (box.Width > 1 && box.Height > 1)
-            {
-                Assert.True(IsMetBetween(box.XMin + inside, box.YMin, box.XMin + inside, box.YMax), $"left of {box} of {cuboid}");
-                Assert.True(IsMetBetween(box.XMax - inside, box.YMin, box.XMax - inside, box.YMax), $"right of {box} of {cuboid}");
-                Assert.True(IsMetBetween(box.XMin, box.YMin + inside, box.XMax, box.YMin + inside), $"top of {box} of {cuboid}");
-                Assert.True(IsMetBetween(box.XMin, box.YMax - inside, box.XMax, box.YMax - inside), $"bottom of {box} of {cuboid}");
-            }
-
-            bool IsMetBetween(double u, double v, double toU, double toV)
-            {
-                int steps = (int)((toU - u + toV - v) / step);
-                return Enumerable.Range(0, steps + 1)
-                    .Any(i => IsMet(camera, cuboid, u + ((toU - u) * i / steps), v + ((toV - v) * i / steps)));
-            }
-        });
+        );
     }
 
     private static bool IsAcrossNearPlane(Camera camera, Cuboid cuboid) =>
@@ -201,17 +219,19 @@ public sealed class CuboidProjectorTests
     }
 
     private static Arbitrary<Cuboid> Cuboids(double sideways, double nearest, double farthest, double? height = null) =>
-        Draws.Cuboids(Arb.Convert(
-            Arb.Zip(
-                RandomCases.Number(-sideways, sideways),
-                Arb.Zip(RandomCases.Number(nearest, farthest), RandomCases.Number(-(height ?? sideways), height ?? sideways))),
-            drawn => new Vector3D(drawn.Item1, drawn.Item2.Item1, drawn.Item2.Item2),
-            centre => (centre.X, (centre.Y, centre.Z))));
+        Draws.Cuboids(
+            Arb.Convert(
+                Arb.Zip(
+                    RandomCases.Number(-sideways, sideways),
+                    Arb.Zip(RandomCases.Number(nearest, farthest), RandomCases.Number(-(height ?? sideways), height ?? sideways))
+                ),
+                drawn => new Vector3D(drawn.Item1, drawn.Item2.Item1, drawn.Item2.Item2),
+                centre => (centre.X, (centre.Y, centre.Z))
+            )
+        );
 
     private static Camera Looking(Lens lens) =>
-        new(
-            new Pose(Vector3D.Zero, Axes.Identity),
-            new CameraIntrinsics(90, new ImageSize(800, 600), 4.0 / 3, 0.1, lens));
+        new(new Pose(Vector3D.Zero, Axes.Identity), new CameraIntrinsics(90, new ImageSize(800, 600), 4.0 / 3, 0.1, lens));
 
     private static Cuboid Cube(double x, double y, double z, double half) => new(new(x, y, z), new(half, half, half), Axes.Identity);
 
@@ -219,6 +239,8 @@ public sealed class CuboidProjectorTests
     {
         Assert.NotNull(actual);
         Assert.True(
-            expected.Contains(actual.Value, Rounding) && actual.Value.Contains(expected, Rounding), $"expected {expected}, got {actual}");
+            expected.Contains(actual.Value, Rounding) && actual.Value.Contains(expected, Rounding),
+            $"expected {expected}, got {actual}"
+        );
     }
 }

@@ -48,42 +48,48 @@ public sealed class CuboidTests
         Assert.Null(cuboid.Intersect(new Ray(new(1.1, 0, 0), new(0, 1, 0))));
         Assert.Equal(new RaySpan(8, 12), cuboid.Intersect(new Ray(new(1, 0, 0), new(0, 1, 0))));
         Assert.Equal(
-            new RaySpan(10, 10), new Cuboid(new(0, 10, 0), new(1, 0, 1), Axes.Identity).Intersect(new Ray(Vector3D.Zero, new(0, 1, 0))));
+            new RaySpan(10, 10),
+            new Cuboid(new(0, 10, 0), new(1, 0, 1), Axes.Identity).Intersect(new Ray(Vector3D.Zero, new(0, 1, 0)))
+        );
     }
 
     [Fact]
     public void Intersect_agrees_with_a_walk_along_the_ray()
     {
         int hits = 0;
-        RandomCases.Check(300, Arb.Zip(Draws.Cuboids(Draws.Vectors(4)), Arb.Zip(Draws.Vectors(6), Draws.Vectors(3))), drawn =>
-        {
-            (Cuboid cuboid, (Vector3D origin, Vector3D aim)) = drawn;
-            var ray = new Ray(origin, cuboid.Centre + aim - origin);
-            double? first = null;
-            double last = 0;
-            for (double t = 0; t < 25; t += WalkStep)
+        RandomCases.Check(
+            300,
+            Arb.Zip(Draws.Cuboids(Draws.Vectors(4)), Arb.Zip(Draws.Vectors(6), Draws.Vectors(3))),
+            drawn =>
             {
-                if (cuboid.Contains(ray.At(t)))
+                (Cuboid cuboid, (Vector3D origin, Vector3D aim)) = drawn;
+                var ray = new Ray(origin, cuboid.Centre + aim - origin);
+                double? first = null;
+                double last = 0;
+                for (double t = 0; t < 25; t += WalkStep)
                 {
-                    first ??= t;
-                    last = t;
+                    if (cuboid.Contains(ray.At(t)))
+                    {
+                        first ??= t;
+                        last = t;
+                    }
+                }
+
+                RaySpan? span = cuboid.Intersect(ray);
+
+                if (first is { } entry)
+                {
+                    hits++;
+                    Assert.NotNull(span);
+                    Assert.Equal(entry, span.Value.Entry, WalkStep);
+                    Assert.Equal(last, span.Value.Exit, WalkStep);
+                }
+                else if (span is { } grazed)
+                {
+                    Assert.True(grazed.Exit - grazed.Entry < WalkStep, "the walk stepped over a long way through the cuboid");
                 }
             }
-
-            RaySpan? span = cuboid.Intersect(ray);
-
-            if (first is { } entry)
-            {
-                hits++;
-                Assert.NotNull(span);
-                Assert.Equal(entry, span.Value.Entry, WalkStep);
-                Assert.Equal(last, span.Value.Exit, WalkStep);
-            }
-            else if (span is { } grazed)
-            {
-                Assert.True(grazed.Exit - grazed.Entry < WalkStep, "the walk stepped over a long way through the cuboid");
-            }
-        });
+        );
 
         Assert.InRange(hits, 50, 250);
     }
@@ -93,8 +99,9 @@ public sealed class CuboidTests
     {
         Assert.Throws<ArgumentOutOfRangeException>(() => new Cuboid(new(double.NaN, 0, 0), new(1, 1, 1), Axes.Identity));
         Assert.Throws<ArgumentOutOfRangeException>(() => new Cuboid(Vector3D.Zero, new(1, -1, 1), Axes.Identity));
-        Assert.Throws<ArgumentOutOfRangeException>(
-            () => Cuboid.FromModel(new(1, 0, 0), new(0, 1, 1), new Pose(Vector3D.Zero, Axes.Identity)));
+        Assert.Throws<ArgumentOutOfRangeException>(() =>
+            Cuboid.FromModel(new(1, 0, 0), new(0, 1, 1), new Pose(Vector3D.Zero, Axes.Identity))
+        );
         Assert.Throws<ArgumentException>(() => new Cuboid(Vector3D.Zero, new(1, 1, 1), default));
     }
 }

@@ -12,7 +12,9 @@ public class ProjectionAllocationTests
     private const long MaxBytesPerBox = 300;
 
     private static readonly Camera Camera = new(
-        new Pose(Vector3D.Zero, Axes.Identity), new CameraIntrinsics(90, new ImageSize(800, 600), 4.0 / 3, 0.15, Lens.Ideal));
+        new Pose(Vector3D.Zero, Axes.Identity),
+        new CameraIntrinsics(90, new ImageSize(800, 600), 4.0 / 3, 0.15, Lens.Ideal)
+    );
 
     [Fact]
     public void Projecting_many_points_allocates_nothing()
@@ -40,8 +42,12 @@ public class ProjectionAllocationTests
         var random = new Random(1);
         var pose = new Pose(new Vector3D(3, -2, 1), Axes.FromEuler(new EulerAngles(3, -2, 75)));
         var camera = new Camera(pose, new CameraIntrinsics(60, new ImageSize(800, 600), 1.4, 0.15, new Lens(1.01, 0.01, -0.02, 0, 0)));
-        Vector3D[] points = [.. Enumerable.Range(0, 4001).Select(_ => pose.ToWorld(
-            new Vector3D(random.Between(-30, 30), random.Between(-10, 40), random.Between(-20, 20))))];
+        Vector3D[] points =
+        [
+            .. Enumerable
+                .Range(0, 4001)
+                .Select(_ => pose.ToWorld(new Vector3D(random.Between(-30, 30), random.Between(-10, 40), random.Between(-20, 20)))),
+        ];
         var projections = new Projection[points.Length];
 
         camera.ProjectAll(points, projections);

@@ -19,7 +19,8 @@ public sealed class SphereBoxTests
     {
         var camera = new Camera(
             new Pose(new Vector3D(1, 2, 3), Axes.FromHeading(30)),
-            new CameraIntrinsics(50, new ImageSize(800, 600), 4 / 3.0, 0.15, new Lens(1, 0, 0, k1, 0)));
+            new CameraIntrinsics(50, new ImageSize(800, 600), 4 / 3.0, 0.15, new Lens(1, 0, 0, k1, 0))
+        );
         Vector3D[] centres = [.. new Vector3D[] { new(0.3, 4, 0.2), new(-1, 6, 1), new(2, 5, -1.5) }.Select(camera.Pose.ToWorld)];
         double[] radii = [0.1, 0.2, 0.15];
         Box2D? points = null;
@@ -30,8 +31,8 @@ public sealed class SphereBoxTests
                 for (double turn = 0; turn < 360; turn++)
                 {
                     (double t, double u) = (Angles.ToRadians(tilt), Angles.ToRadians(turn));
-                    Vector3D point = centres[i]
-                        + (new Vector3D(Math.Cos(t) * Math.Cos(u), Math.Cos(t) * Math.Sin(u), Math.Sin(t)) * radii[i]);
+                    Vector3D point =
+                        centres[i] + (new Vector3D(Math.Cos(t) * Math.Cos(u), Math.Cos(t) * Math.Sin(u), Math.Sin(t)) * radii[i]);
                     Vector2D pixel = camera.Project(point).Pixel;
                     var own = new Box2D(pixel.X, pixel.Y, pixel.X, pixel.Y);
                     points = points?.Union(own) ?? own;
@@ -55,7 +56,8 @@ public sealed class SphereBoxTests
     {
         var camera = new Camera(
             new Pose(Vector3D.Zero, Axes.Identity),
-            new CameraIntrinsics(50, new ImageSize(800, 600), 4 / 3.0, 0.15, Lens.Ideal));
+            new CameraIntrinsics(50, new ImageSize(800, 600), 4 / 3.0, 0.15, Lens.Ideal)
+        );
 
         Assert.Equal(hasBox, SphereBox.Around(camera, [new Vector3D(0, 9, 0), new Vector3D(0, depth, 0)], [0.1, 0.1]) is not null);
     }

@@ -19,22 +19,26 @@ public sealed class LensFitterTests
         // Solved by normal equations, whose condition squares that of the rows: 1e-16 becomes some 1e-10.
         const double tolerance = 1e-9;
         Arbitrary<double[]> deviations = RandomCases.ArrayOf(RandomCases.Number(-0.01, 0.01), 5);
-        RandomCases.Check(20, Arb.Zip(deviations, Arb.Zip(RandomCases.Number(40, 90), RandomCases.Integer(0, 1_000))), drawn =>
-        {
-            (double[] by, (double fov, int seed)) = drawn;
-            var lens = new Lens(1 + (5 * by[0]), 2 * by[1], 2 * by[2], 5 * by[3], by[4]);
-            CameraIntrinsics truth = Intrinsics(800, 600, fov, lens);
+        RandomCases.Check(
+            20,
+            Arb.Zip(deviations, Arb.Zip(RandomCases.Number(40, 90), RandomCases.Integer(0, 1_000))),
+            drawn =>
+            {
+                (double[] by, (double fov, int seed)) = drawn;
+                var lens = new Lens(1 + (5 * by[0]), 2 * by[1], 2 * by[2], 5 * by[3], by[4]);
+                CameraIntrinsics truth = Intrinsics(800, 600, fov, lens);
 
-            LensFit fit = LensFitter.Fit(Intrinsics(800, 600, fov, Lens.Ideal), Sightings(truth, new Random(seed), 0, 0));
+                LensFit fit = LensFitter.Fit(Intrinsics(800, 600, fov, Lens.Ideal), Sightings(truth, new Random(seed), 0, 0));
 
-            Assert.Equal(LensFitOutcome.Fitted, fit.Outcome);
-            Assert.Equal(lens.FocalScale, fit.Lens.FocalScale, tolerance);
-            Assert.Equal(lens.CentreOffsetX, fit.Lens.CentreOffsetX, tolerance);
-            Assert.Equal(lens.CentreOffsetY, fit.Lens.CentreOffsetY, tolerance);
-            Assert.Equal(lens.K1, fit.Lens.K1, tolerance);
-            Assert.Equal(lens.K2, fit.Lens.K2, tolerance);
-            Assert.Equal(0, fit.OutlierCount);
-        });
+                Assert.Equal(LensFitOutcome.Fitted, fit.Outcome);
+                Assert.Equal(lens.FocalScale, fit.Lens.FocalScale, tolerance);
+                Assert.Equal(lens.CentreOffsetX, fit.Lens.CentreOffsetX, tolerance);
+                Assert.Equal(lens.CentreOffsetY, fit.Lens.CentreOffsetY, tolerance);
+                Assert.Equal(lens.K1, fit.Lens.K1, tolerance);
+                Assert.Equal(lens.K2, fit.Lens.K2, tolerance);
+                Assert.Equal(0, fit.OutlierCount);
+            }
+        );
     }
 
     [Theory]
@@ -88,7 +92,8 @@ public sealed class LensFitterTests
 
         Assert.Equal(
             LensFitter.Fit(Intrinsics(800, 600, 60, Lens.Ideal), sightings),
-            LensFitter.Fit(Intrinsics(800, 600, 60, new Lens(1.2, 0.1, -0.1, 0.2, 0.1)), sightings));
+            LensFitter.Fit(Intrinsics(800, 600, 60, new Lens(1.2, 0.1, -0.1, 0.2, 0.1)), sightings)
+        );
     }
 
     [Fact]
@@ -171,26 +176,33 @@ public sealed class LensFitterTests
         Assert.Throws<ArgumentException>(() => LensFitter.Fit(truth, [behind]));
     }
 
-    private static Sighting At(Camera camera, double u, double v) =>
-        new(camera.Pose, camera.Unproject(u, v, 2), new Vector2D(u, v));
+    private static Sighting At(Camera camera, double u, double v) => new(camera.Pose, camera.Unproject(u, v, 2), new Vector2D(u, v));
 
     /// <summary>Sightings of a grid over the image; noise is normal, wrong ones lie 10 to 200 pixels off.</summary>
     private static List<Sighting> Sightings(CameraIntrinsics truth, Random random, double noisePixels, double wrongFraction)
     {
         var camera = new Camera(
-            Pose(), new CameraIntrinsics(truth.VerticalFovDegrees, truth.Image, truth.WindowAspect, truth.NearClip, Lens.Ideal));
+            Pose(),
+            new CameraIntrinsics(truth.VerticalFovDegrees, truth.Image, truth.WindowAspect, truth.NearClip, Lens.Ideal)
+        );
         var sees = new Camera(camera.Pose, truth);
         IReadOnlyList<PlannedMarker> markers = MarkerPlan.Across(camera, 15, 11, 6, [1, 1.5, 2]).Markers;
         int wrong = (int)(wrongFraction * markers.Count);
         int[] order = [.. Enumerable.Range(0, markers.Count)];
         random.Shuffle(order);
-        return [.. order.Select((index, place) =>
-        {
-            Vector2D seen = sees.Project(markers[index].Centre).Pixel + (new Vector2D(Normal(random), Normal(random)) * noisePixels);
-            double angle = random.Between(0, 2 * Math.PI);
-            Vector2D off = new Vector2D(Math.Cos(angle), Math.Sin(angle)) * random.Between(10, 200);
-            return new Sighting(camera.Pose, markers[index].Centre, place < wrong ? seen + off : seen);
-        })];
+        return
+        [
+            .. order.Select(
+                (index, place) =>
+                {
+                    Vector2D seen =
+                        sees.Project(markers[index].Centre).Pixel + (new Vector2D(Normal(random), Normal(random)) * noisePixels);
+                    double angle = random.Between(0, 2 * Math.PI);
+                    Vector2D off = new Vector2D(Math.Cos(angle), Math.Sin(angle)) * random.Between(10, 200);
+                    return new Sighting(camera.Pose, markers[index].Centre, place < wrong ? seen + off : seen);
+                }
+            ),
+        ];
     }
 
     /// <summary>Box and Muller's normal variate.</summary>

@@ -15,11 +15,14 @@ public sealed class MarkerPlanTests
         // Columns at 18, 400, 782; rows at 18 and 582. Neighbours are min(382, 564) apart, and may each lie 3 pixels towards the other.
         Vector2D[] grid = [new(18, 18), new(400, 18), new(782, 18), new(18, 582), new(400, 582), new(782, 582)];
         Assert.Equal(grid.Length, plan.Markers.Count);
-        Assert.All(plan.Markers.Zip(grid), pair =>
-        {
-            Assert.InRange(pair.First.ExpectedPixel.X - pair.Second.X, -Radius / 2, Radius / 2);
-            Assert.InRange(pair.First.ExpectedPixel.Y - pair.Second.Y, -Radius / 2, Radius / 2);
-        });
+        Assert.All(
+            plan.Markers.Zip(grid),
+            pair =>
+            {
+                Assert.InRange(pair.First.ExpectedPixel.X - pair.Second.X, -Radius / 2, Radius / 2);
+                Assert.InRange(pair.First.ExpectedPixel.Y - pair.Second.Y, -Radius / 2, Radius / 2);
+            }
+        );
         Assert.Equal(376, plan.SpacingPixels);
     }
 
@@ -29,9 +32,13 @@ public sealed class MarkerPlanTests
         MarkerPlan plan = MarkerPlan.Across(Camera(50, Lens.Ideal), 15, 11, Radius, [1]);
 
         // 165 markers over four quarters of a pixel: 41 each, give or take a dozen.
-        int[] quarters = [.. plan.Markers
-            .GroupBy(marker => (int)(4 * (marker.ExpectedPixel.X - Math.Floor(marker.ExpectedPixel.X)))).OrderBy(group => group.Key).Select(
-                group => group.Count())];
+        int[] quarters =
+        [
+            .. plan
+                .Markers.GroupBy(marker => (int)(4 * (marker.ExpectedPixel.X - Math.Floor(marker.ExpectedPixel.X))))
+                .OrderBy(group => group.Key)
+                .Select(group => group.Count()),
+        ];
         Assert.Equal(4, quarters.Length);
         Assert.All(quarters, count => Assert.InRange(count, 29, 53));
     }
@@ -62,13 +69,16 @@ public sealed class MarkerPlanTests
 
         MarkerPlan plan = MarkerPlan.Across(camera, 9, 7, Radius, [1, 2, 4]);
 
-        Assert.All(plan.Markers, (marker, i) =>
-        {
-            Projection seen = camera.Project(marker.Centre);
-            Assert.Equal(marker.ExpectedPixel.X, seen.U, 1e-9);
-            Assert.Equal(marker.ExpectedPixel.Y, seen.V, 1e-9);
-            Assert.Equal(new double[] { 1, 2, 4 }[((i % 9) + (i / 9)) % 3], seen.Depth, 1e-12);
-        });
+        Assert.All(
+            plan.Markers,
+            (marker, i) =>
+            {
+                Projection seen = camera.Project(marker.Centre);
+                Assert.Equal(marker.ExpectedPixel.X, seen.U, 1e-9);
+                Assert.Equal(marker.ExpectedPixel.Y, seen.V, 1e-9);
+                Assert.Equal(new double[] { 1, 2, 4 }[((i % 9) + (i / 9)) % 3], seen.Depth, 1e-12);
+            }
+        );
     }
 
     [Theory]
@@ -104,5 +114,6 @@ public sealed class MarkerPlanTests
     private static Camera Camera(double fov, Lens lens) =>
         new(
             new Pose(new Vector3D(100, 200, 30), Axes.FromEuler(new EulerAngles(5, -2, 140))),
-            new CameraIntrinsics(fov, new ImageSize(800, 600), 4.0 / 3, 0.1, lens));
+            new CameraIntrinsics(fov, new ImageSize(800, 600), 4.0 / 3, 0.1, lens)
+        );
 }

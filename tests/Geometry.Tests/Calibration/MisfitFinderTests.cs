@@ -32,24 +32,30 @@ public sealed class MisfitFinderTests
         var pose = new Pose(new Vector3D(1200, -340, 31), Axes.FromEuler(new EulerAngles(-3, 1, 77)));
         Camera ideal = new(pose, new CameraIntrinsics(60, intrinsics.Image, intrinsics.WindowAspect, 0.1, Lens.Ideal));
         IReadOnlyList<PlannedMarker> markers = MarkerPlan.Across(ideal, 15, 11, 6, [0.9, 1.2, 1.6]).Markers;
-        return [.. markers.Select(marker =>
-        {
-            // What the true camera has to do with the point before the lens sees it.
-            Vector3D local = pose.ToLocal(marker.Centre);
-            double x = local.X / local.Y;
-            double z = local.Z / local.Y;
-            Vector3D seen = defect switch
+        return
+        [
+            .. markers.Select(marker =>
             {
-                Misfit.Stretch => local with { X = local.X * (1 + size) },
-                Misfit.CameraPosition => local - new Vector3D(size, 0, 0),
-                Misfit.CameraRoll => new Vector3D(local.X - (size * local.Z), local.Y, local.Z + (size * local.X)),
-                Misfit.LensShape =>
-                    new Vector3D(local.X + (local.Y * 2 * size * x * z), local.Y, local.Z + (local.Y * size * ((x * x) + (3 * z * z)))),
-                _ => local,
-            };
-            Vector2D pixel = new Camera(pose, intrinsics).Project(pose.ToWorld(seen)).Pixel;
-            return new Sighting(pose, marker.Centre, pixel + (new Vector2D(Normal(random), Normal(random)) * NoisePixels));
-        })];
+                // What the true camera has to do with the point before the lens sees it.
+                Vector3D local = pose.ToLocal(marker.Centre);
+                double x = local.X / local.Y;
+                double z = local.Z / local.Y;
+                Vector3D seen = defect switch
+                {
+                    Misfit.Stretch => local with { X = local.X * (1 + size) },
+                    Misfit.CameraPosition => local - new Vector3D(size, 0, 0),
+                    Misfit.CameraRoll => new Vector3D(local.X - (size * local.Z), local.Y, local.Z + (size * local.X)),
+                    Misfit.LensShape => new Vector3D(
+                        local.X + (local.Y * 2 * size * x * z),
+                        local.Y,
+                        local.Z + (local.Y * size * ((x * x) + (3 * z * z)))
+                    ),
+                    _ => local,
+                };
+                Vector2D pixel = new Camera(pose, intrinsics).Project(pose.ToWorld(seen)).Pixel;
+                return new Sighting(pose, marker.Centre, pixel + (new Vector2D(Normal(random), Normal(random)) * NoisePixels));
+            }),
+        ];
     }
 
     /// <summary>Box and Muller's normal variate.</summary>

@@ -41,7 +41,8 @@ public sealed class CameraTests
         var size = new ImageSize((int)row.Number("width"), (int)row.Number("height"));
         var camera = new Camera(
             new Pose(Vector3D.Zero, Axes.Identity),
-            new CameraIntrinsics(row.Number("fovDegrees"), size, row.Number("windowAspect"), NearClip, lens));
+            new CameraIntrinsics(row.Number("fovDegrees"), size, row.Number("windowAspect"), NearClip, lens)
+        );
 
         Projection projection = camera.Project(new Vector3D(row.Number("x"), row.Number("y"), row.Number("z")));
 
@@ -61,7 +62,8 @@ public sealed class CameraTests
         var axes = Axes.FromVectors(row.Vector("right"), row.Vector("forward"), row.Vector("up"));
         var camera = new Camera(
             new Pose(row.Vector("position"), axes),
-            new CameraIntrinsics(row.Number("fovDegrees"), size, row.Number("windowAspect"), PosedNearClip, lens));
+            new CameraIntrinsics(row.Number("fovDegrees"), size, row.Number("windowAspect"), PosedNearClip, lens)
+        );
 
         Projection projection = camera.Project(row.Vector("point"));
 
@@ -83,33 +85,41 @@ public sealed class CameraTests
     [InlineData(3)]
     public void Project_of_Unproject_is_the_pixel(int lens)
     {
-        RandomCases.Check(2_000, Arb.Zip(Draws.Cameras(Lenses[lens]), Sights(maxDepth: 100)), drawn =>
-        {
-            (Camera camera, (Vector2D pixel, double depth)) = drawn;
+        RandomCases.Check(
+            2_000,
+            Arb.Zip(Draws.Cameras(Lenses[lens]), Sights(maxDepth: 100)),
+            drawn =>
+            {
+                (Camera camera, (Vector2D pixel, double depth)) = drawn;
 
-            Projection back = camera.Project(camera.Unproject(pixel.X, pixel.Y, depth));
+                Projection back = camera.Project(camera.Unproject(pixel.X, pixel.Y, depth));
 
-            Assert.Equal(pixel.X, back.U, RoundTripPixels);
-            Assert.Equal(pixel.Y, back.V, RoundTripPixels);
-            Assert.Equal(depth, back.Depth, 1e-9);
-        });
+                Assert.Equal(pixel.X, back.U, RoundTripPixels);
+                Assert.Equal(pixel.Y, back.V, RoundTripPixels);
+                Assert.Equal(depth, back.Depth, 1e-9);
+            }
+        );
     }
 
     [Fact]
     public void Project_moving_world_and_camera_together_changes_nothing()
     {
-        RandomCases.Check(500, Arb.Zip(Draws.Cameras(Lenses[1]), Arb.Zip(Sights(maxDepth: 50), Draws.Poses(50))), drawn =>
-        {
-            (Camera camera, ((Vector2D pixel, double depth), Pose motion)) = drawn;
-            Vector3D point = camera.Unproject(pixel.X, pixel.Y, depth);
-            var moved = new Camera(motion.Compose(camera.Pose), camera.Intrinsics);
+        RandomCases.Check(
+            500,
+            Arb.Zip(Draws.Cameras(Lenses[1]), Arb.Zip(Sights(maxDepth: 50), Draws.Poses(50))),
+            drawn =>
+            {
+                (Camera camera, ((Vector2D pixel, double depth), Pose motion)) = drawn;
+                Vector3D point = camera.Unproject(pixel.X, pixel.Y, depth);
+                var moved = new Camera(motion.Compose(camera.Pose), camera.Intrinsics);
 
-            Projection before = camera.Project(point);
-            Projection after = moved.Project(motion.ToWorld(point));
+                Projection before = camera.Project(point);
+                Projection after = moved.Project(motion.ToWorld(point));
 
-            Assert.Equal(before.U, after.U, 1e-8);
-            Assert.Equal(before.V, after.V, 1e-8);
-        });
+                Assert.Equal(before.U, after.U, 1e-8);
+                Assert.Equal(before.V, after.V, 1e-8);
+            }
+        );
     }
 
     [Fact]
@@ -141,8 +151,7 @@ public sealed class CameraTests
         Assert.Throws<ArgumentOutOfRangeException>(() => camera.Project(new Vector3D(double.NaN, 0, 0)));
         Assert.Throws<ArgumentOutOfRangeException>(() => camera.RayThrough(double.PositiveInfinity, 0));
         Assert.Throws<ArgumentOutOfRangeException>(() => camera.Unproject(0, 0, 0));
-        Assert.Throws<ArgumentOutOfRangeException>(
-            () => new Camera(new Pose(new(0, double.NaN, 0), Axes.Identity), camera.Intrinsics));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new Camera(new Pose(new(0, double.NaN, 0), Axes.Identity), camera.Intrinsics));
         Assert.Throws<ArgumentException>(() => new Camera(default, camera.Intrinsics));
         Assert.Throws<ArgumentNullException>(() => new Camera(camera.Pose, null!));
     }

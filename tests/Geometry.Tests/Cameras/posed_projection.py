@@ -14,8 +14,10 @@ from mpmath import mp, mpf, matrix, cos, sin, tan, radians, sqrt, diff
 mp.dps = 50
 MIN_SLOPE = mpf("0.1")
 NEAR = mpf("0.15")
-COLUMNS = ("case,positionX,positionY,positionZ,rightX,rightY,rightZ,forwardX,forwardY,forwardZ,upX,upY,upZ,fovDegrees,width,height,windowAspect,focalScale,"
-           "centreX,centreY,k1,k2,pointX,pointY,pointZ,u,v,depth,outcome").split(",")
+COLUMNS = (
+    "case,positionX,positionY,positionZ,rightX,rightY,rightZ,forwardX,forwardY,forwardZ,upX,upY,upZ,fovDegrees,width,height,windowAspect,focalScale,"
+    "centreX,centreY,k1,k2,pointX,pointY,pointZ,u,v,depth,outcome"
+).split(",")
 
 
 def rotation(axis, degrees):
@@ -28,7 +30,7 @@ def rotation(axis, degrees):
 
 def fold(k1, k2):
     """The first radius where the slope of the polynomial is MIN_SLOPE; None if it stays above up to a radius of 1000."""
-    slope = lambda r: diff(lambda q: q * (1 + k1 * q ** 2 + k2 * q ** 4), r) - MIN_SLOPE
+    slope = lambda r: diff(lambda q: q * (1 + k1 * q**2 + k2 * q**4), r) - MIN_SLOPE
     step, low = mpf("0.01"), mpf(0)
     for _ in range(100_000 if k1 < 0 or k2 < 0 else 0):
         if slope(low + step) < 0:
@@ -44,7 +46,7 @@ def fold(k1, k2):
 
 
 def distorted(radius, k1, k2):
-    shown = lambda r: r * (1 + k1 * r ** 2 + k2 * r ** 4)
+    shown = lambda r: r * (1 + k1 * r**2 + k2 * r**4)
     end = fold(k1, k2)
     return shown(radius) if end is None or radius <= end else shown(end) + MIN_SLOPE * (radius - end)
 
@@ -66,8 +68,14 @@ def text(value):
 def main():
     draw = random.Random(24)
     number = lambda low, high, decimals: mpf(str(round(draw.uniform(low, high), decimals)))
-    lenses = [("pinhole", "0", "0"), ("barrel", "-0.08", "0.01"), ("cushion", "0.15", "0"), ("folding", "-0.35", "0"),
-              ("late fold", "0.05", "-0.02"), ("fisheye", "-0.2", "0.05")]
+    lenses = [
+        ("pinhole", "0", "0"),
+        ("barrel", "-0.08", "0.01"),
+        ("cushion", "0.15", "0"),
+        ("folding", "-0.35", "0"),
+        ("late fold", "0.05", "-0.02"),
+        ("fisheye", "-0.2", "0.05"),
+    ]
     writer = csv.writer(sys.stdout, lineterminator="\n")
     writer.writerow(COLUMNS)
     for name, k1, k2 in lenses:
@@ -82,7 +90,7 @@ def main():
             listed = [[mpf(text(pose[i, j])) for i in range(3)] for j in range(3)]
             if case in (4, 5):
                 # As in a label, with nine decimals.
-                listed = [[mp.nint(x * 10 ** 9) / 10 ** 9 for x in axis] for axis in listed]
+                listed = [[mp.nint(x * 10**9) / 10**9 for x in axis] for axis in listed]
             axes = orthonormal(*listed)
             world_to_camera = mp.eye(4)
             for i in range(3):
@@ -97,8 +105,21 @@ def main():
             local = [abs(depth) * number(-1, 1, 3) * (4 if case == 6 else 1), depth, abs(depth) * number(-0.6, 0.6, 3)]
             point = [round(sum(axes[j][i] * local[j] for j in range(3)) + position[i], 6) for i in range(3)]
             seen = world_to_camera * matrix([*point, 1])
-            row = [f"{name} {case + 1}", *map(text, position), *(text(x) for axis in listed for x in axis), text(fov), width, height,
-                   text(aspect), text(scale), text(centre_x), text(centre_y), text(k1), text(k2), *map(text, point)]
+            row = [
+                f"{name} {case + 1}",
+                *map(text, position),
+                *(text(x) for axis in listed for x in axis),
+                text(fov),
+                width,
+                height,
+                text(aspect),
+                text(scale),
+                text(centre_x),
+                text(centre_y),
+                text(k1),
+                text(k2),
+                *map(text, point),
+            ]
             if seen[1] < NEAR:
                 row += ["0", "0", text(seen[1]), "BehindNearPlane"]
             else:

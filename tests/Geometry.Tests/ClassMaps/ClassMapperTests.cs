@@ -46,14 +46,18 @@ public sealed class ClassMapperTests
             given.AsSpan((row * Image.Width) + 100, 80).Fill(Object);
         }
 
-        var mapper = new ClassMapper(Image, given, (column, row) =>
-        {
-            Assert.Equal(0, given[(row * Image.Width) + column]);
-            return ClassAt(column, row);
-        }, HorizonRow, 2_000);
-        while (mapper.Step())
-        {
-        }
+        var mapper = new ClassMapper(
+            Image,
+            given,
+            (column, row) =>
+            {
+                Assert.Equal(0, given[(row * Image.Width) + column]);
+                return ClassAt(column, row);
+            },
+            HorizonRow,
+            2_000
+        );
+        while (mapper.Step()) { }
 
         (InstanceMap map, int interpolated) = mapper.Finish();
         Assert.Equal(80 * 60, map.Ids.Count(value => value == Object));
@@ -88,14 +92,18 @@ public sealed class ClassMapperTests
     public void Each_pixel_is_sampled_once()
     {
         var seen = new HashSet<(int, int)>();
-        var mapper = new ClassMapper(Image, new byte[Image.PixelCount], (column, row) =>
-        {
-            Assert.True(seen.Add((column, row)), $"{column}, {row} again");
-            return ClassAt(column, row);
-        }, HorizonRow, 4_000);
-        while (mapper.Step())
-        {
-        }
+        var mapper = new ClassMapper(
+            Image,
+            new byte[Image.PixelCount],
+            (column, row) =>
+            {
+                Assert.True(seen.Add((column, row)), $"{column}, {row} again");
+                return ClassAt(column, row);
+            },
+            HorizonRow,
+            4_000
+        );
+        while (mapper.Step()) { }
 
         Assert.Equal(seen.Count, mapper.RaysCast);
     }
@@ -107,15 +115,15 @@ public sealed class ClassMapperTests
     private static ClassMapper Run(byte[] given, int budget)
     {
         var mapper = new ClassMapper(Image, given, ClassAt, HorizonRow, budget);
-        while (mapper.Step())
-        {
-        }
+        while (mapper.Step()) { }
 
         return mapper;
     }
 
     /// <summary>Ground below a horizon, a round hill above it, and a pole of three pixels in front of both.</summary>
-    private static byte ClassAt(int column, int row) => column is >= 251 and <= 253 && row is >= 60 and < 190 ? Pole
+    private static byte ClassAt(int column, int row) =>
+        column is >= 251 and <= 253 && row is >= 60 and < 190 ? Pole
         : row > HorizonRow + (column / 40) ? Ground
-        : ((column - 120) * (column - 120)) + ((row - 150) * (row - 150)) < 70 * 70 ? Hill : Sky;
+        : ((column - 120) * (column - 120)) + ((row - 150) * (row - 150)) < 70 * 70 ? Hill
+        : Sky;
 }

@@ -61,8 +61,9 @@ public sealed class DepthMapperTests
     [Fact]
     public void Nothing_seen_is_no_depth()
     {
-        DepthMap map = Run(new DepthMapper(
-            new DepthGrid(Image, LineOf), static (_, _) => new DepthSample(double.PositiveInfinity, default, 0, 0), 1000));
+        DepthMap map = Run(
+            new DepthMapper(new DepthGrid(Image, LineOf), static (_, _) => new DepthSample(double.PositiveInfinity, default, 0, 0), 1000)
+        );
 
         Assert.All(map.Metres, depth => Assert.Equal(double.PositiveInfinity, depth));
     }
@@ -101,24 +102,28 @@ public sealed class DepthMapperTests
 
     private static DepthMap Run(DepthMapper mapper)
     {
-        while (mapper.Step())
-        {
-        }
+        while (mapper.Step()) { }
 
         return mapper.Complete();
     }
 
     private static DepthMapper Mapper(
-        ushort[]? regions, Func<int, int, (Vector3D Plane, int Entity, int Region)> seen, int budget = 2000) =>
-        new(new DepthGrid(Image, LineOf) { Regions = regions }, (column, row) =>
-        {
-            (Vector3D plane, int entity, int region) = seen(column, row);
-            return new DepthSample(1 / plane.Dot(DirectionOf(column, row)), new SurfacePlane(plane), entity, (ushort)region);
-        }, budget);
+        ushort[]? regions,
+        Func<int, int, (Vector3D Plane, int Entity, int Region)> seen,
+        int budget = 2000
+    ) =>
+        new(
+            new DepthGrid(Image, LineOf) { Regions = regions },
+            (column, row) =>
+            {
+                (Vector3D plane, int entity, int region) = seen(column, row);
+                return new DepthSample(1 / plane.Dot(DirectionOf(column, row)), new SurfacePlane(plane), entity, (ushort)region);
+            },
+            budget
+        );
 
     private static SightLine LineOf(int column, int row) => new(DirectionOf(column, row));
 
     /// <summary>All rows are below the horizon, so that each sees the floor.</summary>
-    private static Vector3D DirectionOf(int column, int row) =>
-        new((column - 50 + 0.5) / Focal, 1, -(row + 40.5) / Focal);
+    private static Vector3D DirectionOf(int column, int row) => new((column - 50 + 0.5) / Focal, 1, -(row + 40.5) / Focal);
 }

@@ -43,10 +43,16 @@ internal sealed class AnalyticRoad
     public RoadNetwork Network(double spacing, int lanesForward, int lanesBackward, double? median = null)
     {
         int count = (int)Math.Round(Length / spacing) + 1;
-        RoadNode[] nodes = [.. Enumerable.Range(0, count).Select(i =>
-            new RoadNode(0, i, At(Math.Min(i * spacing, Length)).Point, string.Empty, RoadNodeFlags.None))];
-        RoadLink[] links = [.. Enumerable.Range(0, count - 1).Select(i =>
-            new RoadLink(i, i + 1, lanesForward, lanesBackward, median, RoadLinkFlags.None))];
+        RoadNode[] nodes =
+        [
+            .. Enumerable
+                .Range(0, count)
+                .Select(i => new RoadNode(0, i, At(Math.Min(i * spacing, Length)).Point, string.Empty, RoadNodeFlags.None)),
+        ];
+        RoadLink[] links =
+        [
+            .. Enumerable.Range(0, count - 1).Select(i => new RoadLink(i, i + 1, lanesForward, lanesBackward, median, RoadLinkFlags.None)),
+        ];
         return new RoadNetwork(nodes, links);
     }
 
@@ -59,9 +65,6 @@ internal sealed class AnalyticRoad
 
         // A circle of radius 1 / curvature about a centre to the left.
         double turned = angle + (curvature * length);
-        return (
-            x + ((Math.Sin(turned) - Math.Sin(angle)) / curvature),
-            y - ((Math.Cos(turned) - Math.Cos(angle)) / curvature),
-            turned);
+        return (x + ((Math.Sin(turned) - Math.Sin(angle)) / curvature), y - ((Math.Cos(turned) - Math.Cos(angle)) / curvature), turned);
     }
 }

@@ -8,12 +8,25 @@ namespace Harvester.Geometry.Tests.Lanes;
 public sealed class IndicatorTableTests
 {
     [Fact]
-    public void Names_are_in_the_order_of_the_training_data() => Assert.Equal(
-        [
-            "angle", "toMarkingL", "toMarkingM", "toMarkingR", "distL", "distR",
-            "toMarkingLL", "toMarkingML", "toMarkingMR", "toMarkingRR", "distLL", "distMM", "distRR",
-        ],
-        IndicatorTable.All.Select(indicator => indicator.Name));
+    public void Names_are_in_the_order_of_the_training_data() =>
+        Assert.Equal(
+            [
+                "angle",
+                "toMarkingL",
+                "toMarkingM",
+                "toMarkingR",
+                "distL",
+                "distR",
+                "toMarkingLL",
+                "toMarkingML",
+                "toMarkingMR",
+                "toMarkingRR",
+                "distLL",
+                "distMM",
+                "distRR",
+            ],
+            IndicatorTable.All.Select(indicator => indicator.Name)
+        );
 
     [Fact]
     public void Each_row_reads_the_property_of_its_name()
@@ -57,8 +70,7 @@ public sealed class IndicatorTableTests
     }
 
     [Fact]
-    public void IndexOf_refuses_an_unknown_name() =>
-        Assert.Throws<ArgumentException>(() => IndicatorTable.IndexOf("toMarking_LL"));
+    public void IndexOf_refuses_an_unknown_name() => Assert.Throws<ArgumentException>(() => IndicatorTable.IndexOf("toMarking_LL"));
 
     [Fact]
     public void Documentation_lists_the_same_ranges()
@@ -68,9 +80,10 @@ public sealed class IndicatorTableTests
         foreach (IndicatorDefinition indicator in IndicatorTable.All)
         {
             (string active, string inactive) = rows[indicator.Name];
-            string range = indicator.Quantity == IndicatorQuantity.Angle
-                ? "-π to π"
-                : FormattableString.Invariant($"{indicator.Range.Min} to {indicator.Range.Max}");
+            string range =
+                indicator.Quantity == IndicatorQuantity.Angle
+                    ? "-π to π"
+                    : FormattableString.Invariant($"{indicator.Range.Min} to {indicator.Range.Max}");
             Assert.StartsWith(range, active, StringComparison.Ordinal);
             Assert.Equal(indicator.Range.InactiveValue.ToString(CultureInfo.InvariantCulture), inactive);
         }
@@ -81,7 +94,8 @@ public sealed class IndicatorTableTests
     {
         string[] lines = File.ReadAllLines(Path.Combine(RepositoryFolder.Path, "docs", "lanes.md"));
         return lines
-            .SkipWhile(line => !line.StartsWith("| indicator | meaning", StringComparison.Ordinal)).Skip(2)
+            .SkipWhile(line => !line.StartsWith("| indicator | meaning", StringComparison.Ordinal))
+            .Skip(2)
             .TakeWhile(line => line.StartsWith('|'))
             .Select(line => line.Split('|', StringSplitOptions.TrimEntries))
             .SelectMany(cells => cells[1].Split(',', StringSplitOptions.TrimEntries).Select(name => (Name: name.Trim('`'), cells)))

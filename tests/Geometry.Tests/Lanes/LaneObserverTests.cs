@@ -39,14 +39,23 @@ public sealed class LaneObserverTests
     [MemberData(nameof(Places))]
     public void Observe_on_roads_in_closed_form_is_exact(string name, double station, double right, double turnDegrees)
     {
-        AnalyticRoad road = name switch { "straight" => Straight, "arc" => Arc, _ => Bend };
+        AnalyticRoad road = name switch
+        {
+            "straight" => Straight,
+            "arc" => Arc,
+            _ => Bend,
+        };
         LaneObserver observer = Observer(road.Network(2, 2, 2));
 
         LaneObservation seen = observer.Observe(road.At(station, right).Point, road.HeadingAt(station) + turnDegrees, 10, 4, [], null);
 
         Assert.Equal(LaneStatus.Known, seen.Status);
         LaneIndicators ahead = IndicatorCalculator.Compute(
-            Angles.ToRadians(road.HeadingAt(station + 10) - road.HeadingAt(station) - turnDegrees), right, new LaneSection(2, 5.4), []);
+            Angles.ToRadians(road.HeadingAt(station + 10) - road.HeadingAt(station) - turnDegrees),
+            right,
+            new LaneSection(2, 5.4),
+            []
+        );
         LaneIndicators here = IndicatorCalculator.Compute(Angles.ToRadians(-turnDegrees), right, new LaneSection(2, 5.4), []);
         AssertAre(ahead, seen.Indicators);
         AssertAre(here, seen.IndicatorsAtCar);
@@ -67,8 +76,10 @@ public sealed class LaneObserverTests
                     Angles.ToRadians(Math.IEEERemainder(road.HeadingAt(station + 10) - road.HeadingAt(station), 360)),
                     2.2,
                     new LaneSection(1, 5.4),
-                    []),
-                seen.Indicators);
+                    []
+                ),
+                seen.Indicators
+            );
         }
     }
 
@@ -128,7 +139,12 @@ public sealed class LaneObserverTests
     {
         RoadNode[] nodes =
         [
-            Node(0, 0, -100), Node(1, 0, -50), Node(2, 0, 0, RoadNodeFlags.Junction), Node(3, 0, 50), Node(4, 50, 0), Node(5, -50, 0),
+            Node(0, 0, -100),
+            Node(1, 0, -50),
+            Node(2, 0, 0, RoadNodeFlags.Junction),
+            Node(3, 0, 50),
+            Node(4, 50, 0),
+            Node(5, -50, 0),
         ];
         RoadLink[] links = [Link(0, 1), Link(1, 2), Link(2, 3), Link(2, 4), Link(2, 5)];
         LaneObserver observer = Observer(new RoadNetwork(nodes, links));

@@ -42,10 +42,14 @@ public sealed class PaintTracerTests
     public void Gaps_of_a_dashed_line_are_not_painted()
     {
         var dashed = new PaintedLine(
-            White, [.. Enumerable.Range(0, 100).Select(i => new LinePoint(new Vector3D(5.4, 50.25 + (i * 0.5), 0), i / 6 % 3 == 0))]);
+            White,
+            [.. Enumerable.Range(0, 100).Select(i => new LinePoint(new Vector3D(5.4, 50.25 + (i * 0.5), 0), i / 6 % 3 == 0))]
+        );
 
         Assert.All(
-            Assert.Single(Trace(dashed)).Points, point => Assert.Equal((int)((point.World.Y - 50.25) / 3) % 3 == 0, point.IsPainted));
+            Assert.Single(Trace(dashed)).Points,
+            point => Assert.Equal((int)((point.World.Y - 50.25) / 3) % 3 == 0, point.IsPainted)
+        );
     }
 
     [Fact]
@@ -60,7 +64,13 @@ public sealed class PaintTracerTests
     {
         RoadNetwork network = Straight.Network(5, 2, 1);
         LaneObservation seen = new LaneObserver(new RoadCurves(network), new LaneModel(network)).Observe(
-            Straight.At(50, 2.7).Point, 0, 10, 4, [], null);
+            Straight.At(50, 2.7).Point,
+            0,
+            10,
+            4,
+            [],
+            null
+        );
         return PaintTracer.Trace(seen.Stretch!, 2.7, 0, 60, paint);
     }
 
@@ -68,7 +78,9 @@ public sealed class PaintTracerTests
     private static PaintedLine Line(double right, double from, double to)
     {
         int steps = (int)(Math.Abs(to - from) * 2);
-        return new PaintedLine(White, [.. Enumerable.Range(0, steps + 1)
-            .Select(i => new LinePoint(Straight.At(from + ((to - from) * i / steps), right).Point, true))]);
+        return new PaintedLine(
+            White,
+            [.. Enumerable.Range(0, steps + 1).Select(i => new LinePoint(Straight.At(from + ((to - from) * i / steps), right).Point, true))]
+        );
     }
 }

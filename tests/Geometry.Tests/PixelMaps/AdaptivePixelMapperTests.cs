@@ -41,15 +41,19 @@ public sealed class AdaptivePixelMapperTests
     {
         var car = new Cuboid(new(0, 20, 0), new(2, 1, 1), Axes.Identity);
         var world = new CuboidWorld([]);
-        Assert.Throws<ArgumentException>(
-            () => MapRun.Complete(SmallWorld.Camera, world, [SmallWorld.Target(5, 1, car), SmallWorld.Target(6, 1, car)]));
-        Assert.Throws<ArgumentException>(
-            () => MapRun.Complete(SmallWorld.Camera, world, [SmallWorld.Target(5, 1, car), SmallWorld.Target(5, 2, car)]));
+        Assert.Throws<ArgumentException>(() =>
+            MapRun.Complete(SmallWorld.Camera, world, [SmallWorld.Target(5, 1, car), SmallWorld.Target(6, 1, car)])
+        );
+        Assert.Throws<ArgumentException>(() =>
+            MapRun.Complete(SmallWorld.Camera, world, [SmallWorld.Target(5, 1, car), SmallWorld.Target(5, 2, car)])
+        );
         Assert.Throws<ArgumentException>(() => MapRun.Complete(SmallWorld.Camera, world, [SmallWorld.Target(5, 0, car)]));
-        Assert.Throws<ArgumentOutOfRangeException>(
-            () => new AdaptivePixelMapper(SmallWorld.Camera, [], 0, world, new PixelMapOptions { RayBudget = -1 }));
-        Assert.Throws<ArgumentOutOfRangeException>(
-            () => new AdaptivePixelMapper(SmallWorld.Camera, [], 0, world, new PixelMapOptions { CellErrorFraction = double.NaN }));
+        Assert.Throws<ArgumentOutOfRangeException>(() =>
+            new AdaptivePixelMapper(SmallWorld.Camera, [], 0, world, new PixelMapOptions { RayBudget = -1 })
+        );
+        Assert.Throws<ArgumentOutOfRangeException>(() =>
+            new AdaptivePixelMapper(SmallWorld.Camera, [], 0, world, new PixelMapOptions { CellErrorFraction = double.NaN })
+        );
         Assert.Throws<ArgumentNullException>(() => new AdaptivePixelMapper(SmallWorld.Camera, [], 0, null!, new PixelMapOptions()));
     }
 }

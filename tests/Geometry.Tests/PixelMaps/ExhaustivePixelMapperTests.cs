@@ -10,7 +10,8 @@ public sealed class ExhaustivePixelMapperTests
 {
     private static readonly Camera Camera = new(
         new Pose(Vector3D.Zero, Axes.Identity),
-        new CameraIntrinsics(90, new ImageSize(40, 30), 4.0 / 3, 0.1, Lens.Ideal));
+        new CameraIntrinsics(90, new ImageSize(40, 30), 4.0 / 3, 0.1, Lens.Ideal)
+    );
 
     [Fact]
     public void Map_plate_covers_the_pixels_whose_centres_it_covers()
@@ -34,9 +35,19 @@ public sealed class ExhaustivePixelMapperTests
         var near = new Cuboid(new(-50, 10, 0), new(50, 0, 50), Axes.Identity);
 
         InstanceMap hidden = ExhaustivePixelMapper.Map(
-            Camera, Camera.Image.Bounds, entity => (ushort)entity, 0, new CuboidWorld([(1, wide), (RayHit.World, near)]));
+            Camera,
+            Camera.Image.Bounds,
+            entity => (ushort)entity,
+            0,
+            new CuboidWorld([(1, wide), (RayHit.World, near)])
+        );
         InstanceMap ignored = ExhaustivePixelMapper.Map(
-            Camera, Camera.Image.Bounds, entity => (ushort)entity, 2, new CuboidWorld([(1, wide), (2, near)]));
+            Camera,
+            Camera.Image.Bounds,
+            entity => (ushort)entity,
+            2,
+            new CuboidWorld([(1, wide), (2, near)])
+        );
 
         Assert.Equal(32, hidden.MapOf(1).Count);
         Assert.Equal(64, ignored.MapOf(1).Count);

@@ -15,7 +15,8 @@ public sealed class MapOcclusionEstimatorTests
 
     private static readonly Camera Camera = new(
         new Pose(Vector3D.Zero, Axes.Identity),
-        new CameraIntrinsics(90, new ImageSize(800, 600), 4.0 / 3, 0.1, Lens.Ideal));
+        new CameraIntrinsics(90, new ImageSize(800, 600), 4.0 / 3, 0.1, Lens.Ideal)
+    );
 
     private static readonly Cuboid Target = new(new(0, 20, 0), new(2, 2, 2), Axes.Identity);
 
@@ -43,7 +44,9 @@ public sealed class MapOcclusionEstimatorTests
     public void Estimate_of_a_fully_hidden_object_is_1()
     {
         OcclusionEstimate estimate = Estimate(
-            [(Car, Target), (RayHit.World, new(new(0, 10, 0), new(50, 0.1, 50), Axes.Identity))], Sight.Unseen);
+            [(Car, Target), (RayHit.World, new(new(0, 10, 0), new(50, 0.1, 50), Axes.Identity))],
+            Sight.Unseen
+        );
 
         Assert.Equal(1, estimate.OccludedFraction);
         Assert.Equal(0, estimate.SamplesOnObject);
@@ -53,7 +56,9 @@ public sealed class MapOcclusionEstimatorTests
     public void Estimate_of_a_hidden_object_takes_one_ray()
     {
         OcclusionEstimate estimate = Estimate(
-            [(Car, Target), (RayHit.World, new(new(0, 10, 0), new(50, 0.1, 50), Axes.Identity))], Sight.Unseen);
+            [(Car, Target), (RayHit.World, new(new(0, 10, 0), new(50, 0.1, 50), Axes.Identity))],
+            Sight.Unseen
+        );
 
         Assert.Equal((OcclusionMethod.PixelMap, Sight.Unseen, 1), (estimate.Method, estimate.Sight, estimate.RaysCast));
     }
@@ -76,7 +81,12 @@ public sealed class MapOcclusionEstimatorTests
     {
         var world = new CuboidWorld(solids);
         InstanceMap map = ExhaustivePixelMapper.Map(
-            Camera, Camera.Image.Bounds, entity => entity == Car ? (ushort)1 : (ushort)0, RayHit.World, world);
+            Camera,
+            Camera.Image.Bounds,
+            entity => entity == Car ? (ushort)1 : (ushort)0,
+            RayHit.World,
+            world
+        );
         var target = new MapTarget(Car, 1, Target, CuboidProjector.Project(Camera, Target));
         return new MapOcclusionEstimator(Camera, map, RayHit.World, world, 64).Estimate(target, sight);
     }

@@ -35,8 +35,19 @@ public sealed class ScatteredRankTests
         // 1 in 16 pixels: a line of 64 pixels is hit 4 times on average, and missed by chance in exp(-4) = 2 % of cases.
         const int length = 64;
         var rank = new ScatteredRank(new ImageSize(1024, 1024));
-        foreach ((double right, double down)
-            in new[] { (1.0, 1.0), (1.0, -1.0), (1.0, 0.5), (1.0, -0.5), (0.5, 1.0), (-0.5, 1.0), (1.0, 0.1), (0.1, 1.0) })
+        foreach (
+            (double right, double down) in new[]
+            {
+                (1.0, 1.0),
+                (1.0, -1.0),
+                (1.0, 0.5),
+                (1.0, -0.5),
+                (0.5, 1.0),
+                (-0.5, 1.0),
+                (1.0, 0.1),
+                (0.1, 1.0),
+            }
+        )
         {
             int missed = 0;
             var random = new Random(1);
@@ -44,8 +55,9 @@ public sealed class ScatteredRankTests
             {
                 int column = random.Next(length, 1024 - length);
                 int row = random.Next(length, 1024 - length);
-                missed += Enumerable.Range(0, length)
-                    .Any(i => rank.Of((int)(column + (i * right)), (int)(row + (i * down))) < 1.0 / 16) ? 0 : 1;
+                missed += Enumerable.Range(0, length).Any(i => rank.Of((int)(column + (i * right)), (int)(row + (i * down))) < 1.0 / 16)
+                    ? 0
+                    : 1;
             }
 
             Assert.True(missed < 80, $"{right}, {down}: {missed} of 2000 missed");

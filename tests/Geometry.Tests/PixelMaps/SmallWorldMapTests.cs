@@ -59,8 +59,15 @@ public sealed class SmallWorldMapTests
         AdaptivePixelMap map = MapRun.Complete(
             camera,
             new CuboidWorld(solids),
-            [.. solids.Select(
-                item => new MapTarget(item.Entity, (ushort)item.Entity, item.Solid, CuboidProjector.Project(camera, item.Solid)))]);
+            [
+                .. solids.Select(item => new MapTarget(
+                    item.Entity,
+                    (ushort)item.Entity,
+                    item.Solid,
+                    CuboidProjector.Project(camera, item.Solid)
+                )),
+            ]
+        );
 
         Assert.Equal(size.PixelCount, map.Map.MapOf(1).Count);
         Assert.InRange(map.RaysCast, 1, 1000);

@@ -68,8 +68,11 @@ public sealed class StoppedMapTests
         mapper.Run();
         InstanceMap map = mapper.Finish().Map;
 
-        Assert.All(targets, target => Assert.True(
-            map.BoundsOf(target.Number) is not { } seen || (target.Projection.Box is { } box && box.Contains(seen, 1))));
+        Assert.All(
+            targets,
+            target =>
+                Assert.True(map.BoundsOf(target.Number) is not { } seen || (target.Projection.Box is { } box && box.Contains(seen, 1)))
+        );
     }
 
     [Fact]

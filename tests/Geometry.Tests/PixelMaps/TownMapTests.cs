@@ -39,13 +39,16 @@ public sealed class TownMapTests
     [InlineData(1920, 1080, HeldOutSeeds, 0.005)]
     public void Run_fifty_town_scenes_agree_with_the_exhaustive_maps(int width, int height, int firstSeed, double maxRayFraction)
     {
-        var maps = ParallelEnumerable.Range(0, 50).AsOrdered().Select(number =>
-        {
-            var scene = new TownScene(firstSeed + number, TownScene.ObjectsOf(number), new ImageSize(width, height));
-            AdaptivePixelMapper mapper = MapRun.Of(scene, scene.Targets(), new PixelMapOptions());
-            mapper.Run();
-            return (Exhaustive: scene.ExhaustiveMap(), Adaptive: mapper.Finish());
-        });
+        var maps = ParallelEnumerable
+            .Range(0, 50)
+            .AsOrdered()
+            .Select(number =>
+            {
+                var scene = new TownScene(firstSeed + number, TownScene.ObjectsOf(number), new ImageSize(width, height));
+                AdaptivePixelMapper mapper = MapRun.Of(scene, scene.Targets(), new PixelMapOptions());
+                mapper.Run();
+                return (Exhaustive: scene.ExhaustiveMap(), Adaptive: mapper.Finish());
+            });
         var scores = new MapScores();
         foreach ((InstanceMap exhaustive, AdaptivePixelMap adaptive) in maps)
         {
@@ -61,7 +64,12 @@ public sealed class TownMapTests
         TownScene scene = TownScene.Numbered(40, new ImageSize(320, 240));
 
         InstanceMap whole = ExhaustivePixelMapper.Map(
-            scene.Camera, scene.Camera.Image.Bounds, entity => (ushort)entity, RayHit.World, scene);
+            scene.Camera,
+            scene.Camera.Image.Bounds,
+            entity => (ushort)entity,
+            RayHit.World,
+            scene
+        );
 
         Assert.True(whole.Ids.Distinct().Count() > 10);
         Assert.Equal(whole.Ids, scene.ExhaustiveMap().Ids);

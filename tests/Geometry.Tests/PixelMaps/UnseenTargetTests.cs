@@ -29,7 +29,10 @@ public sealed class UnseenTargetTests
         var car = new Cuboid(new(0, 20, 0), new(2, 1, 1), Axes.Identity);
 
         AdaptivePixelMap map = MapRun.Complete(
-            SmallWorld.Camera, new CuboidWorld([(RayHit.World, wall), (6, car)]), [SmallWorld.Target(6, 2, car)]);
+            SmallWorld.Camera,
+            new CuboidWorld([(RayHit.World, wall), (6, car)]),
+            [SmallWorld.Target(6, 2, car)]
+        );
 
         Assert.Equal(Sight.Unseen, map.Sights[2]);
         Assert.Null(map.Map.BoundsOf(2));
@@ -44,7 +47,10 @@ public sealed class UnseenTargetTests
         var wall = new Cuboid(new(0, 30, 0), new(60, 1, 9), Axes.Identity);
 
         AdaptivePixelMap map = MapRun.Complete(
-            SmallWorld.Camera, new CuboidWorld([(5, post), (6, wall)]), [SmallWorld.Target(5, 1, withGap), SmallWorld.Target(6, 2, wall)]);
+            SmallWorld.Camera,
+            new CuboidWorld([(5, post), (6, wall)]),
+            [SmallWorld.Target(5, 1, withGap), SmallWorld.Target(6, 2, wall)]
+        );
 
         Assert.Equal((Sight.Unseen, Sight.Seen), (map.Sights[1], map.Sights[2]));
         Assert.Null(map.Map.BoundsOf(1));
@@ -56,7 +62,12 @@ public sealed class UnseenTargetTests
         var car = new Cuboid(new(0, 200, 0), new(2, 1, 1), Axes.Identity);
         var world = new CuboidWorld([]);
         var mapper = new AdaptivePixelMapper(
-            SmallWorld.Camera, [SmallWorld.Target(6, 2, car)], RayHit.World, world, new PixelMapOptions { RayReachMetres = 100 });
+            SmallWorld.Camera,
+            [SmallWorld.Target(6, 2, car)],
+            RayHit.World,
+            world,
+            new PixelMapOptions { RayReachMetres = 100 }
+        );
 
         mapper.Run();
         AdaptivePixelMap map = mapper.Finish();
@@ -82,8 +93,12 @@ public sealed class UnseenTargetTests
     {
         var car = new Cuboid(new(0, 20, 0), new(2, 1, 1), Axes.Identity);
         var mapper = new AdaptivePixelMapper(
-            SmallWorld.Camera, [SmallWorld.Target(6, 2, car)], RayHit.World, new CuboidWorld([(6, car)]),
-            new PixelMapOptions { RayBudget = 0 });
+            SmallWorld.Camera,
+            [SmallWorld.Target(6, 2, car)],
+            RayHit.World,
+            new CuboidWorld([(6, car)]),
+            new PixelMapOptions { RayBudget = 0 }
+        );
 
         mapper.Run();
         AdaptivePixelMap map = mapper.Finish();

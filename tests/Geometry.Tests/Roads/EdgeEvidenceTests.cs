@@ -27,7 +27,8 @@ public sealed class EdgeEvidenceTests
     public void Width_of_a_narrow_road_is_measured_if_its_edges_agree() =>
         Assert.Equal(
             (4.5, LaneWidthSource.Calibrated),
-            Width(TwoAndOne with { Flags = RoadLinkFlags.NarrowRoad }, Start(10.5), Start(10.5), End(-6), End(-6)));
+            Width(TwoAndOne with { Flags = RoadLinkFlags.NarrowRoad }, Start(10.5), Start(10.5), End(-6), End(-6))
+        );
 
     [Fact]
     public void Width_is_the_middle_of_answers_that_nearly_agree()
@@ -38,25 +39,26 @@ public sealed class EdgeEvidenceTests
         Assert.Equal(4.55, width, 9);
     }
 
-    public static TheoryData<string, RoadEdge[]> Doubtful => new()
-    {
-        { "nothing", [] },
-        { "one side only", [Start(10.5), Start(10.5), End(10.5), End(10.5)] },
-        { "each side once", [Start(10.5), End(-6)] },
-        { "a side of one answer", [Start(10.5), Start(10.5), End(-6)] },
-        { "sides that differ by 0.3 m a lane", [Start(10.5), Start(10.5), End(-6.3), End(-6.3)] },
-        { "mirrored sides", [Start(-10.5), Start(-10.5), End(6), End(6)] },
-        { "answers that change", [Start(10.5), Start(11.5), End(-6), End(-6)] },
-        { "lanes of 2.9 m", [Start(1.5 + 5.8), Start(1.5 + 5.8), End(-1.5 - 2.9), End(-1.5 - 2.9)] },
-        { "lanes of 7.1 m", [Start(1.5 + 14.2), Start(1.5 + 14.2), End(-1.5 - 7.1), End(-1.5 - 7.1)] },
+    public static TheoryData<string, RoadEdge[]> Doubtful =>
+        new()
         {
-            "a point 2.2 m along the road from the square at 10.5 m",
-            [Start(10.5), new RoadEdge(0, true, new Vector3D(10.5, 2.2, 5)), End(-6), End(-6)]
-        },
-        { "a point under the road", [Start(10.5), new RoadEdge(0, true, new Vector3D(10.5, 0, 1)), End(-6), End(-6)] },
-        { "points at the nodes", [Start(0), Start(0), End(0), End(0)] },
-        { "a point that is no number", [Start(10.5), Start(10.5), End(-6), End(-6), Start(double.NaN)] },
-    };
+            { "nothing", [] },
+            { "one side only", [Start(10.5), Start(10.5), End(10.5), End(10.5)] },
+            { "each side once", [Start(10.5), End(-6)] },
+            { "a side of one answer", [Start(10.5), Start(10.5), End(-6)] },
+            { "sides that differ by 0.3 m a lane", [Start(10.5), Start(10.5), End(-6.3), End(-6.3)] },
+            { "mirrored sides", [Start(-10.5), Start(-10.5), End(6), End(6)] },
+            { "answers that change", [Start(10.5), Start(11.5), End(-6), End(-6)] },
+            { "lanes of 2.9 m", [Start(1.5 + 5.8), Start(1.5 + 5.8), End(-1.5 - 2.9), End(-1.5 - 2.9)] },
+            { "lanes of 7.1 m", [Start(1.5 + 14.2), Start(1.5 + 14.2), End(-1.5 - 7.1), End(-1.5 - 7.1)] },
+            {
+                "a point 2.2 m along the road from the square at 10.5 m",
+                [Start(10.5), new RoadEdge(0, true, new Vector3D(10.5, 2.2, 5)), End(-6), End(-6)]
+            },
+            { "a point under the road", [Start(10.5), new RoadEdge(0, true, new Vector3D(10.5, 0, 1)), End(-6), End(-6)] },
+            { "points at the nodes", [Start(0), Start(0), End(0), End(0)] },
+            { "a point that is no number", [Start(10.5), Start(10.5), End(-6), End(-6), Start(double.NaN)] },
+        };
 
     [Theory]
     [MemberData(nameof(Doubtful))]
@@ -85,8 +87,9 @@ public sealed class EdgeEvidenceTests
 
     [Fact]
     public void Network_refuses_an_edge_of_a_missing_link() =>
-        Assert.Throws<ArgumentException>(
-            () => new RoadNetwork([Node(0, 0), Node(1, 20)], [TwoAndOne], [new RoadEdge(1, true, Vector3D.Zero)]));
+        Assert.Throws<ArgumentException>(() =>
+            new RoadNetwork([Node(0, 0), Node(1, 20)], [TwoAndOne], [new RoadEdge(1, true, Vector3D.Zero)])
+        );
 
     private static (double Width, LaneWidthSource Source) Width(RoadLink link, params RoadEdge[] edges) =>
         new LaneModel(new RoadNetwork([Node(0, 0), Node(1, 20)], [link], edges)).WidthOf(0);

@@ -13,7 +13,8 @@ public sealed class JunctionExtentsTests
         // A road of two lanes each way goes north, one of one lane each way crosses it.
         JunctionExtents extents = Of(
             [(0, 0), (0, -60), (0, 60), (60, 0), (-60, 0)],
-            [new(1, 0, 2, 2, null, RoadLinkFlags.None), new(0, 2, 2, 2, null, RoadLinkFlags.None), Two(0, 3), Two(4, 0)]);
+            [new(1, 0, 2, 2, null, RoadLinkFlags.None), new(0, 2, 2, 2, null, RoadLinkFlags.None), Two(0, 3), Two(4, 0)]
+        );
 
         Assert.Equal((0, Lane + Corner), Rounded(extents.Of(0)));
         Assert.Equal((Lane + Corner, 0), Rounded(extents.Of(1)));
@@ -51,8 +52,12 @@ public sealed class JunctionExtentsTests
         // A slip road joins a motorway at 15 degrees: the motorway continues, the slip road's lane ends before.
         JunctionExtents extents = Of(
             [(0, 0), (0, -60), (0, 60), (-16, -60)],
-            [new(1, 0, 2, 0, null, RoadLinkFlags.None), new(0, 2, 2, 0, null, RoadLinkFlags.None), new(
-                3, 0, 1, 0, null, RoadLinkFlags.None)]);
+            [
+                new(1, 0, 2, 0, null, RoadLinkFlags.None),
+                new(0, 2, 2, 0, null, RoadLinkFlags.None),
+                new(3, 0, 1, 0, null, RoadLinkFlags.None),
+            ]
+        );
 
         Assert.Equal((0, 0), extents.Of(0));
         Assert.Equal((0, 0), extents.Of(1));
@@ -64,7 +69,8 @@ public sealed class JunctionExtentsTests
     {
         JunctionExtents extents = Of(
             [(0, -50), (0, 0), (0, 50), (14, 50), (14, 10), (14, -50)],
-            [One(0, 1), One(1, 2), One(3, 4), One(4, 5), Two(1, 4)]);
+            [One(0, 1), One(1, 2), One(3, 4), One(4, 5), Two(1, 4)]
+        );
 
         for (int link = 0; link < 4; link++)
         {
@@ -87,7 +93,9 @@ public sealed class JunctionExtentsTests
     private static JunctionExtents Of((double X, double Y)[] nodes, RoadLink[] links)
     {
         var network = new RoadNetwork(
-            [.. nodes.Select((node, i) => new RoadNode(0, i, new Vector3D(node.X, node.Y, 0), string.Empty, RoadNodeFlags.None))], links);
+            [.. nodes.Select((node, i) => new RoadNode(0, i, new Vector3D(node.X, node.Y, 0), string.Empty, RoadNodeFlags.None))],
+            links
+        );
         return new JunctionExtents(new RoadCurves(network), new LaneModel(network));
     }
 

@@ -10,7 +10,8 @@ public sealed class LaneModelTests
             new RoadLink(0, 1, 2, 1, 3, RoadLinkFlags.None),
             new RoadLink(1, 2, 3, 0, null, RoadLinkFlags.None),
             new RoadLink(2, 3, 1, 1, null, RoadLinkFlags.NarrowRoad),
-        ]);
+        ]
+    );
 
     [Fact]
     public void WidthOf_without_calibration_is_one_of_the_constants()

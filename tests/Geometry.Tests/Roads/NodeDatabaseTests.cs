@@ -42,12 +42,15 @@ public sealed class NodeDatabaseTests
 
         // Also at the last node, where the road arrives but does not go on.
         Assert.Equal(3, entries.Count);
-        Assert.All(entries, entry =>
-        {
-            Assert.Equal(entry.LeftStart, entry.RightStart);
-            Assert.Equal(-8.1, entry.LeftEnd.X, 9);
-            Assert.Equal(8.1, entry.RightEnd.X, 9);
-        });
+        Assert.All(
+            entries,
+            entry =>
+            {
+                Assert.Equal(entry.LeftStart, entry.RightStart);
+                Assert.Equal(-8.1, entry.LeftEnd.X, 9);
+                Assert.Equal(8.1, entry.RightEnd.X, 9);
+            }
+        );
     }
 
     [Fact]
@@ -73,10 +76,12 @@ public sealed class NodeDatabaseTests
         return [.. new NodeDatabase(new RoadCurves(network), new LaneModel(network)).Entries()];
     }
 
-    private static RoadNetwork Road(int forward, int backward, double? median) => new(
-        [.. Enumerable.Range(0, 3).Select(i => new RoadNode(7, i, new Vector3D(0, i * 20, 0), "", RoadNodeFlags.None))],
-        [
-            new RoadLink(0, 1, forward, backward, median, RoadLinkFlags.None),
-            new RoadLink(1, 2, forward, backward, median, RoadLinkFlags.None),
-        ]);
+    private static RoadNetwork Road(int forward, int backward, double? median) =>
+        new(
+            [.. Enumerable.Range(0, 3).Select(i => new RoadNode(7, i, new Vector3D(0, i * 20, 0), "", RoadNodeFlags.None))],
+            [
+                new RoadLink(0, 1, forward, backward, median, RoadLinkFlags.None),
+                new RoadLink(1, 2, forward, backward, median, RoadLinkFlags.None),
+            ]
+        );
 }

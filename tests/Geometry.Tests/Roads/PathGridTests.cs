@@ -24,14 +24,18 @@ public sealed class PathGridTests
     {
         double sum = 0;
         const int count = 20_000;
-        RandomCases.Check(count, Arb.Zip(RandomCases.Number(-4000, 4000), RandomCases.Number(1, 501)), drawn =>
-        {
-            var place = new Vector3D(drawn.Item1, 1, drawn.Item2);
-            Vector3D error = PathGrid.RemoveBias(PathGrid.Truncate(place)) - place;
-            Assert.InRange(Math.Abs(error.X), 0, place.X is > -0.25 and < 0.25 ? 0.25 : 0.125);
-            Assert.InRange(Math.Abs(error.Z), 0, 1.0 / 64);
-            sum += error.X * Math.Sign(place.X);
-        });
+        RandomCases.Check(
+            count,
+            Arb.Zip(RandomCases.Number(-4000, 4000), RandomCases.Number(1, 501)),
+            drawn =>
+            {
+                var place = new Vector3D(drawn.Item1, 1, drawn.Item2);
+                Vector3D error = PathGrid.RemoveBias(PathGrid.Truncate(place)) - place;
+                Assert.InRange(Math.Abs(error.X), 0, place.X is > -0.25 and < 0.25 ? 0.25 : 0.125);
+                Assert.InRange(Math.Abs(error.Z), 0, 1.0 / 64);
+                sum += error.X * Math.Sign(place.X);
+            }
+        );
 
         // Uniform over ±0.125 m: the mean of 20,000 has a standard deviation of 0.072/141 = 0.0005 m.
         Assert.InRange(sum / count, -0.0025, 0.0025);

@@ -42,9 +42,13 @@ public sealed class RoadContinuationsTests
     {
         RoadNode[] nodes =
         [
-            .. ends.Prepend(Middle).Select((end, i) => new RoadNode(0, i, new Vector3D(end.X, end.Y, 0), "", RoadNodeFlags.None))
+            .. ends.Prepend(Middle).Select((end, i) => new RoadNode(0, i, new Vector3D(end.X, end.Y, 0), "", RoadNodeFlags.None)),
         ];
-        return new RoadContinuations(new RoadNetwork(
-            nodes, [.. ends.Select((_, i) => new RoadLink(0, i + 1, lanes.Outwards, lanes.Inwards, null, RoadLinkFlags.None))]));
+        return new RoadContinuations(
+            new RoadNetwork(
+                nodes,
+                [.. ends.Select((_, i) => new RoadLink(0, i + 1, lanes.Outwards, lanes.Inwards, null, RoadLinkFlags.None))]
+            )
+        );
     }
 }

@@ -28,12 +28,16 @@ public sealed class RoadCurvesTests
             var curves = new RoadCurves(road);
             foreach (double offset in new[] { -5.4, 0, 5.4, 10.8 })
             {
-                ForEachPoint(curves, offset, point =>
-                {
-                    double fromCentre = Math.Sqrt(Square(point.X - Middle.X) + Square(point.Y - Middle.Y));
-                    sum += Square(fromCentre - Math.Abs(radius + offset));
-                    count++;
-                });
+                ForEachPoint(
+                    curves,
+                    offset,
+                    point =>
+                    {
+                        double fromCentre = Math.Sqrt(Square(point.X - Middle.X) + Square(point.Y - Middle.Y));
+                        sum += Square(fromCentre - Math.Abs(radius + offset));
+                        count++;
+                    }
+                );
             }
         }
 
@@ -52,21 +56,29 @@ public sealed class RoadCurvesTests
             List<Vector3D> points = ArcPoints(radius, new Random(seed), angle: 1);
             Vector3D turn = Middle + new Vector3D(radius * Math.Cos(1), radius * Math.Sin(1), 0);
             Vector3D second = turn + (turn - Middle);
-            points.AddRange(ArcPoints(radius, new Random(seed + 99), angle: 1).Skip(1).Select(point =>
-            {
-                double along = Math.Atan2(point.Y - Middle.Y, point.X - Middle.X);
-                return second + new Vector3D(-radius * Math.Cos(1 - along), -radius * Math.Sin(1 - along), 0);
-            }));
+            points.AddRange(
+                ArcPoints(radius, new Random(seed + 99), angle: 1)
+                    .Skip(1)
+                    .Select(point =>
+                    {
+                        double along = Math.Atan2(point.Y - Middle.Y, point.X - Middle.X);
+                        return second + new Vector3D(-radius * Math.Cos(1 - along), -radius * Math.Sin(1 - along), 0);
+                    })
+            );
             var curves = new RoadCurves(Truncated(points));
             foreach (double offset in new[] { -5.4, 0, 5.4 })
             {
-                ForEachPoint(curves, offset, point =>
-                {
-                    double first = Math.Abs(Math.Sqrt(Square(point.X - Middle.X) + Square(point.Y - Middle.Y)) - (radius + offset));
-                    double then = Math.Abs(Math.Sqrt(Square(point.X - second.X) + Square(point.Y - second.Y)) - (radius - offset));
-                    sum += Square(Math.Min(first, then));
-                    count++;
-                });
+                ForEachPoint(
+                    curves,
+                    offset,
+                    point =>
+                    {
+                        double first = Math.Abs(Math.Sqrt(Square(point.X - Middle.X) + Square(point.Y - Middle.Y)) - (radius + offset));
+                        double then = Math.Abs(Math.Sqrt(Square(point.X - second.X) + Square(point.Y - second.Y)) - (radius - offset));
+                        sum += Square(Math.Min(first, then));
+                        count++;
+                    }
+                );
             }
         }
 
@@ -78,8 +90,7 @@ public sealed class RoadCurvesTests
     {
         // Nodes are exact here; the rest is what a cubic of at most 12 m leaves of a circle of 40 m.
         var curves = new RoadCurves(Road(ArcPoints(40, new Random(3), angle: 3)));
-        ForEachPoint(curves, 0, point =>
-            Assert.InRange(Math.Sqrt(Square(point.X - Middle.X) + Square(point.Y - Middle.Y)), 39.99, 40.01));
+        ForEachPoint(curves, 0, point => Assert.InRange(Math.Sqrt(Square(point.X - Middle.X) + Square(point.Y - Middle.Y)), 39.99, 40.01));
 
         double length = Enumerable.Range(0, curves.Network.Links.Count).Sum(i => curves.Of(i).Length);
         Assert.InRange(length, (40 * 3) - 0.05, (40 * 3) + 0.05);
@@ -99,9 +110,8 @@ public sealed class RoadCurvesTests
             Assert.Equal(1, before.Dot(after), 9);
         }
 
-        Vector2D Along(int link, bool atEnd) => link % 2 == 0
-            ? curves.Of(link).DirectionAt(atEnd ? 1 : 0)
-            : curves.Of(link).DirectionAt(atEnd ? 0 : 1) * -1;
+        Vector2D Along(int link, bool atEnd) =>
+            link % 2 == 0 ? curves.Of(link).DirectionAt(atEnd ? 1 : 0) : curves.Of(link).DirectionAt(atEnd ? 0 : 1) * -1;
     }
 
     [Fact]
@@ -123,22 +133,26 @@ public sealed class RoadCurvesTests
     {
         var curves = new RoadCurves(Road(ArcPoints(20, new Random(4), angle: 3)));
         Arbitrary<int> links = RandomCases.Integer(0, curves.Network.Links.Count - 1);
-        RandomCases.Check(500, Arb.Zip(links, Arb.Zip(RandomCases.Number(-10, 10), RandomCases.Number(-10, 10))), drawn =>
-        {
-            (int link, (double x, double y)) = drawn;
-            RoadCurve curve = curves.Of(link);
-            Vector3D start = curve.PointAt(0.5);
-            var place = new Vector2D(start.X + x, start.Y + y);
-            double found = Apart(curve.ClosestParameter(place));
-            double dense = Enumerable.Range(0, 1001).Min(step => Apart(step / 1000.0));
-            Assert.InRange(found, 0, dense + 0.001);
-
-            double Apart(double parameter)
+        RandomCases.Check(
+            500,
+            Arb.Zip(links, Arb.Zip(RandomCases.Number(-10, 10), RandomCases.Number(-10, 10))),
+            drawn =>
             {
-                Vector3D point = curve.PointAt(parameter);
-                return (new Vector2D(point.X, point.Y) - place).Length;
+                (int link, (double x, double y)) = drawn;
+                RoadCurve curve = curves.Of(link);
+                Vector3D start = curve.PointAt(0.5);
+                var place = new Vector2D(start.X + x, start.Y + y);
+                double found = Apart(curve.ClosestParameter(place));
+                double dense = Enumerable.Range(0, 1001).Min(step => Apart(step / 1000.0));
+                Assert.InRange(found, 0, dense + 0.001);
+
+                double Apart(double parameter)
+                {
+                    Vector3D point = curve.PointAt(parameter);
+                    return (new Vector2D(point.X, point.Y) - place).Length;
+                }
             }
-        });
+        );
     }
 
     [Fact]
@@ -173,7 +187,9 @@ public sealed class RoadCurvesTests
     {
         RoadNode[] nodes = [.. points.Select((point, i) => new RoadNode(0, i, point, "", RoadNodeFlags.None))];
         return new RoadNetwork(
-            nodes, [.. Enumerable.Range(0, nodes.Length - 1).Select(i => new RoadLink(i, i + 1, 2, 1, null, RoadLinkFlags.None))]);
+            nodes,
+            [.. Enumerable.Range(0, nodes.Length - 1).Select(i => new RoadLink(i, i + 1, 2, 1, null, RoadLinkFlags.None))]
+        );
     }
 
     private static void ForEachPoint(RoadCurves curves, double offset, Action<Vector3D> visit)

@@ -72,7 +72,8 @@ public sealed class RoadMatcherTests
     {
         var network = new RoadNetwork(
             [Node(0, 0, 0), Node(0, 100, 0), Node(-50, 0, 6), Node(50, 100, 6)],
-            [new RoadLink(0, 1, 1, 1, null, RoadLinkFlags.None), new RoadLink(2, 3, 1, 1, null, RoadLinkFlags.None)]);
+            [new RoadLink(0, 1, 1, 1, null, RoadLinkFlags.None), new RoadLink(2, 3, 1, 1, null, RoadLinkFlags.None)]
+        );
         RoadMatcher matcher = Matcher(network);
 
         // The upper road crosses to the north-east (heading 315); a heading between the two leaves only the height to go by.
@@ -87,7 +88,8 @@ public sealed class RoadMatcherTests
         // Two one-way roads whose lanes overlap between x = 2 and x = 2.7, and a car exactly between them.
         var network = new RoadNetwork(
             [Node(0, 0, 0), Node(0, 100, 0), Node(4.7, 0, 0), Node(4.7, 100, 0)],
-            [new RoadLink(0, 1, 1, 0, null, RoadLinkFlags.None), new RoadLink(2, 3, 1, 0, null, RoadLinkFlags.None)]);
+            [new RoadLink(0, 1, 1, 0, null, RoadLinkFlags.None), new RoadLink(2, 3, 1, 0, null, RoadLinkFlags.None)]
+        );
         RoadMatcher matcher = Matcher(network);
         var between = new Vector3D(2.35, 50, 0);
 
@@ -106,7 +108,8 @@ public sealed class RoadMatcherTests
         RoadNode Slip(double x, double y) => Node(x, y, 0) with { Flags = RoadNodeFlags.SlipLane };
         var network = new RoadNetwork(
             [Node(0, 0, 0), Node(0, 100, 0), Slip(4.7, 0), Slip(4.7, 100)],
-            [new RoadLink(0, 1, 1, 0, null, RoadLinkFlags.None), new RoadLink(2, 3, 1, 0, null, RoadLinkFlags.None)]);
+            [new RoadLink(0, 1, 1, 0, null, RoadLinkFlags.None), new RoadLink(2, 3, 1, 0, null, RoadLinkFlags.None)]
+        );
         RoadMatcher matcher = Matcher(network);
 
         Assert.Equal(0, matcher.Match(new Vector3D(2.35, 50, 0), North).Link);
@@ -118,8 +121,12 @@ public sealed class RoadMatcherTests
     {
         var network = new RoadNetwork(
             [Node(0, 0, 0), Node(0, 50, 0), Node(0, 100, 0), Node(50, 50, 0)],
-            [new RoadLink(0, 1, 1, 1, null, RoadLinkFlags.None), new RoadLink(1, 2, 1, 1, null, RoadLinkFlags.None), new RoadLink(
-                1, 3, 1, 1, null, RoadLinkFlags.None)]);
+            [
+                new RoadLink(0, 1, 1, 1, null, RoadLinkFlags.None),
+                new RoadLink(1, 2, 1, 1, null, RoadLinkFlags.None),
+                new RoadLink(1, 3, 1, 1, null, RoadLinkFlags.None),
+            ]
+        );
         RoadMatcher matcher = Matcher(network);
 
         // The road that joins at y = 50 is 5.4 m wide on either side, and its corners take 1.5 m.
@@ -136,10 +143,13 @@ public sealed class RoadMatcherTests
         var network = new RoadNetwork(
             [Node(0, 0, 0), Node(0, 50, 0), Node(0, 100, 0), Node(14, 0, 0), Node(14, 64, 0), Node(14, 100, 0)],
             [
-                new RoadLink(0, 1, 1, 0, null, RoadLinkFlags.None), new RoadLink(1, 2, 1, 0, null, RoadLinkFlags.None),
-                new RoadLink(3, 4, 1, 0, null, RoadLinkFlags.None), new RoadLink(4, 5, 1, 0, null, RoadLinkFlags.None),
+                new RoadLink(0, 1, 1, 0, null, RoadLinkFlags.None),
+                new RoadLink(1, 2, 1, 0, null, RoadLinkFlags.None),
+                new RoadLink(3, 4, 1, 0, null, RoadLinkFlags.None),
+                new RoadLink(4, 5, 1, 0, null, RoadLinkFlags.None),
                 new RoadLink(1, 4, 1, 1, null, RoadLinkFlags.None),
-            ]);
+            ]
+        );
         RoadMatcher matcher = Matcher(network);
         RoadMatch before = matcher.Match(new Vector3D(0, 48, 0), North);
 
@@ -151,11 +161,15 @@ public sealed class RoadMatcherTests
     [Fact]
     public void Match_never_uses_links_that_cars_do_not_drive()
     {
-        foreach ((RoadLinkFlags link, RoadNodeFlags node) in new[]
-        {
-            (RoadLinkFlags.Shortcut, RoadNodeFlags.None), (RoadLinkFlags.DontUseForNavigation, RoadNodeFlags.None),
-            (RoadLinkFlags.None, RoadNodeFlags.PedestrianCrossing), (RoadLinkFlags.None, RoadNodeFlags.Water),
-        })
+        foreach (
+            (RoadLinkFlags link, RoadNodeFlags node) in new[]
+            {
+                (RoadLinkFlags.Shortcut, RoadNodeFlags.None),
+                (RoadLinkFlags.DontUseForNavigation, RoadNodeFlags.None),
+                (RoadLinkFlags.None, RoadNodeFlags.PedestrianCrossing),
+                (RoadLinkFlags.None, RoadNodeFlags.Water),
+            }
+        )
         {
             var network = new RoadNetwork([Node(0, 0, 0) with { Flags = node }, Node(0, 100, 0)], [new RoadLink(0, 1, 1, 1, null, link)]);
             Assert.Equal(RoadMatchOutcome.NoRoadNear, Matcher(network).Match(new Vector3D(2.7, 50, 0), North).Outcome);
@@ -164,14 +178,17 @@ public sealed class RoadMatcherTests
 
     [Fact]
     public void Match_of_a_position_that_is_not_finite_is_refused() =>
-        Assert.Throws<ArgumentOutOfRangeException>(
-            () => Matcher(Road(1, 1, null, (0, 0), (0, 100))).Match(new Vector3D(double.NaN, 0, 0), North));
+        Assert.Throws<ArgumentOutOfRangeException>(() =>
+            Matcher(Road(1, 1, null, (0, 0), (0, 100))).Match(new Vector3D(double.NaN, 0, 0), North)
+        );
 
     private static RoadMatcher Matcher(RoadNetwork network) => new(new RoadCurves(network), new LaneModel(network));
 
     private static RoadNode Node(double x, double y, double z) => new(0, 0, new Vector3D(x, y, z), "", RoadNodeFlags.None);
 
-    private static RoadNetwork Road(int forward, int backward, double? median, params (double X, double Y)[] points) => new(
-        [.. points.Select(point => Node(point.X, point.Y, 0))],
-        [.. Enumerable.Range(0, points.Length - 1).Select(i => new RoadLink(i, i + 1, forward, backward, median, RoadLinkFlags.None))]);
+    private static RoadNetwork Road(int forward, int backward, double? median, params (double X, double Y)[] points) =>
+        new(
+            [.. points.Select(point => Node(point.X, point.Y, 0))],
+            [.. Enumerable.Range(0, points.Length - 1).Select(i => new RoadLink(i, i + 1, forward, backward, median, RoadLinkFlags.None))]
+        );
 }

@@ -15,10 +15,12 @@ internal sealed class CuboidWorld(IReadOnlyList<(int Entity, Cuboid Solid)> soli
         foreach ((int entity, Cuboid solid) in solids)
         {
             // A ray that starts in a solid does not hit it, as in the game.
-            if ((entity != ignoredEntity || entity == RayHit.World)
+            if (
+                (entity != ignoredEntity || entity == RayHit.World)
                 && solid.Intersect(ray) is { Entry: > 0 } span
                 && span.Entry <= maxDistance
-                && (nearest is not { } known || span.Entry < known.Distance))
+                && (nearest is not { } known || span.Entry < known.Distance)
+            )
             {
                 nearest = new RayHit(span.Entry, entity);
             }

@@ -64,7 +64,8 @@ internal sealed class MapScores
             for (int column = 0; column < size.Width; column++)
             {
                 ushort id = map[column, row];
-                bool isBoundary = (column > 0 && map[column - 1, row] != id)
+                bool isBoundary =
+                    (column > 0 && map[column - 1, row] != id)
                     || (column + 1 < size.Width && map[column + 1, row] != id)
                     || (row > 0 && map[column, row - 1] != id)
                     || (row + 1 < size.Height && map[column, row + 1] != id);

@@ -16,6 +16,7 @@ internal sealed record SolidThing(int Entity, Cuboid Bounds, IReadOnlyList<Conve
         return new SolidThing(
             entity,
             Cuboid.FromModel(min, max, pose),
-            [.. parts.Select(p => ConvexSolid.Frustum(Cuboid.FromModel(p.Min, p.Max, pose), p.TopWidth, p.TopLength))]);
+            [.. parts.Select(p => ConvexSolid.Frustum(Cuboid.FromModel(p.Min, p.Max, pose), p.TopWidth, p.TopLength))]
+        );
     }
 }

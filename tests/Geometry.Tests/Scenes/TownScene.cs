@@ -21,7 +21,8 @@ internal sealed class TownScene : IRayCaster
         var random = new Random(seed);
         var pose = new Pose(
             new(random.Between(-3, 3), 0, random.Between(1.2, 2.2)),
-            Axes.FromEuler(new EulerAngles(random.Between(-4, 2), random.Between(-2, 2), random.Between(-12, 12))));
+            Axes.FromEuler(new EulerAngles(random.Between(-4, 2), random.Between(-2, 2), random.Between(-12, 12)))
+        );
         Camera = new Camera(pose, new CameraIntrinsics(50, image, image.Aspect, 0.1, Lens.Ideal));
         BuildStreet(random);
         int entity = 1;
@@ -47,8 +48,14 @@ internal sealed class TownScene : IRayCaster
     public static int ObjectsOf(int number) => 5 + (number * 75 / 49);
 
     public List<MapTarget> Targets() =>
-        [.. Entities.Select(
-            thing => new MapTarget(thing.Entity, (ushort)thing.Entity, thing.Bounds, CuboidProjector.Project(Camera, thing.Bounds)))];
+        [
+            .. Entities.Select(thing => new MapTarget(
+                thing.Entity,
+                (ushort)thing.Entity,
+                thing.Bounds,
+                CuboidProjector.Project(Camera, thing.Bounds)
+            )),
+        ];
 
     /// <summary>
     /// The map of <see cref="ExhaustivePixelMapper"/> over the whole image, sooner: no entity reaches out of its cuboid, so each row is
@@ -58,19 +65,23 @@ internal sealed class TownScene : IRayCaster
     {
         var map = new InstanceMap(Camera.Image);
         Box2D[] boxes = [.. Targets().Select(target => target.Projection.Box).OfType<Box2D>()];
-        Parallel.For(0, Camera.Image.Height, row =>
-        {
-            double asked = 0;
-            foreach (Box2D box in boxes.Where(box => box.YMin <= row + 0.5 && row + 0.5 <= box.YMax).OrderBy(box => box.XMin))
+        Parallel.For(
+            0,
+            Camera.Image.Height,
+            row =>
             {
-                if (box.XMax > asked)
+                double asked = 0;
+                foreach (Box2D box in boxes.Where(box => box.YMin <= row + 0.5 && row + 0.5 <= box.YMax).OrderBy(box => box.XMin))
                 {
-                    var part = new Box2D(Math.Max(asked, box.XMin), row, box.XMax, row + 1);
-                    ExhaustivePixelMapper.MapInto(map, Camera, part, entity => (ushort)entity, RayHit.World, this);
-                    asked = box.XMax;
+                    if (box.XMax > asked)
+                    {
+                        var part = new Box2D(Math.Max(asked, box.XMin), row, box.XMax, row + 1);
+                        ExhaustivePixelMapper.MapInto(map, Camera, part, entity => (ushort)entity, RayHit.World, this);
+                        asked = box.XMax;
+                    }
                 }
             }
-        });
+        );
         return map;
     }
 
@@ -86,8 +97,11 @@ internal sealed class TownScene : IRayCaster
 
         foreach (SolidThing thing in _things)
         {
-            if ((thing.Entity == ignoredEntity && ignoredEntity != RayHit.World)
-                || thing.Bounds.Intersect(ray) is not { } span || span.Entry > nearest)
+            if (
+                (thing.Entity == ignoredEntity && ignoredEntity != RayHit.World)
+                || thing.Bounds.Intersect(ray) is not { } span
+                || span.Entry > nearest
+            )
             {
                 continue;
             }
@@ -117,11 +131,14 @@ internal sealed class TownScene : IRayCaster
                 AddWorld(
                     post,
                     (new(-0.1, -0.1, 0), new(0.1, 0.1, 7), 0.7, 0.7),
-                    side > 0 ? (new(-1.6, -0.1, 6.8), new(0, 0.1, 7), 1, 1) : (new(0, -0.1, 6.8), new(1.6, 0.1, 7), 1, 1));
+                    side > 0 ? (new(-1.6, -0.1, 6.8), new(0, 0.1, 7), 1, 1) : (new(0, -0.1, 6.8), new(1.6, 0.1, 7), 1, 1)
+                );
                 if (random.NextDouble() < 0.4)
                 {
                     var tree = new Pose(
-                        new(side * random.Between(8.5, 10.5), y + random.Between(0, 8), 0), Axes.FromHeading(random.Between(0, 90)));
+                        new(side * random.Between(8.5, 10.5), y + random.Between(0, 8), 0),
+                        Axes.FromHeading(random.Between(0, 90))
+                    );
                     AddWorld(tree, (new(-0.2, -0.2, 0), new(0.2, 0.2, 3), 1, 1), (new(-1.5, -1.5, 2.2), new(1.5, 1.5, 6), 0.4, 0.4));
                 }
             }

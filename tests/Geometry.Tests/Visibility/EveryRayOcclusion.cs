@@ -12,15 +12,17 @@ internal sealed class EveryRayOcclusion(IRayCaster rays)
 
     public int RaysCast { get; private set; }
 
-    public OcclusionEstimate Estimate(
-        Camera camera, Cuboid cuboid, CuboidProjection projection, int entity, int ignored, int samples)
+    public OcclusionEstimate Estimate(Camera camera, Cuboid cuboid, CuboidProjection projection, int entity, int ignored, int samples)
     {
         if (projection.Box is not { } box)
         {
             return new OcclusionEstimate(0, 0, 0, OcclusionMethod.None) { Sight = Sight.Unseen };
         }
 
-        int visible = 0, hidden = 0, onCuboid = 0, stopped = 0;
+        int visible = 0,
+            hidden = 0,
+            onCuboid = 0,
+            stopped = 0;
         foreach (Vector2D pixel in SilhouetteSamples.Of(projection, box, MoreSamples * samples))
         {
             if (onCuboid >= samples && (visible + hidden > 0 || stopped == onCuboid))
@@ -58,8 +60,9 @@ internal sealed class EveryRayOcclusion(IRayCaster rays)
     }
 
     private Sight SightOfUnhit(Camera camera, Cuboid cuboid, int entity, int ignored) =>
-        new CuboidProbe(camera.Pose.Position, cuboid, entity, ignored, rays).Through(Probes)
-            .Any(ray => Meets(cuboid, ray, entity, ignored)) ? Sight.Unseen : Sight.Undetermined;
+        new CuboidProbe(camera.Pose.Position, cuboid, entity, ignored, rays).Through(Probes).Any(ray => Meets(cuboid, ray, entity, ignored))
+            ? Sight.Unseen
+            : Sight.Undetermined;
 
     private bool Meets(Cuboid cuboid, Ray ray, int entity, int ignored)
     {

@@ -17,7 +17,8 @@ public sealed class OcclusionEstimatorTests
 
     private static readonly Camera Camera = new(
         new Pose(Vector3D.Zero, Axes.Identity),
-        new CameraIntrinsics(90, new ImageSize(800, 600), 4.0 / 3, 0.1, Lens.Ideal));
+        new CameraIntrinsics(90, new ImageSize(800, 600), 4.0 / 3, 0.1, Lens.Ideal)
+    );
 
     private static readonly Cuboid Target = new(new(0, 20, 0), new(2, 2, 2), Axes.Identity);
 
@@ -103,7 +104,13 @@ public sealed class OcclusionEstimatorTests
         Cuboid wide = new(new(34, 22, 0), new(10, 2, 2), Axes.Identity);
         Cuboid rightEnd = new(new(43, 22, 0), new(1, 2, 2), Axes.Identity);
         OcclusionEstimate estimate = new OcclusionEstimator().Estimate(
-            Camera, wide, CuboidProjector.Project(Camera, wide), Car, Ego, new CuboidWorld([(Car, rightEnd)]));
+            Camera,
+            wide,
+            CuboidProjector.Project(Camera, wide),
+            Car,
+            Ego,
+            new CuboidWorld([(Car, rightEnd)])
+        );
 
         Assert.Equal((OcclusionMethod.None, Sight.Unseen), (estimate.Method, estimate.Sight));
     }
@@ -115,22 +122,32 @@ public sealed class OcclusionEstimatorTests
         int cast = 0;
         var camera = new Camera(new Pose(new(0, -20, 0), Axes.Identity), Camera.Intrinsics);
         Arbitrary<Cuboid> solids = Draws.Cuboids(Draws.Vectors(8));
-        RandomCases.Check(300, RandomCases.ArrayOf(solids, 4), drawn =>
-        {
-            // The object is a part of its cuboid, so that there are gaps; the others stand where they may hide it.
-            Cuboid cuboid = drawn[0];
-            Cuboid part = new(cuboid.Centre + (cuboid.Axes.Right * (0.4 * cuboid.HalfExtents.X)), cuboid.HalfExtents * 0.6, cuboid.Axes);
-            var world = new CuboidWorld([(Car, part), .. drawn.Skip(1).Select(solid => (RayHit.World, solid))]);
-            CuboidProjection projection = CuboidProjector.Project(camera, cuboid);
-            OcclusionEstimate estimate = new OcclusionEstimator(32).Estimate(camera, cuboid, projection, Car, Ego, world);
-            cast += world.RaysCast;
-            var plain = new EveryRayOcclusion(world);
-            OcclusionEstimate expected = plain.Estimate(camera, cuboid, projection, Car, Ego, 32);
-            all += plain.RaysCast;
+        RandomCases.Check(
+            300,
+            RandomCases.ArrayOf(solids, 4),
+            drawn =>
+            {
+                // The object is a part of its cuboid, so that there are gaps; the others stand where they may hide it.
+                Cuboid cuboid = drawn[0];
+                Cuboid part = new(
+                    cuboid.Centre + (cuboid.Axes.Right * (0.4 * cuboid.HalfExtents.X)),
+                    cuboid.HalfExtents * 0.6,
+                    cuboid.Axes
+                );
+                var world = new CuboidWorld([(Car, part), .. drawn.Skip(1).Select(solid => (RayHit.World, solid))]);
+                CuboidProjection projection = CuboidProjector.Project(camera, cuboid);
+                OcclusionEstimate estimate = new OcclusionEstimator(32).Estimate(camera, cuboid, projection, Car, Ego, world);
+                cast += world.RaysCast;
+                var plain = new EveryRayOcclusion(world);
+                OcclusionEstimate expected = plain.Estimate(camera, cuboid, projection, Car, Ego, 32);
+                all += plain.RaysCast;
 
-            Assert.Equal(
-                (expected.OccludedFraction, expected.Method, expected.Sight), (estimate.OccludedFraction, estimate.Method, estimate.Sight));
-        });
+                Assert.Equal(
+                    (expected.OccludedFraction, expected.Method, expected.Sight),
+                    (estimate.OccludedFraction, estimate.Method, estimate.Sight)
+                );
+            }
+        );
 
         // Hidden objects are among the cases; without them the estimator would save nothing.
         Assert.InRange(cast, 1, all - 1);
@@ -141,20 +158,24 @@ public sealed class OcclusionEstimatorTests
     {
         int most = 0;
         var camera = new Camera(new Pose(new(0, -20, 0), Axes.Identity), Camera.Intrinsics);
-        RandomCases.Check(100, RandomCases.ArrayOf(Draws.Cuboids(Draws.Vectors(8)), 4), drawn =>
-        {
-            // The object is a part of its cuboid or, in every other case, not hit by rays at all.
-            Cuboid part = new(drawn[0].Centre, drawn[0].HalfExtents * 0.6, drawn[0].Axes);
-            int hit = drawn[0].Centre.X > 0 ? Car : RayHit.World;
-            var world = new CuboidWorld([(hit, part), .. drawn.Skip(1).Select(solid => (RayHit.World, solid))]);
-            CuboidProjection projection = CuboidProjector.Project(camera, drawn[0]);
-            int before = 0;
-            foreach (OcclusionEstimate? _ in new OcclusionEstimator(32).EstimateInSteps(camera, drawn[0], projection, Car, Ego, world))
+        RandomCases.Check(
+            100,
+            RandomCases.ArrayOf(Draws.Cuboids(Draws.Vectors(8)), 4),
+            drawn =>
             {
-                most = Math.Max(most, world.RaysCast - before);
-                before = world.RaysCast;
+                // The object is a part of its cuboid or, in every other case, not hit by rays at all.
+                Cuboid part = new(drawn[0].Centre, drawn[0].HalfExtents * 0.6, drawn[0].Axes);
+                int hit = drawn[0].Centre.X > 0 ? Car : RayHit.World;
+                var world = new CuboidWorld([(hit, part), .. drawn.Skip(1).Select(solid => (RayHit.World, solid))]);
+                CuboidProjection projection = CuboidProjector.Project(camera, drawn[0]);
+                int before = 0;
+                foreach (OcclusionEstimate? _ in new OcclusionEstimator(32).EstimateInSteps(camera, drawn[0], projection, Car, Ego, world))
+                {
+                    most = Math.Max(most, world.RaysCast - before);
+                    before = world.RaysCast;
+                }
             }
-        });
+        );
 
         Assert.Equal(OcclusionEstimator.RaysOfAStep, most);
     }
@@ -175,7 +196,13 @@ public sealed class OcclusionEstimatorTests
     {
         Cuboid behind = new(new(0, -20, 0), new(2, 2, 2), Axes.Identity);
         OcclusionEstimate estimate = new OcclusionEstimator().Estimate(
-            Camera, behind, CuboidProjector.Project(Camera, behind), Car, Ego, new CuboidWorld([]));
+            Camera,
+            behind,
+            CuboidProjector.Project(Camera, behind),
+            Car,
+            Ego,
+            new CuboidWorld([])
+        );
 
         Assert.Equal(new OcclusionEstimate(0, 0, 0, OcclusionMethod.None) { Sight = Sight.Unseen }, estimate);
     }
@@ -184,15 +211,22 @@ public sealed class OcclusionEstimatorTests
     public void OcclusionEstimator_invalid_input_is_refused()
     {
         Assert.Throws<ArgumentOutOfRangeException>(() => new OcclusionEstimator(0));
-        Assert.Throws<ArgumentNullException>(
-            () => new OcclusionEstimator().Estimate(Camera, Target, CuboidProjector.Project(Camera, Target), Car, Ego, null!));
+        Assert.Throws<ArgumentNullException>(() =>
+            new OcclusionEstimator().Estimate(Camera, Target, CuboidProjector.Project(Camera, Target), Car, Ego, null!)
+        );
     }
 
     private static OcclusionEstimate Estimate(IReadOnlyList<(int Entity, Cuboid Solid)> solids)
     {
         var world = new CuboidWorld(solids);
         OcclusionEstimate estimate = new OcclusionEstimator(256).Estimate(
-            Camera, Target, CuboidProjector.Project(Camera, Target), Car, Ego, world);
+            Camera,
+            Target,
+            CuboidProjector.Project(Camera, Target),
+            Car,
+            Ego,
+            world
+        );
         Assert.Equal(world.RaysCast, estimate.RaysCast);
         return estimate;
     }

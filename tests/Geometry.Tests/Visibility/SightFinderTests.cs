@@ -12,7 +12,8 @@ public sealed class SightFinderTests
 
     private static readonly Camera Camera = new(
         new Pose(Vector3D.Zero, Axes.Identity),
-        new CameraIntrinsics(90, new ImageSize(800, 600), 4.0 / 3, 0.1, Lens.Ideal));
+        new CameraIntrinsics(90, new ImageSize(800, 600), 4.0 / 3, 0.1, Lens.Ideal)
+    );
 
     private static readonly Cuboid Target = new(new(0, 20, 0), new(2, 2, 2), Axes.Identity);
     private static readonly Cuboid Wall = new(new(0, 10, 0), new(50, 0.1, 50), Axes.Identity);

@@ -43,13 +43,17 @@ internal sealed class SimulatedScene
             Show(game);
         };
         game.FreezeChanged = Freeze;
-        game.LightDriven = (light, value) => _simulation.DriveLight(light, value switch
-        {
-            0 => LightState.Green,
-            1 => LightState.Red,
-            2 => LightState.Amber,
-            _ => null,
-        });
+        game.LightDriven = (light, value) =>
+            _simulation.DriveLight(
+                light,
+                value switch
+                {
+                    0 => LightState.Green,
+                    1 => LightState.Red,
+                    2 => LightState.Amber,
+                    _ => null,
+                }
+            );
         game.BallsDrawn = _simulation.Ports.Markers!.Show;
         Show(game);
     }
@@ -80,7 +84,8 @@ internal sealed class SimulatedScene
         Put(
             game,
             new EntityState(ego.Handle, ObjectClass.Car, ego.Model, ego.Pose, default, default, ego.Velocity),
-            ego.HeightAboveGroundMetres ?? 0);
+            ego.HeightAboveGroundMetres ?? 0
+        );
         foreach (EntityState entity in _world.Unrounded())
         {
             Put(game, entity);

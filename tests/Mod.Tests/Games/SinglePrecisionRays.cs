@@ -12,7 +12,10 @@ internal sealed class SinglePrecisionRays(IRayCaster rays) : IRayCaster
         Vector3D way = SinglePrecisionWorld.Round(ray.At(maxDistance)) - start;
         var rounded = new Ray(start, way);
         return rays.Cast(rounded, way.Length, ignoredEntity) is { } hit
-            ? hit with { Distance = (SinglePrecisionWorld.Round(rounded.At(hit.Distance)) - ray.Origin).Length }
+            ? hit with
+            {
+                Distance = (SinglePrecisionWorld.Round(rounded.At(hit.Distance)) - ray.Origin).Length,
+            }
             : null;
     }
 }

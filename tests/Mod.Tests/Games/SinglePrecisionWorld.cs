@@ -32,7 +32,8 @@ internal sealed class SinglePrecisionWorld(IWorld world, FaceTable faces) : IWor
             new Pose(Round(camera.Pose.Position), Axes.FromEuler(rounded)),
             (float)camera.VerticalFovDegrees,
             (float)camera.NearClip,
-            (float)camera.WindowAspect);
+            (float)camera.WindowAspect
+        );
     }
 
     public EgoState ReadEgo()
@@ -48,14 +49,16 @@ internal sealed class SinglePrecisionWorld(IWorld world, FaceTable faces) : IWor
 
     public IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range) =>
         Unrounded()
-            .Select(entity => entity with
-            {
-                Pose = Round(entity.Pose),
-                ModelMin = Round(entity.ModelMin),
-                ModelMax = Round(entity.ModelMax),
-                Velocity = Round(entity.Velocity),
-                Skeleton = (Round(entity.Pose).Position - centre).Length < JointRange ? Round(entity.Skeleton) : null,
-            })
+            .Select(entity =>
+                entity with
+                {
+                    Pose = Round(entity.Pose),
+                    ModelMin = Round(entity.ModelMin),
+                    ModelMax = Round(entity.ModelMax),
+                    Velocity = Round(entity.Velocity),
+                    Skeleton = (Round(entity.Pose).Position - centre).Length < JointRange ? Round(entity.Skeleton) : null,
+                }
+            )
             .Where(entity => (entity.Pose.Position - centre).Length < range)
             .ToArray();
 
@@ -66,9 +69,13 @@ internal sealed class SinglePrecisionWorld(IWorld world, FaceTable faces) : IWor
     }
 
     /// <summary>Everything that the mod reads, before it is rounded: vehicles, people, and the props of the table.</summary>
-    public IEnumerable<EntityState> Unrounded() => world.ReadEntities(default, BeyondAll)
-        .Where(entity => entity.Class < ObjectClass.Sign || entity.Class == ObjectClass.Rider || faces.Of(entity.Model).Count > 0)
-        .Select(entity => VehicleClasses.ArePeople(entity.Class) ? entity with { Model = $"0x{ModelHash.Of(entity.Model):X8}" } : entity);
+    public IEnumerable<EntityState> Unrounded() =>
+        world
+            .ReadEntities(default, BeyondAll)
+            .Where(entity => entity.Class < ObjectClass.Sign || entity.Class == ObjectClass.Rider || faces.Of(entity.Model).Count > 0)
+            .Select(entity =>
+                VehicleClasses.ArePeople(entity.Class) ? entity with { Model = $"0x{ModelHash.Of(entity.Model):X8}" } : entity
+            );
 
     public static Vector3D Round(Vector3D vector) => new((float)vector.X, (float)vector.Y, (float)vector.Z);
 
@@ -85,6 +92,6 @@ internal sealed class SinglePrecisionWorld(IWorld world, FaceTable faces) : IWor
         return new Skeleton(joints);
     }
 
-    private static Pose Round(Pose pose) => new(
-        Round(pose.Position), Axes.FromVectors(Round(pose.Axes.Right), Round(pose.Axes.Forward), Round(pose.Axes.Up)));
+    private static Pose Round(Pose pose) =>
+        new(Round(pose.Position), Axes.FromVectors(Round(pose.Axes.Right), Round(pose.Axes.Forward), Round(pose.Axes.Up)));
 }

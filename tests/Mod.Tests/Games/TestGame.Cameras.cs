@@ -53,16 +53,19 @@ internal sealed partial class TestGame
             return _lastHandle;
         };
         _natives[Hash.DOES_CAM_EXIST] = a => Cameras.ContainsKey((int)a[0]);
-        Do(Hash.HARD_ATTACH_CAM_TO_ENTITY, a =>
-        {
-            GameCamera camera = Cameras[(int)a[0]];
-            camera.AttachedTo = (int)a[1];
-            if (!IsCameraHeld)
+        Do(
+            Hash.HARD_ATTACH_CAM_TO_ENTITY,
+            a =>
             {
-                camera.Offset = ToWorld(a[5], a[6], a[7]);
-                camera.Turn = Axes.FromEuler(new EulerAngles((float)a[2], (float)a[3], (float)a[4]));
+                GameCamera camera = Cameras[(int)a[0]];
+                camera.AttachedTo = (int)a[1];
+                if (!IsCameraHeld)
+                {
+                    camera.Offset = ToWorld(a[5], a[6], a[7]);
+                    camera.Turn = Axes.FromEuler(new EulerAngles((float)a[2], (float)a[3], (float)a[4]));
+                }
             }
-        });
+        );
         Do(Hash.SET_CAM_FOV, a => Cameras[(int)a[0]].VerticalFovDegrees = (float)a[1]);
         Do(Hash.SET_CAM_ACTIVE, a => Cameras[(int)a[0]].IsActive = (bool)a[1]);
         Do(Hash.DESTROY_CAM, a => Cameras.Remove((int)a[0]));

@@ -34,21 +34,30 @@ internal sealed partial class TestGame
     /// <summary>Called when the world is frozen or resumed, with the method.</summary>
     public Action<FreezeMethod, bool> FreezeChanged { get; set; } = (_, _) => { };
 
-    private FreezeMethod? FrozenBy => IsPaused ? FreezeMethod.Paused : TimeScale == 0 ? FreezeMethod.TimeScale : null;
+    private FreezeMethod? FrozenBy =>
+        IsPaused ? FreezeMethod.Paused
+        : TimeScale == 0 ? FreezeMethod.TimeScale
+        : null;
 
     private bool IsCameraHeld => FrozenBy is { } method && method == HoldsCamera;
 
     private void AddFreezeNatives()
     {
-        Do(Hash.SET_GAME_PAUSED, a =>
-        {
-            IsPaused = (bool)a[0];
-            FreezeChanged(FreezeMethod.Paused, IsPaused);
-        });
-        Do(Hash.SET_TIME_SCALE, a =>
-        {
-            TimeScale = (float)a[0];
-            FreezeChanged(FreezeMethod.TimeScale, TimeScale == 0);
-        });
+        Do(
+            Hash.SET_GAME_PAUSED,
+            a =>
+            {
+                IsPaused = (bool)a[0];
+                FreezeChanged(FreezeMethod.Paused, IsPaused);
+            }
+        );
+        Do(
+            Hash.SET_TIME_SCALE,
+            a =>
+            {
+                TimeScale = (float)a[0];
+                FreezeChanged(FreezeMethod.TimeScale, TimeScale == 0);
+            }
+        );
     }
 }

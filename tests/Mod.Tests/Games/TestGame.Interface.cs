@@ -88,12 +88,15 @@ internal sealed partial class TestGame
         _natives[Hash.GET_CLOCK_MINUTES] = _ => Environment.TimeOfDay.Minutes;
         _natives[Hash.GET_CLOCK_SECONDS] = _ => Environment.TimeOfDay.Seconds;
         _natives[Hash.GET_PREV_WEATHER_TYPE_HASH_NAME] = _ => ModelHash.Of(Environment.Weather);
-        Do(Hash.DRAW_MARKER, a =>
-        {
-            Assert.Equal(28, (int)a[0]);
-            Assert.Equal([a[10], a[10]], [a[11], a[12]]);
-            Balls.Add(new PlannedMarker(ToWorld(a[1], a[2], a[3]), (float)a[10], default));
-        });
+        Do(
+            Hash.DRAW_MARKER,
+            a =>
+            {
+                Assert.Equal(28, (int)a[0]);
+                Assert.Equal([a[10], a[10]], [a[11], a[12]]);
+                Balls.Add(new PlannedMarker(ToWorld(a[1], a[2], a[3]), (float)a[10], default));
+            }
+        );
         Do(Hash.DRAW_POLY, _ => { });
         Do(Hash.HIDE_HUD_AND_RADAR_THIS_FRAME, _ => IsHudHidden = true);
         Do(Hash.DISPLAY_RADAR, a => IsRadarOn = (bool)a[0]);
@@ -103,37 +106,46 @@ internal sealed partial class TestGame
         _natives[Hash.IS_RADAR_PREFERENCE_SWITCHED_ON] = _ => true;
         _natives[Hash.IS_HUD_PREFERENCE_SWITCHED_ON] = _ => true;
         Do(Hash.THEFEED_HIDE_THIS_FRAME, _ => IsFeedHidden = true);
-        Do(Hash.DRAW_RECT, a =>
-        {
-            float x = (float)a[0], y = (float)a[1], width = (float)a[2], height = (float)a[3];
-            var place = new Box2D(x - (width / 2), y - (height / 2), x + (width / 2), y + (height / 2));
-            Drawn.Add(new DrawnRectangle(place, new Colour((int)a[4], (int)a[5], (int)a[6])));
-        });
-        Do(Hash.ADD_TEXT_COMPONENT_SUBSTRING_PLAYER_NAME, a =>
-        {
-            string text = (string)a[0];
-            _texts.Add(text);
-            ReportMarkup(text);
-            if (Encoding.UTF8.GetByteCount(text) > MaxTextLength)
+        Do(
+            Hash.DRAW_RECT,
+            a =>
             {
-                Report($"The text is longer than {MaxTextLength} bytes: {text}");
+                float x = (float)a[0],
+                    y = (float)a[1],
+                    width = (float)a[2],
+                    height = (float)a[3];
+                var place = new Box2D(x - (width / 2), y - (height / 2), x + (width / 2), y + (height / 2));
+                Drawn.Add(new DrawnRectangle(place, new Colour((int)a[4], (int)a[5], (int)a[6])));
             }
+        );
+        Do(
+            Hash.ADD_TEXT_COMPONENT_SUBSTRING_PLAYER_NAME,
+            a =>
+            {
+                string text = (string)a[0];
+                _texts.Add(text);
+                ReportMarkup(text);
+                if (Encoding.UTF8.GetByteCount(text) > MaxTextLength)
+                {
+                    Report($"The text is longer than {MaxTextLength} bytes: {text}");
+                }
 
-            if (_texts.Count > _maxTexts)
-            {
-                Report($"The label has room for {_maxTexts} texts only: {text}");
+                if (_texts.Count > _maxTexts)
+                {
+                    Report($"The label has room for {_maxTexts} texts only: {text}");
+                }
             }
-        });
+        );
         Do(Hash.END_TEXT_COMMAND_DISPLAY_TEXT, a => Lines.Add(new DrawnText(string.Concat(_texts), (float)a[0], (float)a[1])));
-        Do(Hash.BEGIN_TEXT_COMMAND_DISPLAY_TEXT, a =>
-        {
-            _texts.Clear();
-            _maxTexts = Labels[(string)a[0]];
-        });
-        foreach (Hash style in new[]
-        {
-            Hash.SET_TEXT_FONT, Hash.SET_TEXT_SCALE, Hash.SET_TEXT_COLOUR, Hash.SET_TEXT_OUTLINE,
-        })
+        Do(
+            Hash.BEGIN_TEXT_COMMAND_DISPLAY_TEXT,
+            a =>
+            {
+                _texts.Clear();
+                _maxTexts = Labels[(string)a[0]];
+            }
+        );
+        foreach (Hash style in new[] { Hash.SET_TEXT_FONT, Hash.SET_TEXT_SCALE, Hash.SET_TEXT_COLOUR, Hash.SET_TEXT_OUTLINE })
         {
             Do(style, _ => { });
         }

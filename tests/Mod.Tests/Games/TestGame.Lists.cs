@@ -25,12 +25,13 @@ internal sealed partial class TestGame
     private IEnumerable<int> KnownTo(int ped, PoolKind pool) =>
         NearestTo(PositionOf(ped), MetresThatOneSees, entity => entity.Pool == pool).Where(handle => handle != ped).Take(MaxKnown);
 
-    private IEnumerable<int> NearestTo(Vector3D place, double radius, Func<GameEntity, bool> isWanted) => Entities
-        .Where(entity => isWanted(entity.Value))
-        .Select(entity => (entity.Key, Distance: (PositionOf(entity.Key) - place).Length))
-        .Where(entity => entity.Distance < radius)
-        .OrderBy(entity => entity.Distance)
-        .Select(entity => entity.Key);
+    private IEnumerable<int> NearestTo(Vector3D place, double radius, Func<GameEntity, bool> isWanted) =>
+        Entities
+            .Where(entity => isWanted(entity.Value))
+            .Select(entity => (entity.Key, Distance: (PositionOf(entity.Key) - place).Length))
+            .Where(entity => entity.Distance < radius)
+            .OrderBy(entity => entity.Distance)
+            .Select(entity => entity.Key);
 
     private Vector3D PositionOf(int handle) => Entities[PlayersVehicle != 0 && handle == Player ? PlayersVehicle : handle].Pose.Position;
 }

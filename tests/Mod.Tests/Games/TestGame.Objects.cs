@@ -27,44 +27,51 @@ internal sealed partial class TestGame
     public Action<int, int> LightDriven { get; set; } = (_, _) => { };
 
     /// <summary>A prop with the shape of its model: rays and the survey hit the same.</summary>
-    public static GameEntity Standing(string name, Prop model, Pose pose) => new()
-    {
-        Pool = PoolKind.Props,
-        Name = name,
-        Pose = pose,
-        Shape = model.Shape,
-        ModelMin = model.Shape.Min,
-        ModelMax = model.Shape.Max,
-        Bones = model.Bones,
-    };
+    public static GameEntity Standing(string name, Prop model, Pose pose) =>
+        new()
+        {
+            Pool = PoolKind.Props,
+            Name = name,
+            Pose = pose,
+            Shape = model.Shape,
+            ModelMin = model.Shape.Min,
+            ModelMax = model.Shape.Max,
+            Bones = model.Bones,
+        };
 
     private void AddObjectNatives()
     {
-        Do(Hash.SET_ENTITY_TRAFFICLIGHT_OVERRIDE, a =>
-        {
-            Assert.True(Entities.ContainsKey((int)a[0]));
-            LightDriven((int)a[0], (int)a[1]);
-            const int gamesOwn = 3;
-            if ((int)a[1] == gamesOwn)
+        Do(
+            Hash.SET_ENTITY_TRAFFICLIGHT_OVERRIDE,
+            a =>
             {
-                LightOverrides.Remove((int)a[0]);
+                Assert.True(Entities.ContainsKey((int)a[0]));
+                LightDriven((int)a[0], (int)a[1]);
+                const int gamesOwn = 3;
+                if ((int)a[1] == gamesOwn)
+                {
+                    LightOverrides.Remove((int)a[0]);
+                }
+                else
+                {
+                    LightOverrides[(int)a[0]] = (int)a[1];
+                }
             }
-            else
-            {
-                LightOverrides[(int)a[0]] = (int)a[1];
-            }
-        });
+        );
         _natives[Hash.CREATE_OBJECT_NO_OFFSET] = a =>
         {
             Assert.Equal([false, false, false], a[4..]);
             return ObjectPoolIsFull ? 0 : CreateObject((int)a[0], ToWorld(a[1], a[2], a[3]));
         };
         Do(Hash.FREEZE_ENTITY_POSITION, a => Entities[(int)a[0]].IsFrozen = (bool)a[1]);
-        Do(Hash.DELETE_OBJECT, a =>
-        {
-            Remove(((NativeAddress)a[0]).Integer);
-            Write(a[0], 0);
-        });
+        Do(
+            Hash.DELETE_OBJECT,
+            a =>
+            {
+                Remove(((NativeAddress)a[0]).Integer);
+                Write(a[0], 0);
+            }
+        );
         _natives[Hash.GET_ENTITY_BONE_INDEX_BY_NAME] = a =>
         {
             int bone = int.Parse(((string)a[1])["traffic_light_".Length..], System.Globalization.CultureInfo.InvariantCulture);
@@ -82,9 +89,10 @@ internal sealed partial class TestGame
 
     private int CreateObject(int model, Vector3D place)
     {
-        (string name, Prop prop) = HasLoaded(model) && PropOf(model) is { } found
-            ? found
-            : throw new InvalidOperationException("An object was made of a model that is not loaded.");
+        (string name, Prop prop) =
+            HasLoaded(model) && PropOf(model) is { } found
+                ? found
+                : throw new InvalidOperationException("An object was made of a model that is not loaded.");
         return Make(Standing(name, prop, new Pose(place, Axes.Identity)));
     }
 }

@@ -41,13 +41,15 @@ internal sealed partial class TestGame
         Do(Hash.SET_PLAYER_INVINCIBLE, a => IsPlayerInvincible = OfPlayer(a, (bool)a[1]));
         Do(Hash.SET_POLICE_IGNORE_PLAYER, a => IsIgnoredByPolice = OfPlayer(a, (bool)a[1]));
         _natives[Hash.IS_ENTITY_IN_WATER] = _ => false;
-        _natives[Hash.IS_ENTITY_UPSIDEDOWN] = a =>
-            Entities.TryGetValue((int)a[0], out GameEntity? entity) && entity.Pose.Axes.Up.Z < 0;
-        Do(Hash.SET_PED_INTO_VEHICLE, a =>
-        {
-            Assert.Equal((Player, -1), ((int)a[0], (int)a[2]));
-            PlayersVehicle = Entities.ContainsKey((int)a[1]) ? (int)a[1] : 0;
-        });
+        _natives[Hash.IS_ENTITY_UPSIDEDOWN] = a => Entities.TryGetValue((int)a[0], out GameEntity? entity) && entity.Pose.Axes.Up.Z < 0;
+        Do(
+            Hash.SET_PED_INTO_VEHICLE,
+            a =>
+            {
+                Assert.Equal((Player, -1), ((int)a[0], (int)a[2]));
+                PlayersVehicle = Entities.ContainsKey((int)a[1]) ? (int)a[1] : 0;
+            }
+        );
         _natives[Hash.NEW_LOAD_SCENE_START_SPHERE] = _ =>
         {
             (IsSceneHeld, _sceneBeganAt) = (true, Frame);
@@ -67,11 +69,14 @@ internal sealed partial class TestGame
         Do(Hash.SET_PARKED_VEHICLE_DENSITY_MULTIPLIER_THIS_FRAME, _ => { });
         Do(Hash.SET_PED_DENSITY_MULTIPLIER_THIS_FRAME, _ => { });
         Do(Hash.SET_SCENARIO_PED_DENSITY_MULTIPLIER_THIS_FRAME, _ => { });
-        Do(Hash.TASK_VEHICLE_DRIVE_WANDER, a =>
-        {
-            Assert.Equal((Player, PlayersVehicle), ((int)a[0], (int)a[1]));
-            IsDrivenByTask = true;
-        });
+        Do(
+            Hash.TASK_VEHICLE_DRIVE_WANDER,
+            a =>
+            {
+                Assert.Equal((Player, PlayersVehicle), ((int)a[0], (int)a[1]));
+                IsDrivenByTask = true;
+            }
+        );
         Do(Hash.CLEAR_PED_TASKS, _ => IsDrivenByTask = false);
     }
 

@@ -42,13 +42,16 @@ internal sealed partial class TestGame
         Do(Hash.SET_MODEL_AS_NO_LONGER_NEEDED, a => _ticksUntilLoaded.Remove((int)a[0]));
         _natives[Hash.CREATE_VEHICLE] = a => VehiclePoolIsFull ? 0 : Create((int)a[0], ToWorld(a[1], a[2], a[3]), (float)a[4]);
         Do(Hash.SET_ENTITY_AS_MISSION_ENTITY, _ => { });
-        Do(Hash.DELETE_VEHICLE, a =>
-        {
-            int handle = ((NativeAddress)a[0]).Integer;
-            Remove(handle);
-            PlayersVehicle = PlayersVehicle == handle ? 0 : PlayersVehicle;
-            Write(a[0], 0);
-        });
+        Do(
+            Hash.DELETE_VEHICLE,
+            a =>
+            {
+                int handle = ((NativeAddress)a[0]).Integer;
+                Remove(handle);
+                PlayersVehicle = PlayersVehicle == handle ? 0 : PlayersVehicle;
+                Write(a[0], 0);
+            }
+        );
         Do(Hash.SET_VEHICLE_ON_GROUND_PROPERLY, a => Entities[(int)a[0]].IsOnGround = true);
         Do(Hash.SET_VEHICLE_FIXED, a => Entities[(int)a[0]].Repairs++);
         Do(Hash.SET_ENTITY_INVINCIBLE, a => Entities[(int)a[0]].IsInvincible = (bool)a[1]);
@@ -65,7 +68,14 @@ internal sealed partial class TestGame
 
     private int Create(int model, Vector3D position, float headingDegrees) =>
         HasLoaded(model) && model == AdderHash
-            ? Make(new GameEntity { Pool = PoolKind.Vehicles, Name = Adder, Pose = new Pose(position, Axes.FromHeading(headingDegrees)) })
+            ? Make(
+                new GameEntity
+                {
+                    Pool = PoolKind.Vehicles,
+                    Name = Adder,
+                    Pose = new Pose(position, Axes.FromHeading(headingDegrees)),
+                }
+            )
             : throw new InvalidOperationException("A vehicle was made of a model that is not loaded.");
 
     private bool HasLoaded(int model) => _ticksUntilLoaded.TryGetValue(model, out int ticks) && ticks <= 0;

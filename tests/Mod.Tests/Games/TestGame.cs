@@ -93,19 +93,19 @@ internal sealed partial class TestGame : IGameHost
 
     /// <summary>What a script that has ended should have given back.</summary>
     public IEnumerable<string> LeftBehind =>
-    [
-        .. _made.Where(Entities.ContainsKey).Select(handle => $"entity {Entities[handle].Name}"),
-        .. Cameras.Select(camera => $"camera {camera.Key}"),
-        .. RenderingCamera != NoCamera ? ["the view"] : Array.Empty<string>(),
-        .. IsPaused ? ["the pause"] : Array.Empty<string>(),
-        .. TimeScale != 1 ? ["the time scale"] : Array.Empty<string>(),
-        .. KeptWeather is not null ? ["the weather"] : Array.Empty<string>(),
-        .. IsSceneHeld ? ["a loaded scene"] : Array.Empty<string>(),
-        .. IsPlayerInvincible || IsIgnoredByPolice ? ["the player's protection"] : Array.Empty<string>(),
-        .. IsDrivenByTask ? ["the player's task"] : Array.Empty<string>(),
-        .. _ticksUntilLoaded.Select(model => $"model {model.Key}"),
-        .. LightOverrides.Select(light => $"traffic light {light.Key}"),
-    ];
+        [
+            .. _made.Where(Entities.ContainsKey).Select(handle => $"entity {Entities[handle].Name}"),
+            .. Cameras.Select(camera => $"camera {camera.Key}"),
+            .. RenderingCamera != NoCamera ? ["the view"] : Array.Empty<string>(),
+            .. IsPaused ? ["the pause"] : Array.Empty<string>(),
+            .. TimeScale != 1 ? ["the time scale"] : Array.Empty<string>(),
+            .. KeptWeather is not null ? ["the weather"] : Array.Empty<string>(),
+            .. IsSceneHeld ? ["a loaded scene"] : Array.Empty<string>(),
+            .. IsPlayerInvincible || IsIgnoredByPolice ? ["the player's protection"] : Array.Empty<string>(),
+            .. IsDrivenByTask ? ["the player's task"] : Array.Empty<string>(),
+            .. _ticksUntilLoaded.Select(model => $"model {model.Key}"),
+            .. LightOverrides.Select(light => $"traffic light {light.Key}"),
+        ];
 
     public int Add(GameEntity entity)
     {
@@ -215,9 +215,10 @@ internal sealed partial class TestGame : IGameHost
 
     private static void Write(object place, object value) => ((NativeAddress)place).Write(value);
 
-    private void Do(Hash native, Action<object[]> act) => _natives[native] = a =>
-    {
-        act(a);
-        return null;
-    };
+    private void Do(Hash native, Action<object[]> act) =>
+        _natives[native] = a =>
+        {
+            act(a);
+            return null;
+        };
 }

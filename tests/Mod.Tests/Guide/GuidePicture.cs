@@ -21,9 +21,15 @@ internal sealed class GuidePicture
     public PixelBuffer Pixels { get; }
 
     /// <summary>Fills a rectangle; pixels that it covers in part are mixed.</summary>
-    public void Fill(DrawnRectangle rectangle) => Cover(
-        rectangle.Place.XMin * Width, rectangle.Place.YMin * Height, rectangle.Place.XMax * Width, rectangle.Place.YMax * Height,
-        rectangle.Colour, 1);
+    public void Fill(DrawnRectangle rectangle) =>
+        Cover(
+            rectangle.Place.XMin * Width,
+            rectangle.Place.YMin * Height,
+            rectangle.Place.XMax * Width,
+            rectangle.Place.YMax * Height,
+            rectangle.Colour,
+            1
+        );
 
     /// <summary>Writes a line of the mod's own: white with a dark border.</summary>
     public void Write(DrawnText line)
@@ -35,7 +41,9 @@ internal sealed class GuidePicture
     /// <summary>Writes a message as the game shows it, in a dark field at the lower left.</summary>
     public void Tell(string message)
     {
-        const double left = 20, margin = 10, bottom = 60;
+        const double left = 20,
+            margin = 10,
+            bottom = 60;
         string[] lines = [.. Wrapped(message)];
         double top = Height - bottom - (lines.Length * LineStep);
         Cover(left, top - margin, left + (LettersOfALine * StrokeLetters.Advance * Unit) + (2 * margin), Height - bottom, Black, 0.75);
@@ -94,8 +102,8 @@ internal sealed class GuidePicture
         {
             for (int column = (int)(Math.Min(x, endX) - reach); column <= Math.Max(x, endX) + reach; column++)
             {
-                double along = lengthSquared == 0 ? 0
-                    : Math.Clamp((((column - x) * (endX - x)) + ((row - y) * (endY - y))) / lengthSquared, 0, 1);
+                double along =
+                    lengthSquared == 0 ? 0 : Math.Clamp((((column - x) * (endX - x)) + ((row - y) * (endY - y))) / lengthSquared, 0, 1);
                 double distance = double.Hypot(column - x - (along * (endX - x)), row - y - (along * (endY - y)));
                 Mix(column, row, colour, Math.Clamp((width / 2) + 0.5 - distance, 0, 1));
             }

@@ -72,6 +72,7 @@ internal static class StrokeLetters
     private static IEnumerable<(int X, int Y)[]> PointsOf(char letter) =>
         !Glyphs.TryGetValue(letter, out string? glyph) && StrokeGlyphs.StrokesOf(letter) is { } strokes
             ? strokes.Select(stroke => stroke.Select(point => (point.Column, Rows - (point.Row + Baseline))).ToArray())
-            : (glyph ?? throw new ArgumentException($"The font lacks '{letter}'.", nameof(letter))).Split('|')
+            : (glyph ?? throw new ArgumentException($"The font lacks '{letter}'.", nameof(letter)))
+                .Split('|')
                 .Select(stroke => stroke.Split(' ').Select(point => (point[0] - '0', Rows - (point[1] - '0'))).ToArray());
 }

@@ -41,7 +41,8 @@ public sealed class GymTests : ServedGame
 
                 return python.HasExited;
             },
-            ClientsPauseMilliseconds);
+            ClientsPauseMilliseconds
+        );
 
         Assert.Equal((0, ""), (python.Finish(), python.Errors));
         JsonElement[] frames = [.. python.Lines.Where(line => line.TryGetProperty("shapes", out _))];
@@ -59,7 +60,8 @@ public sealed class GymTests : ServedGame
 
         Assert.Equal(
             ["GameEndedError", "GameStartError"],
-            python.Lines[^1].GetProperty("errors").EnumerateArray().Select(error => error.GetString()));
+            python.Lines[^1].GetProperty("errors").EnumerateArray().Select(error => error.GetString())
+        );
     }
 
     private static bool IsDriven(JsonElement line) =>
@@ -121,7 +123,8 @@ public sealed class GymTests : ServedGame
         // What the game does not report.
         Assert.All(
             ["route:left", "route:straight", "route:right", "light:green", "light:amber", "light:red", "stopSign", "builtInDriver"],
-            name => Assert.Equal(0, state.GetProperty(name).GetDouble()));
+            name => Assert.Equal(0, state.GetProperty(name).GetDouble())
+        );
         Assert.Equal(100, state.GetProperty("routeMetres").GetDouble());
     }
 

@@ -20,7 +20,8 @@ internal sealed class PythonDriver : IDisposable
                 Path.Combine(BuiltMod.RepositoryRoot, "tests", "Mod.Tests", "Gym", "drive_the_mod.py"),
                 port.ToString(CultureInfo.InvariantCulture),
                 steps.ToString(CultureInfo.InvariantCulture),
-            ])
+            ]
+        )
         {
             RedirectStandardOutput = true,
             RedirectStandardError = true,

@@ -20,8 +20,7 @@ internal sealed class PythonFactAttribute : FactAttribute
     {
         try
         {
-            using Process python = Process.Start(
-                new ProcessStartInfo(Command, ["-c", "import numpy"]) { RedirectStandardError = true })!;
+            using Process python = Process.Start(new ProcessStartInfo(Command, ["-c", "import numpy"]) { RedirectStandardError = true })!;
             python.StandardError.ReadToEnd();
             python.WaitForExit();
             return python.ExitCode == 0;

@@ -15,10 +15,16 @@ def tell(**what):
 def tell_frame(env, observation, info, **more):
     image, state = observation["image"], observation["state"]
     tell(
-        shapes=[list(image.shape), list(state.shape)], types=[str(image.dtype), str(state.dtype)],
+        shapes=[list(image.shape), list(state.shape)],
+        types=[str(image.dtype), str(state.dtype)],
         isInSpace=observation in env.observation_space,
-        levels=[int(image.min()), int(image.max())], state=dict(zip(gym.STATE_NAMES, map(float, state))),
-        seconds=info["frame"]["timeSeconds"], position=info["frame"]["position"], heading=info["frame"]["headingDegrees"], **more)
+        levels=[int(image.min()), int(image.max())],
+        state=dict(zip(gym.STATE_NAMES, map(float, state))),
+        seconds=info["frame"]["timeSeconds"],
+        position=info["frame"]["position"],
+        heading=info["frame"]["headingDegrees"],
+        **more,
+    )
 
 
 def main(port, steps):

@@ -13,14 +13,26 @@ internal sealed class FaultTally
     {
         string[] kinds =
         [
-            "native threw", "native lied", "aborted between ticks", "aborted within a tick", "list threw", "list was empty", "list lied",
+            "native threw",
+            "native lied",
+            "aborted between ticks",
+            "aborted within a tick",
+            "list threw",
+            "list was empty",
+            "list lied",
             "pool was full",
-            "picture was refused", "world was swept", "car was left", "frame was harvested", "model was put up", "ball was drawn",
+            "picture was refused",
+            "world was swept",
+            "car was left",
+            "frame was harvested",
+            "model was put up",
+            "ball was drawn",
             "game stood still",
             "thread of another was refused",
         ];
-        Assert.Empty(kinds.Where(kind => _counts.GetValueOrDefault(kind) < MinOfEach)
-            .Select(kind => $"{kind}: {_counts.GetValueOrDefault(kind)}"));
+        Assert.Empty(
+            kinds.Where(kind => _counts.GetValueOrDefault(kind) < MinOfEach).Select(kind => $"{kind}: {_counts.GetValueOrDefault(kind)}")
+        );
     }
 
     public override string ToString() => string.Join(", ", _counts.Select(count => $"{count.Key} {count.Value} times"));

@@ -14,7 +14,8 @@ internal sealed class SoakPlay
     public const string Ini =
         "[Bridge]\nKind = Folder\nFolder = out/bridge\nWidth = 40\nHeight = 30\nRecord = On\n"
         + "[Harvest]\nWidth = 160\nHeight = 120\nRate = 2\nOcclusionRays = 4\nRays = 200\nDriveLights = On\nFreeze = Auto\nImageFormat = "
-        + "Bmp\n" + PlanTests.Ini;
+        + "Bmp\n"
+        + PlanTests.Ini;
 
     private const double MillisecondsOfATick = 16;
 
@@ -26,12 +27,29 @@ internal sealed class SoakPlay
     /// <summary>Every key; those that need another to be of use come after it too.</summary>
     private static readonly Keys[][] Presses =
     [
-        [Keys.NumPad0], [Keys.I], [Keys.O], [Keys.J], [Keys.J], [Keys.K], [Keys.L], [Keys.NumPad1], [Keys.U], [Keys.N], [Keys.W],
+        [Keys.NumPad0],
+        [Keys.I],
+        [Keys.O],
+        [Keys.J],
+        [Keys.J],
+        [Keys.K],
+        [Keys.L],
+        [Keys.NumPad1],
+        [Keys.U],
+        [Keys.N],
+        [Keys.W],
         [Keys.NumPad2],
-        [Keys.NumPad3], [Keys.Y], [Keys.Divide], [Keys.Multiply], [Keys.O, Keys.J], [Keys.O, Keys.N], [Keys.O, Keys.I, Keys.NumPad1],
+        [Keys.NumPad3],
+        [Keys.Y],
+        [Keys.Divide],
+        [Keys.Multiply],
+        [Keys.O, Keys.J],
+        [Keys.O, Keys.N],
+        [Keys.O, Keys.I, Keys.NumPad1],
         [Keys.O, Keys.Multiply],
         [Keys.NumPad2, Keys.NumPad2, Keys.Y],
-        [Keys.Decimal], [Keys.O, Keys.Decimal],
+        [Keys.Decimal],
+        [Keys.O, Keys.Decimal],
     ];
 
     private readonly ScriptDriver _driver;
@@ -90,7 +108,8 @@ internal sealed class SoakPlay
             _game.Calls.Clear();
             CountIf(
                 _game.Notifications.Exists(message => message.Contains("The drive was recorded: ", StringComparison.Ordinal)),
-                "drive was recorded");
+                "drive was recorded"
+            );
             _game.Notifications.Clear();
         }
     }
@@ -106,7 +125,8 @@ internal sealed class SoakPlay
         _driver.Script.RaiseAborted();
         Assert.True(
             !_game.LeftBehind.Any(),
-            $"Left behind: {string.Join(", ", _game.LeftBehind)}\n{string.Join('\n', _game.Notifications.TakeLast(20))}");
+            $"Left behind: {string.Join(", ", _game.LeftBehind)}\n{string.Join('\n', _game.Notifications.TakeLast(20))}"
+        );
         _driver.Tick();
         Assert.Empty(_game.Balls);
         Assert.Empty(_game.Rectangles);

@@ -18,7 +18,10 @@ public sealed class SoakTests(ITestOutputHelper output)
         for (int seed = 0; ticks < Ticks; seed++)
         {
             using var driver = new ScriptDriver(
-                SoakPlay.Ini, game => game.BoolBytes = BoolSizes[seed % BoolSizes.Length], faces: LightTests.TableOfOne);
+                SoakPlay.Ini,
+                game => game.BoolBytes = BoolSizes[seed % BoolSizes.Length],
+                faces: LightTests.TableOfOne
+            );
             var play = new SoakPlay(driver, seed, tally);
             while (driver.Game.Frame < TicksOfAGame)
             {

@@ -57,15 +57,20 @@ public sealed class HostileTapeTests
         using TapeCursor tape = Working(cancellation.Token);
         int asked = 0;
 
-        Assert.Throws<TapeStoppedException>(() => new PlayedBackground(tape, Timeout.InfiniteTimeSpan).IsDone(Work, () =>
-        {
-            if (++asked == 3)
-            {
-                cancellation.Cancel();
-            }
+        Assert.Throws<TapeStoppedException>(() =>
+            new PlayedBackground(tape, Timeout.InfiniteTimeSpan).IsDone(
+                Work,
+                () =>
+                {
+                    if (++asked == 3)
+                    {
+                        cancellation.Cancel();
+                    }
 
-            return false;
-        }));
+                    return false;
+                }
+            )
+        );
 
         Assert.Equal(3, asked);
         Assert.Null(tape.Difference);
@@ -73,8 +78,7 @@ public sealed class HostileTapeTests
     }
 
     /// <summary>A tape on which some work is done.</summary>
-    private static TapeCursor Working(CancellationToken cancellation) =>
-        new([new TapeWork(Work, true), new TapeTick()], cancellation);
+    private static TapeCursor Working(CancellationToken cancellation) => new([new TapeWork(Work, true), new TapeTick()], cancellation);
 
     private static void AssertResults(int seed, int cases)
     {
@@ -96,26 +100,28 @@ public sealed class HostileTapeTests
         Assert.InRange(differing, 1, cases);
     }
 
-    private static TapeEntry Changed(TapeEntry entry, Random random) => entry switch
-    {
-        TapeCall call => call with
+    private static TapeEntry Changed(TapeEntry entry, Random random) =>
+        entry switch
         {
-            Answer = Changed(call.Answer, random),
-            Written = [.. call.Written.Select(slots => (int[])[.. slots.Select(_ => Of(Wholes, random))])],
-        },
-        TapeGrab grab => grab with { Refusal = grab.Refusal is null ? "refused" : null },
-        TapeClock => new TapeClock(random.NextInt64(0, LastClock)),
-        _ => entry,
-    };
+            TapeCall call => call with
+            {
+                Answer = Changed(call.Answer, random),
+                Written = [.. call.Written.Select(slots => (int[])[.. slots.Select(_ => Of(Wholes, random))])],
+            },
+            TapeGrab grab => grab with { Refusal = grab.Refusal is null ? "refused" : null },
+            TapeClock => new TapeClock(random.NextInt64(0, LastClock)),
+            _ => entry,
+        };
 
-    private static TapeValue Changed(TapeValue value, Random random) => value.Kind switch
-    {
-        TapeValueKind.False or TapeValueKind.True => TapeValue.Of(value.Kind == TapeValueKind.False),
-        TapeValueKind.Whole => TapeValue.Of(Of(Wholes, random)),
-        TapeValueKind.Real => TapeValue.Of(Of(Reals, random)),
-        TapeValueKind.Vector => TapeValue.Of(Of(Reals, random), Of(Reals, random), Of(Reals, random)),
-        _ => TapeValue.Failed(new InvalidOperationException()),
-    };
+    private static TapeValue Changed(TapeValue value, Random random) =>
+        value.Kind switch
+        {
+            TapeValueKind.False or TapeValueKind.True => TapeValue.Of(value.Kind == TapeValueKind.False),
+            TapeValueKind.Whole => TapeValue.Of(Of(Wholes, random)),
+            TapeValueKind.Real => TapeValue.Of(Of(Reals, random)),
+            TapeValueKind.Vector => TapeValue.Of(Of(Reals, random), Of(Reals, random), Of(Reals, random)),
+            _ => TapeValue.Failed(new InvalidOperationException()),
+        };
 
     private static T Of<T>(T[] values, Random random) => values[random.Next(values.Length)];
 }

@@ -21,7 +21,13 @@ internal static class RecordedGame
     public static byte[] Plain => Recorded.Value;
 
     /// <summary>A town in which the mod finds some 200 people, about as many as the game ever has.</summary>
-    public static SimulationOptions Options { get; } = new() { Seed = 14, TrafficDensity = 2, PedestrianDensity = 1.5 };
+    public static SimulationOptions Options { get; } =
+        new()
+        {
+            Seed = 14,
+            TrafficDensity = 2,
+            PedestrianDensity = 1.5,
+        };
 
     private static readonly Lazy<byte[]> Recorded = new(() => Harvest(Options));
 

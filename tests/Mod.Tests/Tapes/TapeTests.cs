@@ -35,9 +35,24 @@ public sealed class TapeTests
 
     private static readonly Dictionary<string, GameQuirks> Combination = new()
     {
-        ["creeping, lag, late camera"] = new() { Paused = new() { CreepTicks = 3 }, PictureLagTicks = 2, IsCameraReportedLate = true },
-        ["vanishing, rays miss, noise"] = new() { VanishingFraction = 0.2, RayMissFraction = 0.2, PictureNoiseLevels = 3 },
-        ["camera held, boxes, lag"] = new() { Paused = new() { HoldsCamera = true }, RaysMeetBoxes = true, PictureLagTicks = 1 },
+        ["creeping, lag, late camera"] = new()
+        {
+            Paused = new() { CreepTicks = 3 },
+            PictureLagTicks = 2,
+            IsCameraReportedLate = true,
+        },
+        ["vanishing, rays miss, noise"] = new()
+        {
+            VanishingFraction = 0.2,
+            RayMissFraction = 0.2,
+            PictureNoiseLevels = 3,
+        },
+        ["camera held, boxes, lag"] = new()
+        {
+            Paused = new() { HoldsCamera = true },
+            RaysMeetBoxes = true,
+            PictureLagTicks = 1,
+        },
         ["no standstill, late camera, vanishing, noise"] = new()
         {
             Paused = new() { NeverStands = true },
@@ -82,8 +97,11 @@ public sealed class TapeTests
     {
         var scene = new SimulatedScene(new SimulationOptions { Seed = 9 }, FaceTable.Empty);
         using var driver = new ScriptDriver(
-            "[Tape]\nRecord = NativesAndPictures\n[Harvest]\nWidth = 320\nHeight = 240\n", scene.PlayIn, scene.Ports.Screen,
-            scene.Ports.Clock);
+            "[Tape]\nRecord = NativesAndPictures\n[Harvest]\nWidth = 320\nHeight = 240\n",
+            scene.PlayIn,
+            scene.Ports.Screen,
+            scene.Ports.Clock
+        );
         driver.Press(Keys.T);
         driver.UntilMessage("The self-test ended");
 
@@ -148,8 +166,9 @@ public sealed class TapeTests
     public void Game_that_answers_otherwise_gives_a_difference()
     {
         EditedTape tape = new(RecordedGame.Plain);
-        int coordinates = tape.Entries.FindLastIndex(
-            entry => entry is TapeCall call && call.Target == (ulong)GTA.Native.Hash.GET_ENTITY_MODEL);
+        int coordinates = tape.Entries.FindLastIndex(entry =>
+            entry is TapeCall call && call.Target == (ulong)GTA.Native.Hash.GET_ENTITY_MODEL
+        );
         var call = (TapeCall)tape.Entries[coordinates];
         tape.Entries[coordinates] = call with { Asked = [TapeValue.Of(call.Asked[0].Whole + 1)] };
 
@@ -259,8 +278,10 @@ public sealed class TapeTests
 
         string text = TextOf(tape);
         Assert.Contains("[TestCar]", text, StringComparison.Ordinal);
-        Assert.All([plate, "REC", Environment.UserName + Path.DirectorySeparatorChar, Path.GetTempPath()],
-            name => Assert.DoesNotContain(name, text, StringComparison.Ordinal));
+        Assert.All(
+            [plate, "REC", Environment.UserName + Path.DirectorySeparatorChar, Path.GetTempPath()],
+            name => Assert.DoesNotContain(name, text, StringComparison.Ordinal)
+        );
     }
 
     [Fact]

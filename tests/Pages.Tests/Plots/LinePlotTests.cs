@@ -29,7 +29,8 @@ public sealed class LinePlotTests
         Assert.Equal("415.2", svg.Elements("text").Single(text => text.Value == "4").Attribute("x")!.Value);
         Assert.Equal(
             ["0", "2", "4", "6", "8", "10", "-1", "-0.5", "0", "0.5", "1", "time, s", "<speed>, m/s"],
-            svg.Elements("text").Select(text => text.Value));
+            svg.Elements("text").Select(text => text.Value)
+        );
         Assert.Equal(11, svg.Elements("line").Count());
     }
 
@@ -51,8 +52,14 @@ public sealed class LinePlotTests
         LinePlot map = LinePlot.Map([new Vector2D(0, 0), new Vector2D(100, 300)]);
         map.Add(new PlotLine("square", [new Vector2D(0, 0), new Vector2D(100, 0), new Vector2D(100, 100)]));
 
-        double[][] points = [.. Written(map).Element("polyline")!.Attribute("points")!.Value.Split(' ')
-            .Select(point => point.Split(',').Select(double.Parse).ToArray())];
+        double[][] points =
+        [
+            .. Written(map)
+                .Element("polyline")!
+                .Attribute("points")!
+                .Value.Split(' ')
+                .Select(point => point.Split(',').Select(double.Parse).ToArray()),
+        ];
 
         // North is up; a coordinate is written to 0.1 pixel.
         Assert.Equal(points[1][0] - points[0][0], points[1][1] - points[2][1], 0.1001);
@@ -67,7 +74,8 @@ public sealed class LinePlotTests
     public void Ticks_are_round_values(double min, double max, string expected) =>
         Assert.Equal(
             expected,
-            string.Join(' ', new PlotAxis("", min, max).Ticks().Select(tick => FormattableString.Invariant($"{tick + 0.0:0.######}"))));
+            string.Join(' ', new PlotAxis("", min, max).Ticks().Select(tick => FormattableString.Invariant($"{tick + 0.0:0.######}")))
+        );
 
     [Fact]
     public void Axis_around_a_single_value_is_not_empty() => Assert.Equal(new PlotAxis("x", 4, 6), PlotAxis.Around("x", 5, 5));

@@ -44,19 +44,13 @@ public sealed class CameraMountTests : IDisposable, ICameras, IVehicles
         return 1;
     }
 
-    void ICameras.Attach(int camera, int vehicle, Pose mount)
-    {
-    }
+    void ICameras.Attach(int camera, int vehicle, Pose mount) { }
 
     void ICameras.Zoom(int camera, double verticalFovDegrees) => _shownDegrees = verticalFovDegrees;
 
-    void ICameras.Show(int camera)
-    {
-    }
+    void ICameras.Show(int camera) { }
 
-    void ICameras.Remove(int camera)
-    {
-    }
+    void ICameras.Remove(int camera) { }
 
     public bool Exists(int vehicle) => true;
 

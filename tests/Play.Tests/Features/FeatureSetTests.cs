@@ -37,7 +37,10 @@ public sealed class FeatureSetTests : IDisposable
         Assert.Equal("GtaDataHarvester: b failed: no more More in GtaDataHarvester.log.", Assert.Single(_told));
         _messages.Wait(Timeout.InfiniteTimeSpan);
         Assert.Contains(
-            "InvalidOperationException", File.ReadAllText(Path.Combine(_folder, "GtaDataHarvester.log")), StringComparison.Ordinal);
+            "InvalidOperationException",
+            File.ReadAllText(Path.Combine(_folder, "GtaDataHarvester.log")),
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]
@@ -49,10 +52,13 @@ public sealed class FeatureSetTests : IDisposable
         set.Do(feature, () => throw new IOException("key"));
 
         Assert.Equal(["a stops"], _done);
-        Assert.Equal([
-            "GtaDataHarvester: a failed: key More in GtaDataHarvester.log.",
-            "GtaDataHarvester: a failed: no more More in GtaDataHarvester.log.",
-        ], _told);
+        Assert.Equal(
+            [
+                "GtaDataHarvester: a failed: key More in GtaDataHarvester.log.",
+                "GtaDataHarvester: a failed: no more More in GtaDataHarvester.log.",
+            ],
+            _told
+        );
     }
 
     [Fact]
@@ -78,17 +84,20 @@ public sealed class FeatureSetTests : IDisposable
     {
         int ticks = 0;
         ScriptedFeature? feature = null;
-        feature = new ScriptedFeature("The overlay", work =>
-        {
-            if (work.EndsWith("ticks", StringComparison.Ordinal))
+        feature = new ScriptedFeature(
+            "The overlay",
+            work =>
             {
-                ticks++;
-                feature!.IsOn = ticks is > 1 and < 102;
-                _calls.Natives += 20;
-                _calls.Rays += 3;
-                _clock.Milliseconds += ticks == 50 ? 40 : 2;
+                if (work.EndsWith("ticks", StringComparison.Ordinal))
+                {
+                    ticks++;
+                    feature!.IsOn = ticks is > 1 and < 102;
+                    _calls.Natives += 20;
+                    _calls.Rays += 3;
+                    _clock.Milliseconds += ticks == 50 ? 40 : 2;
+                }
             }
-        });
+        );
         var set = new FeatureSet(_messages, _calls, _clock, feature);
         for (int tick = 0; tick < 110; tick++)
         {
@@ -101,8 +110,10 @@ public sealed class FeatureSetTests : IDisposable
         Assert.Equal(2, lines.Length);
         Assert.Equal("The overlay: on", lines[0]);
         Match figures = Regex.Match(
-            lines[1], @"^The overlay: off after 101 ticks in 1[.]0 s, 20[.]0 natives per tick, (\d+) rays per second, tick time p50 (.*) "
-                + @"ms, p99 (.*) ms$");
+            lines[1],
+            @"^The overlay: off after 101 ticks in 1[.]0 s, 20[.]0 natives per tick, (\d+) rays per second, tick time p50 (.*) "
+                + @"ms, p99 (.*) ms$"
+        );
         Assert.True(figures.Success, lines[1]);
         Assert.InRange(int.Parse(figures.Groups[1].Value, CultureInfo.InvariantCulture), 285, 310);
         Assert.InRange(double.Parse(figures.Groups[2].Value, CultureInfo.InvariantCulture), 2, 2.1);
@@ -123,7 +134,8 @@ public sealed class FeatureSetTests : IDisposable
                 "The harvest: on",
                 "The harvest: off after 1 tick in 0.0 s, 0.0 natives per tick, 0 rays per second, tick time p50 0.00 ms, p99 0.00 ms",
             ],
-            LogLines());
+            LogLines()
+        );
     }
 
     private IEnumerable<string> LogLines()
@@ -133,14 +145,18 @@ public sealed class FeatureSetTests : IDisposable
         return File.ReadLines(Path.Combine(_folder, "GtaDataHarvester.log")).Select(line => line[lengthOfTheDate..]);
     }
 
-    private ScriptedFeature Feature(string name, string? failsIn = null) => new(name, work =>
-    {
-        _done.Add(work);
-        if (work == failsIn)
-        {
-            throw new InvalidOperationException("no more");
-        }
-    });
+    private ScriptedFeature Feature(string name, string? failsIn = null) =>
+        new(
+            name,
+            work =>
+            {
+                _done.Add(work);
+                if (work == failsIn)
+                {
+                    throw new InvalidOperationException("no more");
+                }
+            }
+        );
 
     private sealed class ScriptedFeature(string name, Action<string> work) : ILastingFeature
     {

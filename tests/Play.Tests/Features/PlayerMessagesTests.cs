@@ -72,8 +72,11 @@ public sealed class PlayerMessagesTests : IDisposable
         ];
         Assert.Equal([.. both, .. both], shown);
         messages.Wait(Timeout.InfiniteTimeSpan);
-        Assert.Equal(4, File.ReadAllLines(Path.Combine(_folder, "GtaDataHarvester.log"))
-            .Count(line => line.Contains("InvalidOperationException", StringComparison.Ordinal)));
+        Assert.Equal(
+            4,
+            File.ReadAllLines(Path.Combine(_folder, "GtaDataHarvester.log"))
+                .Count(line => line.Contains("InvalidOperationException", StringComparison.Ordinal))
+        );
     }
 
     [Fact]

@@ -142,8 +142,7 @@ public sealed class RoadSurveyingTests : IDisposable
         };
 
     /// <summary>How wide the lanes are that are offered at the road.</summary>
-    private double? Width() =>
-        _roads.Near(default)?.Lanes.Observe(new Vector3D(102, 250, 0), 0, 10, 4, [], null).Section?.LaneWidth;
+    private double? Width() => _roads.Near(default)?.Lanes.Observe(new Vector3D(102, 250, 0), 0, 10, 4, [], null).Section?.LaneWidth;
 
     private static void Until(RoadSurveying surveying, Func<bool> isSo)
     {

@@ -225,7 +225,11 @@ public sealed class SightTests
         {
             FactsAsked++;
             return new ModelFacts(
-                ObjectClass.Car, _entities[entity].Model, new Vector3D(-1, -HalfLength, 0), new Vector3D(1, HalfLength, 1));
+                ObjectClass.Car,
+                _entities[entity].Model,
+                new Vector3D(-1, -HalfLength, 0),
+                new Vector3D(1, HalfLength, 1)
+            );
         }
 
         public ScaledPose? PlaceOf(int entity)

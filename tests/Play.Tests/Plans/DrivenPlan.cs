@@ -49,7 +49,9 @@ public abstract class DrivenPlan : IDisposable
         string path = Path.Combine(Output, "heartbeat.json");
         string text = "";
         SpinWait.SpinUntil(
-            () => File.Exists(path) && (text = File.ReadAllText(path)).Contains("\"trial\":null", StringComparison.Ordinal), HangingAfter);
+            () => File.Exists(path) && (text = File.ReadAllText(path)).Contains("\"trial\":null", StringComparison.Ordinal),
+            HangingAfter
+        );
         return text;
     }
 
@@ -68,7 +70,6 @@ public abstract class DrivenPlan : IDisposable
 
             World.Pass();
             plan.Tick();
-        }
-        while (!isSo());
+        } while (!isSo());
     }
 }

@@ -21,7 +21,8 @@ public sealed class PlanDrivingTests : DrivenPlan
                 """{"trial":"a_clear_1200_camera_001","state":"done","attempt":1,"frames":3}""",
                 """{"trial":"a_rain_1200_camera_001","state":"done","attempt":1,"frames":3}""",
             ],
-            StatusLines());
+            StatusLines()
+        );
         Assert.EndsWith($"The plan two is over: 2 trials done, none skipped, in {Output}.", Told[^1], StringComparison.Ordinal);
         Assert.Null(World.Weather);
         Assert.Contains("\"state\":\"finished\"", Heartbeat(), StringComparison.Ordinal);
@@ -56,9 +57,12 @@ public sealed class PlanDrivingTests : DrivenPlan
 
         Assert.Equal(
             [TrialState.Failed, TrialState.Failed, TrialState.Skipped, TrialState.Done],
-            StatusLines().Select(line => TrialResult.Parse(line).State));
-        Assert.Contains(Told, message => message.EndsWith(
-            "attempt 3 of 3: The place did not load within 30 s. It is skipped.", StringComparison.Ordinal));
+            StatusLines().Select(line => TrialResult.Parse(line).State)
+        );
+        Assert.Contains(
+            Told,
+            message => message.EndsWith("attempt 3 of 3: The place did not load within 30 s. It is skipped.", StringComparison.Ordinal)
+        );
         Assert.Contains("1 trial done, skipped: a_clear_1200_camera_001, in", Told[^1], StringComparison.Ordinal);
         Assert.Contains("\"state\":\"incomplete\"", Heartbeat(), StringComparison.Ordinal);
     }
@@ -87,9 +91,16 @@ public sealed class PlanDrivingTests : DrivenPlan
 
         Assert.Equal(
             [TrialState.Failed, TrialState.Failed, TrialState.Skipped, TrialState.Done],
-            StatusLines().Select(line => TrialResult.Parse(line).State));
-        Assert.Contains(Told, message => message.EndsWith(
-            "a_clear_1200_camera_001, attempt 3 of 3: The game ended during the attempt. It is skipped.", StringComparison.Ordinal));
+            StatusLines().Select(line => TrialResult.Parse(line).State)
+        );
+        Assert.Contains(
+            Told,
+            message =>
+                message.EndsWith(
+                    "a_clear_1200_camera_001, attempt 3 of 3: The game ended during the attempt. It is skipped.",
+                    StringComparison.Ordinal
+                )
+        );
         Assert.False(Directory.Exists(Path.Combine(Output, "trials", "a_clear_1200_camera_001")));
         Assert.False(File.Exists(Path.Combine(Output, "attempt.json")));
     }
@@ -191,10 +202,14 @@ public sealed class PlanDrivingTests : DrivenPlan
     }
 
     [Theory]
-    [InlineData("""{"name":"p","places":[{"name":"a","spread":3}]}""",
-        "plan.json: the place 'a' needs x and y, or a path: 'harvester plan resolve' chooses places for the game.")]
-    [InlineData("""{"name":"p","places":[{"name":"a","x":1,"y":2}],"cameras":[{"name":"c","rig":"r.json"}]}""",
-        "plan.json: the rig r.json of the camera 'c' cannot be used: ")]
+    [InlineData(
+        """{"name":"p","places":[{"name":"a","spread":3}]}""",
+        "plan.json: the place 'a' needs x and y, or a path: 'harvester plan resolve' chooses places for the game."
+    )]
+    [InlineData(
+        """{"name":"p","places":[{"name":"a","x":1,"y":2}],"cameras":[{"name":"c","rig":"r.json"}]}""",
+        "plan.json: the rig r.json of the camera 'c' cannot be used: "
+    )]
     [InlineData("""{"name":"p","places":[{"name":"a","x":1,"y":2}],"weathers":["hot"]}""", "plan.json: weathers[0] must be one of")]
     public void Plan_that_the_game_cannot_run_is_told(string text, string problem)
     {
@@ -226,6 +241,9 @@ public sealed class PlanDrivingTests : DrivenPlan
 
         Assert.False(plan.IsOn);
         Assert.EndsWith(
-            "No plan is set. Give its file under [Plan] in GtaDataHarvester.ini.", Assert.Single(Told), StringComparison.Ordinal);
+            "No plan is set. Give its file under [Plan] in GtaDataHarvester.ini.",
+            Assert.Single(Told),
+            StringComparison.Ordinal
+        );
     }
 }

@@ -53,10 +53,13 @@ public sealed class PlanRigTests : DrivenPlan
     private void WriteRig(string first)
     {
         Directory.CreateDirectory(Path.Combine(Root, "rigs"));
-        File.WriteAllText(Path.Combine(Root, "rigs", "pair.json"), $$"""
+        File.WriteAllText(
+            Path.Combine(Root, "rigs", "pair.json"),
+            $$"""
             {"name":"pair","cameras":[
             {"name":"{{first}}","position":[0,2,1],"verticalFovDegrees":50,"width":64,"height":48},
             {"name":"right","position":[1,0,1],"yawDegrees":-90,"verticalFovDegrees":50,"width":64,"height":48}]}
-            """);
+            """
+        );
     }
 }

@@ -27,10 +27,19 @@ public sealed class TrialRunTests : IDisposable
         UntilPhase(run, TrialPhase.Driving);
 
         Assert.Equal(("rain", new TimeSpan(21, 30, 0)), (_world.Weather, _world.TimeOfDay));
-        Assert.Equal((100.0, 200.0, TrialWorld.GroundMetres + 1, 270.0), (_world.Position.X, _world.Position.Y, _world.Position.Z,
-            _world.HeadingDegrees));
-        Assert.Equal((320, 240, 2.0, 5), (_world.HarvestedWith!.Image.Width, _world.HarvestedWith.Image.Height, _world.HarvestedWith.RateHz,
-            _world.HarvestedWith.MaxFrames));
+        Assert.Equal(
+            (100.0, 200.0, TrialWorld.GroundMetres + 1, 270.0),
+            (_world.Position.X, _world.Position.Y, _world.Position.Z, _world.HeadingDegrees)
+        );
+        Assert.Equal(
+            (320, 240, 2.0, 5),
+            (
+                _world.HarvestedWith!.Image.Width,
+                _world.HarvestedWith.Image.Height,
+                _world.HarvestedWith.RateHz,
+                _world.HarvestedWith.MaxFrames
+            )
+        );
         Assert.True(_world.IsProtected);
         UntilOver(run);
 
@@ -334,6 +343,6 @@ public sealed class TrialRunTests : IDisposable
         }
     }
 
-    private void AssertGivenBack() => Assert.Equal(
-        (false, false, false, false), (_world.IsHeld, _world.IsProtected, _world.IsLoading, _world.IsOn));
+    private void AssertGivenBack() =>
+        Assert.Equal((false, false, false, false), (_world.IsHeld, _world.IsProtected, _world.IsLoading, _world.IsOn));
 }

@@ -27,21 +27,22 @@ internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels,
     private int _maxFrames;
     private bool _isDriven;
 
-    public TrialSurroundings Surroundings => _surroundings ??= new TrialSurroundings
-    {
-        Game = this,
-        Grip = new TrialGrip(this, this),
-        Controls = this,
-        Car = new TrialCar(this, this, this, 1),
-        Driven = this,
-        World = this,
-        Roads = new FakeRoadSource(new RoadNetwork([], [])),
-        Settling = new PictureSettling(this, _clock),
-        Harvest = this,
-        Clock = _clock,
-        Options = new HarvestOptions { Rig = Rig, Freeze = Freezes },
-        Log = Logged.Add,
-    };
+    public TrialSurroundings Surroundings =>
+        _surroundings ??= new TrialSurroundings
+        {
+            Game = this,
+            Grip = new TrialGrip(this, this),
+            Controls = this,
+            Car = new TrialCar(this, this, this, 1),
+            Driven = this,
+            World = this,
+            Roads = new FakeRoadSource(new RoadNetwork([], [])),
+            Settling = new PictureSettling(this, _clock),
+            Harvest = this,
+            Clock = _clock,
+            Options = new HarvestOptions { Rig = Rig, Freeze = Freezes },
+            Log = Logged.Add,
+        };
 
     private TrialSurroundings? _surroundings;
 
@@ -170,9 +171,7 @@ internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels,
 
     public void EndLoading() => IsLoading = false;
 
-    public void RequestCollision(Vector3D place)
-    {
-    }
+    public void RequestCollision(Vector3D place) { }
 
     public bool HasCollision(int vehicle) => IsCollisionLoaded;
 
@@ -218,9 +217,7 @@ internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels,
 
     public bool Load(int model) => true;
 
-    public void Release(int model)
-    {
-    }
+    public void Release(int model) { }
 
     public (Vector3D Min, Vector3D Max) DimensionsOf(int model) => throw new NotSupportedException();
 

@@ -75,8 +75,8 @@ public sealed class GameWindowScreenTests : IDisposable
     [Fact]
     public void Grab_of_a_window_that_changes_meanwhile_is_refused()
     {
-        _desktop.DuringCopy =
-            () => _desktop.Client = _desktop.Client with { Left = _desktop.Client.Left + 1, Right = _desktop.Client.Right + 1 };
+        _desktop.DuringCopy = () =>
+            _desktop.Client = _desktop.Client with { Left = _desktop.Client.Left + 1, Right = _desktop.Client.Right + 1 };
         Assert.Equal(GrabRefusals.Moved, _screen.Grab(_buffer).Refusal);
 
         _desktop.DuringCopy = () => _desktop.Client = _desktop.Client with { Right = _desktop.Client.Right + 1 };

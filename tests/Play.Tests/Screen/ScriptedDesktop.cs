@@ -20,9 +20,11 @@ internal sealed class ScriptedDesktop : IDesktop
 
     public Action DuringCopy { get; set; } = () => { };
 
-    public DesktopView Observe() => new(
-        [new TopLevelWindow(1, Process, IsApplication: true, IsMinimised, ShowsNothing: false, Client, Client, Client.Area)],
-        [new PixelRectangle(-1000, 0, 1000, 1000)]);
+    public DesktopView Observe() =>
+        new(
+            [new TopLevelWindow(1, Process, IsApplication: true, IsMinimised, ShowsNothing: false, Client, Client, Client.Area)],
+            [new PixelRectangle(-1000, 0, 1000, 1000)]
+        );
 
     public DisplayFacts FactsOf(long window) => Facts;
 

@@ -34,8 +34,7 @@ public sealed class WindowDescriptionTests
     [Fact]
     public void Hdr_is_named_only_if_windows_reports_it()
     {
-        Assert.Equal(
-            "800 x 600, windowed, 96 dpi, HDR is on", Describe(Within, Within, new DisplayFacts(96, false) { IsHdr = true }));
+        Assert.Equal("800 x 600, windowed, 96 dpi, HDR is on", Describe(Within, Within, new DisplayFacts(96, false) { IsHdr = true }));
         Assert.Equal("800 x 600, windowed, 96 dpi", Describe(Within, Within, new DisplayFacts(96, false) { IsHdr = false }));
     }
 

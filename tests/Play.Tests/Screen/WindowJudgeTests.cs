@@ -116,7 +116,9 @@ public sealed class WindowJudgeTests
     [Fact]
     public void Judge_drops_a_handle_reused_by_another_process() =>
         Assert.Equal(
-            1, WindowJudge.Judge(new DesktopView([GameWindow(), Window(2, Other, new(600, 0, 700, 50))], [Monitor]), Game, 2).Window);
+            1,
+            WindowJudge.Judge(new DesktopView([GameWindow(), Window(2, Other, new(600, 0, 700, 50))], [Monitor]), Game, 2).Window
+        );
 
     private static WindowVerdict Judge(TopLevelWindow[] windows, params PixelRectangle[] monitors) =>
         WindowJudge.Judge(new DesktopView(windows, monitors.Length == 0 ? [Monitor] : monitors), Game, 0);
@@ -125,6 +127,13 @@ public sealed class WindowJudgeTests
 
     private static TopLevelWindow Window(long handle, int process, PixelRectangle area) =>
         new(
-            handle, process, IsApplication: true, IsMinimised: false, ShowsNothing: false, area, area,
-            RestoredArea: area.IsEmpty ? 120_000 : area.Area);
+            handle,
+            process,
+            IsApplication: true,
+            IsMinimised: false,
+            ShowsNothing: false,
+            area,
+            area,
+            RestoredArea: area.IsEmpty ? 120_000 : area.Area
+        );
 }

@@ -11,7 +11,8 @@ public sealed class BridgeSettingsTests
     [Fact]
     public void Section_is_read()
     {
-        BridgeSettings settings = Read("""
+        BridgeSettings settings = Read(
+            """
             [Bridge]
             Kind = folder
             Folder = shared
@@ -24,7 +25,8 @@ public sealed class BridgeSettingsTests
             Height = 240
             Controller = Stanley
             EmergencyBrake = On
-            """);
+            """
+        );
 
         Assert.Equal(BridgeKind.Folder, settings.Kind);
         Assert.Equal("/mod/shared", settings.Folder);

@@ -40,10 +40,12 @@ public sealed class GraphicsSettingsTests : IDisposable
 
         Assert.Equal(
             (1, true, 4, true, 3, true),
-            (settings.MotionBlur, settings.DepthOfField, settings.Msaa, settings.Txaa, settings.PostFx, settings.PausesWithoutFocus));
+            (settings.MotionBlur, settings.DepthOfField, settings.Msaa, settings.Txaa, settings.PostFx, settings.PausesWithoutFocus)
+        );
         Assert.Equal(
             ["Motion Blur Strength is 1", "In-Game Depth Of Field Effects is on", "MSAA is 4", "TXAA is on", "Post FX is above Normal (3)"],
-            settings.Harmful);
+            settings.Harmful
+        );
     }
 
     [Theory]

@@ -20,7 +20,8 @@ public sealed class HarvestSettingsTests
     [Fact]
     public void Every_setting_reaches_its_option()
     {
-        IniFile ini = Read("""
+        IniFile ini = Read(
+            """
             [Harvest]
             Width = 280
             Height = 210
@@ -52,7 +53,8 @@ public sealed class HarvestSettingsTests
             CentreOffsetY = -0.02
             K1 = -0.1
             K2 = 0.03
-            """);
+            """
+        );
         HarvestOptions options = HarvestSettings.Read(ini);
 
         Assert.Empty(ini.Complaints);
@@ -91,7 +93,8 @@ public sealed class HarvestSettingsTests
     public void Pairs_are_lists_in_the_settings()
     {
         IniFile ini = Read(
-            "[Harvest]\nPairWeathers = Clear, rain\nPairHours = 0,18\nPairWithout = signs, nearest-vehicle\nPairTicks = 99\n");
+            "[Harvest]\nPairWeathers = Clear, rain\nPairHours = 0,18\nPairWithout = signs, nearest-vehicle\nPairTicks = 99\n"
+        );
         PairOptions pairs = HarvestSettings.Read(ini).Pairs;
 
         Assert.Empty(ini.Complaints);
@@ -141,7 +144,13 @@ public sealed class HarvestSettingsTests
     /// A player's game is frozen in the way that a trial finds better, slowly enough to drive by hand, and the display is checked; a
     /// program says itself what it wants.
     /// </summary>
-    private static HarvestOptions Defaults => new() { FreezeBy = null, RateHz = 2, ChecksDisplay = true };
+    private static HarvestOptions Defaults =>
+        new()
+        {
+            FreezeBy = null,
+            RateHz = 2,
+            ChecksDisplay = true,
+        };
 
     private static IniFile Read(string text) => IniFile.Read(new StringReader(text));
 }

@@ -30,7 +30,8 @@ public sealed class IniFileTests
     public void Changes_lists_values_other_than_the_default_in_file_order()
     {
         IniFile ini = Read(
-            "[S]\nText = other\nSame = 5.0\nFormat = bmp\nBad = x\nClasses = bus, car\nAlike = car, bus\nUnasked = 1\nEmpty =\n");
+            "[S]\nText = other\nSame = 5.0\nFormat = bmp\nBad = x\nClasses = bus, car\nAlike = car, bus\nUnasked = 1\nEmpty =\n"
+        );
         ini.Choices<ObjectClass>("S", "Alike", [ObjectClass.Car, ObjectClass.Bus], "classes");
         ini.Choices<ObjectClass>("S", "Classes", [ObjectClass.Car, ObjectClass.Bus], "classes");
         ini.Choice("S", "Format", ImageFormat.Png, "PNG or BMP");
@@ -124,7 +125,8 @@ public sealed class IniFileTests
                 "Line 4: there is no setting [S] Typo.",
                 "Line 5: [S] A is already set in line 3; that value is used.",
             ],
-            ini.Complaints);
+            ini.Complaints
+        );
     }
 
     private static IniFile Read(string text) => IniFile.Read(new StringReader(text));

@@ -46,11 +46,16 @@ public sealed class RepeatPackerTests
     public void Random_chunks_come_back()
     {
         var random = new Random(11);
-        byte[][] chunks = [.. Enumerable.Range(0, 2000).Select(i =>
-        {
-            byte[] piece = Random(i % 3, random.Next(60));
-            return (byte[])[.. Enumerable.Repeat(piece, random.Next(6)).SelectMany(each => each), .. Random(i, random.Next(40))];
-        })];
+        byte[][] chunks =
+        [
+            .. Enumerable
+                .Range(0, 2000)
+                .Select(i =>
+                {
+                    byte[] piece = Random(i % 3, random.Next(60));
+                    return (byte[])[.. Enumerable.Repeat(piece, random.Next(6)).SelectMany(each => each), .. Random(i, random.Next(40))];
+                }),
+        ];
 
         AssertSame(chunks, PackAndUnpack(chunks).Unpacked);
     }
@@ -63,18 +68,22 @@ public sealed class RepeatPackerTests
         byte[] packed = PackAndUnpack([chunk]).Packed[0];
         byte[] values = [0, 1, 24, 99, 100, 127, 128, 255];
         int refused = 0;
-        RandomCases.Check(20_000, ByteChange.Lists(4, 8, values), changes =>
-        {
-            try
+        RandomCases.Check(
+            20_000,
+            ByteChange.Lists(4, 8, values),
+            changes =>
             {
-                byte[] read = new RepeatUnpacker().Unpack(new MemoryStream(ByteChange.Apply(changes, packed)), chunk.Length);
-                Assert.Equal(chunk.Length, read.Length);
+                try
+                {
+                    byte[] read = new RepeatUnpacker().Unpack(new MemoryStream(ByteChange.Apply(changes, packed)), chunk.Length);
+                    Assert.Equal(chunk.Length, read.Length);
+                }
+                catch (InvalidDataException)
+                {
+                    refused++;
+                }
             }
-            catch (InvalidDataException)
-            {
-                refused++;
-            }
-        });
+        );
         Assert.InRange(refused, 1_000, 20_000);
     }
 
@@ -88,19 +97,30 @@ public sealed class RepeatPackerTests
     {
         var packer = new RepeatPacker();
         var unpacker = new RepeatUnpacker();
-        byte[][] packed = [.. chunks.Select(chunk =>
-        {
-            using var target = new MemoryStream();
-            packer.Pack(chunk, target);
-            return target.ToArray();
-        })];
-        return (packed, [.. packed.Zip(chunks, (each, chunk) =>
-        {
-            using var source = new MemoryStream(each);
-            byte[] unpacked = unpacker.Unpack(source, chunk.Length);
-            Assert.Equal(source.Length, source.Position);
-            return unpacked;
-        })]);
+        byte[][] packed =
+        [
+            .. chunks.Select(chunk =>
+            {
+                using var target = new MemoryStream();
+                packer.Pack(chunk, target);
+                return target.ToArray();
+            }),
+        ];
+        return (
+            packed,
+            [
+                .. packed.Zip(
+                    chunks,
+                    (each, chunk) =>
+                    {
+                        using var source = new MemoryStream(each);
+                        byte[] unpacked = unpacker.Unpack(source, chunk.Length);
+                        Assert.Equal(source.Length, source.Position);
+                        return unpacked;
+                    }
+                ),
+            ]
+        );
     }
 
     private static byte[] Random(int seed, int length)

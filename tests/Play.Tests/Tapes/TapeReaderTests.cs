@@ -10,16 +10,34 @@ public sealed class TapeReaderTests : IDisposable
     /// <summary>An entry of every kind, and numbers at the ends of their ranges.</summary>
     private static readonly TapeEntry[] Every =
     [
-        new TapeFact(TapeFacts.Mod, "1.2.3"), new TapeFact(TapeFacts.Settings, "[Harvest]\nä = €\n"), new TapeTick(),
-        new TapeKey(73, true), new TapeKey(255, false), new TapeClock(0), new TapeClock(160_000), new TapeClock(159_999),
-        new TapeClock(long.MaxValue), new TapeClock(long.MinValue),
+        new TapeFact(TapeFacts.Mod, "1.2.3"),
+        new TapeFact(TapeFacts.Settings, "[Harvest]\nä = €\n"),
+        new TapeTick(),
+        new TapeKey(73, true),
+        new TapeKey(255, false),
+        new TapeClock(0),
+        new TapeClock(160_000),
+        new TapeClock(159_999),
+        new TapeClock(long.MaxValue),
+        new TapeClock(long.MinValue),
         new TapeCall(ulong.MaxValue, [TapeValue.Of(int.MinValue), TapeValue.Of(int.MaxValue), TapeValue.Of(-1)], default, []),
         new TapeCall(0x12, [TapeValue.Of(float.NaN), TapeValue.Of(-0f), TapeValue.Of(1e30f, 2, 3)], TapeValue.Of(true), []),
-        new TapeCall(0x12, [TapeValue.Of(""), TapeValue.Of((string?)null), TapeValue.Memory(64)], TapeValue.Of("a"), [[1, -1, 2], []]),
+        new TapeCall(
+            0x12,
+            [TapeValue.Of(""), TapeValue.Of((string?)null), TapeValue.Memory(64)],
+            TapeValue.Of("a"),
+            [
+                [1, -1, 2],
+                [],
+            ]
+        ),
         new TapeCall(TapeLists.Peds, [], TapeValue.Failed(new InvalidOperationException()), []),
         new TapeCall(TapeLists.Peds, [], TapeValue.Failed(new IOException()), []),
-        new TapeWork("opening", false), new TapeWork("writing", true), new TapeWork("opening", true),
-        new TapeGrab(2, 1, null, ulong.MaxValue, [1, 2, 3, 4, 5, 6]), new TapeGrab(2, 1, "covered", 0, null),
+        new TapeWork("opening", false),
+        new TapeWork("writing", true),
+        new TapeWork("opening", true),
+        new TapeGrab(2, 1, null, ulong.MaxValue, [1, 2, 3, 4, 5, 6]),
+        new TapeGrab(2, 1, "covered", 0, null),
         new TapeEnd("the script ended"),
     ];
 
@@ -70,18 +88,22 @@ public sealed class TapeReaderTests : IDisposable
         byte[] healthy = Encoded(Every);
         byte[] values = [0, 1, 2, 5, 7, 8, 9, 10, 11, 127, 128, 255];
         int refused = 0;
-        RandomCases.Check(20_000, ByteChange.Lists(4, 8, values), changes =>
-        {
-            try
+        RandomCases.Check(
+            20_000,
+            ByteChange.Lists(4, 8, values),
+            changes =>
             {
-                Assert.InRange(new TapeDecoder().EntriesOf(ByteChange.Apply(changes, healthy)).Count(), 0, 2 * healthy.Length);
+                try
+                {
+                    Assert.InRange(new TapeDecoder().EntriesOf(ByteChange.Apply(changes, healthy)).Count(), 0, 2 * healthy.Length);
+                }
+                catch (InvalidDataException e)
+                {
+                    Assert.StartsWith("it is damaged", e.Message, StringComparison.Ordinal);
+                    refused++;
+                }
             }
-            catch (InvalidDataException e)
-            {
-                Assert.StartsWith("it is damaged", e.Message, StringComparison.Ordinal);
-                refused++;
-            }
-        });
+        );
         Assert.InRange(refused, 5_000, 20_000);
     }
 
@@ -101,7 +123,8 @@ public sealed class TapeReaderTests : IDisposable
             // A longer chunk looks like a tape that was cut off. The last byte of packed data has bits without a meaning.
             Assert.True(
                 message?.StartsWith("it ", StringComparison.Ordinal) == true || reader.IsInterrupted || read.SequenceEqual(healthy),
-                $"Byte {at}: {message}");
+                $"Byte {at}: {message}"
+            );
         }
     }
 
@@ -112,7 +135,13 @@ public sealed class TapeReaderTests : IDisposable
     public void Chunk_above_the_limit_is_refused_before_memory_is_taken(uint packed, uint length)
     {
         byte[] tape =
-            [.. TapeFormat.Magic, TapeFormat.Version, .. BitConverter.GetBytes(packed), .. BitConverter.GetBytes(length), .. new byte[4]];
+        [
+            .. TapeFormat.Magic,
+            TapeFormat.Version,
+            .. BitConverter.GetBytes(packed),
+            .. BitConverter.GetBytes(length),
+            .. new byte[4],
+        ];
 
         Assert.Throws<InvalidDataException>(() => Read(tape).Count());
     }
@@ -125,7 +154,9 @@ public sealed class TapeReaderTests : IDisposable
 
         Assert.Contains(
             "a list that is too long",
-            Assert.Throws<InvalidDataException>(() => Read(Written(call)).Count()).Message, StringComparison.Ordinal);
+            Assert.Throws<InvalidDataException>(() => Read(Written(call)).Count()).Message,
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]
@@ -162,11 +193,12 @@ public sealed class TapeReaderTests : IDisposable
     }
 
     /// <summary>An entry with all its lists as text: lists of records are compared by reference.</summary>
-    private static string Text(TapeEntry entry) => entry switch
-    {
-        TapeCall call => $"{call.Target} {string.Join(';', call.Asked)} {call.Answer} "
-            + string.Join(';', call.Written.Select(slots => string.Join(',', slots))),
-        TapeGrab grab => $"{grab with { Pixels = null }} {string.Join(',', grab.Pixels ?? [])}",
-        _ => entry.ToString(),
-    };
+    private static string Text(TapeEntry entry) =>
+        entry switch
+        {
+            TapeCall call => $"{call.Target} {string.Join(';', call.Asked)} {call.Answer} "
+                + string.Join(';', call.Written.Select(slots => string.Join(',', slots))),
+            TapeGrab grab => $"{grab with { Pixels = null }} {string.Join(',', grab.Pixels ?? [])}",
+            _ => entry.ToString(),
+        };
 }

@@ -35,23 +35,29 @@ public sealed class DamagedFaceTableTests
     {
         string[] ends = ["\n", "\r\n", "\r", "\n\n", " \n", "\t\r\n\r\n", "\n# end\n"];
         Arbitrary<int[]> choices = RandomCases.ArrayOf(RandomCases.Integer(0, ends.Length - 1), Rows.Length + 1);
-        RandomCases.Check(1_000, choices, chosen =>
-        {
-            string text = string.Concat(Rows.Prepend(Header).Select((line, i) => line + ends[chosen[i]]));
+        RandomCases.Check(
+            1_000,
+            choices,
+            chosen =>
+            {
+                string text = string.Concat(Rows.Prepend(Header).Select((line, i) => line + ends[chosen[i]]));
 
-            FaceTableContent content = Read(Bytes(text));
+                FaceTableContent content = Read(Bytes(text));
 
-            Assert.Empty(content.Problems);
-            AssertHas(content, Faces);
-        });
+                Assert.Empty(content.Problems);
+                AssertHas(content, Faces);
+            }
+        );
     }
 
     [Fact]
     public void Read_accepts_every_encoding_with_a_byte_order_mark()
     {
         string text = string.Join("\n", Rows.Prepend(Header));
-        foreach (Encoding encoding
-            in (Encoding[])[new UTF8Encoding(false), new UTF8Encoding(true), Encoding.Unicode, Encoding.BigEndianUnicode, Encoding.UTF32])
+        foreach (
+            Encoding encoding in (Encoding[])
+                [new UTF8Encoding(false), new UTF8Encoding(true), Encoding.Unicode, Encoding.BigEndianUnicode, Encoding.UTF32]
+        )
         {
             FaceTableContent content = Read([.. encoding.GetPreamble(), .. encoding.GetBytes(text)]);
 
@@ -83,20 +89,24 @@ public sealed class DamagedFaceTableTests
     {
         byte[] bytes = [.. "0123456789.,-+eE\"'# \t\r\nxyzNaN\0"u8, 0xC3, 0xA4, 0xE2, 0x80, 0xA8, 0xEF, 0xBB, 0xBF, 0xFF, 0xFE];
         Arbitrary<ByteChange[]> changes = ByteChange.Lists(count: 5, maxLength: 8, bytes);
-        RandomCases.Check(mutations, Arb.Zip(RandomCases.Integer(0, Rows.Length), changes), drawn =>
-        {
-            (int damaged, ByteChange[] damage) = drawn;
-            byte[][] lines = [.. Rows.Prepend(Header).Select(Bytes)];
-            lines[damaged] = ByteChange.Apply(damage, lines[damaged]);
-
-            FaceTableContent content = Read(Joined(lines));
-
-            // After the mark of another encoding, no line is what it was.
-            if (lines[0] is not ([0xFE, 0xFF, ..] or [0xFF, 0xFE, ..]))
+        RandomCases.Check(
+            mutations,
+            Arb.Zip(RandomCases.Integer(0, Rows.Length), changes),
+            drawn =>
             {
-                AssertHas(content, [.. Faces.Where((_, row) => row + 1 != damaged)]);
+                (int damaged, ByteChange[] damage) = drawn;
+                byte[][] lines = [.. Rows.Prepend(Header).Select(Bytes)];
+                lines[damaged] = ByteChange.Apply(damage, lines[damaged]);
+
+                FaceTableContent content = Read(Joined(lines));
+
+                // After the mark of another encoding, no line is what it was.
+                if (lines[0] is not ([0xFE, 0xFF, ..] or [0xFF, 0xFE, ..]))
+                {
+                    AssertHas(content, [.. Faces.Where((_, row) => row + 1 != damaged)]);
+                }
             }
-        });
+        );
     }
 
     private static void AssertHas(FaceTableContent content, params ModelFace[] faces) =>

@@ -21,9 +21,20 @@ public sealed class SpaceTableReaderTests
         ModelFace yield = Assert.Single(content.Table.Of("prop_sign_road_02a"));
         Assert.Equal(
             new ModelFace(
-                "prop_sign_road_02a", -639994124, ObjectClass.Sign, "YIELD", "R1-2", 0,
-                new Vector3D(-0.457, 0, 2.692), new Vector3D(0.457, -0.06, 1.9), Facing.Back, Provenance.Measured, "survey, by ray"),
-            yield);
+                "prop_sign_road_02a",
+                -639994124,
+                ObjectClass.Sign,
+                "YIELD",
+                "R1-2",
+                0,
+                new Vector3D(-0.457, 0, 2.692),
+                new Vector3D(0.457, -0.06, 1.9),
+                Facing.Back,
+                Provenance.Measured,
+                "survey, by ray"
+            ),
+            yield
+        );
     }
 
     [Fact]

@@ -28,12 +28,15 @@ public sealed class ShippedTableTests
     // The rule of data/README.md: what has a head of red, amber and green is a light, and nothing at a railway crossing has one.
     [Fact]
     public void Shipped_road_signals_are_lights_and_rail_signals_are_signs() =>
-        Assert.All(Shipped.Value.Table.Faces, face =>
-        {
-            bool isOfRails = face.Model.Contains("rail", StringComparison.Ordinal);
-            bool isSignal = !isOfRails && face.Model.StartsWith("prop_traffic_", StringComparison.Ordinal);
-            Assert.Equal(isSignal ? ObjectClass.TrafficLight : ObjectClass.Sign, face.Class);
-        });
+        Assert.All(
+            Shipped.Value.Table.Faces,
+            face =>
+            {
+                bool isOfRails = face.Model.Contains("rail", StringComparison.Ordinal);
+                bool isSignal = !isOfRails && face.Model.StartsWith("prop_traffic_", StringComparison.Ordinal);
+                Assert.Equal(isSignal ? ObjectClass.TrafficLight : ObjectClass.Sign, face.Class);
+            }
+        );
 
     [Fact]
     public void Shipped_stop_face_begins_at_the_one_published_height() =>

@@ -35,13 +35,16 @@ public sealed class AtomicFileTests : IDisposable
     {
         File.WriteAllText(Target, "old");
 
-        AtomicFile.Write(Target, stream =>
-        {
-            stream.Write("new"u8);
-            stream.Flush();
-            Assert.Equal("old", File.ReadAllText(Target));
-            Assert.Equal("labels.jsonl", AtomicFile.TargetOf(Path.GetFileName(Temporaries().Single())));
-        });
+        AtomicFile.Write(
+            Target,
+            stream =>
+            {
+                stream.Write("new"u8);
+                stream.Flush();
+                Assert.Equal("old", File.ReadAllText(Target));
+                Assert.Equal("labels.jsonl", AtomicFile.TargetOf(Path.GetFileName(Temporaries().Single())));
+            }
+        );
     }
 
     [Fact]
@@ -49,11 +52,16 @@ public sealed class AtomicFileTests : IDisposable
     {
         File.WriteAllText(Target, "old");
 
-        Assert.Throws<InvalidDataException>(() => AtomicFile.Write(Target, stream =>
-        {
-            stream.Write("ne"u8);
-            throw new InvalidDataException();
-        }));
+        Assert.Throws<InvalidDataException>(() =>
+            AtomicFile.Write(
+                Target,
+                stream =>
+                {
+                    stream.Write("ne"u8);
+                    throw new InvalidDataException();
+                }
+            )
+        );
 
         Assert.Equal("old", File.ReadAllText(Target));
         Assert.Equal([Target], Directory.GetFileSystemEntries(_folder));
@@ -104,7 +112,8 @@ public sealed class AtomicFileTests : IDisposable
         Assert.All(names, name => Assert.Equal("a/spaces.csv", AtomicFile.TargetOf(name)));
         Assert.All(
             ["a.partial", ".0123456789abcdef.partial", "a.0123456789abcde.partial", "a.0123456789abcdef.png"],
-            name => Assert.Null(AtomicFile.TargetOf(name)));
+            name => Assert.Null(AtomicFile.TargetOf(name))
+        );
     }
 
     [Fact]
@@ -130,7 +139,8 @@ public sealed class AtomicFileTests : IDisposable
 
         Assert.Equal(
             others.Order(StringComparer.Ordinal),
-            Directory.GetFiles(_folder).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+            Directory.GetFiles(_folder).Select(Path.GetFileName).Order(StringComparer.Ordinal)
+        );
     }
 
     [Fact]

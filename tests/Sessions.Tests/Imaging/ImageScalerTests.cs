@@ -86,7 +86,8 @@ public sealed class ImageScalerTests
                     Assert.Equal(
                         Integral(source, x, y, channel, (double)width / toWidth, (double)height / toHeight),
                         target.Bytes[i],
-                        RoundingTolerance);
+                        RoundingTolerance
+                    );
                 }
             }
         }

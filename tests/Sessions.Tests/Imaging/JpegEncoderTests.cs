@@ -29,7 +29,8 @@ public sealed class JpegEncoderTests
 
         Assert.Equal(
             Bytes(new JpegEncoder(quality, (luma, chroma) => new PortableBlockTransform(luma, chroma)), picture),
-            Bytes(new JpegEncoder(quality), picture));
+            Bytes(new JpegEncoder(quality), picture)
+        );
     }
 
     [Fact]
@@ -63,8 +64,7 @@ public sealed class JpegEncoderTests
     [Theory]
     [InlineData(0)]
     [InlineData(101)]
-    public void Quality_out_of_range_is_refused(int quality) =>
-        Assert.Throws<ArgumentOutOfRangeException>(() => new JpegEncoder(quality));
+    public void Quality_out_of_range_is_refused(int quality) => Assert.Throws<ArgumentOutOfRangeException>(() => new JpegEncoder(quality));
 
     private static PixelBuffer Noise(int width, int height, int seed)
     {

@@ -27,7 +27,12 @@ public sealed class PngEncoderTests
     [Fact]
     public void Write_instance_map_is_read_back_with_the_high_byte_first()
     {
-        var map = new InstanceMap(new ImageSize(3, 2)) { [0, 0] = 1, [2, 0] = 0x1234, [1, 1] = 65_535 };
+        var map = new InstanceMap(new ImageSize(3, 2))
+        {
+            [0, 0] = 1,
+            [2, 0] = 0x1234,
+            [1, 1] = 65_535,
+        };
 
         var stream = new MemoryStream();
         new PngEncoder().Write(map, stream);

@@ -17,14 +17,16 @@ public sealed class IndicatorOrderTests
     public void FromValues_of_what_torcs_gives_finds_the_flags_again(int lanes, double offset)
     {
         LaneIndicators indicators = TorcsEquivalent.Of(
-            IndicatorCalculator.Compute(0.2, offset, new LaneSection(lanes, 4), [new VehicleAhead(0, 30)]), new LaneSection(lanes, 4));
+            IndicatorCalculator.Compute(0.2, offset, new LaneSection(lanes, 4), [new VehicleAhead(0, 30)]),
+            new LaneSection(lanes, 4)
+        );
 
         Assert.Equal(indicators, IndicatorOrder.FromValues(IndicatorOrder.Values(indicators)));
     }
 
     [Fact]
-    public void Values_are_in_the_order_of_the_table() => Assert.Equal(
-        IndicatorTable.All.Select(indicator => indicator.Range.InactiveValue), IndicatorOrder.Values(LaneIndicators.Unknown));
+    public void Values_are_in_the_order_of_the_table() =>
+        Assert.Equal(IndicatorTable.All.Select(indicator => indicator.Range.InactiveValue), IndicatorOrder.Values(LaneIndicators.Unknown));
 
     [Fact]
     public void FromValues_of_another_count_is_refused() =>

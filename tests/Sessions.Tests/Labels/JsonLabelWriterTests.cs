@@ -14,7 +14,7 @@ public sealed class JsonLabelWriterTests
     {
         string expected =
             """{"frame":3,"gameFrame":120,"timeSeconds":1.983333,"lagFrames":0,"lagSeconds":0,"image":"frames/00000003.png","mask":null"""
-                + ""","pixelMap":null,"rays":{"total":231,"map":0,"occlusion":130,"faces":64,"ignoreRegions":17,"lanes":20,"joints":0},"""
+            + ""","pixelMap":null,"rays":{"total":231,"map":0,"occlusion":130,"faces":64,"ignoreRegions":17,"lanes":20,"joints":0},"""
             + """ "camera":{"position":[1,-2.5,3],"right":[1,0,0],"forward":[0,1,0],"up":[0,0,1],"verticalFovDegrees":50""".TrimStart()
             + ""","width":800,"height":600,"windowAspect":1.777777778,"nearClip":0.15,"fx":482.507,"fy":643.352076,"cx":400,"cy":300"""
             + ""","distortion":{"focalScale":1.008,"k1":-0.02,"k2":0}},"""
@@ -47,7 +47,8 @@ public sealed class JsonLabelWriterTests
         Assert.Contains(
             "\"mask\":\"masks/00000003.png\",\"pixelMap\":{\"resolutionPixels\":4,\"interpolatedPixels\":1200,\"raysCast\":350},\"rays\":",
             line,
-            StringComparison.Ordinal);
+            StringComparison.Ordinal
+        );
     }
 
     [Fact]
@@ -71,8 +72,18 @@ public sealed class JsonLabelWriterTests
     private static FrameLabel Frame()
     {
         var camera = new CameraLabel(
-            new Pose(new Vector3D(1, -2.5, 3), Axes.Identity), 50, 800, 600, 16.0 / 9, 0.15, 482.507, 643.3520764, 400, 300,
-            new DistortionLabel(1.008, -0.02, 0));
+            new Pose(new Vector3D(1, -2.5, 3), Axes.Identity),
+            50,
+            800,
+            600,
+            16.0 / 9,
+            0.15,
+            482.507,
+            643.3520764,
+            400,
+            300,
+            new DistortionLabel(1.008, -0.02, 0)
+        );
         var light = new ObjectLabel
         {
             Id = 1,
@@ -110,14 +121,22 @@ public sealed class JsonLabelWriterTests
             DistanceMetres = 5,
         };
         return new FrameLabel(
-            3, 120, 119 / 60.0, 0, 0, "frames/00000003.png", null, camera,
+            3,
+            120,
+            119 / 60.0,
+            0,
+            0,
+            "frames/00000003.png",
+            null,
+            camera,
             new EgoLabel(new Vector3D(1, -4, 0), 0, new Vector3D(0, 15.25, 0), "blista")
             {
                 Axes = Axes.Identity,
                 HeightAboveGroundMetres = 0.51,
             },
             new EnvironmentState("clear", new TimeSpan(7, 5, 9)),
-            [light, motorcycle])
+            [light, motorcycle]
+        )
         {
             Rays = new RayCounts(0, 130, 64, 17, 20, 0),
             IgnoreRegions = [new IgnoreRegion(IgnoreReason.BeyondRange, ObjectClass.Truck, new Box2D(700.5, 290, 720.125, 305), 157.23456)],

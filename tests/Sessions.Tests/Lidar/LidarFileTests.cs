@@ -16,8 +16,7 @@ public sealed class LidarFileTests
 
     [Fact]
     public void Points_are_read_back() =>
-        Assert.Equal(
-            [Point, Point with { IsInterpolated = true }], LidarFile.Read(BytesOf(Point, Point with { IsInterpolated = true })));
+        Assert.Equal([Point, Point with { IsInterpolated = true }], LidarFile.Read(BytesOf(Point, Point with { IsInterpolated = true })));
 
     [Theory]
     [InlineData(22, 22, "point 0 has an unknown class.")]
@@ -35,7 +34,10 @@ public sealed class LidarFileTests
     [Fact]
     public void Part_of_a_point_is_refused() =>
         Assert.StartsWith(
-            "it has 23 bytes", Assert.Throws<FormatException>(() => LidarFile.Read(new byte[23])).Message, StringComparison.Ordinal);
+            "it has 23 bytes",
+            Assert.Throws<FormatException>(() => LidarFile.Read(new byte[23])).Message,
+            StringComparison.Ordinal
+        );
 
     private static byte[] BytesOf(params LidarPoint[] points)
     {

@@ -37,7 +37,8 @@ public sealed class PlanStatusTests : IDisposable
                 """{"trial":"a","state":"done","attempt":2,"frames":40}""",
                 """{"trial":"b","state":"failed","attempt":1,"frames":0,"reason":"in \"water\""}""",
             ],
-            File.ReadAllLines(FilePath));
+            File.ReadAllLines(FilePath)
+        );
     }
 
     [Fact]

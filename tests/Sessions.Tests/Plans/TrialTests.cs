@@ -15,8 +15,7 @@ public sealed class TrialTests
         string[] ids = [.. TrialsOf(Text).Select(trial => trial.Id)];
 
         Assert.Equal(2 * 2 * 2 * 2 * 2, ids.Distinct().Count());
-        Assert.Equal(
-            ["a_rain_0830_c_001", "a_rain_0830_c_002", "a_rain_0830_d_001", "a_rain_0830_d_002", "a_rain_2100_c_001"], ids[..5]);
+        Assert.Equal(["a_rain_0830_c_001", "a_rain_0830_c_002", "a_rain_0830_d_001", "a_rain_0830_d_002", "a_rain_2100_c_001"], ids[..5]);
         Assert.Equal(["a_clear_0830_c_001", "b_rain_0830_c_001"], [ids[8], ids[16]]);
     }
 

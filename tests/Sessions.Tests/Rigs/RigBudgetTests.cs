@@ -12,7 +12,8 @@ public sealed class RigBudgetTests
         {"name":"million","cameras":[{"name":"front","position":[0,2,1],"verticalFovDegrees":50,"width":1000,"height":1000}],
         "lidars":[{"name":"top","position":[0,0,2],"columns":1000,"beamsDegrees":[1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,
         21,22,23,24,25,26,27,28,29,30]}]}
-        """);
+        """
+    );
 
     [Theory]
     // The picture takes 1e6 / 5e6 s, labels 0.02 s, rays 3e4 / 3e5 s; a mask 1e6 / 1.5e7 s more, and depth maps 1e6 / 3e6 s.
@@ -32,6 +33,7 @@ public sealed class RigBudgetTests
         Assert.Null(RigBudget.ProblemOf(Million, RigBudget.MaxSeconds));
         Assert.Equal(
             "A moment of the rig 'million' takes about 61 s; at most 60 s are allowed. Give it fewer rays or smaller images.",
-            RigBudget.ProblemOf(Million, 61));
+            RigBudget.ProblemOf(Million, 61)
+        );
     }
 }

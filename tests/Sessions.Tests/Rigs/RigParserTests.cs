@@ -12,14 +12,18 @@ public sealed class RigParserTests
     [Fact]
     public void Camera_is_read_with_its_mount()
     {
-        Rig rig = RigParser.Parse("""
+        Rig rig = RigParser.Parse(
+            """
             {"name":"two","origin":[0,-1,-0.5],"cameras":[{"name":"left","position":[-1,2,3],"yawDegrees":90,"verticalFovDegrees":40,
             "width":64,"height":32,"lens":{"k1":-0.1}}]}
-            """);
+            """
+        );
 
         RigCamera camera = Assert.Single(rig.Cameras);
-        Assert.Equal(("left", 40.0, 64, 32, -0.1), (camera.Name, camera.VerticalFovDegrees, camera.Image.Width, camera.Image.Height,
-            camera.Lens.K1));
+        Assert.Equal(
+            ("left", 40.0, 64, 32, -0.1),
+            (camera.Name, camera.VerticalFovDegrees, camera.Image.Width, camera.Image.Height, camera.Lens.K1)
+        );
 
         // A quarter turn to the left: forward is the vehicle's left, -x. The origin is added: (-1, 2 - 1, 3 - 0.5).
         const double rounding = 1e-12;
@@ -59,8 +63,12 @@ public sealed class RigParserTests
     [Fact]
     public void Written_rig_is_read_back()
     {
-        Rig rig = RigParser.Parse(With(Camera.Replace("[1,2,3]", "[1,2,3],\"pitchDegrees\":-2.5", StringComparison.Ordinal),
-            Lidar.Replace("}", ",\"rayFraction\":0.25,\"motionDistortion\":true}", StringComparison.Ordinal)));
+        Rig rig = RigParser.Parse(
+            With(
+                Camera.Replace("[1,2,3]", "[1,2,3],\"pitchDegrees\":-2.5", StringComparison.Ordinal),
+                Lidar.Replace("}", ",\"rayFraction\":0.25,\"motionDistortion\":true}", StringComparison.Ordinal)
+            )
+        );
         var json = new JsonText();
         RigJson.Append(json, rig);
         Rig read = RigParser.Parse(json.ToString());
@@ -79,20 +87,29 @@ public sealed class RigParserTests
     [InlineData("""{"name":"r","cameras":[CAMERA,CAMERA]}""", "cameras[1].name must be unlike that of every other sensor")]
     [InlineData("""{"name":"r","cameras":[CAMERA],"lens":1}""", "lens is not a field of a rig.")]
     [InlineData("""{"name":"../r","cameras":[CAMERA]}""", "name must be 1 to 40 letters")]
-    [InlineData("""{"name":"r","cameras":[{"name":"a","position":[1,2],"verticalFovDegrees":50,"width":80,"height":60}]}""",
-        "cameras[0].position must be three numbers")]
-    [InlineData("""{"name":"r","cameras":[{"name":"a","position":[1,2,3],"verticalFovDegrees":171,"width":80,"height":60}]}""",
-        "cameras[0].verticalFovDegrees must be a number from 1 to 170.")]
-    [InlineData("""{"name":"r","cameras":[{"name":"a","position":[1,2,3],"verticalFovDegrees":50,"width":80.5,"height":60}]}""",
-        "cameras[0].width must be a whole number.")]
+    [InlineData(
+        """{"name":"r","cameras":[{"name":"a","position":[1,2],"verticalFovDegrees":50,"width":80,"height":60}]}""",
+        "cameras[0].position must be three numbers"
+    )]
+    [InlineData(
+        """{"name":"r","cameras":[{"name":"a","position":[1,2,3],"verticalFovDegrees":171,"width":80,"height":60}]}""",
+        "cameras[0].verticalFovDegrees must be a number from 1 to 170."
+    )]
+    [InlineData(
+        """{"name":"r","cameras":[{"name":"a","position":[1,2,3],"verticalFovDegrees":50,"width":80.5,"height":60}]}""",
+        "cameras[0].width must be a whole number."
+    )]
     [InlineData("""{"name":"Nul","cameras":[CAMERA]}""", "name must be another one: Windows reserves 'Nul' for a device.")]
-    [InlineData("""{"name":"r","cameras":[{"name":"COM1","position":[1,2,3],"verticalFovDegrees":50,"width":80,"height":60}]}""",
-        "cameras[0].name must be another one: Windows reserves 'COM1' for a device.")]
+    [InlineData(
+        """{"name":"r","cameras":[{"name":"COM1","position":[1,2,3],"verticalFovDegrees":50,"width":80,"height":60}]}""",
+        "cameras[0].name must be another one: Windows reserves 'COM1' for a device."
+    )]
     [InlineData("[]", "the file must be an object.")]
     public void Bad_rig_is_refused_with_its_field(string text, string message)
     {
-        FormatException refused = Assert.Throws<FormatException>(
-            () => RigParser.Parse(text.Replace("CAMERA", Camera, StringComparison.Ordinal)));
+        FormatException refused = Assert.Throws<FormatException>(() =>
+            RigParser.Parse(text.Replace("CAMERA", Camera, StringComparison.Ordinal))
+        );
 
         Assert.StartsWith(message, refused.Message, StringComparison.Ordinal);
     }
@@ -113,8 +130,9 @@ public sealed class RigParserTests
     {
         string beams = $"[{string.Join(',', Enumerable.Range(-50, 101))}]";
         string lidar = fields.Replace("BEAMS", beams, StringComparison.Ordinal);
-        FormatException refused = Assert.Throws<FormatException>(
-            () => RigParser.Parse(With(Camera, $$"""{"name":"top","position":[0,0,2],{{lidar}}}""")));
+        FormatException refused = Assert.Throws<FormatException>(() =>
+            RigParser.Parse(With(Camera, $$"""{"name":"top","position":[0,0,2],{{lidar}}}"""))
+        );
 
         Assert.StartsWith(message, refused.Message, StringComparison.Ordinal);
     }

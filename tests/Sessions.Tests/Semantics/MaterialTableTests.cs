@@ -18,8 +18,7 @@ public sealed class MaterialTableTests
         Assert.Equal(expected, MaterialTable.BuiltIn.ClassOf(material, normalZ));
 
     [Fact]
-    public void Unknown_normal_is_taken_as_level() =>
-        Assert.Equal(SemanticClass.Pavement, MaterialTable.BuiltIn.ClassOf(0x46CA81E8, null));
+    public void Unknown_normal_is_taken_as_level() => Assert.Equal(SemanticClass.Pavement, MaterialTable.BuiltIn.ClassOf(0x46CA81E8, null));
 
     [Fact]
     public void Own_table_is_read()
@@ -58,6 +57,5 @@ public sealed class MaterialTableTests
     }
 
     [Fact]
-    public void Each_class_has_a_colour_of_its_own() =>
-        Assert.Distinct(Enum.GetValues<SemanticClass>().Select(SemanticClasses.ColourOf));
+    public void Each_class_has_a_colour_of_its_own() => Assert.Distinct(Enum.GetValues<SemanticClass>().Select(SemanticClasses.ColourOf));
 }

@@ -30,16 +30,20 @@ public sealed class InvariantNumberTests
     public void Format_random_values_is_within_half_of_the_last_decimal()
     {
         Arbitrary<(int Power, int Decimals)> scales = Arb.Zip(RandomCases.Integer(-3, 6), RandomCases.Integer(0, 7));
-        RandomCases.Check(10_000, Arb.Zip(RandomCases.Number(-0.5, 0.5), scales), drawn =>
-        {
-            double value = drawn.Item1 * Math.Pow(10, drawn.Item2.Power);
-            int decimals = drawn.Item2.Decimals;
-            decimal read = decimal.Parse(InvariantNumber.Format(value, decimals), CultureInfo.InvariantCulture);
+        RandomCases.Check(
+            10_000,
+            Arb.Zip(RandomCases.Number(-0.5, 0.5), scales),
+            drawn =>
+            {
+                double value = drawn.Item1 * Math.Pow(10, drawn.Item2.Power);
+                int decimals = drawn.Item2.Decimals;
+                decimal read = decimal.Parse(InvariantNumber.Format(value, decimals), CultureInfo.InvariantCulture);
 
-            // The product with the power of ten rounds once more: a few units in the 16th place of the value.
-            decimal halfStep = (decimal)(0.5 * Math.Pow(10, -decimals)) + ((decimal)Math.Abs(value) * 1e-15m);
-            Assert.InRange(Math.Abs(read - (decimal)value), 0, halfStep + 1e-15m);
-        });
+                // The product with the power of ten rounds once more: a few units in the 16th place of the value.
+                decimal halfStep = (decimal)(0.5 * Math.Pow(10, -decimals)) + ((decimal)Math.Abs(value) * 1e-15m);
+                Assert.InRange(Math.Abs(read - (decimal)value), 0, halfStep + 1e-15m);
+            }
+        );
     }
 
     [Theory]

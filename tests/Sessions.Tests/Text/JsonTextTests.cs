@@ -8,11 +8,22 @@ public sealed class JsonTextTests
     [Fact]
     public void ToString_on_one_line_has_no_blanks()
     {
-        JsonText json = new JsonText().BeginObject()
-            .Key("a").Integer(1)
-            .Key("b").BeginArray().Number(0.5, 2).BeginArray().EndArray().Boolean(true).EndArray()
-            .Key("c").BeginObject().EndObject()
-            .Key("d").String(null)
+        JsonText json = new JsonText()
+            .BeginObject()
+            .Key("a")
+            .Integer(1)
+            .Key("b")
+            .BeginArray()
+            .Number(0.5, 2)
+            .BeginArray()
+            .EndArray()
+            .Boolean(true)
+            .EndArray()
+            .Key("c")
+            .BeginObject()
+            .EndObject()
+            .Key("d")
+            .String(null)
             .EndObject();
 
         Assert.Equal("""{"a":1,"b":[0.5,[],true],"c":{},"d":null}""", json.ToString());
@@ -21,10 +32,21 @@ public sealed class JsonTextTests
     [Fact]
     public void ToString_indented_gives_members_lines_and_arrays_one_line()
     {
-        JsonText json = new JsonText(indented: true).BeginObject()
-            .Key("a").BeginObject().Key("b").Integer((long?)null).EndObject()
-            .Key("c").BeginArray().Integer(1).Integer(2).EndArray()
-            .Key("d").BeginObject().EndObject()
+        JsonText json = new JsonText(indented: true)
+            .BeginObject()
+            .Key("a")
+            .BeginObject()
+            .Key("b")
+            .Integer((long?)null)
+            .EndObject()
+            .Key("c")
+            .BeginArray()
+            .Integer(1)
+            .Integer(2)
+            .EndArray()
+            .Key("d")
+            .BeginObject()
+            .EndObject()
             .EndObject();
 
         Assert.Equal("{\n  \"a\": {\n    \"b\": null\n  },\n  \"c\": [1, 2],\n  \"d\": {}\n}", json.ToString());

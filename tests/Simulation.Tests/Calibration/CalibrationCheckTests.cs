@@ -7,7 +7,12 @@ namespace Harvester.Simulation.Tests.Calibration;
 /// <summary>A harvest checks its camera model by markers before it records anything.</summary>
 public sealed class CalibrationCheckTests
 {
-    private static readonly HarvestOptions Options = new() { Image = new ImageSize(400, 300), MaxFrames = 1, ProbeLag = false };
+    private static readonly HarvestOptions Options = new()
+    {
+        Image = new ImageSize(400, 300),
+        MaxFrames = 1,
+        ProbeLag = false,
+    };
     private static readonly Lens Right = new(1.008, 0, 0, -0.02, 0);
 
     [Fact]
@@ -73,8 +78,7 @@ public sealed class CalibrationCheckTests
 
         HarvestOutcome outcome = Harvest(game, Options with { Image = new ImageSize(160, 120) }, []);
 
-        Assert.Equal(
-            $"The image is {lag} ticks behind the game; the harvest allows 4.", outcome.Fault);
+        Assert.Equal($"The image is {lag} ticks behind the game; the harvest allows 4.", outcome.Fault);
         Assert.False(outcome.IsOpened);
         Assert.False(game.IsFrozen);
         Assert.False(game.ShowsMarkers);
@@ -84,7 +88,8 @@ public sealed class CalibrationCheckTests
     public void Step_with_the_largest_allowed_lag_records() =>
         AssertRecorded(
             Harvest(new RenderedGame { PictureLag = 7 }, Options with { Image = new ImageSize(160, 120), MaxPictureLagTicks = 7 }, []),
-            isChecked: true);
+            isChecked: true
+        );
 
     [Fact]
     public void Step_without_visible_markers_warns_and_records_unchecked()
@@ -95,8 +100,7 @@ public sealed class CalibrationCheckTests
         Assert.Matches("not checked: none of 20 markers was visible.*The picture lag was not checked", outcome.Warning);
     }
 
-    private static RenderedGame Game() =>
-        new() { VerticalFovDegrees = 60, Lens = new RenderLens(1.008, 0, 0, -0.02, 0) };
+    private static RenderedGame Game() => new() { VerticalFovDegrees = 60, Lens = new RenderLens(1.008, 0, 0, -0.02, 0) };
 
     private static HarvestOutcome Harvest(RenderedGame game, HarvestOptions options, List<HarvestPhase> phases)
     {
@@ -140,12 +144,8 @@ public sealed class CalibrationCheckTests
             return true;
         }
 
-        public void Close(SessionEnd end)
-        {
-        }
+        public void Close(SessionEnd end) { }
 
-        public void Dispose()
-        {
-        }
+        public void Dispose() { }
     }
 }

@@ -18,8 +18,7 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     [Theory]
     [InlineData(50, 2)]
     [InlineData(90, 10)]
-    public void Step_until_done_finds_an_injected_lens(double fov, double minErrorBefore) =>
-        FindInjected(800, 600, fov, minErrorBefore);
+    public void Step_until_done_finds_an_injected_lens(double fov, double minErrorBefore) => FindInjected(800, 600, fov, minErrorBefore);
 
     [Theory]
     [InlineData(50, 10)]
@@ -43,7 +42,12 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     public void Step_finds_the_lens_in_a_window_of_another_aspect()
     {
         var image = new ImageSize(400, 300);
-        var game = new RenderedGame { Lens = Injected, WindowAspect = 16.0 / 9, VerticalFovDegrees = 60 };
+        var game = new RenderedGame
+        {
+            Lens = Injected,
+            WindowAspect = 16.0 / 9,
+            VerticalFovDegrees = 60,
+        };
 
         CalibrationResult result = Calibrate(game, image);
 
@@ -98,7 +102,9 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     {
         var game = new RenderedGame { Creep = creep, Refusal = refusal };
         using var session = new CalibrationSession(
-            new CalibrationOptions { Image = new ImageSize(80, 60), MarkerRadiusPixels = 1 }, game.Ports);
+            new CalibrationOptions { Image = new ImageSize(80, 60), MarkerRadiusPixels = 1 },
+            game.Ports
+        );
 
         Run(session, game);
 
@@ -129,14 +135,20 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
 
     [Fact]
     public void Game_that_draws_no_markers_is_refused() =>
-        Assert.Throws<ArgumentException>(
-            () => new CalibrationSession(new CalibrationOptions(), new RenderedGame().Ports with { Markers = null }));
+        Assert.Throws<ArgumentException>(() =>
+            new CalibrationSession(new CalibrationOptions(), new RenderedGame().Ports with { Markers = null })
+        );
 
     private static void FindShifted(int lag)
     {
         var image = new ImageSize(800, 600);
         var lens = new RenderLens(0.995, 0.004, -0.003, 0.015, -0.002);
-        var game = new RenderedGame(nearThings: true) { Lens = lens, PictureLag = lag, VerticalFovDegrees = 60 };
+        var game = new RenderedGame(nearThings: true)
+        {
+            Lens = lens,
+            PictureLag = lag,
+            VerticalFovDegrees = 60,
+        };
 
         CalibrationResult result = Calibrate(game, image);
 
@@ -147,7 +159,12 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     private void FindInjected(int width, int height, double fov, double minErrorBefore)
     {
         var image = new ImageSize(width, height);
-        var game = new RenderedGame { Lens = Injected, VerticalFovDegrees = fov, WindowAspect = image.Aspect };
+        var game = new RenderedGame
+        {
+            Lens = Injected,
+            VerticalFovDegrees = fov,
+            WindowAspect = image.Aspect,
+        };
 
         CalibrationResult result = Calibrate(game, image);
 
@@ -155,7 +172,8 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
         (double rms, double max) = ErrorOverImage(game, image, Injected, result.Lens);
         output.WriteLine(
             $"{width}x{height}, {fov} degrees: {rmsBefore:F2} px RMS and {maxBefore:F2} px at most before, {rms:F3} and {max:F3} after; "
-                + $"reported {result}");
+                + $"reported {result}"
+        );
         Assert.True(maxBefore >= minErrorBefore, $"{maxBefore:F2} px at most before");
         Assert.True(rms <= MaxRms && max <= MaxError, $"{rms:F3} px RMS, {max:F3} px at most after");
         Assert.True(result.After.RmsPixels <= MaxRms && result.After.MaxPixels <= MaxError, $"{result.After} reported");
@@ -198,7 +216,6 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
         var error = ReprojectionError.Of(model.Intrinsics, sightings);
         return (error.RmsPixels, error.MaxPixels);
 
-        Camera CameraOf(Lens lens) =>
-            new(pose, new CameraIntrinsics(game.VerticalFovDegrees, image, game.WindowAspect, 0.1, lens));
+        Camera CameraOf(Lens lens) => new(pose, new CameraIntrinsics(game.VerticalFovDegrees, image, game.WindowAspect, 0.1, lens));
     }
 }

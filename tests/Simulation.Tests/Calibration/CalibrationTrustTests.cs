@@ -24,7 +24,8 @@ public sealed class CalibrationTrustTests(ITestOutputHelper output)
                 Between(random, -0.02, 0.02),
                 Between(random, -0.02, 0.02),
                 Between(random, -0.04, 0.04),
-                Between(random, -0.005, 0.005));
+                Between(random, -0.005, 0.005)
+            );
             var image = trial % 4 == 0 ? new ImageSize(640, 480) : new ImageSize(400, 300);
             var game = new RenderedGame(nearThings: trial % 7 == 0)
             {
@@ -41,7 +42,8 @@ public sealed class CalibrationTrustTests(ITestOutputHelper output)
         int held = ratios.Count(ratio => ratio <= 1);
         output.WriteLine(
             $"the claim held in {held} of {trials}; error over claim: median {ratios.Order().ElementAt(trials / 2):0.00}, largest "
-                + $"{ratios.Max():0.00}");
+                + $"{ratios.Max():0.00}"
+        );
         Assert.True(held >= 0.95 * trials, $"held in {held} of {trials}, largest ratio {ratios.Max():0.00}");
 
         // A claim that is far too large would hold too.
@@ -71,14 +73,20 @@ public sealed class CalibrationTrustTests(ITestOutputHelper output)
     {
         // After the coarse grid, its seven coded pictures and the fine grid comes the tenth: the one to check by, of which all markers
         // stand 2 cm too high.
-        var game = new RenderedGame { VerticalFovDegrees = 60, MarkerShift = new Vector3D(0, 0, 0.02), MarkerShiftFromShow = 10 };
+        var game = new RenderedGame
+        {
+            VerticalFovDegrees = 60,
+            MarkerShift = new Vector3D(0, 0, 0.02),
+            MarkerShiftFromShow = 10,
+        };
 
         CalibrationSession session = Run(game, new ImageSize(400, 300));
 
         Assert.Null(session.Result);
         Assert.Matches(
             "^The lens misplaces [0-9]+ of [0-9]+ markers that were not used for the fit.*is not where the game reports it",
-            session.Fault);
+            session.Fault
+        );
     }
 
     [Fact]

@@ -16,7 +16,10 @@ internal sealed class RenderedGame : IWorld, IRayCaster, IScreen, IPause, IClock
     private static readonly Pose CameraPose = new(new Vector3D(1200, -340, 31.3), Axes.FromEuler(new EulerAngles(-2, 1, 77)));
     private readonly Renderer _renderer = new();
     private readonly RenderScene _scene;
-    private readonly List<IReadOnlyList<PlannedMarker>> _history = [[]];
+    private readonly List<IReadOnlyList<PlannedMarker>> _history =
+    [
+        [],
+    ];
     private IReadOnlyList<PlannedMarker> _markers = [];
     private int _shows;
 
@@ -32,7 +35,8 @@ internal sealed class RenderedGame : IWorld, IRayCaster, IScreen, IPause, IClock
             yard.AddBox(
                 corner,
                 corner + new Vector3D(3, 3, 1 + (8 * random.NextDouble())),
-                new Rgb((byte)random.Next(256), (byte)random.Next(256), (byte)random.Next(256)));
+                new Rgb((byte)random.Next(256), (byte)random.Next(256), (byte)random.Next(256))
+            );
         }
 
         for (int i = 0; nearThings && i < 4; i++)
@@ -62,7 +66,11 @@ internal sealed class RenderedGame : IWorld, IRayCaster, IScreen, IPause, IClock
 
     public RenderLens Lens { get; init; } = RenderLens.None;
 
-    public Lighting Lighting { get => _scene.Lighting; init => _scene.Lighting = value; }
+    public Lighting Lighting
+    {
+        get => _scene.Lighting;
+        init => _scene.Lighting = value;
+    }
 
     /// <summary>Ticks by which the picture is behind.</summary>
     public int PictureLag { get; init; }
@@ -132,9 +140,17 @@ internal sealed class RenderedGame : IWorld, IRayCaster, IScreen, IPause, IClock
         }
 
         _scene.SetDynamic(_history[Math.Max(0, _history.Count - 1 - PictureLag)].Skip(HiddenMarkers).Select(MarkerModel.Of));
-        var camera = new RenderCamera(ReadCamera().Pose, VerticalFovDegrees, RenderedAspect
-            ?? WindowAspect, 0.1, target.Size.Width, target.Size.Height)
-        { Lens = Lens };
+        var camera = new RenderCamera(
+            ReadCamera().Pose,
+            VerticalFovDegrees,
+            RenderedAspect ?? WindowAspect,
+            0.1,
+            target.Size.Width,
+            target.Size.Height
+        )
+        {
+            Lens = Lens,
+        };
         var picture = new RenderTarget(target.Size.Width, target.Size.Height);
         _renderer.Render(_scene, camera, picture);
         picture.Colour.CopyTo(target.Bytes, 0);

@@ -46,7 +46,13 @@ public sealed class CarStateTests
     [Fact]
     public void After_at_a_crawl_the_rear_axle_follows_the_bicycle_model()
     {
-        var limits = new CarLimits { Drag = 0, RollingResistance = 0, SteeringRate = 1000, CharacteristicSpeed = 1e9 };
+        var limits = new CarLimits
+        {
+            Drag = 0,
+            RollingResistance = 0,
+            SteeringRate = 1000,
+            CharacteristicSpeed = 1e9,
+        };
         CarState car = CarState.At(default, 0, 2, limits);
         const double wheelAngle = 0.3;
 

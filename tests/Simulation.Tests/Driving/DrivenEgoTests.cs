@@ -27,13 +27,22 @@ public sealed class DrivenEgoTests
 
         Run(game, 1, () => car.Drive(new DrivingControls(0.3, 0, 0)));
         Assert.True(
-            Horizontal.Turn(after.Pose.Axes.Forward, game.Ports.World.ReadEgo().Pose.Axes.Forward) > 0.1, "The car did not turn left.");
+            Horizontal.Turn(after.Pose.Axes.Forward, game.Ports.World.ReadEgo().Pose.Axes.Forward) > 0.1,
+            "The car did not turn left."
+        );
     }
 
     [Fact]
     public void Stopped_car_stays_and_traffic_stops_behind_without_contact()
     {
-        SimulatedGame game = new(new SimulationOptions { Seed = 3, TrafficDensity = 2, PedestrianDensity = 0 });
+        SimulatedGame game = new(
+            new SimulationOptions
+            {
+                Seed = 3,
+                TrafficDensity = 2,
+                PedestrianDensity = 0,
+            }
+        );
         IDrivenCar car = game.Ports.Car!;
         Run(game, 20, () => { });
         Run(game, 4, () => car.Drive(DrivingControls.Stop));
@@ -65,22 +74,33 @@ public sealed class DrivenEgoTests
     [Fact]
     public void Released_ego_returns_to_its_lane_and_drives_on()
     {
-        SimulatedGame game = new(new SimulationOptions { Seed = 2, TrafficDensity = 0.5, PedestrianDensity = 0 });
+        SimulatedGame game = new(
+            new SimulationOptions
+            {
+                Seed = 2,
+                TrafficDensity = 0.5,
+                PedestrianDensity = 0,
+            }
+        );
         IDrivenCar car = game.Ports.Car!;
         Run(game, 5, () => { });
         Run(game, 0.6, () => car.Drive(new DrivingControls(0.15, 0.5, 0)));
         Run(game, 4, () => { });
         HashSet<int> roads = [];
         double furthest = 0;
-        Run(game, 120, () =>
-        {
-            EgoState ego = game.Ports.World.ReadEgo();
-            if (game.Truth.Locate(ego.Pose.Position, ego.Pose.Axes.Forward) is { IsInJunction: false } at)
+        Run(
+            game,
+            120,
+            () =>
             {
-                roads.Add(at.Road);
-                furthest = Math.Max(furthest, at.Lane is null ? double.PositiveInfinity : Math.Abs(at.RightOfLaneCentre));
+                EgoState ego = game.Ports.World.ReadEgo();
+                if (game.Truth.Locate(ego.Pose.Position, ego.Pose.Axes.Forward) is { IsInJunction: false } at)
+                {
+                    roads.Add(at.Road);
+                    furthest = Math.Max(furthest, at.Lane is null ? double.PositiveInfinity : Math.Abs(at.RightOfLaneCentre));
+                }
             }
-        });
+        );
 
         // A driver who aims several metres ahead cuts bends a little.
         const double cutOfBends = 0.6;
@@ -91,25 +111,37 @@ public sealed class DrivenEgoTests
     [Fact]
     public void Drive_into_another_vehicle_stops_the_car()
     {
-        SimulatedGame game = new(new SimulationOptions { Seed = 3, TrafficDensity = 1, PedestrianDensity = 0 });
+        SimulatedGame game = new(
+            new SimulationOptions
+            {
+                Seed = 3,
+                TrafficDensity = 1,
+                PedestrianDensity = 0,
+            }
+        );
         IDrivenCar car = game.Ports.Car!;
-        Vehicle other = game.World.Vehicles.Skip(1).First(vehicle =>
-            vehicle.Path.Road is not null && vehicle.Distance > 25 && vehicle.Path.Length - vehicle.Distance > 60);
+        Vehicle other = game
+            .World.Vehicles.Skip(1)
+            .First(vehicle => vehicle.Path.Road is not null && vehicle.Distance > 25 && vehicle.Path.Length - vehicle.Distance > 60);
         Vector3D start = other.Pose.ToWorld(new Vector3D(0, -15, 0));
         car.Reset(start, Angles.HeadingDegrees(other.Pose.Axes.Forward));
         bool touched = false;
         double speedBefore = 0;
-        Run(game, 10, () =>
-        {
-            car.Drive(new DrivingControls(0, 1, 0));
+        Run(
+            game,
+            10,
+            () =>
+            {
+                car.Drive(new DrivingControls(0, 1, 0));
 
-            // The other vehicle may move off again within the tick in which it is met.
-            touched |= speedBefore > 1 && game.World.Ego.Speed == 0;
-            speedBefore = game.World.Ego.Speed;
-            bool touches = game.World.Vehicles.Skip(1).Any(vehicle => vehicle.Footprint.Overlaps(game.World.Ego.Footprint));
-            touched |= touches;
-            Assert.True(!touches || game.World.Ego.Speed == 0, "The car drove on through another.");
-        });
+                // The other vehicle may move off again within the tick in which it is met.
+                touched |= speedBefore > 1 && game.World.Ego.Speed == 0;
+                speedBefore = game.World.Ego.Speed;
+                bool touches = game.World.Vehicles.Skip(1).Any(vehicle => vehicle.Footprint.Overlaps(game.World.Ego.Footprint));
+                touched |= touches;
+                Assert.True(!touches || game.World.Ego.Speed == 0, "The car drove on through another.");
+            }
+        );
 
         Assert.True(touched, "The car met nobody.");
     }

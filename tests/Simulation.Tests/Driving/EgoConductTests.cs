@@ -35,8 +35,17 @@ public sealed class EgoConductTests
     [Fact]
     public void Collision_with_a_parked_vehicle_counts_once()
     {
-        SimulatedGame game = new(new SimulationOptions { Seed = 2, TrafficDensity = 0, ParkedDensity = 1, PedestrianDensity = 0 });
-        EntityState parked = game.Ports.World.ReadEntities(game.Ports.World.ReadEgo().Pose.Position, 500)
+        SimulatedGame game = new(
+            new SimulationOptions
+            {
+                Seed = 2,
+                TrafficDensity = 0,
+                ParkedDensity = 1,
+                PedestrianDensity = 0,
+            }
+        );
+        EntityState parked = game
+            .Ports.World.ReadEntities(game.Ports.World.ReadEgo().Pose.Position, 500)
             .First(entity => entity.Class == ObjectClass.Car && entity.Velocity == default);
 
         // 12 m behind its middle, so that some 7 m are free between two cars.
@@ -58,7 +67,9 @@ public sealed class EgoConductTests
         for (int start = 1; start < 20 && passed.Count < 2; start++)
         {
             SimulatedGame game = Find(
-                conduct => conduct is { Light: LightState.Red or LightState.Green, MetresToTurn: > 2 and < 8 }, start);
+                conduct => conduct is { Light: LightState.Red or LightState.Green, MetresToTurn: > 2 and < 8 },
+                start
+            );
             LightState before = LightState.Unknown;
             for (int tick = 0; tick < 200 && game.Conduct.MetresToTurn > 0; tick++)
             {
@@ -95,7 +106,14 @@ public sealed class EgoConductTests
     [Trait("Category", "Heavy")]
     public void Built_in_driver_runs_no_red_light_and_hits_nobody()
     {
-        SimulatedGame game = new(new SimulationOptions { Seed = 1, TrafficDensity = 0.5, PedestrianDensity = 0 });
+        SimulatedGame game = new(
+            new SimulationOptions
+            {
+                Seed = 1,
+                TrafficDensity = 0.5,
+                PedestrianDensity = 0,
+            }
+        );
         _ = game.Conduct;
         bool hasSeenRed = false;
         for (int i = 0; i < 3000; i++)
@@ -113,7 +131,14 @@ public sealed class EgoConductTests
     [Trait("Category", "Heavy")]
     public void Announced_turns_are_those_that_the_car_takes()
     {
-        SimulatedGame game = new(new SimulationOptions { Seed = 1, TrafficDensity = 0, PedestrianDensity = 0 });
+        SimulatedGame game = new(
+            new SimulationOptions
+            {
+                Seed = 1,
+                TrafficDensity = 0,
+                PedestrianDensity = 0,
+            }
+        );
         _ = game.Conduct;
         HashSet<RouteTurn> seen = [];
         for (int junctions = 0; junctions < 25; junctions++)
@@ -134,7 +159,8 @@ public sealed class EgoConductTests
                     RouteTurn.Right => turn < -0.6 + slack,
                     _ => Math.Abs(turn) < 0.6 + slack,
                 },
-                $"{announced} was announced and {turn:0.00} rad driven");
+                $"{announced} was announced and {turn:0.00} rad driven"
+            );
             seen.Add(announced);
         }
 
@@ -146,7 +172,13 @@ public sealed class EgoConductTests
     {
         int[] seeds = [1, 2, 1];
         Vector3D[] places = [.. seeds.Select(seed => new SimulatedGame(
-            new SimulationOptions { StartSeed = seed, TrafficDensity = 0, PedestrianDensity = 0 }).Ports.World.ReadEgo().Pose.Position)];
+                    new SimulationOptions
+                    {
+                        StartSeed = seed,
+                        TrafficDensity = 0,
+                        PedestrianDensity = 0,
+                    }
+                ).Ports.World.ReadEgo().Pose.Position)];
 
         Assert.True((places[0] - places[1]).Length > 20);
         Assert.Equal(places[0], places[2]);
@@ -156,7 +188,14 @@ public sealed class EgoConductTests
     public void Traffic_out_of_reach_stands_still()
     {
         const double radius = 100;
-        SimulatedGame game = new(new SimulationOptions { TrafficDensity = 1, PedestrianDensity = 1, TrafficRadiusMetres = radius });
+        SimulatedGame game = new(
+            new SimulationOptions
+            {
+                TrafficDensity = 1,
+                PedestrianDensity = 1,
+                TrafficRadiusMetres = radius,
+            }
+        );
         Vector3D ego = game.Ports.World.ReadEgo().Pose.Position;
         Dictionary<int, Vector3D> before = Places();
         for (int i = 0; i < 40; i++)
@@ -166,13 +205,14 @@ public sealed class EgoConductTests
         }
 
         Dictionary<int, Vector3D> after = Places();
-        ILookup<bool, int> moved = before.Keys.Where(handle => after[handle] != before[handle])
+        ILookup<bool, int> moved = before
+            .Keys.Where(handle => after[handle] != before[handle])
             .ToLookup(handle => Horizontal.Distance(before[handle], ego) <= radius);
         Assert.Empty(moved[false]);
         Assert.NotEmpty(moved[true]);
 
-        Dictionary<int, Vector3D> Places() => game.Ports.World.ReadEntities(ego, 2000)
-            .ToDictionary(entity => entity.Handle, entity => entity.Pose.Position);
+        Dictionary<int, Vector3D> Places() =>
+            game.Ports.World.ReadEntities(ego, 2000).ToDictionary(entity => entity.Handle, entity => entity.Pose.Position);
     }
 
     /// <summary>A game in which the built-in driver has driven to a place that a condition describes.</summary>
@@ -181,7 +221,15 @@ public sealed class EgoConductTests
         for (int start = firstStart; start < firstStart + 10; start++)
         {
             SimulatedGame game = new(
-                new SimulationOptions { Seed = 1, StartSeed = start, TrafficDensity = 0, ParkedDensity = 0, PedestrianDensity = 0 });
+                new SimulationOptions
+                {
+                    Seed = 1,
+                    StartSeed = start,
+                    TrafficDensity = 0,
+                    ParkedDensity = 0,
+                    PedestrianDensity = 0,
+                }
+            );
             _ = game.Conduct;
             for (int tick = 0; tick < 4000; tick++)
             {

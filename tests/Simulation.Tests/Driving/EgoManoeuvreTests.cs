@@ -22,22 +22,26 @@ public sealed class EgoManoeuvreTests
     {
         SimulatedGame game = new(Lively(seed) with { TrafficDensity = 2, PedestrianDensity = 3 });
         double metres = 0;
-        Run(game, 240, () =>
-        {
-            EgoState ego = game.Ports.World.ReadEgo();
-            metres += ego.Velocity.Length * Tick;
-            foreach (EntityState other in game.Ports.World.ReadEntities(ego.Pose.Position, 15))
+        Run(
+            game,
+            240,
+            () =>
             {
-                bool isBody = VehicleClasses.AreVehicles(other.Class) || other.Class == ObjectClass.Pedestrian;
-                Assert.False(isBody && Touches(ego, other), $"The car touches {other.Model} after {metres:0} m.");
-            }
+                EgoState ego = game.Ports.World.ReadEgo();
+                metres += ego.Velocity.Length * Tick;
+                foreach (EntityState other in game.Ports.World.ReadEntities(ego.Pose.Position, 15))
+                {
+                    bool isBody = VehicleClasses.AreVehicles(other.Class) || other.Class == ObjectClass.Pedestrian;
+                    Assert.False(isBody && Touches(ego, other), $"The car touches {other.Model} after {metres:0} m.");
+                }
 
-            if (game.Truth.Locate(ego.Pose.Position, ego.Pose.Axes.Forward) is { IsInJunction: false, Lane: not null } at)
-            {
-                double edge = at.OncomingLanes == 0 ? at.Lanes * at.LaneWidth / 2 : (at.MedianWidth / 2) + (at.Lanes * at.LaneWidth);
-                Assert.InRange(at.RightOfRoadLine + ego.ModelMax.X, double.NegativeInfinity, edge + BesideLanes);
+                if (game.Truth.Locate(ego.Pose.Position, ego.Pose.Axes.Forward) is { IsInJunction: false, Lane: not null } at)
+                {
+                    double edge = at.OncomingLanes == 0 ? at.Lanes * at.LaneWidth / 2 : (at.MedianWidth / 2) + (at.Lanes * at.LaneWidth);
+                    Assert.InRange(at.RightOfRoadLine + ego.ModelMax.X, double.NegativeInfinity, edge + BesideLanes);
+                }
             }
-        });
+        );
 
         Assert.True(metres > 400, $"The car has driven only {metres:0} m.");
     }
@@ -51,22 +55,33 @@ public sealed class EgoManoeuvreTests
         foreach (int seed in new[] { 4, 5, 6, 11 })
         {
             SimulatedGame game = new(Lively(seed) with { TrafficDensity = 0.5, PedestrianDensity = 0, LaneChanges = 3 });
-            Run(game, 60, () =>
-            {
-                EgoState ego = game.Ports.World.ReadEgo();
-                seen.Add(ego.Motion!.Manoeuvre!.Value);
-                Assert.InRange(ego.Motion.Steering!.Value, -1, 1);
-                if (game.Truth.Locate(ego.Pose.Position, ego.Pose.Axes.Forward) is { IsInJunction: false, Lane: not null } at)
+            Run(
+                game,
+                60,
+                () =>
                 {
-                    offsets.Add(at.RightOfLaneCentre);
+                    EgoState ego = game.Ports.World.ReadEgo();
+                    seen.Add(ego.Motion!.Manoeuvre!.Value);
+                    Assert.InRange(ego.Motion.Steering!.Value, -1, 1);
+                    if (game.Truth.Locate(ego.Pose.Position, ego.Pose.Axes.Forward) is { IsInJunction: false, Lane: not null } at)
+                    {
+                        offsets.Add(at.RightOfLaneCentre);
+                    }
                 }
-            });
+            );
         }
 
         double mean = offsets.Average();
         Assert.True(Math.Sqrt(offsets.Average(offset => (offset - mean) * (offset - mean))) > 0.5, "The car keeps to the middle.");
         HashSet<Manoeuvre> expected =
-            [Manoeuvre.Wander, Manoeuvre.Drift, Manoeuvre.Recover, Manoeuvre.LaneChangeLeft, Manoeuvre.LaneChangeRight, Manoeuvre.Follow];
+        [
+            Manoeuvre.Wander,
+            Manoeuvre.Drift,
+            Manoeuvre.Recover,
+            Manoeuvre.LaneChangeLeft,
+            Manoeuvre.LaneChangeRight,
+            Manoeuvre.Follow,
+        ];
         Assert.Superset(expected, seen);
     }
 
@@ -131,7 +146,14 @@ public sealed class EgoManoeuvreTests
         Assert.InRange(Horizontal.Distance(place, new Vector3D(250, -125, 0)), 0, 250);
     }
 
-    private static SimulationOptions Lively(int seed) => new() { Seed = seed, Wander = 1, LaneChanges = 1, IsWarm = true };
+    private static SimulationOptions Lively(int seed) =>
+        new()
+        {
+            Seed = seed,
+            Wander = 1,
+            LaneChanges = 1,
+            IsWarm = true,
+        };
 
     private static SimulationOptions Alone(int seed) => Lively(seed) with { TrafficDensity = 0, PedestrianDensity = 0 };
 

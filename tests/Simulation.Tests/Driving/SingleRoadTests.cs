@@ -46,11 +46,24 @@ public sealed class SingleRoadTests
     {
         RoadNode[] nodes =
         [
-            .. Enumerable.Range(0, Nodes).Select(i =>
-                new RoadNode(0, i, new Vector3D(0, i * Spacing, 30 + (i * Spacing * slope)), string.Empty, RoadNodeFlags.None)),
+            .. Enumerable
+                .Range(0, Nodes)
+                .Select(i => new RoadNode(
+                    0,
+                    i,
+                    new Vector3D(0, i * Spacing, 30 + (i * Spacing * slope)),
+                    string.Empty,
+                    RoadNodeFlags.None
+                )),
         ];
         RoadLink[] links = [.. Enumerable.Range(0, Nodes - 1).Select(i => new RoadLink(i, i + 1, 1, 0, null, RoadLinkFlags.None))];
         return new SimulatedGame(
-            new SimulationOptions { Roads = new RoadNetwork(nodes, links), TrafficDensity = 0, PedestrianDensity = 0 });
+            new SimulationOptions
+            {
+                Roads = new RoadNetwork(nodes, links),
+                TrafficDensity = 0,
+                PedestrianDensity = 0,
+            }
+        );
     }
 }

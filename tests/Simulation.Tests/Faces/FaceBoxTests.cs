@@ -40,14 +40,18 @@ public sealed class FaceBoxTests
                 RenderCamera camera = CameraAt(eyeHeight, distance);
                 var pose = new Pose(new Vector3D(0, distance, 0), Axes.FromHeading(turn));
                 Box2D? rendered = Silhouette.BoxOf(
-                    TestScene.Render(camera with { Width = Side * Finer, Height = Side * Finer }, new MeshInstance(drawn, pose, 1)), 1);
-                Box2D box = CuboidProjector.Project(
-                    CuboidBoxTests.Analytic(camera), face.CuboidAt(pose), FaceOutline.EdgesOf(face, pose)).Box!.Value;
+                    TestScene.Render(camera with { Width = Side * Finer, Height = Side * Finer }, new MeshInstance(drawn, pose, 1)),
+                    1
+                );
+                Box2D box = CuboidProjector
+                    .Project(CuboidBoxTests.Analytic(camera), face.CuboidAt(pose), FaceOutline.EdgesOf(face, pose))
+                    .Box!.Value;
 
                 double error = MaxDifference(box, rendered!.Value);
                 Assert.True(
                     error <= PixelTolerance,
-                    FormattableString.Invariant($"{model.Name} at {distance:0.0} m turned {turn:0} degrees: {error:0.00} px"));
+                    FormattableString.Invariant($"{model.Name} at {distance:0.0} m turned {turn:0} degrees: {error:0.00} px")
+                );
             }
         }
     }
@@ -58,11 +62,21 @@ public sealed class FaceBoxTests
         double pitch = Math.Atan2(2.3 - height, distance) * 180 / Math.PI;
         double fov = 2 * Math.Atan(Side / 2.0 / FocalPixels) * 180 / Math.PI;
         return new RenderCamera(
-            new Pose(new Vector3D(0, 0, height), Axes.FromEuler(new EulerAngles(pitch, 0, 0))), fov, 1, 0.15, Side, Side);
+            new Pose(new Vector3D(0, 0, height), Axes.FromEuler(new EulerAngles(pitch, 0, 0))),
+            fov,
+            1,
+            0.15,
+            Side,
+            Side
+        );
     }
 
-    private static double MaxDifference(Box2D box, Box2D fine) => new[]
-    {
-        box.XMin - (fine.XMin / Finer), box.YMin - (fine.YMin / Finer), box.XMax - (fine.XMax / Finer), box.YMax - (fine.YMax / Finer),
-    }.Max(Math.Abs);
+    private static double MaxDifference(Box2D box, Box2D fine) =>
+        new[]
+        {
+            box.XMin - (fine.XMin / Finer),
+            box.YMin - (fine.YMin / Finer),
+            box.XMax - (fine.XMax / Finer),
+            box.YMax - (fine.YMax / Finer),
+        }.Max(Math.Abs);
 }

@@ -36,7 +36,8 @@ internal static class FaceParts
         }
 
         (double X, double Z, double FrontY)[] heads = Heads[model.Name];
-        return [
+        return
+        [
             .. heads.Select(head => Part(mesh, triangle => IsOnFront(triangle, head))),
             Part(mesh, triangle => !heads.Any(head => IsOnFront(triangle, head))),
         ];
@@ -45,8 +46,9 @@ internal static class FaceParts
     private static bool IsOnSheet(MeshTriangle triangle) => Corners(triangle).All(corner => corner.Y <= SheetY);
 
     // The housing is 0.36 m wide and 1.05 m high; lenses and visors stand before its front.
-    private static bool IsOnFront(MeshTriangle triangle, (double X, double Z, double FrontY) head) => Corners(triangle).All(corner =>
-        corner.Y <= head.FrontY + 1e-9 && Math.Abs(corner.X - head.X) < 0.2 && Math.Abs(corner.Z - head.Z) < 0.55);
+    private static bool IsOnFront(MeshTriangle triangle, (double X, double Z, double FrontY) head) =>
+        Corners(triangle)
+            .All(corner => corner.Y <= head.FrontY + 1e-9 && Math.Abs(corner.X - head.X) < 0.2 && Math.Abs(corner.Z - head.Z) < 0.55);
 
     private static Vector3D[] Corners(MeshTriangle triangle) => [triangle.A, triangle.B, triangle.C];
 

@@ -54,12 +54,18 @@ public sealed class LabelledFacesTests
     [Trait("Category", "Heavy")]
     public void Heads_hidden_only_by_their_own_model_are_visible_and_read()
     {
-        int heads = 0, hidden = 0, unknown = 0;
+        int heads = 0,
+            hidden = 0,
+            unknown = 0;
         foreach ((FrameLabel label, IReadOnlyList<TrueFace> faces) in StreetOfFaces.Harvest(40, firstSeed: 400))
         {
-            foreach (ObjectLabel head
-                in label.Objects.Where(item => item.Face is { Light: not null, FacingAngleDegrees: <= ReadUpToDegrees }
-                && item.Box2D.Height >= MinHeadPixels && item.TruncatedFraction == 0))
+            foreach (
+                ObjectLabel head in label.Objects.Where(item =>
+                    item.Face is { Light: not null, FacingAngleDegrees: <= ReadUpToDegrees }
+                    && item.Box2D.Height >= MinHeadPixels
+                    && item.TruncatedFraction == 0
+                )
+            )
             {
                 TrueFace truth = TruthOf(head, faces);
                 if (truth.VisiblePixels == truth.PixelsAlone.Value)
@@ -78,14 +84,20 @@ public sealed class LabelledFacesTests
 
     private static void Judge(IEnumerable<(FrameLabel Label, IReadOnlyList<TrueFace> Faces)> frames, int minFaces, int minHeads)
     {
-        int right = 0, wrong = 0, missed = 0, fromBehind = 0, statesRight = 0, statesWrong = 0;
+        int right = 0,
+            wrong = 0,
+            missed = 0,
+            fromBehind = 0,
+            statesRight = 0,
+            statesWrong = 0;
         foreach ((FrameLabel label, IReadOnlyList<TrueFace> faces) in frames)
         {
-            fromBehind += label.Objects.Count(
-                item => item is { Class: ObjectClass.Sign, Face: not null } && !TruthOf(item, faces).FacesCamera);
+            fromBehind += label.Objects.Count(item =>
+                item is { Class: ObjectClass.Sign, Face: not null } && !TruthOf(item, faces).FacesCamera
+            );
             ObjectLabel[] labelled =
             [
-                .. label.Objects.Where(item => item.Face is not null && (item.Class == ObjectClass.Sign || item.Face.FacesCamera))
+                .. label.Objects.Where(item => item.Face is not null && (item.Class == ObjectClass.Sign || item.Face.FacesCamera)),
             ];
             foreach (ObjectLabel item in labelled)
             {
@@ -100,13 +112,16 @@ public sealed class LabelledFacesTests
                 }
             }
 
-            missed += faces.Count(face => face.FacesCamera && face.VisiblePixels >= SliverPixels
-                && !labelled.Any(item => (item.Box3D.Centre - face.Centre).Length < SamePlaceMetres));
+            missed += faces.Count(face =>
+                face.FacesCamera
+                && face.VisiblePixels >= SliverPixels
+                && !labelled.Any(item => (item.Box3D.Centre - face.Centre).Length < SamePlaceMetres)
+            );
         }
 
         string figures =
             $"right {right}, wrong {wrong}, missed {missed}, signs from behind {fromBehind}; states right {statesRight}, wrong "
-                + $"{statesWrong}";
+            + $"{statesWrong}";
         Assert.True(right >= minFaces && statesRight >= minHeads, figures);
         Assert.True(fromBehind == 0, figures);
         Assert.True(right >= MinFraction * (right + wrong), figures);
@@ -120,7 +135,7 @@ public sealed class LabelledFacesTests
     // Heads of at least 12 pixels that hardly anything hides, up to the 60 degrees of turn of the project's other figures.
     private static bool IsClear(ObjectLabel head) =>
         head.Box2D.Height >= MinHeadPixels
-            && head.OccludedFraction <= MaxHidden
-            && head.TruncatedFraction <= MaxHidden
-            && head.Face!.FacingAngleDegrees <= ReadUpToDegrees;
+        && head.OccludedFraction <= MaxHidden
+        && head.TruncatedFraction <= MaxHidden
+        && head.Face!.FacingAngleDegrees <= ReadUpToDegrees;
 }

@@ -23,10 +23,17 @@ internal sealed class StreetOfFaces : IWorld, IScreen, IPause, IClock, IRayCaste
     private static readonly ImageSize Size = new(640, 480);
     private static readonly CameraState Camera = new(new Pose(new Vector3D(0, 0, 1.6), Axes.Identity), 50, 0.15, 4.0 / 3);
     private static readonly Mesh Ground = new MeshBuilder()
-        .AddQuad(new(-300, -300, 0), new(300, -300, 0), new(300, 300, 0), new(-300, 300, 0), new Rgb(96, 98, 92), Surface.Ground).Build();
+        .AddQuad(new(-300, -300, 0), new(300, -300, 0), new(300, 300, 0), new(-300, 300, 0), new Rgb(96, 98, 92), Surface.Ground)
+        .Build();
 
-    private static readonly RenderCamera Eye =
-        new(Camera.Pose, Camera.VerticalFovDegrees, Camera.WindowAspect, Camera.NearClip, Size.Width, Size.Height);
+    private static readonly RenderCamera Eye = new(
+        Camera.Pose,
+        Camera.VerticalFovDegrees,
+        Camera.WindowAspect,
+        Camera.NearClip,
+        Size.Width,
+        Size.Height
+    );
 
     private readonly Renderer _renderer = new();
     private readonly RenderTarget _picture = new(Size.Width, Size.Height);
@@ -45,16 +52,17 @@ internal sealed class StreetOfFaces : IWorld, IScreen, IPause, IClock, IRayCaste
         Build();
     }
 
-    public static HarvestOptions Options(int frames) => new()
-    {
-        Image = Size,
-        MaxFrames = frames,
-        RateHz = 60,
-        MaxPictureLagTicks = 0,
-        ProbeLag = false,
-        MaxCalibrationErrorPixels = null,
-        Faces = ModelFaces.Table,
-    };
+    public static HarvestOptions Options(int frames) =>
+        new()
+        {
+            Image = Size,
+            MaxFrames = frames,
+            RateHz = 60,
+            MaxPictureLagTicks = 0,
+            ProbeLag = false,
+            MaxCalibrationErrorPixels = null,
+            Faces = ModelFaces.Table,
+        };
 
     public GamePorts Ports => new(this, this, this, this, this) { Lights = _setsLights ? this : null };
 
@@ -76,7 +84,8 @@ internal sealed class StreetOfFaces : IWorld, IScreen, IPause, IClock, IRayCaste
             pose.Axes.Forward.Dot(pose.ToWorld(face.BackLowerRight) - Camera.Pose.Position) > 0,
             _picture.Handles.Count(handle => handle == FaceHandle(entity.State.Handle, number)),
             entity.Model.Class == ObjectClass.TrafficLight ? (LightState)(1 + entity.Variant) : null,
-            new Lazy<int>(() => PixelsAlone(entity.State, entity.Model, entity.Variant, number)));
+            new Lazy<int>(() => PixelsAlone(entity.State, entity.Model, entity.Variant, number))
+        );
 
     /// <summary>Harvests streets and gives each label with its truth.</summary>
     public static IEnumerable<(FrameLabel Label, IReadOnlyList<TrueFace> Faces)> Harvest(int frames, int firstSeed, bool setsLights = false)
@@ -108,13 +117,9 @@ internal sealed class StreetOfFaces : IWorld, IScreen, IPause, IClock, IRayCaste
 
     public FreezeMethod Method { get; set; }
 
-    public void Freeze()
-    {
-    }
+    public void Freeze() { }
 
-    public void Unfreeze()
-    {
-    }
+    public void Unfreeze() { }
 
     public GrabResult Grab(PixelBuffer target)
     {
@@ -154,19 +159,28 @@ internal sealed class StreetOfFaces : IWorld, IScreen, IPause, IClock, IRayCaste
         {
             Model model = (handle % 3) switch
             {
-                0 =>
-                OneOf(catalogue.Vehicles),
+                0 => OneOf(catalogue.Vehicles),
                 1 => OneOf(catalogue.Signs),
-                _ => OneOf(catalogue.TrafficLights)
+                _ => OneOf(catalogue.TrafficLights),
             };
             double ahead = Between(5, 70);
             var position = new Vector3D(
-                Between(-0.5, 0.5) * ahead, ahead, model.Class is ObjectClass.Sign or ObjectClass.TrafficLight ? 0 : -model.Min.Z);
+                Between(-0.5, 0.5) * ahead,
+                ahead,
+                model.Class is ObjectClass.Sign or ObjectClass.TrafficLight ? 0 : -model.Min.Z
+            );
 
             // Two in three look at the camera more or less, the others anywhere.
             double heading = random.Next(3) < 2 ? Between(-60, 60) : Between(0, 360);
             var state = new EntityState(
-                handle, model.Class, model.Name, new Pose(position, Axes.FromHeading(heading)), model.Min, model.Max, Vector3D.Zero);
+                handle,
+                model.Class,
+                model.Name,
+                new Pose(position, Axes.FromHeading(heading)),
+                model.Min,
+                model.Max,
+                Vector3D.Zero
+            );
             entities.Add((state, model, random.Next(3)));
         }
 
@@ -175,7 +189,8 @@ internal sealed class StreetOfFaces : IWorld, IScreen, IPause, IClock, IRayCaste
         var lighting = Weather.LightingOf(weather, 121, TimeSpan.FromHours(Between(0, 24)));
         _drawn.Lighting = lighting;
         _hit.SetDynamic(
-            _entities.Select(entity => new MeshInstance(entity.Model.Variant(entity.Variant), entity.State.Pose, entity.State.Handle)));
+            _entities.Select(entity => new MeshInstance(entity.Model.Variant(entity.Variant), entity.State.Pose, entity.State.Handle))
+        );
         _drawn.SetDynamic(_entities.SelectMany(entity => Drawn(entity.State, entity.Model, entity.Variant)));
     }
 
@@ -188,6 +203,7 @@ internal sealed class StreetOfFaces : IWorld, IScreen, IPause, IClock, IRayCaste
 
         IReadOnlyList<Mesh> parts = FaceParts.Split(model, variant);
         return parts.Select(
-            (part, i) => new MeshInstance(part, state.Pose, i < parts.Count - 1 ? FaceHandle(state.Handle, i) : state.Handle));
+            (part, i) => new MeshInstance(part, state.Pose, i < parts.Count - 1 ? FaceHandle(state.Handle, i) : state.Handle)
+        );
     }
 }

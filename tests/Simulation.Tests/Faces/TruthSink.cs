@@ -14,9 +14,7 @@ internal sealed class TruthSink(StreetOfFaces game) : IFrameSink
 
     public int FirstObjectId => 1;
 
-    public void Open(SessionStart start)
-    {
-    }
+    public void Open(SessionStart start) { }
 
     public bool TryEnqueue(CapturedFrame frame)
     {
@@ -26,11 +24,7 @@ internal sealed class TruthSink(StreetOfFaces game) : IFrameSink
         return true;
     }
 
-    public void Close(SessionEnd end)
-    {
-    }
+    public void Close(SessionEnd end) { }
 
-    public void Dispose()
-    {
-    }
+    public void Dispose() { }
 }

@@ -32,8 +32,14 @@ public sealed class FrameRaysTests
         var game = new SimulatedGame(new SimulationOptions { Seed = 15 });
         var counted = new CountedRays(game.Ports.Rays);
         GamePorts ports = game.Ports with { Rays = counted, Roads = new FixedRoads(game.Roads, "simulation") };
-        var options =
-            new HarvestOptions { Image = new ImageSize(400, 300), MaxFrames = 3, RateHz = 0.25, Masks = masks, RayBudget = budget };
+        var options = new HarvestOptions
+        {
+            Image = new ImageSize(400, 300),
+            MaxFrames = 3,
+            RateHz = 0.25,
+            Masks = masks,
+            RayBudget = budget,
+        };
         LabelledTown.Harvest(game, ports, options, (frame, _) => reported.Add(frame.Label.Rays!));
         Assert.Equal(counted.Count, reported.Sum(rays => rays.Total));
         return [.. reported];

@@ -44,7 +44,9 @@ public sealed class IgnoreRegionTests(ITestOutputHelper output)
 
     private void Judge(int seed, string weather)
     {
-        int expected = 0, regions = 0, empty = 0;
+        int expected = 0,
+            regions = 0,
+            empty = 0;
         var missed = new List<string>();
         var options = new HarvestOptions
         {
@@ -54,34 +56,54 @@ public sealed class IgnoreRegionTests(ITestOutputHelper output)
             RangeMetres = Range,
             IgnoreRangeMetres = IgnoreRange,
         };
-        LabelledTown.Harvest(new SimulationOptions { Seed = seed, Weather = weather, WindowAspect = 16 / 9.0 }, options, (frame, truth) =>
-        {
-            EntityState[] distant =
-            [
-                .. truth.Scene.Entities.Where(entity =>
-                    (entity.Pose.Position - truth.Scene.Camera.Pose.Position).Length is >= Range and < IgnoreRange
-                        && truth.PixelsOf(entity.Handle).Count > 0),
-            ];
-            IgnoreRegion[] seen = [.. frame.Label.IgnoreRegions.Where(region => region.Reason == IgnoreReason.BeyondRange)];
-            foreach (EntityState entity in distant.Where(entity => truth.PixelsOf(entity.Handle).Count >= PixelsOfClearlyVisible(entity)))
+        LabelledTown.Harvest(
+            new SimulationOptions
             {
-                expected++;
-                if (!seen.Any(region => region.Class == entity.Class
-                    && truth.PixelsWithin(entity.Handle, region.Box2D) >= MinFractionWithin * truth.PixelsOf(entity.Handle).Count))
+                Seed = seed,
+                Weather = weather,
+                WindowAspect = 16 / 9.0,
+            },
+            options,
+            (frame, truth) =>
+            {
+                EntityState[] distant =
+                [
+                    .. truth.Scene.Entities.Where(entity =>
+                        (entity.Pose.Position - truth.Scene.Camera.Pose.Position).Length is >= Range and < IgnoreRange
+                        && truth.PixelsOf(entity.Handle).Count > 0
+                    ),
+                ];
+                IgnoreRegion[] seen = [.. frame.Label.IgnoreRegions.Where(region => region.Reason == IgnoreReason.BeyondRange)];
+                foreach (
+                    EntityState entity in distant.Where(entity => truth.PixelsOf(entity.Handle).Count >= PixelsOfClearlyVisible(entity))
+                )
                 {
-                    missed.Add(
-                        $"frame {frame.Label.Frame}: {entity.Class} {entity.Model}, {truth.PixelsOf(entity.Handle).Count} pixels, at "
-                            + $"{(entity.Pose.Position - truth.Scene.Camera.Pose.Position).Length:F0} m");
+                    expected++;
+                    if (
+                        !seen.Any(region =>
+                            region.Class == entity.Class
+                            && truth.PixelsWithin(entity.Handle, region.Box2D) >= MinFractionWithin * truth.PixelsOf(entity.Handle).Count
+                        )
+                    )
+                    {
+                        missed.Add(
+                            $"frame {frame.Label.Frame}: {entity.Class} {entity.Model}, {truth.PixelsOf(entity.Handle).Count} pixels, at "
+                                + $"{(entity.Pose.Position - truth.Scene.Camera.Pose.Position).Length:F0} m"
+                        );
+                    }
                 }
+
+                regions += seen.Length;
+                empty += seen.Count(region =>
+                    !distant.Any(entity => entity.Class == region.Class && truth.PixelsWithin(entity.Handle, region.Box2D) > 0)
+                );
             }
+        );
 
-            regions += seen.Length;
-            empty += seen.Count(
-                region => !distant.Any(entity => entity.Class == region.Class && truth.PixelsWithin(entity.Handle, region.Box2D) > 0));
-        });
-
-        output.WriteLine($"{expected} objects of {ClearlyVisiblePixels} pixels or more (large ones: more), {regions} regions, "
-            + $"{empty} of them empty");
+        output.WriteLine(
+            $"{expected} objects of {ClearlyVisiblePixels} pixels or more (large ones: more), {regions} regions, "
+                + $"{empty} of them empty"
+        );
         Assert.True(expected > 10, $"Only {expected} objects.");
         Assert.Empty(missed);
         Assert.True(empty <= MaxEmptyRegions * regions, $"{empty} of {regions} regions show nothing.");

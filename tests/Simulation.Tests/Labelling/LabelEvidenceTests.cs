@@ -33,37 +33,57 @@ public sealed class LabelEvidenceTests(ITestOutputHelper output)
     private void Judge(int seed, string weather, bool masks)
     {
         // The simulated game draws moving things up to 350 m.
-        int labels = 0, plain = 0;
-        List<string> unseen = [], missed = [];
-        var options =
-            new HarvestOptions { Image = new ImageSize(1280, 720), MaxFrames = 4, RateHz = 0.25, RangeMetres = 500, Masks = masks };
-        LabelledTown.Harvest(new SimulationOptions { Seed = seed, Weather = weather, WindowAspect = 16 / 9.0 }, options, (frame, truth) =>
+        int labels = 0,
+            plain = 0;
+        List<string> unseen = [],
+            missed = [];
+        var options = new HarvestOptions
         {
-            Dictionary<(string, Vector3D), int> handles = truth.Scene.Entities.ToDictionary(
-                entity => (entity.Model, CentreOf(entity)), entity => entity.Handle);
-            HashSet<int> labelled = [];
-            foreach (ObjectLabel item in frame.Label.Objects.Where(item => item.Parent is null))
+            Image = new ImageSize(1280, 720),
+            MaxFrames = 4,
+            RateHz = 0.25,
+            RangeMetres = 500,
+            Masks = masks,
+        };
+        LabelledTown.Harvest(
+            new SimulationOptions
             {
-                labels++;
-                int handle = handles[(item.Model, item.Box3D.Centre)];
-                labelled.Add(handle);
-                if (truth.PixelsOf(handle).Count == 0 || item.IsUndetermined)
+                Seed = seed,
+                Weather = weather,
+                WindowAspect = 16 / 9.0,
+            },
+            options,
+            (frame, truth) =>
+            {
+                Dictionary<(string, Vector3D), int> handles = truth.Scene.Entities.ToDictionary(
+                    entity => (entity.Model, CentreOf(entity)),
+                    entity => entity.Handle
+                );
+                HashSet<int> labelled = [];
+                foreach (ObjectLabel item in frame.Label.Objects.Where(item => item.Parent is null))
                 {
-                    unseen.Add(
-                        $"frame {frame.Label.Frame}: {item.Model} at {item.DistanceMetres:F0} m, {item.OcclusionMethod}, box "
-                            + $"{item.Box2D.Area:F0} px²");
+                    labels++;
+                    int handle = handles[(item.Model, item.Box3D.Centre)];
+                    labelled.Add(handle);
+                    if (truth.PixelsOf(handle).Count == 0 || item.IsUndetermined)
+                    {
+                        unseen.Add(
+                            $"frame {frame.Label.Frame}: {item.Model} at {item.DistanceMetres:F0} m, {item.OcclusionMethod}, box "
+                                + $"{item.Box2D.Area:F0} px²"
+                        );
+                    }
                 }
-            }
 
-            foreach (EntityState entity in truth.Scene.Entities.Where(entity => truth.PixelsOf(entity.Handle).Count >= PlainPixels))
-            {
-                plain++;
-                if (!labelled.Contains(entity.Handle))
+                foreach (EntityState entity in truth.Scene.Entities.Where(entity => truth.PixelsOf(entity.Handle).Count >= PlainPixels))
                 {
-                    missed.Add($"frame {frame.Label.Frame}: {entity.Model}, {truth.PixelsOf(entity.Handle).Count} pixels");
+                    plain++;
+                    if (!labelled.Contains(entity.Handle))
+                    {
+                        missed.Add($"frame {frame.Label.Frame}: {entity.Model}, {truth.PixelsOf(entity.Handle).Count} pixels");
+                    }
                 }
             }
-        });
+        );
 
         output.WriteLine($"{labels} labels, {unseen.Count} of them unseen; {plain} plain objects, {missed.Count} of them missed");
         unseen.ForEach(output.WriteLine);

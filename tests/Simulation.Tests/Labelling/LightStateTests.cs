@@ -21,13 +21,19 @@ public sealed class LightStateTests(ITestOutputHelper output)
     {
         (Dictionary<(int Frame, int Id), LightLabel> set, _) = Harvest(seed, freeze, ports => ports);
         (Dictionary<(int Frame, int Id), LightLabel> read, int fromOtherSides) = Harvest(
-            seed, freeze, ports => ports with { Lights = null });
+            seed,
+            freeze,
+            ports => ports with { Lights = null }
+        );
         (LightState Set, LightState Read)[] both =
-            [.. read.Where(head => head.Value.Method == LightMethod.Observed).Select(head => (set[head.Key].State, head.Value.State))];
+        [
+            .. read.Where(head => head.Value.Method == LightMethod.Observed).Select(head => (set[head.Key].State, head.Value.State)),
+        ];
 
         output.WriteLine(
             $"{set.Count} heads, {set.Values.Count(head => head.State == LightState.Unknown)} unknown, {fromOtherSides} not from the "
-                + $"front; {both.Length} read");
+                + $"front; {both.Length} read"
+        );
         Assert.True(both.Length > 15, $"Only {both.Length} heads could be read.");
         Assert.True(both.Select(head => head.Read).Distinct().Count() > 1, "All lights show the same.");
         Assert.All(both, head => Assert.Equal(head.Read, head.Set));
@@ -39,7 +45,10 @@ public sealed class LightStateTests(ITestOutputHelper output)
     }
 
     private static (Dictionary<(int Frame, int Id), LightLabel> Heads, int FromOtherSides) Harvest(
-        int seed, bool freeze, Func<GamePorts, GamePorts> change)
+        int seed,
+        bool freeze,
+        Func<GamePorts, GamePorts> change
+    )
     {
         var heads = new Dictionary<(int, int), LightLabel>();
         int fromOtherSides = 0;
@@ -52,15 +61,27 @@ public sealed class LightStateTests(ITestOutputHelper output)
             LiveLag = freeze ? null : new PictureLag(0, 0),
             Classes = [ObjectClass.TrafficLight],
         };
-        var game = new SimulatedGame(new SimulationOptions { Seed = seed, Weather = "clouds", WindowAspect = 16 / 9.0 });
-        LabelledTown.Harvest(game, change(game.Ports), options, (frame, _) =>
-        {
-            foreach (ObjectLabel head in frame.Label.Objects.Where(item => item.Face?.Light is not null))
+        var game = new SimulatedGame(
+            new SimulationOptions
             {
-                heads.Add((frame.Label.Frame, head.Id), head.Face!.Light!);
-                fromOtherSides += head.Face.FacesCamera ? 0 : 1;
+                Seed = seed,
+                Weather = "clouds",
+                WindowAspect = 16 / 9.0,
             }
-        });
+        );
+        LabelledTown.Harvest(
+            game,
+            change(game.Ports),
+            options,
+            (frame, _) =>
+            {
+                foreach (ObjectLabel head in frame.Label.Objects.Where(item => item.Face?.Light is not null))
+                {
+                    heads.Add((frame.Label.Frame, head.Id), head.Face!.Light!);
+                    fromOtherSides += head.Face.FacesCamera ? 0 : 1;
+                }
+            }
+        );
         return (heads, fromOtherSides);
     }
 }

@@ -36,24 +36,34 @@ public sealed class RiderTests(ITestOutputHelper output)
     [Fact]
     public void Pixels_of_riders_have_their_ids()
     {
-        int drawn = 0, missed = 0, labels = 0;
-        Array.ForEach([.. Enumerable.Range(OtherSeed, Seeds)], seed => Harvest(seed, (frame, truth) =>
-        {
-            foreach (EntityState rider in truth.Scene.Entities.Where(entity => entity.Class == ObjectClass.Rider))
-            {
-                Vector3D centre = rider.Pose.ToWorld((rider.ModelMin + rider.ModelMax) * 0.5);
-                ObjectLabel? label = frame.Label.Objects.FirstOrDefault(item =>
-                    item.Class == ObjectClass.Rider && (item.Box3D.Centre - centre).Length < 1e-3);
-                if (label is not null)
-                {
-                    labels++;
-                    ObjectLabel? vehicle = frame.Label.Objects.FirstOrDefault(item => item.Id == label.Vehicle);
-                    Assert.True(vehicle is null or { HasRider: true }, $"The vehicle of rider {label.Id} is not ridden.");
-                    drawn += truth.PixelsOf(rider.Handle).Count;
-                    missed += truth.PixelsOf(rider.Handle).Count(pixel => frame.Mask!.Ids[pixel] != label.Id);
-                }
-            }
-        }));
+        int drawn = 0,
+            missed = 0,
+            labels = 0;
+        Array.ForEach(
+            [.. Enumerable.Range(OtherSeed, Seeds)],
+            seed =>
+                Harvest(
+                    seed,
+                    (frame, truth) =>
+                    {
+                        foreach (EntityState rider in truth.Scene.Entities.Where(entity => entity.Class == ObjectClass.Rider))
+                        {
+                            Vector3D centre = rider.Pose.ToWorld((rider.ModelMin + rider.ModelMax) * 0.5);
+                            ObjectLabel? label = frame.Label.Objects.FirstOrDefault(item =>
+                                item.Class == ObjectClass.Rider && (item.Box3D.Centre - centre).Length < 1e-3
+                            );
+                            if (label is not null)
+                            {
+                                labels++;
+                                ObjectLabel? vehicle = frame.Label.Objects.FirstOrDefault(item => item.Id == label.Vehicle);
+                                Assert.True(vehicle is null or { HasRider: true }, $"The vehicle of rider {label.Id} is not ridden.");
+                                drawn += truth.PixelsOf(rider.Handle).Count;
+                                missed += truth.PixelsOf(rider.Handle).Count(pixel => frame.Mask!.Ids[pixel] != label.Id);
+                            }
+                        }
+                    }
+                )
+        );
         output.WriteLine($"{labels} labels of riders, {missed} of {drawn} pixels without their id");
         Assert.True(labels > 50, $"Only {labels} labels of riders.");
         Assert.InRange(missed / (double)drawn, 0, MaxMissedFraction);
@@ -64,28 +74,45 @@ public sealed class RiderTests(ITestOutputHelper output)
     [InlineData(OtherSeed)]
     public void Visible_joints_are_within_two_pixels_of_their_mask(int seed)
     {
-        int visible = 0, on = 0, near = 0;
-        Harvest(seed, (frame, _) =>
-        {
-            foreach (ObjectLabel person in frame.Label.Objects.Where(item => item.Joints is not null))
+        int visible = 0,
+            on = 0,
+            near = 0;
+        Harvest(
+            seed,
+            (frame, _) =>
             {
-                foreach (JointLabel joint in person.Joints!.Joints.Where(joint => joint.Visibility == JointVisibility.Visible))
+                foreach (ObjectLabel person in frame.Label.Objects.Where(item => item.Joints is not null))
                 {
-                    visible++;
-                    on += IsNear(frame.Mask!, person.Id, joint.Pixel!.Value, 0) ? 1 : 0;
-                    near += IsNear(frame.Mask!, person.Id, joint.Pixel!.Value, NearPixels) ? 1 : 0;
+                    foreach (JointLabel joint in person.Joints!.Joints.Where(joint => joint.Visibility == JointVisibility.Visible))
+                    {
+                        visible++;
+                        on += IsNear(frame.Mask!, person.Id, joint.Pixel!.Value, 0) ? 1 : 0;
+                        near += IsNear(frame.Mask!, person.Id, joint.Pixel!.Value, NearPixels) ? 1 : 0;
+                    }
                 }
             }
-        });
+        );
         output.WriteLine($"{visible} visible joints, {on} on their own mask, {near} within {NearPixels} px");
         Assert.True(visible > 200, $"Only {visible} joints are visible.");
         Assert.InRange(near / (double)visible, MinNearFraction, 1);
     }
 
-    private static void Harvest(int seed, Action<CapturedFrame, TruePicture> judge) => LabelledTown.Harvest(
-        new SimulationOptions { Seed = seed, TrafficDensity = 2, PedestrianDensity = 2 },
-        new HarvestOptions { Image = new ImageSize(800, 600), MaxFrames = 12, Masks = true },
-        judge);
+    private static void Harvest(int seed, Action<CapturedFrame, TruePicture> judge) =>
+        LabelledTown.Harvest(
+            new SimulationOptions
+            {
+                Seed = seed,
+                TrafficDensity = 2,
+                PedestrianDensity = 2,
+            },
+            new HarvestOptions
+            {
+                Image = new ImageSize(800, 600),
+                MaxFrames = 12,
+                Masks = true,
+            },
+            judge
+        );
 
     /// <summary>Whether a pixel with an id lies within a distance of a position.</summary>
     private static bool IsNear(InstanceMap mask, int id, Vector2D place, int distance)

@@ -35,10 +35,12 @@ internal sealed class TruePicture
     public IReadOnlyList<int> PixelsOf(int handle) => _pixels.TryGetValue(handle, out List<int>? pixels) ? pixels : [];
 
     /// <summary>Which of an entity's pixels have their centres in a box.</summary>
-    public int PixelsWithin(int handle, Box2D box) => PixelsOf(handle).Count(pixel =>
-    {
-        double x = (pixel % _width) + 0.5;
-        double y = (pixel / _width) + 0.5;
-        return x >= box.XMin && x <= box.XMax && y >= box.YMin && y <= box.YMax;
-    });
+    public int PixelsWithin(int handle, Box2D box) =>
+        PixelsOf(handle)
+            .Count(pixel =>
+            {
+                double x = (pixel % _width) + 0.5;
+                double y = (pixel / _width) + 0.5;
+                return x >= box.XMin && x <= box.XMax && y >= box.YMin && y <= box.YMax;
+            });
 }

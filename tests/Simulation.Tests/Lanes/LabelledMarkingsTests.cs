@@ -31,7 +31,10 @@ public sealed class LabelledMarkingsTests(ITestOutputHelper output)
     [Trait("Category", "Heavy")]
     public void Labelled_markings_lie_on_the_paint_in_generated_towns(int seed) =>
         Assert.InRange(
-            Judge(new SimulationOptions { Seed = seed, IsTimeOfDayFixed = true }, frames: 12, everySeconds: 7), 150, int.MaxValue);
+            Judge(new SimulationOptions { Seed = seed, IsTimeOfDayFixed = true }, frames: 12, everySeconds: 7),
+            150,
+            int.MaxValue
+        );
 
     [Fact]
     [Trait("Category", "Heavy")]
@@ -55,7 +58,10 @@ public sealed class LabelledMarkingsTests(ITestOutputHelper output)
     [InlineData(17)]
     public void Labelled_markings_lie_on_the_paint_all_over_generated_towns(int seed) =>
         Assert.InRange(
-            Judge(new SimulationOptions { Seed = seed, IsTimeOfDayFixed = true }, frames: 30, everySeconds: 7), 250, int.MaxValue);
+            Judge(new SimulationOptions { Seed = seed, IsTimeOfDayFixed = true }, frames: 30, everySeconds: 7),
+            250,
+            int.MaxValue
+        );
 
     [RealWorldFact("nodes.zip")]
     [Trait("Category", "Heavy")]
@@ -63,8 +69,19 @@ public sealed class LabelledMarkingsTests(ITestOutputHelper output)
     {
         RoadNetwork network = RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!).Network;
         Vector2D[] places = [new(0, -1000), new(-700, 1000), new(-300, 6200), new(2000, 3000)];
-        int judged = places.Sum(near => Judge(
-            new SimulationOptions { Seed = 3, Roads = network, Near = near, IsTimeOfDayFixed = true }, frames: 16, everySeconds: 7));
+        int judged = places.Sum(near =>
+            Judge(
+                new SimulationOptions
+                {
+                    Seed = 3,
+                    Roads = network,
+                    Near = near,
+                    IsTimeOfDayFixed = true,
+                },
+                frames: 16,
+                everySeconds: 7
+            )
+        );
         Assert.InRange(judged, 500, int.MaxValue);
     }
 
@@ -81,14 +98,17 @@ public sealed class LabelledMarkingsTests(ITestOutputHelper output)
                 RangeMetres = 10,
                 MaxCalibrationErrorPixels = null,
             },
-            game.Ports with { Roads = new FixedRoads(game.Roads, "simulation") },
-            judge);
+            game.Ports with
+            {
+                Roads = new FixedRoads(game.Roads, "simulation"),
+            },
+            judge
+        );
         do
         {
             game.Tick(0.05);
             session.Step();
-        }
-        while (!session.Status.IsOver);
+        } while (!session.Status.IsOver);
 
         output.WriteLine(judge.ToString());
         judge.Faults.ForEach(output.WriteLine);

@@ -42,20 +42,22 @@ internal sealed class MarkingJudge(SimulatedGame game) : IFrameSink
     /// <summary>Pixels of the labels' image.</summary>
     public double MaxError => _errors.Max();
 
-    public void Open(SessionStart start)
-    {
-    }
+    public void Open(SessionStart start) { }
 
     public bool TryEnqueue(CapturedFrame frame)
     {
         using JsonDocument label = JsonDocument.Parse(JsonLabelWriter.Line(frame.Label));
         frame.Dispose();
         _frames++;
-        if (label.RootElement.GetProperty("lanes").GetProperty("markings") is { ValueKind: JsonValueKind.Array } markings
-            && markings.GetArrayLength() > 0)
+        if (
+            label.RootElement.GetProperty("lanes").GetProperty("markings") is { ValueKind: JsonValueKind.Array } markings
+            && markings.GetArrayLength() > 0
+        )
         {
             var picture = new PaintInPicture(
-                game.Render(new ImageSize(Image.Width * Fineness, Image.Height * Fineness)), game.Shown.Camera);
+                game.Render(new ImageSize(Image.Width * Fineness, Image.Height * Fineness)),
+                game.Shown.Camera
+            );
             foreach (JsonElement marking in markings.EnumerateArray())
             {
                 Judge(marking, picture);
@@ -65,18 +67,16 @@ internal sealed class MarkingJudge(SimulatedGame game) : IFrameSink
         return true;
     }
 
-    public void Close(SessionEnd end)
-    {
-    }
+    public void Close(SessionEnd end) { }
 
-    public void Dispose()
-    {
-    }
+    public void Dispose() { }
 
-    public override string ToString() => string.Create(
-        CultureInfo.InvariantCulture,
-        $"{Points} points, {Judged} judged; error {_errors.DefaultIfEmpty().Max():0.00} px at most, "
-            + $"{_errors.Order().ElementAtOrDefault(Judged * 95 / 100):0.00} px at the 95th percentile");
+    public override string ToString() =>
+        string.Create(
+            CultureInfo.InvariantCulture,
+            $"{Points} points, {Judged} judged; error {_errors.DefaultIfEmpty().Max():0.00} px at most, "
+                + $"{_errors.Order().ElementAtOrDefault(Judged * 95 / 100):0.00} px at the 95th percentile"
+        );
 
     private void Judge(JsonElement marking, PaintInPicture picture)
     {
@@ -98,9 +98,11 @@ internal sealed class MarkingJudge(SimulatedGame game) : IFrameSink
                 _errors.Add(error);
             }
 
-            if (line.IsPainted(i) ? found.Kind == PaintFindingKind.NoPaint : line.IsWithinGap(i)
-                && found.Kind == PaintFindingKind.Paint
-                && error < OnPaint)
+            if (
+                line.IsPainted(i)
+                    ? found.Kind == PaintFindingKind.NoPaint
+                    : line.IsWithinGap(i) && found.Kind == PaintFindingKind.Paint && error < OnPaint
+            )
             {
                 Faults.Add($"frame {_frames}, {line.Point(i)} at {line.Pixel(i)}: {(line.IsPainted(i) ? "no paint" : "paint in a gap")}");
             }

@@ -65,14 +65,21 @@ internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
         }
 
         PaintFinding At(double pixelsBeyond) =>
-            Cut((line.Pixel(i) * fineness)
-                + (direction * (pixelsBeyond / (squareToLine * direction.Length))), width * (1 / expected), expected, line.Point(i), along,
-                line.IsYellow) is { } cut
+            Cut(
+                (line.Pixel(i) * fineness) + (direction * (pixelsBeyond / (squareToLine * direction.Length))),
+                width * (1 / expected),
+                expected,
+                line.Point(i),
+                along,
+                line.IsYellow
+            )
+                is { } cut
                 ? Nearest(cut, line.IsDouble, expected, squareToLine)
                 : new PaintFinding(PaintFindingKind.NotMeasurable);
 
         PaintFinding found = At(0);
-        return found.Kind == PaintFindingKind.NoPaint
+        return
+            found.Kind == PaintFindingKind.NoPaint
             && (At(EndPixels).Kind != PaintFindingKind.NoPaint || At(-EndPixels).Kind != PaintFindingKind.NoPaint)
             ? new PaintFinding(PaintFindingKind.NotMeasurable)
             : found;
@@ -128,8 +135,9 @@ internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
         }
 
         // From afar two stripes are one.
-        IEnumerable<(int From, int To)> stripes =
-            isDouble ? runs.Concat(runs.Zip(runs.Skip(1), (left, right) => (left.From, right.To))) : runs;
+        IEnumerable<(int From, int To)> stripes = isDouble
+            ? runs.Concat(runs.Zip(runs.Skip(1), (left, right) => (left.From, right.To)))
+            : runs;
         (int From, int To) nearest = stripes.MinBy(run => Math.Abs(Middle(run, cut)));
         return Math.Abs(nearest.To - nearest.From - expected) <= (WidthFraction * expected) + WidthPixels
             ? new PaintFinding(PaintFindingKind.Paint, Middle(nearest, cut) * squareToLine)
@@ -172,8 +180,13 @@ internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
         double depth = picture.Depth[index];
         return picture.Handles[index] != 0 || double.IsInfinity(depth)
             ? null
-            : camera.Pose.ToWorld(new Vector3D(
-                (column + 0.5 - (picture.Width / 2.0)) / FocalX * depth, depth, ((picture.Height / 2.0) - row - 0.5) / _focalY * depth));
+            : camera.Pose.ToWorld(
+                new Vector3D(
+                    (column + 0.5 - (picture.Width / 2.0)) / FocalX * depth,
+                    depth,
+                    ((picture.Height / 2.0) - row - 0.5) / _focalY * depth
+                )
+            );
     }
 
     /// <summary>A point of the world in the picture, by the camera that it was drawn with.</summary>

@@ -21,13 +21,15 @@ public sealed class VehicleDistanceTests
     [Fact]
     public void Nearest_vehicle_per_lane_is_the_true_one_in_1000_scenes()
     {
-        var game = new SimulatedGame(new SimulationOptions
-        {
-            Roads = Loop.Network(lanes: 3),
-            RadiusMetres = 600,
-            TrafficDensity = 0,
-            PedestrianDensity = 0,
-        });
+        var game = new SimulatedGame(
+            new SimulationOptions
+            {
+                Roads = Loop.Network(lanes: 3),
+                RadiusMetres = 600,
+                TrafficDensity = 0,
+                PedestrianDensity = 0,
+            }
+        );
         var observer = new LaneObserver(new RoadCurves(game.Roads), new LaneModel(game.Roads));
         var random = new Random(17);
         int judged = 0;
@@ -49,14 +51,22 @@ public sealed class VehicleDistanceTests
             (TrafficVehicle Vehicle, LanePosition Truth)[] vehicles = [.. Scatter(random, centre, game.Truth)];
 
             LaneObservation seen = observer.Observe(
-                centre, Angles.HeadingDegrees(ego.Pose.Axes.Forward), 10, 4, [.. vehicles.Select(vehicle => vehicle.Vehicle)], null);
+                centre,
+                Angles.HeadingDegrees(ego.Pose.Axes.Forward),
+                10,
+                4,
+                [.. vehicles.Select(vehicle => vehicle.Vehicle)],
+                null
+            );
 
             Assert.Equal(LaneStatus.Known, seen.Status);
             foreach (int lane in (int[])[0, 1, 2])
             {
                 double? truth = NearestAhead(vehicles, at, lane);
-                double? found = seen.Vehicles.Where(vehicle => !vehicle.IsOncoming && vehicle.Lane == lane)
-                    .Select(vehicle => (double?)vehicle.DistanceMetres).FirstOrDefault();
+                double? found = seen
+                    .Vehicles.Where(vehicle => !vehicle.IsOncoming && vehicle.Lane == lane)
+                    .Select(vehicle => (double?)vehicle.DistanceMetres)
+                    .FirstOrDefault();
                 if (truth is { } expected && expected < IndicatorCalculator.VehicleRange - 1)
                 {
                     Assert.NotNull(found);
@@ -93,8 +103,9 @@ public sealed class VehicleDistanceTests
         {
             if (vehicle.Road == car.Road && vehicle.AlongRoad == car.AlongRoad && vehicle.Lane == lane)
             {
-                double ahead =
-                    car.AlongRoad ? vehicle.DistanceAlongRoad - car.DistanceAlongRoad : car.DistanceAlongRoad - vehicle.DistanceAlongRoad;
+                double ahead = car.AlongRoad
+                    ? vehicle.DistanceAlongRoad - car.DistanceAlongRoad
+                    : car.DistanceAlongRoad - vehicle.DistanceAlongRoad;
                 nearest = ahead > 0 && (nearest is null || ahead < nearest) ? ahead : nearest;
             }
         }

@@ -18,7 +18,12 @@ public sealed class ModelCatalogueTests
         Assert.Equal(63, Catalogue.Vehicles.Count);
         ObjectClass[] classes =
         [
-            ObjectClass.Car, ObjectClass.Truck, ObjectClass.Bus, ObjectClass.Motorcycle, ObjectClass.Bicycle, ObjectClass.Trailer,
+            ObjectClass.Car,
+            ObjectClass.Truck,
+            ObjectClass.Bus,
+            ObjectClass.Motorcycle,
+            ObjectClass.Bicycle,
+            ObjectClass.Trailer,
             ObjectClass.Other,
         ];
         Assert.All(classes, expected => Assert.Contains(Catalogue.Vehicles, model => model.Class == expected));
@@ -46,16 +51,22 @@ public sealed class ModelCatalogueTests
     {
         IEnumerable<Model> models =
         [
-            .. Catalogue.Pedestrians, .. Catalogue.Signs, .. Catalogue.TrafficLights, .. Catalogue.Trees, Catalogue.StreetLamp,
+            .. Catalogue.Pedestrians,
+            .. Catalogue.Signs,
+            .. Catalogue.TrafficLights,
+            .. Catalogue.Trees,
+            Catalogue.StreetLamp,
         ];
         foreach (Model model in models)
         {
             Assert.Equal(
                 model.Min,
-                new Vector3D(model.Variants.Min(m => m.Min.X), model.Variants.Min(m => m.Min.Y), model.Variants.Min(m => m.Min.Z)));
+                new Vector3D(model.Variants.Min(m => m.Min.X), model.Variants.Min(m => m.Min.Y), model.Variants.Min(m => m.Min.Z))
+            );
             Assert.Equal(
                 model.Max,
-                new Vector3D(model.Variants.Max(m => m.Max.X), model.Variants.Max(m => m.Max.Y), model.Variants.Max(m => m.Max.Z)));
+                new Vector3D(model.Variants.Max(m => m.Max.X), model.Variants.Max(m => m.Max.Y), model.Variants.Max(m => m.Max.Z))
+            );
         }
     }
 

@@ -52,8 +52,10 @@ public sealed class VehicleBoxTests
             }
 
             bool isTwoWheeler = model.Class is ObjectClass.Motorcycle or ObjectClass.Bicycle;
-            double least = isTwoWheeler ? MinOverlapOfTwoWheelers
-                : OpenShapes.Contains(model.Name) ? MinOverlapOfOpenShapes : MinOverlap;
+            double least =
+                isTwoWheeler ? MinOverlapOfTwoWheelers
+                : OpenShapes.Contains(model.Name) ? MinOverlapOfOpenShapes
+                : MinOverlap;
             if (sum / Headings < least)
             {
                 poor.Add(FormattableString.Invariant($"{model.Name}: {sum / Headings:F3}"));
@@ -72,13 +74,16 @@ public sealed class VehicleBoxTests
     public void Box_of_a_motorcycle_seen_along_its_axes_from_afar_fits(double distance)
     {
         const double minOverlapAlongAxes = 0.9;
-        Model[] motorcycles = [.. ModelCatalogueTests.Catalogue.Vehicles
-            .Where(model => model.Class == ObjectClass.Motorcycle && model.Name != LongForked)];
+        Model[] motorcycles =
+        [
+            .. ModelCatalogueTests.Catalogue.Vehicles.Where(model => model.Class == ObjectClass.Motorcycle && model.Name != LongForked),
+        ];
 
         Assert.NotEmpty(motorcycles);
         Assert.All(
             motorcycles,
-            model => Assert.All([0, 90, 180, 270], heading => Assert.InRange(Overlap(model, distance, heading), minOverlapAlongAxes, 1)));
+            model => Assert.All([0, 90, 180, 270], heading => Assert.InRange(Overlap(model, distance, heading), minOverlapAlongAxes, 1))
+        );
     }
 
     /// <summary>The distance is from the camera to the nearest side of the model's box along the road.</summary>
@@ -89,11 +94,17 @@ public sealed class VehicleBoxTests
         double reach = (Math.Abs(axes.Right.Y) * half.X) + (Math.Abs(axes.Forward.Y) * half.Y);
         Vector3D centre = axes.ToWorld((model.Min + model.Max) * 0.5);
         var pose = new Pose(new Vector3D(-centre.X, distance + reach - centre.Y, -EyeHeight - model.Min.Z), axes);
-        RenderCamera camera =
-            TestScene.Camera with { Width = 240, Height = 180, VerticalFovDegrees = 2 * Math.Atan(5 / distance) * 180 / Math.PI };
+        RenderCamera camera = TestScene.Camera with
+        {
+            Width = 240,
+            Height = 180,
+            VerticalFovDegrees = 2 * Math.Atan(5 / distance) * 180 / Math.PI,
+        };
         RenderTarget target = TestScene.Render(camera, new MeshInstance(model.Mesh, pose, 1));
         CuboidProjection projection = CuboidProjector.Project(
-            CuboidBoxTests.Analytic(camera), Cuboid.FromModel(model.Min, model.Max, pose));
+            CuboidBoxTests.Analytic(camera),
+            Cuboid.FromModel(model.Min, model.Max, pose)
+        );
         return projection.Box!.Value.IntersectionOverUnion(Silhouette.BoxOf(target, 1)!.Value);
     }
 }

@@ -21,8 +21,26 @@ public sealed class VehicleSilhouetteTests
 
     private static readonly string[] Kinds =
     [
-        "asea", "blista", "banshee", "cheetah", "stratum", "landstalker", "minivan", "speedo", "rebel2", "boxville", "stockade", "biff",
-        "packer", "trailers", "trailerlogs", "pbus", "bati", "hexer", "scorcher", "tropic",
+        "asea",
+        "blista",
+        "banshee",
+        "cheetah",
+        "stratum",
+        "landstalker",
+        "minivan",
+        "speedo",
+        "rebel2",
+        "boxville",
+        "stockade",
+        "biff",
+        "packer",
+        "trailers",
+        "trailerlogs",
+        "pbus",
+        "bati",
+        "hexer",
+        "scorcher",
+        "tropic",
     ];
 
     [Fact]
@@ -62,7 +80,13 @@ public sealed class VehicleSilhouetteTests
         Vector3D centre = (model.Min + model.Max) * 0.5;
         double fov = 2 * Math.Atan(size.Z / 2 / distance) * 180 / Math.PI;
         var camera = new RenderCamera(
-            new Pose(new Vector3D(centre.X + distance, centre.Y, centre.Z), Axes.FromHeading(90)), fov, size.Y / size.Z, 1, Pixels, Pixels);
+            new Pose(new Vector3D(centre.X + distance, centre.Y, centre.Z), Axes.FromHeading(90)),
+            fov,
+            size.Y / size.Z,
+            1,
+            Pixels,
+            Pixels
+        );
         return [.. TestScene.Render(camera, TestScene.AtOrigin(model.Mesh, 1)).Handles.Select(handle => handle == 1)];
     }
 

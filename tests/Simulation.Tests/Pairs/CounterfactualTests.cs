@@ -15,8 +15,7 @@ public sealed class CounterfactualTests(ITestOutputHelper output)
     private const double MaxAllowed = 0.3;
 
     [Fact]
-    public void Plain_pictures_differ_only_where_the_object_is() =>
-        Judge(4, Detail.Plain, "clear,rain", "0,12", "nearest-vehicle");
+    public void Plain_pictures_differ_only_where_the_object_is() => Judge(4, Detail.Plain, "clear,rain", "0,12", "nearest-vehicle");
 
     [Theory]
     [InlineData(5, "signs,nearest-vehicle,people")]
@@ -32,8 +31,15 @@ public sealed class CounterfactualTests(ITestOutputHelper output)
     private void Judge(int seed, Detail detail, string weathers, string hours, string without)
     {
         PairHarvest harvest = PairHarvest.Of(
-            new SimulationOptions { Seed = seed, IsWarm = true, IsTimeOfDayFixed = true, Detail = detail },
-            PairHarvest.Options(weathers, hours, without));
+            new SimulationOptions
+            {
+                Seed = seed,
+                IsWarm = true,
+                IsTimeOfDayFixed = true,
+                Detail = detail,
+            },
+            PairHarvest.Options(weathers, hours, without)
+        );
         Assert.Empty(harvest.Warnings);
         int judged = 0;
         foreach (PairLabel pair in harvest.Labels[0].Pairs.Where(pair => pair.Without.Count > 0))
@@ -42,10 +48,17 @@ public sealed class CounterfactualTests(ITestOutputHelper output)
             string sky = name[..name.IndexOf("-without", StringComparison.Ordinal)];
             bool[] changed = Changed(harvest.Pictures[0][sky == "base" ? "frame" : sky], harvest.Pictures[0][name]);
             var traces = new ObjectTraces(
-                harvest.Scenes[0], harvest.Drawn!, [.. pair.Without.Where(harvest.Handles.ContainsKey).Select(id => harvest.Handles[id])],
-                Weather.LightingOf(pair.Weather, new SimulationOptions().DayOfYear, pair.TimeOfDay), detail);
+                harvest.Scenes[0],
+                harvest.Drawn!,
+                [.. pair.Without.Where(harvest.Handles.ContainsKey).Select(id => harvest.Handles[id])],
+                Weather.LightingOf(pair.Weather, new SimulationOptions().DayOfYear, pair.TimeOfDay),
+                detail
+            );
 
-            int own = 0, ownChanged = 0, allowed = 0, outside = 0;
+            int own = 0,
+                ownChanged = 0,
+                allowed = 0,
+                outside = 0;
             for (int pixel = 0; pixel < changed.Length; pixel++)
             {
                 own += traces.Object[pixel] ? 1 : 0;
@@ -65,8 +78,5 @@ public sealed class CounterfactualTests(ITestOutputHelper output)
     }
 
     private static bool[] Changed(byte[] with, byte[] without) =>
-    [
-        .. Enumerable.Range(0, with.Length / 3).Select(pixel =>
-            !with.AsSpan(pixel * 3, 3).SequenceEqual(without.AsSpan(pixel * 3, 3))),
-    ];
+        [.. Enumerable.Range(0, with.Length / 3).Select(pixel => !with.AsSpan(pixel * 3, 3).SequenceEqual(without.AsSpan(pixel * 3, 3)))];
 }

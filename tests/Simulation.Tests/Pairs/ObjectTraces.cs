@@ -39,17 +39,24 @@ internal sealed class ObjectTraces
     /// <param name="handles">The objects.</param>
     /// <param name="lighting">The light of the picture; only in rain does the ground mirror anything.</param>
     /// <param name="detail">Only pictures of full detail have shadows and reflections.</param>
-    public ObjectTraces(
-        SceneSnapshot scene, RenderTarget drawn, IReadOnlyCollection<int> handles, Lighting lighting, Detail detail)
+    public ObjectTraces(SceneSnapshot scene, RenderTarget drawn, IReadOnlyCollection<int> handles, Lighting lighting, Detail detail)
     {
         (_camera, _drawn) = (scene.Camera, drawn);
         _objects = [.. scene.Entities.Where(entity => handles.Contains(entity.Handle))];
         Object = [.. drawn.Handles.Select(handles.Contains)];
-        bool[] shaded = [.. Enumerable.Range(0, Object.Length).Select(pixel =>
-            detail == Detail.Full && IsShaded(pixel, lighting.SunDirection))];
+        bool[] shaded =
+        [
+            .. Enumerable.Range(0, Object.Length).Select(pixel => detail == Detail.Full && IsShaded(pixel, lighting.SunDirection)),
+        ];
         bool isMirrored = detail == Detail.Full && lighting.RainFraction > 0;
-        bool[] traces = [.. Enumerable.Range(0, Object.Length).Select(pixel => Object[pixel] || shaded[pixel]
-            || (isMirrored && (IsMirroring(pixel) || MirrorsWhatObjectsChange(pixel, shaded))))];
+        bool[] traces =
+        [
+            .. Enumerable
+                .Range(0, Object.Length)
+                .Select(pixel =>
+                    Object[pixel] || shaded[pixel] || (isMirrored && (IsMirroring(pixel) || MirrorsWhatObjectsChange(pixel, shaded)))
+                ),
+        ];
         Allowed = Widened(traces);
     }
 
@@ -81,9 +88,17 @@ internal sealed class ObjectTraces
         Vector3D place = PlaceAt(pixel);
         Vector3D sight = (place - _camera.Pose.Position).Normalized();
         double focal = _drawn.Height / 2.0 / Math.Tan(_camera.VerticalFovDegrees * Math.PI / 360);
-        return _objects.Any(entity => IsMet(
-            entity, place, sight with { Z = Math.Abs(sight.Z) },
-            ReflectionMetres + (ReflectionPixels / focal * (entity.Pose.Position - _camera.Pose.Position).Length)));
+        return _objects.Any(entity =>
+            IsMet(
+                entity,
+                place,
+                sight with
+                {
+                    Z = Math.Abs(sight.Z),
+                },
+                ReflectionMetres + (ReflectionPixels / focal * (entity.Pose.Position - _camera.Pose.Position).Length)
+            )
+        );
     }
 
     /// <summary>
@@ -104,8 +119,11 @@ internal sealed class ObjectTraces
                     return true;
                 }
 
-                if (shaded[other] && PlaceAt(other) is var place
-                    && Math.Abs(RowOf(place with { Z = (2 * ground) - place.Z }) - (row + 0.5)) < ReflectionPixels)
+                if (
+                    shaded[other]
+                    && PlaceAt(other) is var place
+                    && Math.Abs(RowOf(place with { Z = (2 * ground) - place.Z }) - (row + 0.5)) < ReflectionPixels
+                )
                 {
                     return true;
                 }
@@ -138,22 +156,28 @@ internal sealed class ObjectTraces
     {
         Axes axes = entity.Pose.Axes;
         Vector3D away = from - entity.Pose.Position;
-        double enter = 0, leave = double.PositiveInfinity;
-        foreach ((Vector3D axis, double min, double max) in new[]
+        double enter = 0,
+            leave = double.PositiveInfinity;
+        foreach (
+            (Vector3D axis, double min, double max) in new[]
+            {
+                (axes.Right, entity.ModelMin.X, entity.ModelMax.X),
+                (axes.Forward, entity.ModelMin.Y, entity.ModelMax.Y),
+                (axes.Up, entity.ModelMin.Z, entity.ModelMax.Z),
+            }
+        )
         {
-            (axes.Right, entity.ModelMin.X, entity.ModelMax.X), (axes.Forward, entity.ModelMin.Y, entity.ModelMax.Y),
-            (axes.Up, entity.ModelMin.Z, entity.ModelMax.Z),
-        })
-        {
-            double at = away.Dot(axis), speed = direction.Dot(axis);
-            double first = (min - margin - at) / speed, second = (max + margin - at) / speed;
+            double at = away.Dot(axis),
+                speed = direction.Dot(axis);
+            double first = (min - margin - at) / speed,
+                second = (max + margin - at) / speed;
             if (speed == 0 && (at < min - margin || at > max + margin))
             {
                 return false;
             }
 
-            (enter, leave) = speed == 0 ? (enter, leave)
-                : (Math.Max(enter, Math.Min(first, second)), Math.Min(leave, Math.Max(first, second)));
+            (enter, leave) =
+                speed == 0 ? (enter, leave) : (Math.Max(enter, Math.Min(first, second)), Math.Min(leave, Math.Max(first, second)));
         }
 
         return enter <= leave;

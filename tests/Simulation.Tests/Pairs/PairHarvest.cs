@@ -60,8 +60,10 @@ internal sealed class PairHarvest
         while (!session.Status.IsOver)
         {
             // What has not changed is still the same list.
-            if (session.Step().Phase == HarvestPhase.Photographing
-                && (harvest.Scenes.Count == 0 || !ReferenceEquals(harvest.Scenes[^1].Entities, game.Shown.Entities)))
+            if (
+                session.Step().Phase == HarvestPhase.Photographing
+                && (harvest.Scenes.Count == 0 || !ReferenceEquals(harvest.Scenes[^1].Entities, game.Shown.Entities))
+            )
             {
                 harvest.Scenes.Add(game.Shown);
                 harvest.Drawn ??= Copy(game.Render(Size));
@@ -82,7 +84,9 @@ internal sealed class PairHarvest
 
             Assert.Equal(frame.Label.Pairs.Select(pair => pair.File).OfType<string>(), frame.Files.Select(file => file.Path));
             Dictionary<string, byte[]> pictures = frame.Files.ToDictionary(
-                file => Path.GetFileNameWithoutExtension(file.Path), file => Decoded(Written(file)));
+                file => Path.GetFileNameWithoutExtension(file.Path),
+                file => Decoded(Written(file))
+            );
             pictures.Add("frame", [.. frame.Picture.Bytes]);
             harvest.Pictures.Add(pictures);
             frame.Dispose();
@@ -91,13 +95,14 @@ internal sealed class PairHarvest
         return harvest;
     }
 
-    public static PairOptions Options(string weathers, string hours, string without = "") => new()
-    {
-        Weathers = [.. weathers.Split(',', StringSplitOptions.RemoveEmptyEntries)],
-        Hours = [.. hours.Split(',', StringSplitOptions.RemoveEmptyEntries).Select(int.Parse)],
-        Without = [.. without.Split(',', StringSplitOptions.RemoveEmptyEntries).Select(text => HiddenChoice.Parse(text)!)],
-        TakesAllTicks = true,
-    };
+    public static PairOptions Options(string weathers, string hours, string without = "") =>
+        new()
+        {
+            Weathers = [.. weathers.Split(',', StringSplitOptions.RemoveEmptyEntries)],
+            Hours = [.. hours.Split(',', StringSplitOptions.RemoveEmptyEntries).Select(int.Parse)],
+            Without = [.. without.Split(',', StringSplitOptions.RemoveEmptyEntries).Select(text => HiddenChoice.Parse(text)!)],
+            TakesAllTicks = true,
+        };
 
     private static byte[] Written(FrameFile file)
     {
@@ -125,8 +130,9 @@ internal sealed class PairHarvest
             {
                 for (int channel = 0; channel < 3; channel++)
                 {
-                    pixels[(((row * Size.Width) + column) * 3) + channel] =
-                        file[BmpHeader + ((Size.Height - 1 - row) * stride) + (column * 3) + 2 - channel];
+                    pixels[(((row * Size.Width) + column) * 3) + channel] = file[
+                        BmpHeader + ((Size.Height - 1 - row) * stride) + (column * 3) + 2 - channel
+                    ];
                 }
             }
         }

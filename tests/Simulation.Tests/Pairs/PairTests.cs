@@ -8,7 +8,12 @@ namespace Harvester.Simulation.Tests.Pairs;
 /// <summary>The further pictures of a moment: the same world in other weathers, at other hours and without objects.</summary>
 public sealed class PairTests
 {
-    private static readonly SimulationOptions Town = new() { Seed = 4, IsWarm = true, IsTimeOfDayFixed = true };
+    private static readonly SimulationOptions Town = new()
+    {
+        Seed = 4,
+        IsWarm = true,
+        IsTimeOfDayFixed = true,
+    };
 
     [Fact]
     public void Pictures_are_named_after_what_they_show()
@@ -19,7 +24,8 @@ public sealed class PairTests
 
         Assert.Equal(
             ["base-without-nearest-vehicle", "rain-06", "rain-06-without-nearest-vehicle", "snow-06", "snow-06-without-nearest-vehicle"],
-            pairs.Select(pair => Path.GetFileNameWithoutExtension(pair.File)));
+            pairs.Select(pair => Path.GetFileNameWithoutExtension(pair.File))
+        );
         Assert.Equal(["clear", "rain", "rain", "snow", "snow"], pairs.Select(pair => pair.Weather));
         Assert.Equal([12, 6, 6, 6, 6], pairs.Select(pair => pair.TimeOfDay.Hours));
         Assert.All(pairs, pair => Assert.Equal(pair.File!.Contains("without", StringComparison.Ordinal) ? [vehicle] : [], pair.Without));
@@ -37,7 +43,8 @@ public sealed class PairTests
             Assert.Equal(plain.Pictures[frame]["frame"], harvest.Pictures[frame]["frame"]);
             Assert.Equal(
                 JsonLabelWriter.Line(plain.Labels[frame] with { GameFrame = 0 }),
-                JsonLabelWriter.Line(harvest.Labels[frame] with { GameFrame = 0, Pairs = [] }));
+                JsonLabelWriter.Line(harvest.Labels[frame] with { GameFrame = 0, Pairs = [] })
+            );
         }
     }
 
@@ -48,11 +55,14 @@ public sealed class PairTests
         SceneSnapshot first = harvest.Scenes[0];
 
         Assert.True(harvest.Scenes.Select(scene => scene.Environment).Distinct().Count() >= 9);
-        Assert.All(harvest.Scenes, scene =>
-        {
-            Assert.Equal((first.TimeSeconds, first.Camera, first.Ego), (scene.TimeSeconds, scene.Camera, scene.Ego));
-            Assert.Equal(first.Entities.Select(Unlit), scene.Entities.Select(Unlit));
-        });
+        Assert.All(
+            harvest.Scenes,
+            scene =>
+            {
+                Assert.Equal((first.TimeSeconds, first.Camera, first.Ego), (scene.TimeSeconds, scene.Camera, scene.Ego));
+                Assert.Equal(first.Entities.Select(Unlit), scene.Entities.Select(Unlit));
+            }
+        );
     }
 
     [Theory]
@@ -73,15 +83,19 @@ public sealed class PairTests
     public void Moment_is_taken_under_144_skies()
     {
         PairHarvest harvest = PairHarvest.Of(
-            Town, PairHarvest.Options(string.Join(',', WeatherNames.All.Take(12)), "0,2,4,6,8,10,12,14,16,18,20,22"));
+            Town,
+            PairHarvest.Options(string.Join(',', WeatherNames.All.Take(12)), "0,2,4,6,8,10,12,14,16,18,20,22")
+        );
 
         Assert.Empty(harvest.Warnings);
         Assert.Equal(144, harvest.Labels[0].Pairs.Count);
         Assert.Equal(144, harvest.Labels[0].Pairs.Select(pair => (pair.Weather, pair.TimeOfDay)).Distinct().Count());
         Assert.All(harvest.Labels[0].Pairs, pair => Assert.NotNull(pair.File));
         Assert.All(harvest.Scenes, scene => Assert.Equal(harvest.Scenes[0].Entities.Select(Unlit), scene.Entities.Select(Unlit)));
-        Assert.Equal(JsonLabelWriter.Line(PairHarvest.Of(Town, new PairOptions()).Labels[0]),
-            JsonLabelWriter.Line(harvest.Labels[0] with { Pairs = [] }));
+        Assert.Equal(
+            JsonLabelWriter.Line(PairHarvest.Of(Town, new PairOptions()).Labels[0]),
+            JsonLabelWriter.Line(harvest.Labels[0] with { Pairs = [] })
+        );
     }
 
     [Theory]
@@ -132,7 +146,10 @@ public sealed class PairTests
     public void Objects_that_are_hidden_late_are_waited_for()
     {
         PairOptions options = PairHarvest.Options("clear,rain", "0,12", "nearest-vehicle,people");
-        SimulationOptions late = Town with { Quirks = new GameQuirks { VisibilityDelayTicks = 15, PictureLagTicks = 3 } };
+        SimulationOptions late = Town with
+        {
+            Quirks = new GameQuirks { VisibilityDelayTicks = 15, PictureLagTicks = 3 },
+        };
 
         PairHarvest settled = PairHarvest.Of(Town, options);
         PairHarvest waited = PairHarvest.Of(late, options);
@@ -159,17 +176,25 @@ public sealed class PairTests
     }
 
     /// <summary>What a label line says of places and shapes: all but the sky and the lamps that follow it.</summary>
-    private static string Geometry(FrameLabel label) => JsonLabelWriter.Line(label with
-    {
-        Pairs = [],
-        GameFrame = 0,
-        Environment = new EnvironmentState("", TimeSpan.Zero),
-        Objects = [.. label.Objects.Select(item => item with
-        {
-            Lights = null,
-            Face = item.Face is { } face ? face with { Light = null } : null,
-        })],
-    });
+    private static string Geometry(FrameLabel label) =>
+        JsonLabelWriter.Line(
+            label with
+            {
+                Pairs = [],
+                GameFrame = 0,
+                Environment = new EnvironmentState("", TimeSpan.Zero),
+                Objects =
+                [
+                    .. label.Objects.Select(item =>
+                        item with
+                        {
+                            Lights = null,
+                            Face = item.Face is { } face ? face with { Light = null } : null,
+                        }
+                    ),
+                ],
+            }
+        );
 
     /// <summary>An entity without the lamps that a dark sky switches on.</summary>
     private static EntityState Unlit(EntityState entity) => entity with { Lights = null };

@@ -51,29 +51,36 @@ public sealed class JointLabelTests(ITestOutputHelper output)
     {
         int compared = 0;
         double greatest = 0;
-        Harvest(seed, frames: 6, (label, game, drawn) =>
-        {
-            Camera camera = label.Camera.ToCamera();
-            foreach ((ObjectLabel person, int handle) in People(label, game).Take(3))
+        Harvest(
+            seed,
+            frames: 6,
+            (label, game, drawn) =>
             {
-                // A part of the joints of each, in turn, because each marker is a picture.
-                MeshInstance whole = drawn.Whole(handle);
-                for (int joint = person.Id % Every; joint < Skeleton.Count; joint += Every)
+                Camera camera = label.Camera.ToCamera();
+                foreach ((ObjectLabel person, int handle) in People(label, game).Take(3))
                 {
-                    JointLabel labelled = person.Joints!.Joints[joint];
-                    double radius = MarkerPixels * (labelled.Position - camera.Pose.Position).Length / (camera.Intrinsics.Fy * Finer);
-                    Vector3D local = whole.Pose.ToLocal(drawn.SkeletonOf(handle).Joints[joint]);
-                    Mesh ball = new MeshBuilder()
-                        .AddEllipsoid(local, new Vector3D(radius, radius, radius), 12, 12, TestScene.White).Build();
-                    if (labelled.Visibility != JointVisibility.Outside
-                        && Centroid(drawn.DrawAlone(new MeshInstance(ball, whole.Pose, 1))) is { } centre)
+                    // A part of the joints of each, in turn, because each marker is a picture.
+                    MeshInstance whole = drawn.Whole(handle);
+                    for (int joint = person.Id % Every; joint < Skeleton.Count; joint += Every)
                     {
-                        compared++;
-                        greatest = Math.Max(greatest, (centre - labelled.Pixel!.Value).Length);
+                        JointLabel labelled = person.Joints!.Joints[joint];
+                        double radius = MarkerPixels * (labelled.Position - camera.Pose.Position).Length / (camera.Intrinsics.Fy * Finer);
+                        Vector3D local = whole.Pose.ToLocal(drawn.SkeletonOf(handle).Joints[joint]);
+                        Mesh ball = new MeshBuilder()
+                            .AddEllipsoid(local, new Vector3D(radius, radius, radius), 12, 12, TestScene.White)
+                            .Build();
+                        if (
+                            labelled.Visibility != JointVisibility.Outside
+                            && Centroid(drawn.DrawAlone(new MeshInstance(ball, whole.Pose, 1))) is { } centre
+                        )
+                        {
+                            compared++;
+                            greatest = Math.Max(greatest, (centre - labelled.Pixel!.Value).Length);
+                        }
                     }
                 }
             }
-        });
+        );
         output.WriteLine($"{compared} joints, greatest distance {greatest:F3} px");
         Assert.True(compared > 50, $"Only {compared} joints.");
         Assert.True(greatest <= MaxPixels, $"A joint is {greatest:F3} px from its marker.");
@@ -82,25 +89,30 @@ public sealed class JointLabelTests(ITestOutputHelper output)
     [Fact]
     public void Limbs_are_drawn_around_their_joints()
     {
-        int compared = 0, within = 0;
-        Harvest(DevelopmentSeed, frames: 6, (label, game, drawn) =>
-        {
-            foreach ((ObjectLabel person, int handle) in People(label, game).Where(each => each.Person.Box2D.Height > 40).Take(3))
+        int compared = 0,
+            within = 0;
+        Harvest(
+            DevelopmentSeed,
+            frames: 6,
+            (label, game, drawn) =>
             {
-                foreach (BodyPart part in Enum.GetValues<BodyPart>())
+                foreach ((ObjectLabel person, int handle) in People(label, game).Where(each => each.Person.Box2D.Height > 40).Take(3))
                 {
-                    RenderTarget alone = drawn.DrawAlone(drawn.PartOf(handle, part));
-                    foreach (Joint joint in JointParts.LimbsOf(part))
+                    foreach (BodyPart part in Enum.GetValues<BodyPart>())
                     {
-                        if (person.Joints![joint] is { Pixel: { } pixel, Visibility: not JointVisibility.Outside })
+                        RenderTarget alone = drawn.DrawAlone(drawn.PartOf(handle, part));
+                        foreach (Joint joint in JointParts.LimbsOf(part))
                         {
-                            compared++;
-                            within += IsDrawnAt(alone, pixel) ? 1 : 0;
+                            if (person.Joints![joint] is { Pixel: { } pixel, Visibility: not JointVisibility.Outside })
+                            {
+                                compared++;
+                                within += IsDrawnAt(alone, pixel) ? 1 : 0;
+                            }
                         }
                     }
                 }
             }
-        });
+        );
         output.WriteLine($"{within} of {compared} joints lie within the drawn limbs that they join");
         Assert.True(compared > 60, $"Only {compared} joints.");
         Assert.Equal(compared, within);
@@ -111,20 +123,28 @@ public sealed class JointLabelTests(ITestOutputHelper output)
     public void Visible_joints_are_those_that_the_renderer_shows()
     {
         var table = new int[5, 5];
-        Array.ForEach([DevelopmentSeed, OtherSeed], seed => Harvest(seed, frames: 30, (label, game, drawn) =>
-        {
-            foreach ((ObjectLabel person, int handle) in People(label, game))
-            {
-                for (int joint = 0; joint < Skeleton.Count; joint++)
-                {
-                    JointLabel labelled = person.Joints!.Joints[joint];
-                    if (labelled.Visibility != JointVisibility.Outside)
+        Array.ForEach(
+            [DevelopmentSeed, OtherSeed],
+            seed =>
+                Harvest(
+                    seed,
+                    frames: 30,
+                    (label, game, drawn) =>
                     {
-                        table[(int)TruthOf(drawn, label, (Joint)joint, labelled, handle), (int)labelled.Visibility]++;
+                        foreach ((ObjectLabel person, int handle) in People(label, game))
+                        {
+                            for (int joint = 0; joint < Skeleton.Count; joint++)
+                            {
+                                JointLabel labelled = person.Joints!.Joints[joint];
+                                if (labelled.Visibility != JointVisibility.Outside)
+                                {
+                                    table[(int)TruthOf(drawn, label, (Joint)joint, labelled, handle), (int)labelled.Visibility]++;
+                                }
+                            }
+                        }
                     }
-                }
-            }
-        }));
+                )
+        );
         const int visible = (int)JointVisibility.Visible;
         int found = Enumerable.Range(0, 5).Sum(truth => table[truth, visible]);
         int shown = Enumerable.Range(0, 5).Sum(labelled => table[visible, labelled]);
@@ -147,22 +167,29 @@ public sealed class JointLabelTests(ITestOutputHelper output)
     {
         List<double> joints = [];
         List<double> cuboids = [];
-        Harvest(seed, frames: 30, (label, game, drawn) =>
-        {
-            foreach ((ObjectLabel person, int handle) in People(label, game).Where(each =>
-                each.Person is { TruncatedFraction: 0, OccludedFraction: 0 }))
+        Harvest(
+            seed,
+            frames: 30,
+            (label, game, drawn) =>
             {
-                RenderTarget alone = drawn.DrawAlone(drawn.Whole(handle));
-                if (Silhouette.BoxOf(alone, handle) is { } fine)
+                foreach (
+                    (ObjectLabel person, int handle) in People(label, game)
+                        .Where(each => each.Person is { TruncatedFraction: 0, OccludedFraction: 0 })
+                )
                 {
-                    Box2D box = new(fine.XMin / Finer, fine.YMin / Finer, fine.XMax / Finer, fine.YMax / Finer);
-                    joints.Add(person.Joints!.Box!.Value.IntersectionOverUnion(box));
-                    cuboids.Add(person.Box2DAmodal.IntersectionOverUnion(box));
+                    RenderTarget alone = drawn.DrawAlone(drawn.Whole(handle));
+                    if (Silhouette.BoxOf(alone, handle) is { } fine)
+                    {
+                        Box2D box = new(fine.XMin / Finer, fine.YMin / Finer, fine.XMax / Finer, fine.YMax / Finer);
+                        joints.Add(person.Joints!.Box!.Value.IntersectionOverUnion(box));
+                        cuboids.Add(person.Box2DAmodal.IntersectionOverUnion(box));
+                    }
                 }
             }
-        });
+        );
         output.WriteLine(
-            $"{joints.Count} people: mean IoU {joints.Average():F3} of the joints' box, {cuboids.Average():F3} of the cuboid's");
+            $"{joints.Count} people: mean IoU {joints.Average():F3} of the joints' box, {cuboids.Average():F3} of the cuboid's"
+        );
         Assert.True(joints.Count > 50, $"Only {joints.Count} people.");
         Assert.True(joints.Average() >= MinIoU, $"The mean IoU is {joints.Average():F3}.");
     }
@@ -170,18 +197,39 @@ public sealed class JointLabelTests(ITestOutputHelper output)
     private static void Harvest(int seed, int frames, Action<FrameLabel, SimulatedGame, PeopleInParts> judge)
     {
         var game = new SimulatedGame(
-            new SimulationOptions { Seed = seed, PedestrianDensity = 4, TrafficDensity = 1, WindowAspect = 4 / 3.0 });
-        var options = new HarvestOptions { Image = new ImageSize(Width, Height), MaxFrames = frames, RateHz = 0.5, RangeMetres = 80 };
+            new SimulationOptions
+            {
+                Seed = seed,
+                PedestrianDensity = 4,
+                TrafficDensity = 1,
+                WindowAspect = 4 / 3.0,
+            }
+        );
+        var options = new HarvestOptions
+        {
+            Image = new ImageSize(Width, Height),
+            MaxFrames = frames,
+            RateHz = 0.5,
+            RangeMetres = 80,
+        };
         LabelledTown.Harvest(
-            game, game.Ports, options, (frame, _) => judge(frame.Label, game, new PeopleInParts(game, Width, Height, Finer)));
+            game,
+            game.Ports,
+            options,
+            (frame, _) => judge(frame.Label, game, new PeopleInParts(game, Width, Height, Finer))
+        );
     }
 
     /// <summary>The labelled people with the handles of their entities, found by place and not by joints.</summary>
     private static IEnumerable<(ObjectLabel Person, int Handle)> People(FrameLabel label, SimulatedGame game) =>
         from person in label.Objects
         where person.Class == ObjectClass.Pedestrian
-        select (person, game.Shown.Entities.MinBy(entity =>
-            (entity.Pose.ToWorld((entity.ModelMin + entity.ModelMax) * 0.5) - person.Box3D.Centre).Length)!.Handle);
+        select (
+            person,
+            game.Shown.Entities.MinBy(entity =>
+                (entity.Pose.ToWorld((entity.ModelMin + entity.ModelMax) * 0.5) - person.Box3D.Centre).Length
+            )!.Handle
+        );
 
     /// <summary>
     /// What the picture shows at a joint: a part that the joint belongs to, another part of the person, something else, or what lies
@@ -201,8 +249,7 @@ public sealed class JointLabelTests(ITestOutputHelper output)
     }
 
     /// <summary>Whether what is seen is nearer to a joint than to its like on the other side, which the trunk may lie between.</summary>
-    private static bool IsOnOwnSide(
-        PeopleInParts drawn, FrameLabel label, Joint joint, int handle, Vector2D pixel, double depth)
+    private static bool IsOnOwnSide(PeopleInParts drawn, FrameLabel label, Joint joint, int handle, Vector2D pixel, double depth)
     {
         Skeleton skeleton = drawn.SkeletonOf(handle);
         Vector3D seen = label.Camera.ToCamera().Unproject(pixel.X, pixel.Y, depth);
@@ -211,19 +258,27 @@ public sealed class JointLabelTests(ITestOutputHelper output)
 
     /// <summary>Whether something is drawn at a pixel or one beside it: a joint lies on the border where two parts meet.</summary>
     private static bool IsDrawnAt(RenderTarget picture, Vector2D pixel) =>
-        (from row in Enumerable.Range((int)(pixel.Y * Finer) - 1, 3)
-         from column in Enumerable.Range((int)(pixel.X * Finer) - 1, 3)
-         where row >= 0 && row < picture.Height && column >= 0 && column < picture.Width
-         select picture.Handles[(row * picture.Width) + column]).Any(number => number != 0);
+        (
+            from row in Enumerable.Range((int)(pixel.Y * Finer) - 1, 3)
+            from column in Enumerable.Range((int)(pixel.X * Finer) - 1, 3)
+            where row >= 0 && row < picture.Height && column >= 0 && column < picture.Width
+            select picture.Handles[(row * picture.Width) + column]
+        ).Any(number => number != 0);
 
     private static Vector2D? Centroid(RenderTarget picture)
     {
         int[] pixels = [.. Enumerable.Range(0, picture.Handles.Length).Where(pixel => picture.Handles[pixel] != 0)];
-        bool isCut = pixels.Any(pixel => pixel % picture.Width is 0 || pixel % picture.Width == picture.Width - 1
-            || pixel / picture.Width is 0 || pixel / picture.Width == picture.Height - 1);
-        return pixels.Length == 0 || isCut ? null
+        bool isCut = pixels.Any(pixel =>
+            pixel % picture.Width is 0
+            || pixel % picture.Width == picture.Width - 1
+            || pixel / picture.Width is 0
+            || pixel / picture.Width == picture.Height - 1
+        );
+        return pixels.Length == 0 || isCut
+            ? null
             : new Vector2D(
                 (pixels.Average(pixel => pixel % picture.Width) + 0.5) / Finer,
-                (pixels.Average(pixel => pixel / picture.Width) + 0.5) / Finer);
+                (pixels.Average(pixel => pixel / picture.Width) + 0.5) / Finer
+            );
     }
 }

@@ -75,9 +75,11 @@ internal sealed class PeopleInParts
     private static Dictionary<Mesh, (int Person, int Posture)> Postures()
     {
         IReadOnlyList<Model> models = ModelCatalogue.Shared.Pedestrians;
-        return (from person in Enumerable.Range(0, models.Count)
-                from posture in Enumerable.Range(0, models[person].Variants.Count)
-                select (models[person].Variants[posture], (person, posture))).ToDictionary();
+        return (
+            from person in Enumerable.Range(0, models.Count)
+            from posture in Enumerable.Range(0, models[person].Variants.Count)
+            select (models[person].Variants[posture], (person, posture))
+        ).ToDictionary();
     }
 
     private static MeshInstance Part(MeshInstance whole, BodyPart part)

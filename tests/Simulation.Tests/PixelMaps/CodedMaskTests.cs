@@ -56,7 +56,12 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
     private const double RangeMetres = 150;
 
     /// <summary>Rays that meet boxes, noise of two grey levels, and moving textures; with Detail.Full also cast shadows.</summary>
-    private static readonly GameQuirks Hard = new() { RaysMeetBoxes = true, PictureNoiseLevels = 2, TexturesMove = true };
+    private static readonly GameQuirks Hard = new()
+    {
+        RaysMeetBoxes = true,
+        PictureNoiseLevels = 2,
+        TexturesMove = true,
+    };
 
     [Fact]
     public void Mask_is_made_from_few_pictures_and_rays()
@@ -72,7 +77,12 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
     public void Late_visibility_does_not_spoil_a_mask()
     {
         Scores scores = Judge(
-            [61], 1, new ImageSize(400, 300), Detail.Plain, new GameQuirks { VisibilityDelayTicks = 5, PictureLagTicks = 2 });
+            [61],
+            1,
+            new ImageSize(400, 300),
+            Detail.Plain,
+            new GameQuirks { VisibilityDelayTicks = 5, PictureLagTicks = 2 }
+        );
 
         Assert.InRange(scores.Large.Average(), MinMeanIouWithRider, 1);
     }
@@ -83,8 +93,14 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
         var scores = new Scores();
         var game = new SimulatedGame(Town(61, Detail.Plain, new GameQuirks()));
         LabelledTown.Harvest(
-            game, game.Ports with { Sheets = null }, Options(new ImageSize(400, 300), 1),
-            (frame, truth) => Add(scores, game, frame, truth));
+            game,
+            game.Ports with
+            {
+                Sheets = null,
+            },
+            Options(new ImageSize(400, 300), 1),
+            (frame, truth) => Add(scores, game, frame, truth)
+        );
         output.WriteLine(scores.ToString());
 
         Assert.InRange(scores.Large.Average(), MinMeanIouOfCodeWords, 1);
@@ -106,11 +122,16 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
     public void Hidden_objects_are_shown_again_for_the_next_frame()
     {
         var game = new SimulatedGame(Town(61, Detail.Plain, new GameQuirks { VisibilityDelayTicks = 3 }));
-        LabelledTown.Harvest(game, game.Ports, Options(new ImageSize(400, 300), 2), (frame, _) =>
-        {
-            // The judge renders right after the frame, when everything asked for has taken effect.
-            Assert.NotEmpty(frame.Label.Objects);
-        });
+        LabelledTown.Harvest(
+            game,
+            game.Ports,
+            Options(new ImageSize(400, 300), 2),
+            (frame, _) =>
+            {
+                // The judge renders right after the frame, when everything asked for has taken effect.
+                Assert.NotEmpty(frame.Label.Objects);
+            }
+        );
         for (int tick = 0; tick < 10; tick++)
         {
             game.Tick(1 / 60.0);
@@ -151,30 +172,31 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
         Assert.InRange(coded.Large.Average(), rays.Large.Average(), 1);
     }
 
-    private static SimulationOptions Town(int seed, Detail detail, GameQuirks quirks) => new()
-    {
-        Seed = seed,
-        WindowAspect = 4.0 / 3,
-        IsWarm = true,
-        Detail = detail,
-        TimeOfDay = TimeSpan.FromHours(9 + (seed % 8)),
-        Quirks = quirks,
-    };
+    private static SimulationOptions Town(int seed, Detail detail, GameQuirks quirks) =>
+        new()
+        {
+            Seed = seed,
+            WindowAspect = 4.0 / 3,
+            IsWarm = true,
+            Detail = detail,
+            TimeOfDay = TimeSpan.FromHours(9 + (seed % 8)),
+            Quirks = quirks,
+        };
 
-    private static HarvestOptions Options(ImageSize image, int frames, MaskMethod method = MaskMethod.Coded) => new()
-    {
-        Image = image,
-        MaxFrames = frames,
-        RangeMetres = RangeMetres,
-        RateHz = 0.25,
-        MaxOccludedFraction = 1,
-        Masks = true,
-        MaskMethod = method,
-        MaxPictureLagTicks = 2,
-    };
+    private static HarvestOptions Options(ImageSize image, int frames, MaskMethod method = MaskMethod.Coded) =>
+        new()
+        {
+            Image = image,
+            MaxFrames = frames,
+            RangeMetres = RangeMetres,
+            RateHz = 0.25,
+            MaxOccludedFraction = 1,
+            Masks = true,
+            MaskMethod = method,
+            MaxPictureLagTicks = 2,
+        };
 
-    private Scores Judge(
-        int[] seeds, int frames, ImageSize image, Detail detail, GameQuirks quirks, MaskMethod method = MaskMethod.Coded)
+    private Scores Judge(int[] seeds, int frames, ImageSize image, Detail detail, GameQuirks quirks, MaskMethod method = MaskMethod.Coded)
     {
         var scores = new Scores();
         foreach (int seed in seeds)
@@ -192,7 +214,9 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
         scores.MaxPictures = Math.Max(scores.MaxPictures, frame.Label.PixelMap!.Pictures ?? 0);
         scores.MaxRays = Math.Max(scores.MaxRays, frame.Label.Rays!.Map);
         Dictionary<(string, Vector3D), int> handles = truth.Scene.Entities.ToDictionary(
-            entity => (entity.Model, Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose).Centre), entity => entity.Handle);
+            entity => (entity.Model, Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose).Centre),
+            entity => entity.Handle
+        );
         ImageSize image = frame.Mask!.Image;
         ObjectLabel[] objects = [.. frame.Label.Objects.Where(item => item.Parent is null)];
         int[] labelled = [.. objects.Select(item => handles[(item.Model, item.Box3D.Centre)])];
@@ -266,10 +290,12 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
 
         public int MaxRays { get; set; }
 
-        public override string ToString() => string.Create(
-            CultureInfo.InvariantCulture,
-            $"{Large.Count} large: mean {Large.Average():F4}, least {Large.Min():F3}; {Apart.Count} apart: least {Apart.Min():F3}; "
-                + $"amodal mean {Amodal.Average():F4}, least {Amodal.Min():F3}; small found {SmallFound.Count(found => found)} of "
-                + $"{SmallFound.Count}; at most {MaxPictures} pictures and {MaxRays} rays");
+        public override string ToString() =>
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"{Large.Count} large: mean {Large.Average():F4}, least {Large.Min():F3}; {Apart.Count} apart: least {Apart.Min():F3}; "
+                    + $"amodal mean {Amodal.Average():F4}, least {Amodal.Min():F3}; small found {SmallFound.Count(found => found)} of "
+                    + $"{SmallFound.Count}; at most {MaxPictures} pictures and {MaxRays} rays"
+            );
     }
 }

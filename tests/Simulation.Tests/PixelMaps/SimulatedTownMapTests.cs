@@ -29,13 +29,15 @@ public sealed class SimulatedTownMapTests(ITestOutputHelper output)
         {
             int seed = firstSeed + moment;
             double density = 0.2 + (0.1 * moment);
-            var game = new SimulatedGame(new SimulationOptions
-            {
-                Seed = seed,
-                WindowAspect = 4.0 / 3,
-                TrafficDensity = density,
-                PedestrianDensity = density,
-            });
+            var game = new SimulatedGame(
+                new SimulationOptions
+                {
+                    Seed = seed,
+                    WindowAspect = 4.0 / 3,
+                    TrafficDensity = density,
+                    PedestrianDensity = density,
+                }
+            );
             for (int tick = 0; tick < 100 + (moment * 20); tick++)
             {
                 game.Tick(0.1);
@@ -44,13 +46,18 @@ public sealed class SimulatedTownMapTests(ITestOutputHelper output)
             CameraState state = game.Ports.World.ReadCamera();
             var camera = new Camera(
                 state.Pose,
-                new CameraIntrinsics(
-                    state.VerticalFovDegrees, new ImageSize(width, height), state.WindowAspect, state.NearClip, Lens.Ideal));
+                new CameraIntrinsics(state.VerticalFovDegrees, new ImageSize(width, height), state.WindowAspect, state.NearClip, Lens.Ideal)
+            );
             int ego = game.Ports.World.ReadEgo().Handle;
             List<MapTarget> targets = Targets(camera, game.Ports.World.ReadEntities(state.Pose.Position, RangeMetres), ego);
             Dictionary<int, ushort> numbers = targets.ToDictionary(target => target.Entity, target => target.Number);
             InstanceMap exact = ExhaustivePixelMapper.Map(
-                camera, camera.Image.Bounds, entity => numbers.GetValueOrDefault(entity), ego, game.Ports.Rays);
+                camera,
+                camera.Image.Bounds,
+                entity => numbers.GetValueOrDefault(entity),
+                ego,
+                game.Ports.Rays
+            );
 
             var mapper = new AdaptivePixelMapper(camera, targets, ego, game.Ports.Rays, new PixelMapOptions());
             mapper.Run();
@@ -62,9 +69,10 @@ public sealed class SimulatedTownMapTests(ITestOutputHelper output)
         output.WriteLine(
             $"large {scores.Large.Count}: mean {scores.Large.Average():F4}, least {scores.Large.Min():F3}, under 0.95: "
                 + $"{scores.Large.Count(iou => iou < 0.95)}; "
-            + $"medium {scores.Medium.Count}: {scores.Medium.Average():F4}; small {scores.SmallFound.Count}: "
-            + $"{scores.SmallFound.Average(found => found ? 1.0 : 0):P1}; "
-            + $"rays {scores.MeanRayFraction:P3}, of allowed {scores.MaxFractionOfAllowedRays:F2}");
+                + $"medium {scores.Medium.Count}: {scores.Medium.Average():F4}; small {scores.SmallFound.Count}: "
+                + $"{scores.SmallFound.Average(found => found ? 1.0 : 0):P1}; "
+                + $"rays {scores.MeanRayFraction:P3}, of allowed {scores.MaxFractionOfAllowedRays:F2}"
+        );
         Assert.InRange(scores.Large.Average(), 0.99, 1);
         Assert.InRange(scores.Large.Min(), 0.95, 1);
         Assert.InRange(scores.Medium.Average(), 0.97, 1);

@@ -44,57 +44,73 @@ public sealed class VisibleBoxTests(ITestOutputHelper output)
 
     private void Judge(int width, int height, int[] seeds, double maxRayFraction)
     {
-        List<double> errors = [], ious = [], rays = [];
-        var options = new HarvestOptions { Image = new ImageSize(width, height), MaxFrames = 5, RateHz = 0.25, Masks = true };
+        List<double> errors = [],
+            ious = [],
+            rays = [];
+        var options = new HarvestOptions
+        {
+            Image = new ImageSize(width, height),
+            MaxFrames = 5,
+            RateHz = 0.25,
+            Masks = true,
+        };
         foreach (int seed in seeds)
         {
-            LabelledTown.Harvest(new SimulationOptions { Seed = seed, WindowAspect = options.Image.Aspect }, options, (frame, truth) =>
-            {
-                rays.Add((double)frame.Label.PixelMap!.RaysCast / options.Image.PixelCount);
-                Dictionary<(string, Vector3D), int> handles = truth.Scene.Entities.ToDictionary(
-                    entity => (entity.Model, Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose).Centre),
-                    entity => entity.Handle);
-                foreach (ObjectLabel item in frame.Label.Objects.Where(item => item.Parent is null))
+            LabelledTown.Harvest(
+                new SimulationOptions { Seed = seed, WindowAspect = options.Image.Aspect },
+                options,
+                (frame, truth) =>
                 {
-                    IReadOnlyList<int> pixels = truth.PixelsOf(handles[(item.Model, item.Box3D.Centre)]);
-                    if (pixels.Count < MinPixels)
+                    rays.Add((double)frame.Label.PixelMap!.RaysCast / options.Image.PixelCount);
+                    Dictionary<(string, Vector3D), int> handles = truth.Scene.Entities.ToDictionary(
+                        entity => (entity.Model, Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose).Centre),
+                        entity => entity.Handle
+                    );
+                    foreach (ObjectLabel item in frame.Label.Objects.Where(item => item.Parent is null))
                     {
-                        continue;
-                    }
+                        IReadOnlyList<int> pixels = truth.PixelsOf(handles[(item.Model, item.Box3D.Centre)]);
+                        if (pixels.Count < MinPixels)
+                        {
+                            continue;
+                        }
 
-                    double error = Error(item.Box2DVisible!.Value, BoxAround(pixels, width));
-                    double iou = Iou(pixels, frame.Mask!.Ids, item.Id);
-                    errors.Add(error);
-                    if (pixels.Count >= LargePixels)
-                    {
-                        ious.Add(iou);
-                    }
+                        double error = Error(item.Box2DVisible!.Value, BoxAround(pixels, width));
+                        double iou = Iou(pixels, frame.Mask!.Ids, item.Id);
+                        errors.Add(error);
+                        if (pixels.Count >= LargePixels)
+                        {
+                            ious.Add(iou);
+                        }
 
-                    if (error > TolerancePixels || iou < MinIou)
-                    {
-                        output.WriteLine(
-                            $"seed {seed}, frame {frame.Label.Frame}: {item.Model}, {pixels.Count} pixels, box off by {error} px, IoU "
-                                + $"{iou:F3}");
+                        if (error > TolerancePixels || iou < MinIou)
+                        {
+                            output.WriteLine(
+                                $"seed {seed}, frame {frame.Label.Frame}: {item.Model}, {pixels.Count} pixels, box off by {error} px, IoU "
+                                    + $"{iou:F3}"
+                            );
+                        }
                     }
                 }
-            });
+            );
         }
 
         int off = errors.Count(error => error > TolerancePixels);
         string figures =
             $"{errors.Count} objects, {off} of them off by more than {TolerancePixels} px; {ious.Count} large ones, IoU "
-                + $"{ious.Average():F4}, {ious.Min():F3} at least; rays {rays.Average():P3}, {rays.Max():P3} at most";
+            + $"{ious.Average():F4}, {ious.Min():F3} at least; rays {rays.Average():P3}, {rays.Max():P3} at most";
         output.WriteLine(figures);
         Assert.True(errors.Count > 50 && off <= MaxOffset * errors.Count, figures);
         Assert.True(ious.Min() >= MinIou, figures);
         Assert.True(rays.Average() <= maxRayFraction, figures);
     }
 
-    private static Box2D BoxAround(IReadOnlyList<int> pixels, int width) => new(
-        pixels.Min(pixel => pixel % width),
-        pixels.Min(pixel => pixel / width),
-        pixels.Max(pixel => pixel % width) + 1,
-        pixels.Max(pixel => pixel / width) + 1);
+    private static Box2D BoxAround(IReadOnlyList<int> pixels, int width) =>
+        new(
+            pixels.Min(pixel => pixel % width),
+            pixels.Min(pixel => pixel / width),
+            pixels.Max(pixel => pixel % width) + 1,
+            pixels.Max(pixel => pixel / width) + 1
+        );
 
     private static double Error(Box2D a, Box2D b) =>
         new[] { a.XMin - b.XMin, a.YMin - b.YMin, a.XMax - b.XMax, a.YMax - b.YMax }.Max(Math.Abs);

@@ -15,15 +15,19 @@ public sealed class ColourProbeTests
         Assert.Null(WarningOf(new GameQuirks { PictureNoiseLevels = 5, PictureLagTicks = 2 }, ColourState.Kept));
 
     [Fact]
-    public void Overexposed_pictures_are_found() => Assert.Contains(
-        "a grey of 192 comes back as 255", WarningOf(new GameQuirks { PictureGain = 1.6 }, ColourState.Clipped), StringComparison.Ordinal);
+    public void Overexposed_pictures_are_found() =>
+        Assert.Contains(
+            "a grey of 192 comes back as 255",
+            WarningOf(new GameQuirks { PictureGain = 1.6 }, ColourState.Clipped),
+            StringComparison.Ordinal
+        );
 
     // 255 (192 / 255)^0.7 = 209 and 255 (128 / 255)^0.7 = 157; 255 (192 / 255)^1.3 = 176 and 255 (128 / 255)^1.3 = 104.
     [Theory]
     [InlineData(0.7, "209 and 157")]
     [InlineData(1.3, "176 and 104")]
-    public void Washed_out_and_darkened_pictures_are_found(double exponent, string levels) => Assert.Contains(
-        levels, WarningOf(new GameQuirks { PictureExponent = exponent }, ColourState.Changed), StringComparison.Ordinal);
+    public void Washed_out_and_darkened_pictures_are_found(double exponent, string levels) =>
+        Assert.Contains(levels, WarningOf(new GameQuirks { PictureExponent = exponent }, ColourState.Changed), StringComparison.Ordinal);
 
     [Fact]
     public void Picture_of_another_window_gives_no_finding() =>

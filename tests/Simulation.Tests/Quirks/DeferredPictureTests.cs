@@ -16,13 +16,27 @@ public sealed class DeferredPictureTests
 
     public static TheoryData<string> Games => [.. Quirks.Keys];
 
-    private static IReadOnlyDictionary<string, GameQuirks> Quirks { get; } = new Dictionary<string, GameQuirks>
-    {
-        ["none"] = new(),
-        ["late pictures"] = new() { PictureLagTicks = 3, IsCameraReportedLate = true },
-        ["weather that goes on"] = new() { Paused = new FreezeQuirks { LetsWeatherGoOn = true, HoldsCamera = true, CreepTicks = 3 } },
-        ["vanishing vehicles"] = new() { VanishingFraction = 0.1, RaysMeetBoxes = true, RayMissFraction = 0.3 },
-    };
+    private static IReadOnlyDictionary<string, GameQuirks> Quirks { get; } =
+        new Dictionary<string, GameQuirks>
+        {
+            ["none"] = new(),
+            ["late pictures"] = new() { PictureLagTicks = 3, IsCameraReportedLate = true },
+            ["weather that goes on"] = new()
+            {
+                Paused = new FreezeQuirks
+                {
+                    LetsWeatherGoOn = true,
+                    HoldsCamera = true,
+                    CreepTicks = 3,
+                },
+            },
+            ["vanishing vehicles"] = new()
+            {
+                VanishingFraction = 0.1,
+                RaysMeetBoxes = true,
+                RayMissFraction = 0.3,
+            },
+        };
 
     [Theory]
     [MemberData(nameof(Games))]
@@ -40,16 +54,23 @@ public sealed class DeferredPictureTests
 
     private static List<CapturedFrame> Harvest(GameQuirks quirks, bool defers)
     {
-        var game = new SimulatedGame(new SimulationOptions
-        {
-            Seed = 5,
-            Weather = "rain",
-            TimeOfDay = TimeSpan.FromHours(21),
-            Quirks = quirks,
-            DefersPictures = defers,
-        });
+        var game = new SimulatedGame(
+            new SimulationOptions
+            {
+                Seed = 5,
+                Weather = "rain",
+                TimeOfDay = TimeSpan.FromHours(21),
+                Quirks = quirks,
+                DefersPictures = defers,
+            }
+        );
         Assert.Equal(defers, game.Ports.Screen is IDeferringScreen);
-        var options = new HarvestOptions { Image = new ImageSize(160, 120), MaxFrames = Frames, Faces = ModelFaces.Table };
+        var options = new HarvestOptions
+        {
+            Image = new ImageSize(160, 120),
+            MaxFrames = Frames,
+            Faces = ModelFaces.Table,
+        };
         var sink = new MemorySink();
         using var session = new HarvestSession(options, game.Ports, sink);
         while (!session.Status.IsOver)

@@ -15,8 +15,17 @@ public sealed class DisplayProbeTests
         AssertFinding(new GameQuirks { ShowsHud = true }, DisplayState.Hidden, "lower left");
 
     [Fact]
-    public void Display_of_late_and_noisy_pictures_is_found() => AssertFinding(
-        new GameQuirks { ShowsHud = true, PictureLagTicks = 2, PictureNoiseLevels = 5 }, DisplayState.Hidden, "lower left");
+    public void Display_of_late_and_noisy_pictures_is_found() =>
+        AssertFinding(
+            new GameQuirks
+            {
+                ShowsHud = true,
+                PictureLagTicks = 2,
+                PictureNoiseLevels = 5,
+            },
+            DisplayState.Hidden,
+            "lower left"
+        );
 
     [Fact]
     public void Display_that_stays_while_the_game_is_frozen_is_found() =>

@@ -17,18 +17,23 @@ public sealed class FreezeChoiceTests
     private static readonly FreezeQuirks Visibility = new() { ChangesVisibility = true };
     private static readonly FreezeQuirks None = new();
 
-    public static TheoryData<FreezeQuirks, FreezeQuirks, FreezeMethod> Cases => new()
-    {
-        { None, None, FreezeMethod.Paused },
-        { None, Restless, FreezeMethod.Paused },
-        { Restless, None, FreezeMethod.TimeScale },
-        { Visibility, None, FreezeMethod.TimeScale },
-        { HeldCamera, None, FreezeMethod.TimeScale },
-        { Weather, None, FreezeMethod.TimeScale },
-        { HeldCamera, Restless, FreezeMethod.Paused },
-        { HeldCamera, Weather, FreezeMethod.TimeScale },
-        { new FreezeQuirks { CreepTicks = 30 }, None, FreezeMethod.TimeScale },
-    };
+    public static TheoryData<FreezeQuirks, FreezeQuirks, FreezeMethod> Cases =>
+        new()
+        {
+            { None, None, FreezeMethod.Paused },
+            { None, Restless, FreezeMethod.Paused },
+            { Restless, None, FreezeMethod.TimeScale },
+            { Visibility, None, FreezeMethod.TimeScale },
+            { HeldCamera, None, FreezeMethod.TimeScale },
+            { Weather, None, FreezeMethod.TimeScale },
+            { HeldCamera, Restless, FreezeMethod.Paused },
+            { HeldCamera, Weather, FreezeMethod.TimeScale },
+            {
+                new FreezeQuirks { CreepTicks = 30 },
+                None,
+                FreezeMethod.TimeScale
+            },
+        };
 
     [Theory]
     [MemberData(nameof(Cases))]
@@ -94,8 +99,10 @@ public sealed class FreezeChoiceTests
     public void Known_finding_is_used_without_a_trial()
     {
         SimulatedGame game = Game(None, None);
-        FreezeReport known = FreezeReport.Of(
-            [new FreezeFinding(FreezeMethod.Paused, true, null), new FreezeFinding(FreezeMethod.TimeScale, true, 0)]);
+        FreezeReport known = FreezeReport.Of([
+            new FreezeFinding(FreezeMethod.Paused, true, null),
+            new FreezeFinding(FreezeMethod.TimeScale, true, 0),
+        ]);
         using var session = new HarvestSession(Options with { KnownFreezing = known }, game.Ports, new MemorySink());
         IReadOnlyList<HarvestPhase> phases = Run(game, session);
 
@@ -123,14 +130,15 @@ public sealed class FreezeChoiceTests
         Assert.Equal(0, game.CameraMount.Position.X);
     }
 
-    private static HarvestOptions Options => new()
-    {
-        Image = new ImageSize(80, 60),
-        FreezeBy = null,
-        MaxFrames = 3,
-        ProbeLag = false,
-        MaxCalibrationErrorPixels = null,
-    };
+    private static HarvestOptions Options =>
+        new()
+        {
+            Image = new ImageSize(80, 60),
+            FreezeBy = null,
+            MaxFrames = 3,
+            ProbeLag = false,
+            MaxCalibrationErrorPixels = null,
+        };
 
     private static void Compare(FreezeQuirks quirks, FreezeFinding found)
     {
@@ -142,14 +150,17 @@ public sealed class FreezeChoiceTests
         Assert.InRange(found.SettleTicks ?? 0, 0, quirks.CreepTicks + 1);
     }
 
-    private static SimulatedGame Game(FreezeQuirks paused, FreezeQuirks timeScale, GameQuirks? others = null) => new(new SimulationOptions
-    {
-        Seed = 3,
-        RadiusMetres = 150,
-        TrafficDensity = 0.3,
-        PedestrianDensity = 0.3,
-        Quirks = (others ?? new GameQuirks()) with { Paused = paused, TimeScale = timeScale },
-    });
+    private static SimulatedGame Game(FreezeQuirks paused, FreezeQuirks timeScale, GameQuirks? others = null) =>
+        new(
+            new SimulationOptions
+            {
+                Seed = 3,
+                RadiusMetres = 150,
+                TrafficDensity = 0.3,
+                PedestrianDensity = 0.3,
+                Quirks = (others ?? new GameQuirks()) with { Paused = paused, TimeScale = timeScale },
+            }
+        );
 
     private static List<HarvestPhase> Run(SimulatedGame game, HarvestSession session)
     {

@@ -36,7 +36,16 @@ public sealed class FreezeQuirksTests
     {
         FreezeMethod other = method == FreezeMethod.Paused ? FreezeMethod.TimeScale : FreezeMethod.Paused;
         SimulatedGame game = Frozen(
-            other, new FreezeQuirks { NeverStands = true, HoldsCamera = true, LetsWeatherGoOn = true, ChangesVisibility = true }, method);
+            other,
+            new FreezeQuirks
+            {
+                NeverStands = true,
+                HoldsCamera = true,
+                LetsWeatherGoOn = true,
+                ChangesVisibility = true,
+            },
+            method
+        );
         SceneSnapshot before = Read(game);
         game.Ports.MountedCamera!.Shift(new Vector3D(0, 0, 1));
         Run(game, 20);
@@ -142,15 +151,18 @@ public sealed class FreezeQuirksTests
         Assert.True(counts.Zip(counts.Skip(1)).Count(pair => pair.First != pair.Second) >= 3, "No vehicle comes and goes.");
     }
 
-    private static SimulatedGame Game(FreezeMethod quirky, FreezeQuirks quirks) => new(new SimulationOptions
-    {
-        Seed = 4,
-        RadiusMetres = 150,
-        TrafficDensity = 0.3,
-        PedestrianDensity = 0.3,
-        Weather = "rain",
-        Quirks = quirky == FreezeMethod.Paused ? new GameQuirks { Paused = quirks } : new GameQuirks { TimeScale = quirks },
-    });
+    private static SimulatedGame Game(FreezeMethod quirky, FreezeQuirks quirks) =>
+        new(
+            new SimulationOptions
+            {
+                Seed = 4,
+                RadiusMetres = 150,
+                TrafficDensity = 0.3,
+                PedestrianDensity = 0.3,
+                Weather = "rain",
+                Quirks = quirky == FreezeMethod.Paused ? new GameQuirks { Paused = quirks } : new GameQuirks { TimeScale = quirks },
+            }
+        );
 
     /// <summary>
     /// A game that was frozen a tick ago; its quirks are those of one way, it is frozen in that way unless another is named.
@@ -178,7 +190,13 @@ public sealed class FreezeQuirksTests
         IWorld world = game.Ports.World;
         CameraState camera = world.ReadCamera();
         return new SceneSnapshot(
-            world.GameFrame, world.TimeSeconds, camera, world.ReadEgo(), world.ReadEntities(Vector3D.Zero, 1e5), world.ReadEnvironment());
+            world.GameFrame,
+            world.TimeSeconds,
+            camera,
+            world.ReadEgo(),
+            world.ReadEntities(Vector3D.Zero, 1e5),
+            world.ReadEnvironment()
+        );
     }
 
     private static double HeightAboveCar(SimulatedGame game) => HeightAboveCar(Read(game));

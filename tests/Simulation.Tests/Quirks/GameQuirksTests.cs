@@ -87,7 +87,14 @@ public sealed class GameQuirksTests
     public void Lens_and_aspect_move_pixels_according_to_the_camera_model()
     {
         RenderLens bent = new(1.03, 0.01, -0.02, -0.05, 0.01);
-        SimulatedGame game = new(new SimulationOptions { Seed = 6, Lens = bent, WindowAspect = 1.9 });
+        SimulatedGame game = new(
+            new SimulationOptions
+            {
+                Seed = 6,
+                Lens = bent,
+                WindowAspect = 1.9,
+            }
+        );
         Lens same = new(bent.FocalScale, bent.CentreOffsetX, bent.CentreOffsetY, bent.K1, bent.K2);
         int right = 0;
         int all = 0;

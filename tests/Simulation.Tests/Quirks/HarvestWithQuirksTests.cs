@@ -50,38 +50,42 @@ public sealed class HarvestWithQuirksTests
         Assert.True(marked > 0, "Rays missed nothing.");
     }
 
-    private static SimulatedGame Game(int lag) => new(new SimulationOptions
-    {
-        Seed = 5,
-        TrafficDensity = 0.5,
-        PedestrianDensity = 0.3,
-        Quirks = new GameQuirks
-        {
-            PictureLagTicks = lag,
-            IsCameraReportedLate = true,
-            Paused = new FreezeQuirks { HoldsCamera = true, CreepTicks = 3 },
-            VanishingFraction = 0.05,
-            RaysMeetBoxes = true,
-            RayMissFraction = 0.3,
-        },
-        WindowAspect = 1.6,
-        Lens = new RenderLens(1.008, 0, 0, -0.02, 0),
-    });
+    private static SimulatedGame Game(int lag) =>
+        new(
+            new SimulationOptions
+            {
+                Seed = 5,
+                TrafficDensity = 0.5,
+                PedestrianDensity = 0.3,
+                Quirks = new GameQuirks
+                {
+                    PictureLagTicks = lag,
+                    IsCameraReportedLate = true,
+                    Paused = new FreezeQuirks { HoldsCamera = true, CreepTicks = 3 },
+                    VanishingFraction = 0.05,
+                    RaysMeetBoxes = true,
+                    RayMissFraction = 0.3,
+                },
+                WindowAspect = 1.6,
+                Lens = new RenderLens(1.008, 0, 0, -0.02, 0),
+            }
+        );
 
-    private static HarvestOptions Options(int frames) => new()
-    {
-        Image = new ImageSize(64, 48),
-        RangeMetres = Range,
-        IgnoreRangeMetres = Range,
-        MaxFrames = frames,
-        RateHz = 6,
-        OcclusionSamples = 1,
-        MaxOccludedFraction = 1,
-        MinBoxAreaPixels = 0,
-        MinBoxSidePixels = 0,
-        ProbeLag = false,
-        Lens = new Lens(1.008, 0, 0, -0.02, 0),
-    };
+    private static HarvestOptions Options(int frames) =>
+        new()
+        {
+            Image = new ImageSize(64, 48),
+            RangeMetres = Range,
+            IgnoreRangeMetres = Range,
+            MaxFrames = frames,
+            RateHz = 6,
+            OcclusionSamples = 1,
+            MaxOccludedFraction = 1,
+            MinBoxAreaPixels = 0,
+            MinBoxSidePixels = 0,
+            ProbeLag = false,
+            Lens = new Lens(1.008, 0, 0, -0.02, 0),
+        };
 
     private static (int Wrong, int Marked, HarvestCounters Counters) Judge(SimulatedGame game, GamePorts ports, HarvestOptions options)
     {

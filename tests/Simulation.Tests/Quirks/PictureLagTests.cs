@@ -31,7 +31,11 @@ public sealed class PictureLagTests(ITestOutputHelper output)
     [Trait("Category", "Heavy")]
     public void Creep_is_not_mistaken_for_lag(int seed)
     {
-        var quirks = new GameQuirks { PictureLagTicks = 2, Paused = new FreezeQuirks { CreepTicks = 3 } };
+        var quirks = new GameQuirks
+        {
+            PictureLagTicks = 2,
+            Paused = new FreezeQuirks { CreepTicks = 3 },
+        };
 
         Assert.Equal(new PictureLag(2, 2), Measure(seed, quirks, Options with { Freeze = false }).Lag);
         Assert.Null(Measure(seed, quirks, Options).Fault);
@@ -43,7 +47,11 @@ public sealed class PictureLagTests(ITestOutputHelper output)
     [Trait("Category", "Heavy")]
     public void Long_lag_is_measured_in_full(int seed)
     {
-        var quirks = new GameQuirks { PictureLagTicks = 10, Paused = new FreezeQuirks { CreepTicks = 3 } };
+        var quirks = new GameQuirks
+        {
+            PictureLagTicks = 10,
+            Paused = new FreezeQuirks { CreepTicks = 3 },
+        };
 
         Assert.Equal(new PictureLag(10, 10), Measure(seed, quirks, Options with { Freeze = false, MaxPictureLagTicks = 12 }).Lag);
     }
@@ -70,8 +78,14 @@ public sealed class PictureLagTests(ITestOutputHelper output)
             SimulatedGame game = Game(seed, quirks, weather);
             for (int lag = 0; lag <= 3; lag++)
             {
-                PictureLag? measured =
-                    Measure(game, Options with { Freeze = false }, new LateScreen(game.Ports.Screen, Options.Image, lag)).Lag;
+                PictureLag? measured = Measure(
+                    game,
+                    Options with
+                    {
+                        Freeze = false,
+                    },
+                    new LateScreen(game.Ports.Screen, Options.Image, lag)
+                ).Lag;
                 runs++;
                 if (measured != new PictureLag(isCameraLate ? lag - 1 : lag, lag))
                 {
@@ -112,5 +126,6 @@ public sealed class PictureLagTests(ITestOutputHelper output)
                 RadiusMetres = 100,
                 TrafficDensity = 0.7,
                 PedestrianDensity = 0.3,
-            });
+            }
+        );
 }

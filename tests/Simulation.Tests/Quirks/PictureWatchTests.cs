@@ -13,17 +13,20 @@ public sealed class PictureWatchTests
     public void Plain_pictures_are_left_in_peace() => Assert.Null(WarningOf(new GameQuirks()));
 
     [Fact]
-    public void Radar_that_stays_in_frozen_pictures_is_found() => Assert.Contains(
-        "lower left", WarningOf(new GameQuirks { ShowsHud = true, HudStaysWhileFrozen = true }), StringComparison.Ordinal);
+    public void Radar_that_stays_in_frozen_pictures_is_found() =>
+        Assert.Contains("lower left", WarningOf(new GameQuirks { ShowsHud = true, HudStaysWhileFrozen = true }), StringComparison.Ordinal);
 
     [Fact]
-    public void Display_of_another_program_is_found() => Assert.Contains(
-        "upper right", WarningOf(new GameQuirks { ShowsForeignDisplay = true }), StringComparison.Ordinal);
+    public void Display_of_another_program_is_found() =>
+        Assert.Contains("upper right", WarningOf(new GameQuirks { ShowsForeignDisplay = true }), StringComparison.Ordinal);
 
     private static string? WarningOf(GameQuirks quirks)
     {
         using var harvest = new QuirkHarvest(
-            quirks, new HarvestOptions { MaxFrames = Frames, RateHz = 1 }, static game => game.Ports.Hud!.Hide());
+            quirks,
+            new HarvestOptions { MaxFrames = Frames, RateHz = 1 },
+            static game => game.Ports.Hud!.Hide()
+        );
         string? warning = harvest.Session.Warnings.SingleOrDefault(each => each.Code == FaultCode.PicturesSpoiled)?.Message;
         Assert.Equal(warning, harvest.Sink.End!.PictureWarning);
         return warning;

@@ -20,17 +20,27 @@ internal sealed class QuirkHarvest : IDisposable
     /// <param name="prepare">Called before the first tick.</param>
     public QuirkHarvest(GameQuirks quirks, HarvestOptions options, Action<SimulatedGame>? prepare = null)
     {
-        Game = new SimulatedGame(new SimulationOptions
-        {
-            Seed = 61,
-            WindowAspect = 4.0 / 3,
-            IsWarm = true,
-            Detail = Detail.Plain,
-            TimeOfDay = TimeSpan.FromHours(12),
-            Quirks = quirks,
-        });
+        Game = new SimulatedGame(
+            new SimulationOptions
+            {
+                Seed = 61,
+                WindowAspect = 4.0 / 3,
+                IsWarm = true,
+                Detail = Detail.Plain,
+                TimeOfDay = TimeSpan.FromHours(12),
+                Quirks = quirks,
+            }
+        );
         _session = new HarvestSession(
-            options with { Image = new ImageSize(320, 240), ProbeLag = false, MaxCalibrationErrorPixels = null }, Game.Ports, Sink);
+            options with
+            {
+                Image = new ImageSize(320, 240),
+                ProbeLag = false,
+                MaxCalibrationErrorPixels = null,
+            },
+            Game.Ports,
+            Sink
+        );
         prepare?.Invoke(Game);
         while (!_session.Step().IsOver)
         {

@@ -50,7 +50,13 @@ public sealed class CuboidBoxTests
             RenderCamera camera = CameraOf(random, place);
             Pose pose = PoseOf(random, place);
             RenderTarget target = TestScene.Render(
-                camera with { Width = camera.Width * Finer, Height = camera.Height * Finer }, new MeshInstance(box, pose, 1));
+                camera with
+                {
+                    Width = camera.Width * Finer,
+                    Height = camera.Height * Finer,
+                },
+                new MeshInstance(box, pose, 1)
+            );
             CuboidProjection projection = CuboidProjector.Project(Analytic(camera), Cuboid.FromModel(Min, Max, pose));
             int pixels = Silhouette.Count(target, 1);
             if (pixels < MinPixels)
@@ -65,7 +71,8 @@ public sealed class CuboidBoxTests
             AssertSidesAgree(
                 projection,
                 new Box2D(drawn.XMin / Finer, drawn.YMin / Finer, drawn.XMax / Finer, drawn.YMax / Finer),
-                $"seed {seed}, {place}, attempt {attempt}");
+                $"seed {seed}, {place}, attempt {attempt}"
+            );
         }
 
         Assert.True(compared >= 1, $"Only {compared} of {Attempts} silhouettes were large enough.");
@@ -83,14 +90,17 @@ public sealed class CuboidBoxTests
         Assert.Equal(new Box2D(0, 0, TestScene.Width, TestScene.Height), CuboidProjector.Project(Analytic(TestScene.Camera), cuboid).Box);
     }
 
-    internal static Camera Analytic(RenderCamera camera) => new(
-        camera.Pose,
-        new CameraIntrinsics(
-            camera.VerticalFovDegrees,
-            new ImageSize(camera.Width, camera.Height),
-            camera.WindowAspect,
-            camera.NearClip,
-            new Lens(camera.Lens.FocalScale, camera.Lens.CentreOffsetX, camera.Lens.CentreOffsetY, camera.Lens.K1, camera.Lens.K2)));
+    internal static Camera Analytic(RenderCamera camera) =>
+        new(
+            camera.Pose,
+            new CameraIntrinsics(
+                camera.VerticalFovDegrees,
+                new ImageSize(camera.Width, camera.Height),
+                camera.WindowAspect,
+                camera.NearClip,
+                new Lens(camera.Lens.FocalScale, camera.Lens.CentreOffsetX, camera.Lens.CentreOffsetY, camera.Lens.K1, camera.Lens.K2)
+            )
+        );
 
     private static RenderCamera CameraOf(Random random, string place)
     {
@@ -100,7 +110,8 @@ public sealed class CuboidBoxTests
             Height = 150,
             Pose = new Pose(
                 new Vector3D(1000, -3000, 20),
-                Axes.FromEuler(new EulerAngles((random.NextDouble() * 20) - 10, (random.NextDouble() * 20) - 10, 0))),
+                Axes.FromEuler(new EulerAngles((random.NextDouble() * 20) - 10, (random.NextDouble() * 20) - 10, 0))
+            ),
             VerticalFovDegrees = 40 + (random.NextDouble() * 40),
             WindowAspect = place == "free" ? 16.0 / 9 : 4.0 / 3,
             NearClip = place == "near" ? 0.5 : 0.15,
@@ -126,8 +137,11 @@ public sealed class CuboidBoxTests
     {
         Box2D box = projection.Box!.Value;
         Assert.True(
-            Math.Abs(box.XMin - drawn.XMin) <= PixelTolerance && Math.Abs(box.YMin - drawn.YMin) <= PixelTolerance
-            && Math.Abs(box.XMax - drawn.XMax) <= PixelTolerance && Math.Abs(box.YMax - drawn.YMax) <= PixelTolerance,
-            $"{what}: box {box}, drawn {drawn}");
+            Math.Abs(box.XMin - drawn.XMin) <= PixelTolerance
+                && Math.Abs(box.YMin - drawn.YMin) <= PixelTolerance
+                && Math.Abs(box.XMax - drawn.XMax) <= PixelTolerance
+                && Math.Abs(box.YMax - drawn.YMax) <= PixelTolerance,
+            $"{what}: box {box}, drawn {drawn}"
+        );
     }
 }

@@ -15,7 +15,12 @@ public sealed class MarkingTests
     /// </summary>
     private const double WidthTolerance = 0.03;
 
-    private static readonly Lighting Flat = new() { SunColour = default, AmbientColour = TestScene.White, FogDensity = 0 };
+    private static readonly Lighting Flat = new()
+    {
+        SunColour = default,
+        AmbientColour = TestScene.White,
+        FogDensity = 0,
+    };
 
     [Theory]
     [InlineData(0)]
@@ -43,8 +48,7 @@ public sealed class MarkingTests
 
         RenderTarget picture = Render(Quad(new(-3, 10, -1), new(3, 10, -1), new(3, 10.3, -1), new(-3, 10.3, -1)));
 
-        double covered = Enumerable.Range(121, 30)
-            .Sum(row => picture.Colour[((row * picture.Width) + (picture.Width / 2)) * 3] / 255.0);
+        double covered = Enumerable.Range(121, 30).Sum(row => picture.Colour[((row * picture.Width) + (picture.Width / 2)) * 3] / 255.0);
         Assert.InRange(covered, height - WidthTolerance, height + WidthTolerance);
     }
 
@@ -68,9 +72,10 @@ public sealed class MarkingTests
         var white = new Rgb(255, 255, 255);
         MeshInstance marking = Quad(new(0.5, 48.1, -1), new(4, 48.1, -1), new(4, 50, -1), new(0.5, 50, -1));
         MeshInstance wall = TestScene.AtOrigin(
-            new MeshBuilder().AddQuad(new(0, 48.05, -1), new(3.2, 48.05, -1), new(3.2, 48.05, 4), new(0, 48.05, 4), white).Build(), 1);
-        MeshInstance body = TestScene.AtOrigin(
-            new MeshBuilder().AddBox(new(1.33, 20, -1), new(3, 21, 2), new Rgb(0, 0, 0)).Build(), 2);
+            new MeshBuilder().AddQuad(new(0, 48.05, -1), new(3.2, 48.05, -1), new(3.2, 48.05, 4), new(0, 48.05, 4), white).Build(),
+            1
+        );
+        MeshInstance body = TestScene.AtOrigin(new MeshBuilder().AddBox(new(1.33, 20, -1), new(3, 21, 2), new Rgb(0, 0, 0)).Build(), 2);
         Range beside = ((122 * TestScene.Width) + 162)..((122 * TestScene.Width) + 167);
 
         int[] without = [.. Render(marking, wall).Colour.Chunk(3).Take(beside).Select(pixel => (int)pixel[0])];
@@ -105,8 +110,9 @@ public sealed class MarkingTests
     private static RenderTarget Render(params MeshInstance[] instances)
     {
         // Black ground: grain multiplies its colour.
-        Mesh ground = new MeshBuilder().AddQuad(
-            new(-300, 0, -1), new(300, 0, -1), new(300, 300, -1), new(-300, 300, -1), new Rgb(0, 0, 0), Surface.Ground).Build();
+        Mesh ground = new MeshBuilder()
+            .AddQuad(new(-300, 0, -1), new(300, 0, -1), new(300, 300, -1), new(-300, 300, -1), new Rgb(0, 0, 0), Surface.Ground)
+            .Build();
         var scene = new RenderScene([TestScene.AtOrigin(ground, 0), .. instances]) { Lighting = Flat };
         var target = new RenderTarget(TestScene.Width, TestScene.Height);
         new Renderer(Detail.Full).Render(scene, TestScene.Camera, target);

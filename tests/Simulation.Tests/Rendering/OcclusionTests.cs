@@ -43,7 +43,13 @@ public sealed class OcclusionTests
                 double rendered = 1 - ((double)Silhouette.Count(all, cars[i].Handle) / alone);
                 var cuboid = Cuboid.FromModel(models[i].Min, models[i].Max, cars[i].Pose);
                 OcclusionEstimate estimate = new OcclusionEstimator().Estimate(
-                    camera, cuboid, CuboidProjector.Project(camera, cuboid), cars[i].Handle, RayHit.World, rays);
+                    camera,
+                    cuboid,
+                    CuboidProjector.Project(camera, cuboid),
+                    cars[i].Handle,
+                    RayHit.World,
+                    rays
+                );
                 errors.Add(Math.Abs(estimate.OccludedFraction - rendered));
                 hidden += rendered is > 0.1 and < 0.9 ? 1 : 0;
             }
@@ -59,12 +65,17 @@ public sealed class OcclusionTests
         IReadOnlyList<Model> vehicles = ModelCatalogueTests.Catalogue.Vehicles;
         models = Enumerable.Range(0, 10).Select(_ => vehicles[random.Next(vehicles.Count)]).ToArray();
         return models
-            .Select((model, i) => new MeshInstance(
-                model.Variant(i),
-                new Pose(
-                    new Vector3D((random.NextDouble() * 8) - 4, 8 + (i * 4), -1.5 - model.Min.Z),
-                    Axes.FromHeading(random.NextDouble() * 360)),
-                i + 1))
+            .Select(
+                (model, i) =>
+                    new MeshInstance(
+                        model.Variant(i),
+                        new Pose(
+                            new Vector3D((random.NextDouble() * 8) - 4, 8 + (i * 4), -1.5 - model.Min.Z),
+                            Axes.FromHeading(random.NextDouble() * 360)
+                        ),
+                        i + 1
+                    )
+            )
             .ToArray();
     }
 }

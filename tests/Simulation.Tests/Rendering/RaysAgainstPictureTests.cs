@@ -33,7 +33,9 @@ public sealed class RaysAgainstPictureTests
                 new ImageSize(camera.Width, camera.Height),
                 camera.WindowAspect,
                 camera.NearClip,
-                new Lens(0.97, 0.01, -0.02, k1, k2)));
+                new Lens(0.97, 0.01, -0.02, k1, k2)
+            )
+        );
 
         int mismatches = 0;
         for (int pixel = 0; pixel < target.Handles.Length; pixel++)
@@ -80,7 +82,8 @@ public sealed class RaysAgainstPictureTests
 
         Assert.Equal(
             new RayHit(9, RayHit.World),
-            new SceneRayCaster(scene).Cast(new Ray(new(x, 0, z), new Vector3D(0, 1, 0)), 100, RayHit.World));
+            new SceneRayCaster(scene).Cast(new Ray(new(x, 0, z), new Vector3D(0, 1, 0)), 100, RayHit.World)
+        );
     }
 
     [Fact]
@@ -91,17 +94,24 @@ public sealed class RaysAgainstPictureTests
 
         Assert.Equal(
             new RayHit(9, RayHit.World),
-            new SceneRayCaster(scene).Cast(new Ray(new(0, 0, 0.5), new Vector3D(0, 1, 0)), 100, RayHit.World));
+            new SceneRayCaster(scene).Cast(new Ray(new(0, 0, 0.5), new Vector3D(0, 1, 0)), 100, RayHit.World)
+        );
     }
 
     [Fact]
     public void Cast_at_several_shapes_at_once_hits_the_first()
     {
         // All have a face at y = 9, but their boxes differ. Sizes and rays are such that nothing is rounded.
-        MeshInstance[] boxes = [.. Enumerable.Range(1, 12).Select(i => new MeshInstance(
-            new MeshBuilder().AddBox(new(-1 << i, 9, -1 << i), new(1 << i, 9 + (1 << i), 1 << i), TestScene.White).Build(),
-            new Pose(Vector3D.Zero, Axes.Identity),
-            i))];
+        MeshInstance[] boxes =
+        [
+            .. Enumerable
+                .Range(1, 12)
+                .Select(i => new MeshInstance(
+                    new MeshBuilder().AddBox(new(-1 << i, 9, -1 << i), new(1 << i, 9 + (1 << i), 1 << i), TestScene.White).Build(),
+                    new Pose(Vector3D.Zero, Axes.Identity),
+                    i
+                )),
+        ];
         var scene = new RenderScene([]);
         scene.SetDynamic(boxes);
         var rays = new SceneRayCaster(scene);
@@ -110,7 +120,8 @@ public sealed class RaysAgainstPictureTests
         {
             Assert.Equal(
                 new RayHit(9, scene.Dynamic.Instances[0].Handle),
-                rays.Cast(new Ray(new(x, 0, 0.25), new Vector3D(0, 1, 0)), 100, RayHit.World));
+                rays.Cast(new Ray(new(x, 0, 0.25), new Vector3D(0, 1, 0)), 100, RayHit.World)
+            );
         }
     }
 
@@ -125,21 +136,25 @@ public sealed class RaysAgainstPictureTests
         {
             var ray = new Ray(
                 new(random.NextDouble() * 20, random.NextDouble() * 20, 3),
-                new(random.NextDouble() - 0.5, random.NextDouble(), random.NextDouble() - 0.5));
+                new(random.NextDouble() - 0.5, random.NextDouble(), random.NextDouble() - 0.5)
+            );
             double nearest = double.PositiveInfinity;
             foreach (MeshInstance instance in scene.Static.Instances.ToArray().Concat(scene.Dynamic.Instances.ToArray()))
             {
                 foreach (MeshTriangle t in instance.Mesh.Triangles.ToArray())
                 {
                     nearest = Math.Min(
-                        nearest, Distance(ray, instance.Pose.ToWorld(t.A), instance.Pose.ToWorld(t.B), instance.Pose.ToWorld(t.C)));
+                        nearest,
+                        Distance(ray, instance.Pose.ToWorld(t.A), instance.Pose.ToWorld(t.B), instance.Pose.ToWorld(t.C))
+                    );
                 }
             }
 
             double found = rays.Cast(ray, 1_000, RayHit.World)?.Distance ?? double.PositiveInfinity;
             Assert.True(
                 nearest > 1_000 ? double.IsInfinity(found) : Math.Abs(found - nearest) < 1e-9 * nearest + 1e-9,
-                $"ray {i}: {found} instead of {nearest}");
+                $"ray {i}: {found} instead of {nearest}"
+            );
         }
     }
 

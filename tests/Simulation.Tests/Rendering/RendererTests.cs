@@ -93,7 +93,10 @@ public sealed class RendererTests
             {
                 bool isInside = i is > 0 and < 19 && j is > 0 and < 19;
                 grid[i, j] = new(
-                    i - 9.5 + (isInside ? random.NextDouble() * 0.7 : 0), 5, j - 9.5 + (isInside ? random.NextDouble() * 0.7 : 0));
+                    i - 9.5 + (isInside ? random.NextDouble() * 0.7 : 0),
+                    5,
+                    j - 9.5 + (isInside ? random.NextDouble() * 0.7 : 0)
+                );
             }
         }
 

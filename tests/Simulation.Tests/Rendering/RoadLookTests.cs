@@ -83,12 +83,13 @@ public sealed class RoadLookTests
         Assert.Equal(day.Colour, lamps.Colour);
     }
 
-    private static Lighting Night => new()
-    {
-        SunColour = default,
-        AmbientColour = new Rgb(30, 30, 30),
-        NightFraction = 1,
-    };
+    private static Lighting Night =>
+        new()
+        {
+            SunColour = default,
+            AmbientColour = new Rgb(30, 30, 30),
+            NightFraction = 1,
+        };
 
     /// <summary>Mean brightness of the road so far to the right of the camera, from one distance ahead to another.</summary>
     private static double BrightnessAt(RenderTarget picture, double right, double from, double to)
@@ -96,14 +97,16 @@ public sealed class RoadLookTests
         // Field of view 90 degrees, 240 rows: focal length 120 px.
         const double focal = TestScene.Height / 2.0;
         const int samples = 60;
-        return Enumerable.Range(0, samples).Average(i =>
-        {
-            double ahead = from + ((to - from) * i / samples);
-            int row = (int)((TestScene.Height / 2.0) + (focal * EyeHeight / ahead));
-            int column = (int)((TestScene.Width / 2.0) + (focal * right / ahead));
-            int pixel = 3 * ((row * TestScene.Width) + column);
-            return (picture.Colour[pixel] + picture.Colour[pixel + 1] + picture.Colour[pixel + 2]) / 3.0;
-        });
+        return Enumerable
+            .Range(0, samples)
+            .Average(i =>
+            {
+                double ahead = from + ((to - from) * i / samples);
+                int row = (int)((TestScene.Height / 2.0) + (focal * EyeHeight / ahead));
+                int column = (int)((TestScene.Width / 2.0) + (focal * right / ahead));
+                int pixel = 3 * ((row * TestScene.Width) + column);
+                return (picture.Colour[pixel] + picture.Colour[pixel + 1] + picture.Colour[pixel + 2]) / 3.0;
+            });
     }
 
     /// <summary>A road with a lane each way, seen from above its line.</summary>

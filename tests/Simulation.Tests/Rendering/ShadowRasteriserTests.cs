@@ -79,6 +79,11 @@ public sealed class ShadowRasteriserTests
     }
 
     /// <summary>Some corners lie outside the map.</summary>
-    private static Vector256<double> Corner(Random random) => Vector256.Create(
-        (random.NextDouble() * 1.4 * Size) - (0.2 * Size), (random.NextDouble() * 1.4 * Size) - (0.2 * Size), random.NextDouble() * 30, 1);
+    private static Vector256<double> Corner(Random random) =>
+        Vector256.Create(
+            (random.NextDouble() * 1.4 * Size) - (0.2 * Size),
+            (random.NextDouble() * 1.4 * Size) - (0.2 * Size),
+            random.NextDouble() * 30,
+            1
+        );
 }

@@ -100,9 +100,13 @@ public sealed class ShadowTests
     public void Ground_below_a_body_is_darker_under_a_grey_sky()
     {
         Mesh ground = new MeshBuilder()
-            .AddQuad(new(-50, -50, -1), new(50, -50, -1), new(50, 50, -1), new(-50, 50, -1), TestScene.White, Surface.Matte).Build();
+            .AddQuad(new(-50, -50, -1), new(50, -50, -1), new(50, 50, -1), new(-50, 50, -1), TestScene.White, Surface.Matte)
+            .Build();
         Mesh body = new MeshBuilder().AddBox(new(-1, 8, -0.7), new(1, 12, 0.5), TestScene.White).Build();
-        var scene = new RenderScene([TestScene.AtOrigin(ground, 0)]) { Lighting = new Lighting { SunColour = default, FogDensity = 0 } };
+        var scene = new RenderScene([TestScene.AtOrigin(ground, 0)])
+        {
+            Lighting = new Lighting { SunColour = default, FogDensity = 0 },
+        };
         scene.SetDynamic([TestScene.AtOrigin(body, 1)]);
 
         // Focal length 120 px, centre (160, 120). Ground 1 m below the eye, 9 m ahead, appears at row 120 + 120 / 9 = 133; 9 m ahead is
@@ -136,8 +140,14 @@ public sealed class ShadowTests
     {
         bool[] blocked =
         [
-            .. new Vector3D[] { default, new(EdgeMetres, 0, 0), new(-EdgeMetres, 0, 0), new(0, EdgeMetres, 0), new(0, -EdgeMetres, 0) }
-                .Select(aside => rays.Cast(new Ray(place + aside + new Vector3D(0, 0, 0.001), SunOnly.SunDirection), 1000, -1) is not null),
+            .. new Vector3D[]
+            {
+                default,
+                new(EdgeMetres, 0, 0),
+                new(-EdgeMetres, 0, 0),
+                new(0, EdgeMetres, 0),
+                new(0, -EdgeMetres, 0),
+            }.Select(aside => rays.Cast(new Ray(place + aside + new Vector3D(0, 0, 0.001), SunOnly.SunDirection), 1000, -1) is not null),
         ];
         return blocked.Distinct().Count() == 1 ? blocked[0] : null;
     }

@@ -18,7 +18,11 @@ public sealed class SharedWorkTests
 
         RenderTarget many = TestScene.Render(scene, camera);
         RenderTarget one = await Task.Factory.StartNew(
-            () => TestScene.Render(scene, camera), CancellationToken.None, TaskCreationOptions.None, oneByOne.ConcurrentScheduler);
+            () => TestScene.Render(scene, camera),
+            CancellationToken.None,
+            TaskCreationOptions.None,
+            oneByOne.ConcurrentScheduler
+        );
 
         Assert.Equal(many.Colour, one.Colour);
         Assert.Equal(many.Depth, one.Depth);

@@ -11,8 +11,8 @@ internal static class TestScene
     public static readonly Rgb White = new(255, 255, 255);
 
     /// <summary>At the origin, looking north.</summary>
-    public static RenderCamera Camera { get; } = new(
-        new Pose(Vector3D.Zero, Axes.Identity), 90, (double)Width / Height, 0.1, Width, Height);
+    public static RenderCamera Camera { get; } =
+        new(new Pose(Vector3D.Zero, Axes.Identity), 90, (double)Width / Height, 0.1, Width, Height);
 
     public static RenderTarget Render(RenderScene scene, RenderCamera camera)
     {
@@ -36,14 +36,16 @@ internal static class TestScene
         var random = new Random(seed);
         double Between(double low, double high) => low + ((high - low) * random.NextDouble());
         Mesh ground = new MeshBuilder()
-            .AddQuad(new(-300, -300, -1.5), new(300, -300, -1.5), new(300, 300, -1.5), new(-300, 300, -1.5), White, Surface.Ground).Build();
+            .AddQuad(new(-300, -300, -1.5), new(300, -300, -1.5), new(300, 300, -1.5), new(-300, 300, -1.5), White, Surface.Ground)
+            .Build();
         var world = new List<MeshInstance> { AtOrigin(ground, 0) };
         var entities = new List<MeshInstance>();
         for (int i = 0; i < 40; i++)
         {
             var size = new Vector3D(Between(0.3, 4), Between(0.3, 4), Between(0.3, 4));
-            var builder = new MeshBuilder().AddBox(-size, size, White).AddCylinder(
-                new(0, 0, size.Z), new(0, 0, size.Z + 2), size.X * 0.4, 0.1, 9, White);
+            var builder = new MeshBuilder()
+                .AddBox(-size, size, White)
+                .AddCylinder(new(0, 0, size.Z), new(0, 0, size.Z + 2), size.X * 0.4, 0.1, 9, White);
             var position = new Vector3D(Between(-60, 60), Between(6, 90), Between(-2, 5));
             var axes = Axes.FromEuler(new EulerAngles(Between(-30, 30), Between(-30, 30), Between(0, 360)));
             (i % 4 == 0 ? world : entities).Add(new MeshInstance(builder.Build(), new Pose(position, axes), i % 4 == 0 ? 0 : i));

@@ -38,8 +38,7 @@ public sealed class WetGroundTests
     public void Dry_asphalt_mirrors_nothing() => Assert.InRange(RednessOf(Render(0), 136, 150), -NotReddish, NotReddish);
 
     [Fact]
-    public void Wet_grass_mirrors_nothing() =>
-        Assert.InRange(RednessOf(Render(1, Surface.Ground), 136, 150), -NotReddish, NotReddish);
+    public void Wet_grass_mirrors_nothing() => Assert.InRange(RednessOf(Render(1, Surface.Ground), 136, 150), -NotReddish, NotReddish);
 
     [Fact]
     public void Reflections_change_colours_only()
@@ -55,15 +54,17 @@ public sealed class WetGroundTests
     {
         const int left = 150;
         const int right = 170;
-        return Enumerable.Range(top, bottom - top)
+        return Enumerable
+            .Range(top, bottom - top)
             .SelectMany(row => Enumerable.Range((row * picture.Width) + left, right - left))
             .Average(pixel => picture.Colour[pixel * 3] - (double)picture.Colour[(pixel * 3) + 1]);
     }
 
     private static RenderTarget Render(double rain, Surface surface = Surface.Asphalt, Mesh? body = null)
     {
-        Mesh ground = new MeshBuilder().AddQuad(
-            new(-300, 0, -1), new(300, 0, -1), new(300, 300, -1), new(-300, 300, -1), new Rgb(60, 60, 60), surface).Build();
+        Mesh ground = new MeshBuilder()
+            .AddQuad(new(-300, 0, -1), new(300, 0, -1), new(300, 300, -1), new(-300, 300, -1), new Rgb(60, 60, 60), surface)
+            .Build();
         body ??= new MeshBuilder().AddBox(new(-4, 10, -1), new(4, 11, 1), new Rgb(255, 40, 40)).Build();
         var scene = new RenderScene([TestScene.AtOrigin(ground, 0), TestScene.AtOrigin(body, 0)])
         {

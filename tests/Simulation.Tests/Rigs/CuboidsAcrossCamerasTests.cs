@@ -103,12 +103,16 @@ public sealed class CuboidsAcrossCamerasTests(ITestOutputHelper output)
         foreach (int seed in new[] { 3, 61, 62, 63 })
         {
             var image = new ImageSize(800, 450);
-            Rig rig = new("overlap", Vector3D.Zero,
-            [
-                RigHarvest.Camera("left", new Vector3D(-0.6, 1.7, 1.2), 20, image),
-                RigHarvest.Camera("front", new Vector3D(0, 2, 1.4), 0, image),
-                RigHarvest.Camera("right", new Vector3D(0.6, 1.7, 1.0), -20, image),
-            ], []);
+            Rig rig = new(
+                "overlap",
+                Vector3D.Zero,
+                [
+                    RigHarvest.Camera("left", new Vector3D(-0.6, 1.7, 1.2), 20, image),
+                    RigHarvest.Camera("front", new Vector3D(0, 2, 1.4), 0, image),
+                    RigHarvest.Camera("right", new Vector3D(0.6, 1.7, 1.0), -20, image),
+                ],
+                []
+            );
             var moment = new RigHarvest(rig, seed);
             moment.Game.Ports.Pause.Freeze();
             foreach ((RigCamera camera, CapturedFrame frame) in rig.Cameras.Zip(moment.Frames))
@@ -124,15 +128,22 @@ public sealed class CuboidsAcrossCamerasTests(ITestOutputHelper output)
     private static (int Pixels, int Width, int Height) ShownOf(RenderTarget picture, int handle)
     {
         int[] at = [.. Enumerable.Range(0, picture.Handles.Length).Where(pixel => picture.Handles[pixel] == handle)];
-        return at.Length == 0 ? (0, 0, 0)
-            : (at.Length, at.Max(pixel => pixel % picture.Width) - at.Min(pixel => pixel % picture.Width) + 1,
-                (at[^1] / picture.Width) - (at[0] / picture.Width) + 1);
+        return at.Length == 0
+            ? (0, 0, 0)
+            : (
+                at.Length,
+                at.Max(pixel => pixel % picture.Width) - at.Min(pixel => pixel % picture.Width) + 1,
+                (at[^1] / picture.Width) - (at[0] / picture.Width) + 1
+            );
     }
 
     /// <summary>Area of the box around a cuboid, cut at the image; infinite for a cuboid that is partly behind the camera.</summary>
     private static double BoxArea(CameraLabel camera, Cuboid cuboid)
     {
-        double left = double.PositiveInfinity, top = left, right = -left, bottom = -left;
+        double left = double.PositiveInfinity,
+            top = left,
+            right = -left,
+            bottom = -left;
         for (int corner = 0; corner < Cuboid.CornerCount; corner++)
         {
             Vector3D there = cuboid.Corner(corner) - camera.Pose.Position;
@@ -150,11 +161,15 @@ public sealed class CuboidsAcrossCamerasTests(ITestOutputHelper output)
         return (Math.Min(right, camera.Width) - Math.Max(left, 0)) * (Math.Min(bottom, camera.Height) - Math.Max(top, 0));
     }
 
-    private static Dictionary<int, Cuboid> CuboidsByHandle(CapturedFrame frame) => frame.Scene!.Ids
-        .Join(
-            frame.Label.Objects.Where(item => item.Parent is null), pair => pair.Value, item => item.Id,
-            (pair, item) => (pair.Key, item.Box3D))
-        .ToDictionary(pair => pair.Key, pair => pair.Box3D);
+    private static Dictionary<int, Cuboid> CuboidsByHandle(CapturedFrame frame) =>
+        frame
+            .Scene!.Ids.Join(
+                frame.Label.Objects.Where(item => item.Parent is null),
+                pair => pair.Value,
+                item => item.Id,
+                (pair, item) => (pair.Key, item.Box3D)
+            )
+            .ToDictionary(pair => pair.Key, pair => pair.Box3D);
 
     /// <summary>How far outside a cuboid the points of an object are that a picture shows, pixels; null if it shows none.</summary>
     private static double? Farthest(RenderTarget picture, Camera camera, int handle, Cuboid cuboid)
@@ -170,7 +185,8 @@ public sealed class CuboidsAcrossCamerasTests(ITestOutputHelper output)
                 var outside = new Vector3D(
                     Math.Max(0, Math.Abs(inside.X) - cuboid.HalfExtents.X),
                     Math.Max(0, Math.Abs(inside.Y) - cuboid.HalfExtents.Y),
-                    Math.Max(0, Math.Abs(inside.Z) - cuboid.HalfExtents.Z));
+                    Math.Max(0, Math.Abs(inside.Z) - cuboid.HalfExtents.Z)
+                );
                 farthest = Math.Max(farthest ?? 0, outside.Length * camera.Intrinsics.Fx / depth);
             }
         }

@@ -21,21 +21,33 @@ public sealed class EpipolarTests(ITestOutputHelper output)
     [Trait("Category", "Heavy")]
     public void Balls_are_in_the_same_rows_of_both_pictures()
     {
-        Rig rig = new("stereo", Vector3D.Zero,
-        [
-            RigHarvest.Camera("left", new Vector3D(-Baseline / 2, 2, 1.2), 0, Image),
-            RigHarvest.Camera("right", new Vector3D(Baseline / 2, 2, 1.2), 0, Image),
-        ], []);
+        Rig rig = new(
+            "stereo",
+            Vector3D.Zero,
+            [
+                RigHarvest.Camera("left", new Vector3D(-Baseline / 2, 2, 1.2), 0, Image),
+                RigHarvest.Camera("right", new Vector3D(Baseline / 2, 2, 1.2), 0, Image),
+            ],
+            []
+        );
         var moment = new RigHarvest(rig, seed: 3);
         moment.Game.Ports.Pause.Freeze();
         Pose ego = moment.Frames[0].Scene!.Snapshot.Ego.Pose;
         double focal = moment.Frames[0].Label.Camera.Fx;
         double worstRow = 0;
         double worstDisparity = 0;
-        foreach (Vector3D local in new Vector3D[]
-        {
-            new(0, 6, 1.2), new(-1.5, 6, 2.2), new(1.6, 7, 0.8), new(0.4, 4.5, 1.9), new(-0.9, 9, 1.4), new(2.4, 9, 3.1), new(-2.8, 8, 0.6),
-        })
+        foreach (
+            Vector3D local in new Vector3D[]
+            {
+                new(0, 6, 1.2),
+                new(-1.5, 6, 2.2),
+                new(1.6, 7, 0.8),
+                new(0.4, 4.5, 1.9),
+                new(-0.9, 9, 1.4),
+                new(2.4, 9, 3.1),
+                new(-2.8, 8, 0.6),
+            }
+        )
         {
             const double radius = 0.12;
             moment.Game.Ports.Markers!.Show([new PlannedMarker(ego.ToWorld(local), radius, default)]);

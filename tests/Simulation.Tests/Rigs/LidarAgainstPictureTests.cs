@@ -22,8 +22,12 @@ public sealed class LidarAgainstPictureTests
     public void Points_are_within_2_cm_of_the_rendered_depth(int seed)
     {
         var place = new Vector3D(0, 0.5, 1.6);
-        Rig rig = new("test", Vector3D.Zero, [RigHarvest.Camera("front", place, 0, new ImageSize(1600, 1200))],
-            [new RigLidar("top", new Pose(place, Axes.Identity), [2, 0, -2, -5, -9, -14, -20], 720, 10, 0.5, 60)]);
+        Rig rig = new(
+            "test",
+            Vector3D.Zero,
+            [RigHarvest.Camera("front", place, 0, new ImageSize(1600, 1200))],
+            [new RigLidar("top", new Pose(place, Axes.Identity), [2, 0, -2, -5, -9, -14, -20], 720, 10, 0.5, 60)]
+        );
         var moment = new RigHarvest(rig, seed);
         LidarSweep sweep = Assert.Single(moment.Frames[0].Part<SweptPoints>()!.Sweeps);
         RenderTarget picture = moment.Game.Render(rig.Cameras[0].Image);
@@ -58,8 +62,12 @@ public sealed class LidarAgainstPictureTests
     public void Beams_and_columns_are_where_the_rig_says()
     {
         double[] beams = [0, -10, -30];
-        Rig rig = new("test", Vector3D.Zero, [RigHarvest.Camera("front", new Vector3D(0, 2, 0.4), 0, new ImageSize(64, 48))],
-            [new RigLidar("top", new Pose(new Vector3D(0, 0, 1.6), Axes.Identity), beams, 8, 10, 0.5, 60)]);
+        Rig rig = new(
+            "test",
+            Vector3D.Zero,
+            [RigHarvest.Camera("front", new Vector3D(0, 2, 0.4), 0, new ImageSize(64, 48))],
+            [new RigLidar("top", new Pose(new Vector3D(0, 0, 1.6), Axes.Identity), beams, 8, 10, 0.5, 60)]
+        );
 
         LidarSweep sweep = new RigHarvest(rig, seed: 3).Frames[0].Part<SweptPoints>()!.Sweeps[0];
 
@@ -85,8 +93,12 @@ public sealed class LidarAgainstPictureTests
     public void Car_is_not_hit_by_its_own_lidar()
     {
         // A sensor on the bonnet looks down at 80 degrees: past the car there is only the road, 0.65 m below.
-        Rig rig = new("test", Vector3D.Zero, [RigHarvest.Camera("front", new Vector3D(0, 2, 0.4), 0, new ImageSize(64, 48))],
-            [new RigLidar("top", new Pose(new Vector3D(0, 2, 0.4), Axes.Identity), [-80], 8, 10, 0.1, 60)]);
+        Rig rig = new(
+            "test",
+            Vector3D.Zero,
+            [RigHarvest.Camera("front", new Vector3D(0, 2, 0.4), 0, new ImageSize(64, 48))],
+            [new RigLidar("top", new Pose(new Vector3D(0, 2, 0.4), Axes.Identity), [-80], 8, 10, 0.1, 60)]
+        );
 
         LidarSweep sweep = new RigHarvest(rig, seed: 3).Frames[0].Part<SweptPoints>()!.Sweeps[0];
 
@@ -124,8 +136,11 @@ public sealed class LidarAgainstPictureTests
 
         double right = u - 0.5 - column;
         double down = v - 0.5 - row;
-        double inverse = (Inverse(column, row) * (1 - right) * (1 - down)) + (Inverse(column + 1, row) * right * (1 - down))
-            + (Inverse(column, row + 1) * (1 - right) * down) + (Inverse(column + 1, row + 1) * right * down);
+        double inverse =
+            (Inverse(column, row) * (1 - right) * (1 - down))
+            + (Inverse(column + 1, row) * right * (1 - down))
+            + (Inverse(column, row + 1) * (1 - right) * down)
+            + (Inverse(column + 1, row + 1) * right * down);
         return inverse > 0 ? 1 / inverse : null;
     }
 }

@@ -46,28 +46,38 @@ public sealed class NormalsTests(ITestOutputHelper output)
     public void Exact_normals_are_those_of_the_depth()
     {
         List<double> angles = [];
-        Harvest(51, isExact: true, (map, camera, picture) =>
-        {
-            for (int row = 1; row < Image.Height - 1; row += 3)
+        Harvest(
+            51,
+            isExact: true,
+            (map, camera, picture) =>
             {
-                for (int column = 1; column < Image.Width - 1; column += 3)
+                for (int row = 1; row < Image.Height - 1; row += 3)
                 {
-                    int at = (row * Image.Width) + column;
-                    float left = picture.Depth[at - 1], right = picture.Depth[at + 1];
-                    float above = picture.Depth[at - Image.Width], below = picture.Depth[at + Image.Width], here = picture.Depth[at];
-                    if (!float.IsFinite(left + right + above + below) || Math.Abs((2 / here) - (1 / left) - (1 / right)) * here > MaxBend
-                        || Math.Abs((2 / here) - (1 / above) - (1 / below)) * here > MaxBend)
+                    for (int column = 1; column < Image.Width - 1; column += 3)
                     {
-                        continue;
-                    }
+                        int at = (row * Image.Width) + column;
+                        float left = picture.Depth[at - 1],
+                            right = picture.Depth[at + 1];
+                        float above = picture.Depth[at - Image.Width],
+                            below = picture.Depth[at + Image.Width],
+                            here = picture.Depth[at];
+                        if (
+                            !float.IsFinite(left + right + above + below)
+                            || Math.Abs((2 / here) - (1 / left) - (1 / right)) * here > MaxBend
+                            || Math.Abs((2 / here) - (1 / above) - (1 / below)) * here > MaxBend
+                        )
+                        {
+                            continue;
+                        }
 
-                    Vector3D across = Point(camera, column + 1, row, right) - Point(camera, column - 1, row, left);
-                    Vector3D down = Point(camera, column, row + 1, below) - Point(camera, column, row - 1, above);
-                    double angle = AngleDegrees(across.Cross(down), Vector(map, at));
-                    angles.Add(Math.Min(angle, 180 - angle));
+                        Vector3D across = Point(camera, column + 1, row, right) - Point(camera, column - 1, row, left);
+                        Vector3D down = Point(camera, column, row + 1, below) - Point(camera, column, row - 1, above);
+                        double angle = AngleDegrees(across.Cross(down), Vector(map, at));
+                        angles.Add(Math.Min(angle, 180 - angle));
+                    }
                 }
             }
-        });
+        );
 
         Assert.True(angles.Count > 5_000, $"Only {angles.Count} pixels were compared.");
         double[] ordered = [.. angles.Order()];
@@ -78,16 +88,20 @@ public sealed class NormalsTests(ITestOutputHelper output)
     [Fact]
     public void Normals_face_the_camera_and_the_sky_has_none()
     {
-        Harvest(52, isExact: true, (map, camera, picture) =>
-        {
-            for (int at = 0; at < Image.PixelCount; at++)
+        Harvest(
+            52,
+            isExact: true,
+            (map, camera, picture) =>
             {
-                bool isSky = float.IsPositiveInfinity(picture.Depth[at]);
-                Assert.Equal(isSky, map.Bytes.AsSpan(at * 3, 3).IndexOfAnyExcept((byte)0) < 0);
-                Vector3D seen = Point(camera, at % Image.Width, at / Image.Width, 1);
-                Assert.True(isSky || Vector(map, at).Dot(seen.Normalized()) < EdgeCosine, $"Pixel {at} shows the back of a surface.");
+                for (int at = 0; at < Image.PixelCount; at++)
+                {
+                    bool isSky = float.IsPositiveInfinity(picture.Depth[at]);
+                    Assert.Equal(isSky, map.Bytes.AsSpan(at * 3, 3).IndexOfAnyExcept((byte)0) < 0);
+                    Vector3D seen = Point(camera, at % Image.Width, at / Image.Width, 1);
+                    Assert.True(isSky || Vector(map, at).Dot(seen.Normalized()) < EdgeCosine, $"Pixel {at} shows the back of a surface.");
+                }
             }
-        });
+        );
     }
 
     [Theory]
@@ -99,38 +113,64 @@ public sealed class NormalsTests(ITestOutputHelper output)
     {
         PixelBuffer? exact = null;
         Harvest(seed, isExact: true, (map, _, _) => exact = map);
-        Harvest(seed, isExact: false, (map, _, picture) =>
-        {
-            int[] compared = [.. Enumerable.Range(0, Image.PixelCount).Where(at => picture.Depth[at] < MaxMetres)];
-            double[] angles = [.. compared.Where(at => map.Bytes.AsSpan(at * 3, 3).IndexOfAnyExcept((byte)0) >= 0)
-                .Select(at => AngleDegrees(Vector(map, at), Vector(exact!, at))).Order()];
-            double within = angles.Count(angle => angle < SameFaceDegrees) / (double)compared.Length;
-            output.WriteLine(FormattableString.Invariant(
-                $"{seed}: median {angles[angles.Length / 2]:0.00} degrees, within 5 degrees {within:0.0000}, of {compared.Length} pixels"));
+        Harvest(
+            seed,
+            isExact: false,
+            (map, _, picture) =>
+            {
+                int[] compared = [.. Enumerable.Range(0, Image.PixelCount).Where(at => picture.Depth[at] < MaxMetres)];
+                double[] angles =
+                [
+                    .. compared
+                        .Where(at => map.Bytes.AsSpan(at * 3, 3).IndexOfAnyExcept((byte)0) >= 0)
+                        .Select(at => AngleDegrees(Vector(map, at), Vector(exact!, at)))
+                        .Order(),
+                ];
+                double within = angles.Count(angle => angle < SameFaceDegrees) / (double)compared.Length;
+                output.WriteLine(
+                    FormattableString.Invariant(
+                        $"{seed}: median {angles[angles.Length / 2]:0.00} degrees, within 5 degrees {within:0.0000}, of "
+                            + $"{compared.Length} pixels"
+                    )
+                );
 
-            Assert.InRange(angles[angles.Length / 2], 0, 2 * RoundingDegrees);
-            Assert.InRange(within, MinSameFace, 1);
-        });
+                Assert.InRange(angles[angles.Length / 2], 0, 2 * RoundingDegrees);
+                Assert.InRange(within, MinSameFace, 1);
+            }
+        );
     }
 
     private static void Harvest(int seed, bool isExact, Action<PixelBuffer, Camera, RenderTarget> judge)
     {
         var game = new Harvester.Simulation.Game.SimulatedGame(new SimulationOptions { Seed = seed });
         GamePorts ports = isExact ? game.Ports : game.Ports with { Surfaces = null };
-        HarvestOptions options = new() { Image = Image, MaxFrames = 1, Masks = true, Channels = new ChannelKeys(["normals"]) };
-        LabelledTown.Harvest(game, ports, options, (frame, truth) =>
+        HarvestOptions options = new()
         {
-            MapLabel label = frame.Label.Channels.Get<MapLabel>()!;
-            Assert.Equal(("normals/00000000.png", isExact ? SemanticsMethod.Exact : SemanticsMethod.Rays), (label.File, label.Method));
-            judge(frame.Part<MapPart>()!.Map, frame.Label.Camera.ToCamera(), game.Render(Image));
-        });
+            Image = Image,
+            MaxFrames = 1,
+            Masks = true,
+            Channels = new ChannelKeys(["normals"]),
+        };
+        LabelledTown.Harvest(
+            game,
+            ports,
+            options,
+            (frame, truth) =>
+            {
+                MapLabel label = frame.Label.Channels.Get<MapLabel>()!;
+                Assert.Equal(("normals/00000000.png", isExact ? SemanticsMethod.Exact : SemanticsMethod.Rays), (label.File, label.Method));
+                judge(frame.Part<MapPart>()!.Map, frame.Label.Camera.ToCamera(), game.Render(Image));
+            }
+        );
     }
 
     /// <summary>A point at a depth in the camera's frame: right, down, forward.</summary>
-    private static Vector3D Point(Camera camera, int column, int row, double depth) => new(
-        (column + 0.5 - camera.Intrinsics.Cx) / camera.Intrinsics.Fx * depth,
-        (row + 0.5 - camera.Intrinsics.Cy) / camera.Intrinsics.Fy * depth,
-        depth);
+    private static Vector3D Point(Camera camera, int column, int row, double depth) =>
+        new(
+            (column + 0.5 - camera.Intrinsics.Cx) / camera.Intrinsics.Fx * depth,
+            (row + 0.5 - camera.Intrinsics.Cy) / camera.Intrinsics.Fy * depth,
+            depth
+        );
 
     private static Vector3D Vector(PixelBuffer map, int at) =>
         new Vector3D(map.Bytes[at * 3] - 128, map.Bytes[(at * 3) + 1] - 128, map.Bytes[(at * 3) + 2] - 128).Normalized();

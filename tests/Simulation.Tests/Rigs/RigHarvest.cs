@@ -32,8 +32,7 @@ internal sealed class RigHarvest
         do
         {
             Game.Tick(1 / TicksPerSecond);
-        }
-        while (!session.Step().IsOver);
+        } while (!session.Step().IsOver);
         Assert.Null(session.Fault);
         Frames = [.. sink.Frames];
         Assert.Equal(rig.Cameras.Count, Frames.Count);

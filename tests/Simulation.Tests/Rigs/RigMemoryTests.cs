@@ -29,13 +29,17 @@ public sealed class RigMemoryTests(ITestOutputHelper output)
     public void Memory_does_not_grow_with_the_moments()
     {
         var image = new ImageSize(96, 72);
-        Rig rig = new("test", Vector3D.Zero,
-        [
-            RigHarvest.Camera("front", new Vector3D(0, 2, 1), 0, image), RigHarvest.Camera("back", new Vector3D(0, -2, 1), 180, image),
-        ],
-        [
-            new RigLidar("top", new Pose(new Vector3D(0, 0, 1.6), Axes.Identity), [2, -2, -6, -10], 360, 10, 0.5, 60) { RayFraction = 0.3 },
-        ]);
+        Rig rig = new(
+            "test",
+            Vector3D.Zero,
+            [RigHarvest.Camera("front", new Vector3D(0, 2, 1), 0, image), RigHarvest.Camera("back", new Vector3D(0, -2, 1), 180, image)],
+            [
+                new RigLidar("top", new Pose(new Vector3D(0, 0, 1.6), Axes.Identity), [2, -2, -6, -10], 360, 10, 0.5, 60)
+                {
+                    RayFraction = 0.3,
+                },
+            ]
+        );
         var game = new SimulatedGame(new SimulationOptions { Seed = 3, IsWarm = true });
         var sizes = new List<long>();
         int frames = 0;
@@ -68,14 +72,14 @@ public sealed class RigMemoryTests(ITestOutputHelper output)
             do
             {
                 game.Tick(1.0 / 60);
-            }
-            while (!session.Step().IsOver);
+            } while (!session.Step().IsOver);
             Assert.Null(session.Fault);
         }
 
         double perMoment = (sizes[1] - sizes[0]) / (double)(Moments - Begun);
-        output.WriteLine(FormattableString.Invariant(
-            $"{sizes[0] / 1e6:0.0} MB, then {perMoment:0} bytes for each of {Moments - Begun} moments"));
+        output.WriteLine(
+            FormattableString.Invariant($"{sizes[0] / 1e6:0.0} MB, then {perMoment:0} bytes for each of {Moments - Begun} moments")
+        );
         Assert.InRange(perMoment, long.MinValue, BytesPerMoment);
     }
 }

@@ -20,12 +20,16 @@ public sealed class RigViewTests
     [Fact]
     public void Pictures_show_what_their_cameras_see()
     {
-        Rig rig = new("test", Vector3D.Zero,
-        [
-            RigHarvest.Camera("front", new Vector3D(0, 2, 0.6), 0, new ImageSize(160, 120)),
-            RigHarvest.Camera("left", new Vector3D(-0.5, 0, 1.2), 90, new ImageSize(120, 90), fovDegrees: 80),
-            RigHarvest.Camera("back", new Vector3D(0, -2, 0.8), 180, new ImageSize(96, 96)),
-        ], []);
+        Rig rig = new(
+            "test",
+            Vector3D.Zero,
+            [
+                RigHarvest.Camera("front", new Vector3D(0, 2, 0.6), 0, new ImageSize(160, 120)),
+                RigHarvest.Camera("left", new Vector3D(-0.5, 0, 1.2), 90, new ImageSize(120, 90), fovDegrees: 80),
+                RigHarvest.Camera("back", new Vector3D(0, -2, 0.8), 180, new ImageSize(96, 96)),
+            ],
+            []
+        );
         var moment = new RigHarvest(rig, Seed);
         moment.Game.Ports.Pause.Freeze();
         foreach ((CapturedFrame frame, RigCamera camera) in moment.Frames.Zip(rig.Cameras))
@@ -42,11 +46,15 @@ public sealed class RigViewTests
     public void Objects_of_a_stereo_pair_are_in_the_same_rows()
     {
         var image = new ImageSize(640, 480);
-        Rig rig = new("stereo", Vector3D.Zero,
-        [
-            RigHarvest.Camera("left", new Vector3D(-0.27, 2, 0.6), 0, image),
-            RigHarvest.Camera("right", new Vector3D(0.27, 2, 0.6), 0, image),
-        ], []);
+        Rig rig = new(
+            "stereo",
+            Vector3D.Zero,
+            [
+                RigHarvest.Camera("left", new Vector3D(-0.27, 2, 0.6), 0, image),
+                RigHarvest.Camera("right", new Vector3D(0.27, 2, 0.6), 0, image),
+            ],
+            []
+        );
         var moment = new RigHarvest(rig, Seed);
         moment.Game.Ports.Pause.Freeze();
         Dictionary<int, (int Top, int Bottom)> left = RowsOf(Draw(moment, rig, rig.Cameras[0]));

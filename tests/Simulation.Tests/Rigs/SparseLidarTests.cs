@@ -26,12 +26,15 @@ public sealed class SparseLidarTests(ITestOutputHelper output)
         {
             (LidarSweep full, LidarSweep tenth) = Take(seed, LidarModel.Find("HDL-32E")!);
             Dictionary<(int, int), LidarPoint> truth = full.Points.ToDictionary(point => ((int)point.Column, (int)point.Beam));
-            int near = tenth.Points.Count(point => truth.TryGetValue((point.Column, point.Beam), out LidarPoint own)
-                && new Vector3D(point.X - own.X, point.Y - own.Y, point.Z - own.Z).Length <= metres);
+            int near = tenth.Points.Count(point =>
+                truth.TryGetValue((point.Column, point.Beam), out LidarPoint own)
+                && new Vector3D(point.X - own.X, point.Y - own.Y, point.Z - own.Z).Length <= metres
+            );
             double fraction = near / (double)full.Points.Count;
-            output.WriteLine(FormattableString.Invariant(
-                $"{seed}: {tenth.RaysCast} of {full.RaysCast} rays, {fraction:0.0000} of the points, ")
-                + FormattableString.Invariant($"{near / (double)tenth.Points.Count:0.0000} right"));
+            output.WriteLine(
+                FormattableString.Invariant($"{seed}: {tenth.RaysCast} of {full.RaysCast} rays, {fraction:0.0000} of the points, ")
+                    + FormattableString.Invariant($"{near / (double)tenth.Points.Count:0.0000} right")
+            );
             Assert.InRange(tenth.RaysCast, 1, full.RaysCast * RayFraction);
             Assert.InRange(fraction, worst, 1);
             Assert.InRange(tenth.Points.Count, full.Points.Count * pooled, full.Points.Count / pooled);
@@ -59,10 +62,20 @@ public sealed class SparseLidarTests(ITestOutputHelper output)
     private static (LidarSweep Full, LidarSweep Tenth) Take(int seed, LidarModel model)
     {
         var all = new RigLidar(
-            "all", new Pose(new Vector3D(0, 0, 1.6), Axes.Identity), model.BeamsDegrees, model.ColumnsAt(model.RateHz), model.RateHz, 0.5,
-            model.RangeMetres);
-        Rig rig = new("test", Vector3D.Zero, [RigHarvest.Camera("front", new Vector3D(0, 2, 0.4), 0, new ImageSize(64, 48))],
-            [all, all with { Name = "tenth", RayFraction = RayFraction }]);
+            "all",
+            new Pose(new Vector3D(0, 0, 1.6), Axes.Identity),
+            model.BeamsDegrees,
+            model.ColumnsAt(model.RateHz),
+            model.RateHz,
+            0.5,
+            model.RangeMetres
+        );
+        Rig rig = new(
+            "test",
+            Vector3D.Zero,
+            [RigHarvest.Camera("front", new Vector3D(0, 2, 0.4), 0, new ImageSize(64, 48))],
+            [all, all with { Name = "tenth", RayFraction = RayFraction }]
+        );
         IReadOnlyList<LidarSweep> sweeps = new RigHarvest(rig, seed).Frames[0].Part<SweptPoints>()!.Sweeps;
         return (sweeps[0], sweeps[1]);
     }

@@ -36,8 +36,10 @@ public sealed class SelfTestTests(ITestOutputHelper output)
         Assert.Equal(SelfTestChecks.All, test.Lines.Select(line => line.Check));
         Assert.Equal(
             combination.Checks.Order(StringComparer.Ordinal),
-            test.Lines.Where(line => line.Verdict is SelfTestVerdict.Note or SelfTestVerdict.Problem).Select(line => line.Check)
-                .Order(StringComparer.Ordinal));
+            test.Lines.Where(line => line.Verdict is SelfTestVerdict.Note or SelfTestVerdict.Problem)
+                .Select(line => line.Check)
+                .Order(StringComparer.Ordinal)
+        );
         AssertLeftNothing(game);
     }
 
@@ -46,15 +48,16 @@ public sealed class SelfTestTests(ITestOutputHelper output)
 
     private static HarvestOptions Options => new() { Image = new ImageSize(400, 300) };
 
-    private static SimulationOptions Town(GameQuirks quirks) => new()
-    {
-        Seed = 61,
-        WindowAspect = 4.0 / 3,
-        IsWarm = true,
-        Detail = Detail.Plain,
-        TimeOfDay = TimeSpan.FromHours(12),
-        Quirks = quirks,
-    };
+    private static SimulationOptions Town(GameQuirks quirks) =>
+        new()
+        {
+            Seed = 61,
+            WindowAspect = 4.0 / 3,
+            IsWarm = true,
+            Detail = Detail.Plain,
+            TimeOfDay = TimeSpan.FromHours(12),
+            Quirks = quirks,
+        };
 
     private static int Run(SimulatedGame game, SelfTest test)
     {

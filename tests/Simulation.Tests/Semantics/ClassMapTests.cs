@@ -44,28 +44,43 @@ public sealed class ClassMapTests(ITestOutputHelper output)
         };
         foreach (int seed in seeds)
         {
-            var simulation = new SimulationOptions { Seed = seed, WindowAspect = options.Image.Aspect, Detail = Detail.Full };
-            var game = new Game.SimulatedGame(simulation);
-            LabelledTown.Harvest(game, game.Ports, options, (frame, _) =>
+            var simulation = new SimulationOptions
             {
-                InstanceMap truth = game.Ports.Surfaces!.Draw(options.Image, handle =>
-                    game.Shown.Entities.FirstOrDefault(entity => entity.Handle == handle) is { } entity
-                        ? SemanticClasses.Of(entity.Class) : SemanticClass.Other);
-                InstanceMap map = frame.Part<ClassMapPart>()!.Map;
-                for (int i = 0; i < truth.Ids.Length; i++)
+                Seed = seed,
+                WindowAspect = options.Image.Aspect,
+                Detail = Detail.Full,
+            };
+            var game = new Game.SimulatedGame(simulation);
+            LabelledTown.Harvest(
+                game,
+                game.Ports,
+                options,
+                (frame, _) =>
                 {
-                    (ushort real, ushort seen) = (truth.Ids[i], map.Ids[i]);
-                    shown[real]++;
-                    either[real]++;
-                    both[real] += real == seen ? 1 : 0;
-                    either[seen] += real == seen ? 0 : 1;
-                }
+                    InstanceMap truth = game.Ports.Surfaces!.Draw(
+                        options.Image,
+                        handle =>
+                            game.Shown.Entities.FirstOrDefault(entity => entity.Handle == handle) is { } entity
+                                ? SemanticClasses.Of(entity.Class)
+                                : SemanticClass.Other
+                    );
+                    InstanceMap map = frame.Part<ClassMapPart>()!.Map;
+                    for (int i = 0; i < truth.Ids.Length; i++)
+                    {
+                        (ushort real, ushort seen) = (truth.Ids[i], map.Ids[i]);
+                        shown[real]++;
+                        either[real]++;
+                        both[real] += real == seen ? 1 : 0;
+                        either[seen] += real == seen ? 0 : 1;
+                    }
 
-                double fraction = (double)frame.Label.ClassMap!.RaysCast / options.Image.PixelCount;
-                mostRays = Math.Max(mostRays, fraction);
-                output.WriteLine(
-                    $"seed {seed}, frame {frame.Label.Frame}: {fraction:P3} of the pixels as rays, mask {frame.Label.Rays!.Map}");
-            });
+                    double fraction = (double)frame.Label.ClassMap!.RaysCast / options.Image.PixelCount;
+                    mostRays = Math.Max(mostRays, fraction);
+                    output.WriteLine(
+                        $"seed {seed}, frame {frame.Label.Frame}: {fraction:P3} of the pixels as rays, mask {frame.Label.Rays!.Map}"
+                    );
+                }
+            );
         }
 
         long all = shown.Sum();

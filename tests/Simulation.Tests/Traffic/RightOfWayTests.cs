@@ -34,14 +34,17 @@ public sealed class RightOfWayTests
     {
         Dictionary<LightState, int> passed = [];
         SimulatedWorld world = new(new SimulationOptions { Seed = seed });
-        Watch(world, (vehicle, lane) =>
-        {
-            if (At(lane, world, LightAtLine) is { } light)
+        Watch(
+            world,
+            (vehicle, lane) =>
             {
-                LightState state = world.LightAt(light.Handle, world.TimeSeconds)!.Value;
-                passed[state] = passed.GetValueOrDefault(state) + 1;
+                if (At(lane, world, LightAtLine) is { } light)
+                {
+                    LightState state = world.LightAt(light.Handle, world.TimeSeconds)!.Value;
+                    passed[state] = passed.GetValueOrDefault(state) + 1;
+                }
             }
-        });
+        );
 
         int atGreen = passed.GetValueOrDefault(LightState.Green);
         Assert.True(atGreen > 100, $"Only {atGreen} passed at green.");
@@ -73,7 +76,8 @@ public sealed class RightOfWayTests
                 {
                     stoppedOn[vehicle] = vehicle.Path;
                 }
-            });
+            }
+        );
 
         Assert.True(stopped > 20, $"Only {stopped} vehicles stopped.");
         Assert.Equal(0, passed);
@@ -103,10 +107,13 @@ public sealed class RightOfWayTests
     private static EntityState? At(LanePath lane, SimulatedWorld world, string name)
     {
         (Vector3D end, Vector3D tangent) = lane.Line.At(lane.Length);
-        return world.EntitiesNear(end, Along + Beside).Find(entity =>
-            entity.Model == name
-            && entity.Pose.Axes.Forward.Dot(tangent) > 0.9
-            && Math.Abs((entity.Pose.Position - end).Dot(tangent)) < Along
-            && (entity.Pose.Position - end).Dot(Horizontal.RightOf(tangent)) is > 0 and < Beside);
+        return world
+            .EntitiesNear(end, Along + Beside)
+            .Find(entity =>
+                entity.Model == name
+                && entity.Pose.Axes.Forward.Dot(tangent) > 0.9
+                && Math.Abs((entity.Pose.Position - end).Dot(tangent)) < Along
+                && (entity.Pose.Position - end).Dot(Horizontal.RightOf(tangent)) is > 0 and < Beside
+            );
     }
 }

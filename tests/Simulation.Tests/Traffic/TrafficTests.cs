@@ -86,7 +86,8 @@ public class TrafficTests
             {
                 Assert.False(
                     vehicle.Footprint.Overlaps(other.Footprint),
-                    $"{vehicle.Model.Name} and {other.Model.Name} overlap near {vehicle.Pose.Position}.");
+                    $"{vehicle.Model.Name} and {other.Model.Name} overlap near {vehicle.Pose.Position}."
+                );
             }
 
             index.Add(vehicle, vehicle.Pose.Position);

@@ -30,7 +30,8 @@ public sealed class VehicleLightsTests
         SimulatedWorld world = new(new SimulationOptions { Seed = seed });
         Dictionary<int, double> before = [];
         Dictionary<int, int> faster = [];
-        int braking = 0, driving = 0;
+        int braking = 0,
+            driving = 0;
         for (int i = 0; i < 200; i++)
         {
             world.Advance(Step);
@@ -69,12 +70,14 @@ public sealed class VehicleLightsTests
             foreach (EntityState vehicle in Vehicles(world))
             {
                 Vector3D forward = vehicle.Pose.Axes.Forward;
-                (tracks.TryGetValue(vehicle.Handle, out var track) ? track : tracks[vehicle.Handle] = [])
-                    .Add((Math.Atan2(forward.Y, forward.X), vehicle.Lights!.Value));
+                (tracks.TryGetValue(vehicle.Handle, out var track) ? track : tracks[vehicle.Handle] = []).Add(
+                    (Math.Atan2(forward.Y, forward.X), vehicle.Lights!.Value)
+                );
             }
         }
 
-        int turns = 0, wrong = 0;
+        int turns = 0,
+            wrong = 0;
         const int around = 20;
         foreach (List<(double Heading, VehicleLights Lights)> track in tracks.Values)
         {
@@ -88,7 +91,8 @@ public sealed class VehicleLightsTests
 
                 turns++;
                 VehicleLights[] shown = [.. track[(i - around)..(i + around)].Select(moment => moment.Lights)];
-                bool blinksThere = shown.Any(lights => turned > 0 ? lights.Left : lights.Right)
+                bool blinksThere =
+                    shown.Any(lights => turned > 0 ? lights.Left : lights.Right)
                     && shown.Any(lights => turned > 0 ? !lights.Left : !lights.Right);
                 wrong += blinksThere ? 0 : 1;
             }
@@ -131,8 +135,14 @@ public sealed class VehicleLightsTests
             if (model.Lamps!.Of(all) is { } mesh)
             {
                 Assert.True(
-                    mesh.Min.X >= model.Min.X && mesh.Min.Y >= model.Min.Y && mesh.Min.Z >= model.Min.Z
-                    && mesh.Max.X <= model.Max.X && mesh.Max.Y <= model.Max.Y && mesh.Max.Z <= model.Max.Z, model.Name);
+                    mesh.Min.X >= model.Min.X
+                        && mesh.Min.Y >= model.Min.Y
+                        && mesh.Min.Z >= model.Min.Z
+                        && mesh.Max.X <= model.Max.X
+                        && mesh.Max.Y <= model.Max.Y
+                        && mesh.Max.Z <= model.Max.Z,
+                    model.Name
+                );
             }
         }
     }
@@ -142,8 +152,11 @@ public sealed class VehicleLightsTests
     public void Lamps_are_seen_from_behind_where_they_belong()
     {
         const int fewest = 8;
-        foreach (Model model in ModelCatalogueTests.Catalogue.Vehicles.Where(model => model.Class is ObjectClass.Car or ObjectClass.Truck
-            or ObjectClass.Bus or ObjectClass.Trailer))
+        foreach (
+            Model model in ModelCatalogueTests.Catalogue.Vehicles.Where(model =>
+                model.Class is ObjectClass.Car or ObjectClass.Truck or ObjectClass.Bus or ObjectClass.Trailer
+            )
+        )
         {
             RenderTarget dark = FromBehind(model, default);
             Assert.True(Changed(dark, FromBehind(model, new(true, false, false, false)), left: true) >= fewest, $"{model.Name} brake");
@@ -183,7 +196,10 @@ public sealed class VehicleLightsTests
     private static int Changed(RenderTarget before, RenderTarget after, bool left)
     {
         const int clearly = 40;
-        return Enumerable.Range(0, before.Handles.Length).Count(pixel =>
-            (pixel % before.Width < before.Width / 2) == left && after.Colour[pixel * 3] - before.Colour[pixel * 3] > clearly);
+        return Enumerable
+            .Range(0, before.Handles.Length)
+            .Count(pixel =>
+                (pixel % before.Width < before.Width / 2) == left && after.Colour[pixel * 3] - before.Colour[pixel * 3] > clearly
+            );
     }
 }

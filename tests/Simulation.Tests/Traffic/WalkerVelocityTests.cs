@@ -26,7 +26,14 @@ public sealed class WalkerVelocityTests(ITestOutputHelper output)
     [InlineData(15)]
     public void Velocity_is_displacement_per_tick_time(int seed)
     {
-        SimulatedWorld world = new(new SimulationOptions { Seed = seed, TrafficDensity = 0.1, PedestrianDensity = 3 });
+        SimulatedWorld world = new(
+            new SimulationOptions
+            {
+                Seed = seed,
+                TrafficDensity = 0.1,
+                PedestrianDensity = 3,
+            }
+        );
         List<double> errors = [];
         int climbs = 0;
         Dictionary<int, EntityState> before = Walkers(world).ToDictionary(walker => walker.Handle);
@@ -47,7 +54,8 @@ public sealed class WalkerVelocityTests(ITestOutputHelper output)
         int off = errors.Count(error => error > Tolerance);
         output.WriteLine(
             $"{errors.Count} velocities, {climbs} of them up or down; median error {errors[errors.Count / 2]:F5} m/s, {off} of more than "
-                + $"{Tolerance} m/s, greatest {errors[^1]:F3} m/s");
+                + $"{Tolerance} m/s, greatest {errors[^1]:F3} m/s"
+        );
         Assert.True(errors.Count > 10_000 && climbs > 1_000, $"{errors.Count} velocities, {climbs} of them up or down.");
         Assert.True(off <= MaxSteps * errors.Count, $"{off} of {errors.Count} velocities are more than {Tolerance} m/s off.");
     }

@@ -48,7 +48,8 @@ public class CornerTests
             Vector3D step = path.Line.Points[i] - path.Line.Points[i - 1];
             Assert.True(
                 step.Dot(path.Line.TangentAt(path.Length * (i - 0.5) / (path.Line.Points.Count - 1))) > 0,
-                $"Path {path.Index} runs back at {path.Line.Points[i]}.");
+                $"Path {path.Index} runs back at {path.Line.Points[i]}."
+            );
         }
     }
 }

@@ -142,11 +142,16 @@ public sealed class DrivableStreetsTests
                 Prop? hit = buildings.Find(building =>
                 {
                     Vector3D offset = building.Pose.ToLocal(place with { Z = building.Pose.Position.Z });
-                    return offset.X > building.Model.Min.X - halfCar && offset.X < building.Model.Max.X + halfCar
-                        && offset.Y > building.Model.Min.Y - halfCar && offset.Y < building.Model.Max.Y + halfCar;
+                    return offset.X > building.Model.Min.X - halfCar
+                        && offset.X < building.Model.Max.X + halfCar
+                        && offset.Y > building.Model.Min.Y - halfCar
+                        && offset.Y < building.Model.Max.Y + halfCar;
                 });
-                Assert.True(hit is null, $"{hit?.Model.Name} at {hit?.Pose.Position.X:F1},{hit?.Pose.Position.Y:F1} stands on a lane at "
-                    + $"{place.X:F1},{place.Y:F1}, {(lane.Road is null ? "in a junction" : $"on road {lane.Road.Index}")}.");
+                Assert.True(
+                    hit is null,
+                    $"{hit?.Model.Name} at {hit?.Pose.Position.X:F1},{hit?.Pose.Position.Y:F1} stands on a lane at "
+                        + $"{place.X:F1},{place.Y:F1}, {(lane.Road is null ? "in a junction" : $"on road {lane.Road.Index}")}."
+                );
             }
         }
     }

@@ -78,7 +78,8 @@ internal sealed class LaneJudge(IReadOnlyList<MeshInstance> shapes)
         const double aboveGround = 0.3;
         Vector3D low = place + (Horizontal.Up * (Math.Max(0, ground) + aboveGround));
         return Hit(low, Horizontal.Up, ClearHeight - aboveGround) is { } free
-            ? new LaneFault(LaneFaultKind.Low, place, free + aboveGround) : null;
+            ? new LaneFault(LaneFaultKind.Low, place, free + aboveGround)
+            : null;
     }
 
     private double? Hit(Vector3D from, Vector3D direction, double length) =>

@@ -36,7 +36,10 @@ public class LaneLayoutTests
         {
             double centre = layout.LaneCentre(forward: true, lane);
             Assert.Equal(
-                (RoadGeometry.MarkingOffset(link, lane, width) + RoadGeometry.MarkingOffset(link, lane + 1, width)) / 2, centre, 12);
+                (RoadGeometry.MarkingOffset(link, lane, width) + RoadGeometry.MarkingOffset(link, lane + 1, width)) / 2,
+                centre,
+                12
+            );
             Assert.Equal((true, lane), layout.LaneAt(centre));
         }
     }

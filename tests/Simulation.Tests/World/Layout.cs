@@ -42,9 +42,19 @@ internal sealed class Layout
                 break;
             case "serpentine":
                 // Three legs of 8 % with two hairpins of 25 m radius.
-                layout.Add(1, 1, RoadNodeFlags.None, [
-                    new(-200, 0, 50), new(60, 0, 70.8), .. Bend(60, 25, 70.8, 1), new(-60, 50, 86.7), .. Bend(-60, 75, 86.7, -1),
-                    new(200, 100, 113.8)]);
+                layout.Add(
+                    1,
+                    1,
+                    RoadNodeFlags.None,
+                    [
+                        new(-200, 0, 50),
+                        new(60, 0, 70.8),
+                        .. Bend(60, 25, 70.8, 1),
+                        new(-60, 50, 86.7),
+                        .. Bend(-60, 75, 86.7, -1),
+                        new(200, 100, 113.8),
+                    ]
+                );
                 break;
             case "interchange":
                 layout.Add(2, 0, RoadNodeFlags.Highway, new(-400, -8, 20), new(-150, -8, 20));
@@ -53,8 +63,15 @@ internal sealed class Layout
                 layout.Add(1, 1, RoadNodeFlags.None, new(0, -300, 22), new(0, -120, 27.5));
                 layout.Add(1, 1, RoadNodeFlags.None, new(0, -120, 27.5), new(0, 120, 27.5), new(0, 300, 22));
                 layout.Add(
-                    1, 0, RoadNodeFlags.Highway, new(-150, -8, 20), new(-110, -14, 20), new(-60, -40, 22), new(-20, -90, 26),
-                    new(0, -120, 27.5));
+                    1,
+                    0,
+                    RoadNodeFlags.Highway,
+                    new(-150, -8, 20),
+                    new(-110, -14, 20),
+                    new(-60, -40, 22),
+                    new(-20, -90, 26),
+                    new(0, -120, 27.5)
+                );
                 break;
             case "parallel":
                 // Two carriageways that drift apart in height.
@@ -63,8 +80,7 @@ internal sealed class Layout
                 break;
             case "tunnel":
                 // Two carriageways through a hill, each with a tunnel of 200 m.
-                layout.Add(
-                    2, 0, RoadNodeFlags.Highway, new(-300, -9, 40), new(-110, -9, 40));
+                layout.Add(2, 0, RoadNodeFlags.Highway, new(-300, -9, 40), new(-110, -9, 40));
                 layout.Add(2, 0, RoadNodeFlags.Highway | RoadNodeFlags.Tunnel, new(-100, -9, 40), new(100, -9, 41));
                 layout.Add(2, 0, RoadNodeFlags.Highway, new(110, -9, 41), new(300, -9, 41));
                 layout.Add(2, 0, RoadNodeFlags.Highway, new(-110, -9, 40), new(-100, -9, 40));
@@ -82,12 +98,15 @@ internal sealed class Layout
     }
 
     /// <summary>Points of a half circle of 25 m that rises by 6.3 m, to the east or the west of its centre.</summary>
-    private static IEnumerable<Vector3D> Bend(double x, double y, double z, int side) => Enumerable.Range(1, 12).Select(i =>
-    {
-        const double radius = 25;
-        (double sin, double cos) = Math.SinCos(Math.PI * i / 12);
-        return new Vector3D(x + (side * radius * sin), y - (radius * cos), z + (6.3 * i / 12));
-    });
+    private static IEnumerable<Vector3D> Bend(double x, double y, double z, int side) =>
+        Enumerable
+            .Range(1, 12)
+            .Select(i =>
+            {
+                const double radius = 25;
+                (double sin, double cos) = Math.SinCos(Math.PI * i / 12);
+                return new Vector3D(x + (side * radius * sin), y - (radius * cos), z + (6.3 * i / 12));
+            });
 
     /// <summary>Adds a road along straight pieces; ends that coincide with those of other roads are joined.</summary>
     private void Add(int forward, int backward, RoadNodeFlags flags, params Vector3D[] corners)

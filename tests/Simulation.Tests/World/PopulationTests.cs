@@ -12,7 +12,13 @@ namespace Harvester.Simulation.Tests.World;
 public sealed class PopulationTests
 {
     private static readonly ObjectClass[] Driving =
-        [ObjectClass.Car, ObjectClass.Truck, ObjectClass.Bus, ObjectClass.Motorcycle, ObjectClass.Bicycle];
+    [
+        ObjectClass.Car,
+        ObjectClass.Truck,
+        ObjectClass.Bus,
+        ObjectClass.Motorcycle,
+        ObjectClass.Bicycle,
+    ];
 
     [Fact]
     public void Ordinary_world_has_every_class_of_objects()
@@ -26,8 +32,14 @@ public sealed class PopulationTests
     public void Most_of_the_traffic_is_cars_and_no_class_is_rare()
     {
         // Of about 200 vehicles; a share of 5 % is missed by half with a probability below 5 %, so three worlds are counted together.
-        ObjectClass[] drawn = [.. Enumerable.Range(1, 3).SelectMany(seed =>
-            new SimulatedWorld(new SimulationOptions { Seed = seed }).Vehicles.Skip(1).Select(vehicle => vehicle.Model.Class))];
+        ObjectClass[] drawn =
+        [
+            .. Enumerable
+                .Range(1, 3)
+                .SelectMany(seed =>
+                    new SimulatedWorld(new SimulationOptions { Seed = seed }).Vehicles.Skip(1).Select(vehicle => vehicle.Model.Class)
+                ),
+        ];
         Assert.True(drawn.Length > 300, $"{drawn.Length} vehicles");
         Assert.InRange(drawn.Count(kind => kind == ObjectClass.Car) / (double)drawn.Length, 0.6, 0.82);
         Assert.All(Driving, kind => Assert.InRange(drawn.Count(other => other == kind) / (double)drawn.Length, 0.02, 0.82));
@@ -49,8 +61,14 @@ public sealed class PopulationTests
             Assert.Equal((rider.ModelMin, rider.ModelMax), (body.Mesh.Min, body.Mesh.Max));
             Assert.InRange(rider.ModelMax.Z, machine.ModelMax.Z + 0.2, machine.ModelMax.Z + 1.2);
             Assert.True(rider.ModelMin.Z >= machine.ModelMin.Z, $"The feet of the rider of {machine.Model} are below the ground.");
-            Assert.All(rider.Skeleton!.Joints, joint => Assert.True(
-                Cuboid.FromModel(rider.ModelMin, rider.ModelMax, rider.Pose).Contains(joint), $"A joint of {machine.Model}'s rider."));
+            Assert.All(
+                rider.Skeleton!.Joints,
+                joint =>
+                    Assert.True(
+                        Cuboid.FromModel(rider.ModelMin, rider.ModelMax, rider.Pose).Contains(joint),
+                        $"A joint of {machine.Model}'s rider."
+                    )
+            );
         }
     }
 
@@ -59,8 +77,12 @@ public sealed class PopulationTests
     {
         SimulatedWorld world = new(new SimulationOptions { Seed = 1 });
         HashSet<int> driving = [.. world.Vehicles.Select(vehicle => vehicle.Handle)];
-        EntityState[] parked = [.. world.EntitiesNear(Vector3D.Zero, double.PositiveInfinity)
-            .Where(entity => VehicleClasses.HaveRiders(entity.Class) && !driving.Contains(entity.Handle))];
+        EntityState[] parked =
+        [
+            .. world
+                .EntitiesNear(Vector3D.Zero, double.PositiveInfinity)
+                .Where(entity => VehicleClasses.HaveRiders(entity.Class) && !driving.Contains(entity.Handle)),
+        ];
         Assert.NotEmpty(parked);
         Assert.All(parked, entity => Assert.False(entity.HasRider));
     }
@@ -80,11 +102,23 @@ public sealed class PopulationTests
     public void Classes_of_models_are_those_of_the_game()
     {
         // The classes of the game by their numbers, for models whose class the list of exceptions does not decide.
-        (string Model, int GameClass)[] known = [("rebel2", 9), ("tropic", 14), ("squalo", 14), ("hexer", 8), ("cruiser", 13),
+        (string Model, int GameClass)[] known =
+        [
+            ("rebel2", 9),
+            ("tropic", 14),
+            ("squalo", 14),
+            ("hexer", 8),
+            ("cruiser", 13),
             ("tanker", 11),
-            ("trailerlogs", 11), ("rocoto", 2), ("pony", 12), ("banshee", 6)];
-        Assert.All(known, pair => Assert.Equal(
-            VehicleClasses.Of(ModelHash.Of(pair.Model), pair.GameClass), ModelCatalogue.Shared[pair.Model].Class));
+            ("trailerlogs", 11),
+            ("rocoto", 2),
+            ("pony", 12),
+            ("banshee", 6),
+        ];
+        Assert.All(
+            known,
+            pair => Assert.Equal(VehicleClasses.Of(ModelHash.Of(pair.Model), pair.GameClass), ModelCatalogue.Shared[pair.Model].Class)
+        );
     }
 
     /// <summary>
@@ -96,23 +130,34 @@ public sealed class PopulationTests
         const int corners = 44;
         RoadNode[] nodes =
         [
-            .. Enumerable.Range(0, corners).Select(i => new RoadNode(
-                0, i, new Vector3D(radius * Math.Cos(Math.Tau * i / corners), radius * Math.Sin(Math.Tau * i / corners), 0), string.Empty,
-                RoadNodeFlags.None)),
+            .. Enumerable
+                .Range(0, corners)
+                .Select(i => new RoadNode(
+                    0,
+                    i,
+                    new Vector3D(radius * Math.Cos(Math.Tau * i / corners), radius * Math.Sin(Math.Tau * i / corners), 0),
+                    string.Empty,
+                    RoadNodeFlags.None
+                )),
         ];
         RoadLink[] links = [.. nodes.Select((_, i) => new RoadLink(i, (i + 1) % corners, 1, 1, null, RoadLinkFlags.None))];
-        SimulatedWorld world = new(new SimulationOptions
-        {
-            Seed = seed,
-            Roads = new RoadNetwork(nodes, links),
-            TrafficDensity = 0,
-            ParkedDensity = 2.5,
-            PedestrianDensity = 0,
-            IsWarm = true,
-        });
+        SimulatedWorld world = new(
+            new SimulationOptions
+            {
+                Seed = seed,
+                Roads = new RoadNetwork(nodes, links),
+                TrafficDensity = 0,
+                ParkedDensity = 2.5,
+                PedestrianDensity = 0,
+                IsWarm = true,
+            }
+        );
         HashSet<int> driving = [.. world.Vehicles.Select(vehicle => vehicle.Handle)];
-        foreach (EntityState entity in world.EntitiesNear(Vector3D.Zero, 50)
-            .Where(entity => VehicleClasses.AreVehicles(entity.Class) && !driving.Contains(entity.Handle)))
+        foreach (
+            EntityState entity in world
+                .EntitiesNear(Vector3D.Zero, 50)
+                .Where(entity => VehicleClasses.AreVehicles(entity.Class) && !driving.Contains(entity.Handle))
+        )
         {
             Vector3D middle = entity.Pose.ToWorld((entity.ModelMin + entity.ModelMax) * 0.5);
             if (Across(middle) < radius)
@@ -120,7 +165,9 @@ public sealed class PopulationTests
                 double halfWidth = (entity.ModelMax.X - entity.ModelMin.X) / 2;
                 yield return new[] { entity.ModelMin.Y, entity.ModelMax.Y }
                     .SelectMany(_ => new[] { entity.ModelMin.X, entity.ModelMax.X }, (y, x) => entity.Pose.ToWorld(new Vector3D(x, y, 0)))
-                    .Max(Across) - Across(middle) - halfWidth;
+                    .Max(Across)
+                    - Across(middle)
+                    - halfWidth;
             }
         }
 

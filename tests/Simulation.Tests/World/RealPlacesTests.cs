@@ -23,14 +23,13 @@ public sealed class RealPlacesTests(ITestOutputHelper output)
     /// </summary>
     private const double MaxFaultyShare = 0.003;
 
-    private static readonly Lazy<RoadNetwork> Network =
-        new(() => RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!).Network);
+    private static readonly Lazy<RoadNetwork> Network = new(() => RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!).Network);
 
-    private static IEnumerable<(string Name, Vector3D Centre)> Places => File
-        .ReadLines(Path.Combine(AppContext.BaseDirectory, "places.csv"))
-        .Where(line => !line.StartsWith('#') && line != "name,x,y")
-        .Select(line => line.Split(','))
-        .Select(fields => (fields[0], new Vector3D(NumberOf(fields[1]), NumberOf(fields[2]), 0)));
+    private static IEnumerable<(string Name, Vector3D Centre)> Places =>
+        File.ReadLines(Path.Combine(AppContext.BaseDirectory, "places.csv"))
+            .Where(line => !line.StartsWith('#') && line != "name,x,y")
+            .Select(line => line.Split(','))
+            .Select(fields => (fields[0], new Vector3D(NumberOf(fields[1]), NumberOf(fields[2]), 0)));
 
     [RealWorldFact("nodes.zip")]
     public void Lanes_of_the_places_can_be_driven()
@@ -40,9 +39,16 @@ public sealed class RealPlacesTests(ITestOutputHelper output)
         {
             Site site = Site.OfRoads(1, Network.Value, centre, Radius);
             LaneJudge judge = new(site.Ground);
-            LaneFault[] faults = [.. judge.Faults(site.Lanes.Paths.Where(path =>
-                    Horizontal.Distance(path.Line.PositionAt(path.Length / 2), centre) < JudgedRadius && !IsOfAlley(path)))
-                .Where(fault => fault.Kind is not (LaneFaultKind.Low or LaneFaultKind.Barred) || !IsLow(site, fault.Place))];
+            LaneFault[] faults =
+            [
+                .. judge
+                    .Faults(
+                        site.Lanes.Paths.Where(path =>
+                            Horizontal.Distance(path.Line.PositionAt(path.Length / 2), centre) < JudgedRadius && !IsOfAlley(path)
+                        )
+                    )
+                    .Where(fault => fault.Kind is not (LaneFaultKind.Low or LaneFaultKind.Barred) || !IsLow(site, fault.Place)),
+            ];
             string summary = $"{name}: {faults.Length} faults at {judge.Judged} points. {string.Join("; ", Worst(faults))}";
             output.WriteLine(summary);
             if (faults.Length > MaxFaultyShare * judge.Judged)
@@ -62,16 +68,16 @@ public sealed class RealPlacesTests(ITestOutputHelper output)
         {
             Site site = Site.OfRoads(1, Network.Value, centre, Radius);
             DrivableStreetsTests.AssertBuildingsAreOffRoads(site);
-            highRises[name] = DrivableStreetsTests.BuildingsOf(site).Count(building =>
-                building.Model.Max.Z > DrivableStreetsTests.HighRise);
+            highRises[name] = DrivableStreetsTests
+                .BuildingsOf(site)
+                .Count(building => building.Model.Max.Z > DrivableStreetsTests.HighRise);
         }
 
         Assert.InRange(highRises["Downtown"], 10, 1000);
         Assert.InRange(highRises["Financial district"], 10, 1000);
-        foreach (string low in new[]
-        {
-            "Hills and country", "Desert town", "Grapeseed farms", "Chumash coast", "Vinewood Hills", "Mirror Park",
-        })
+        foreach (
+            string low in new[] { "Hills and country", "Desert town", "Grapeseed farms", "Chumash coast", "Vinewood Hills", "Mirror Park" }
+        )
         {
             Assert.Equal(0, highRises[low]);
         }
@@ -87,8 +93,11 @@ public sealed class RealPlacesTests(ITestOutputHelper output)
         const double beside = 12;
         const double room = LaneJudge.ClearHeight + 0.8;
         const double sameLevel = 1.5;
-        return site.Lanes.Paths.Any(path => path.Line.Points.Any(point =>
-            Math.Abs(point.Z - place.Z) is > sameLevel and < room && Horizontal.Distance(point, place) < beside));
+        return site.Lanes.Paths.Any(path =>
+            path.Line.Points.Any(point =>
+                Math.Abs(point.Z - place.Z) is > sameLevel and < room && Horizontal.Distance(point, place) < beside
+            )
+        );
     }
 
     private static IEnumerable<LaneFault> Worst(IEnumerable<LaneFault> faults) =>

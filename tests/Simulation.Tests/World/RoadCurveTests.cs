@@ -36,9 +36,14 @@ public class RoadCurveTests
     }
 
     /// <summary>Turns left from east to north about the origin.</summary>
-    private static RoadCurve QuarterCircle() => new([.. Enumerable.Range(0, 11).Select(i =>
-    {
-        (double sin, double cos) = Math.SinCos(Math.PI / 2 * i / 10);
-        return new Vector3D(Radius * cos, Radius * sin, 0);
-    })]);
+    private static RoadCurve QuarterCircle() =>
+        new([
+            .. Enumerable
+                .Range(0, 11)
+                .Select(i =>
+                {
+                    (double sin, double cos) = Math.SinCos(Math.PI / 2 * i / 10);
+                    return new Vector3D(Radius * cos, Radius * sin, 0);
+                }),
+        ]);
 }

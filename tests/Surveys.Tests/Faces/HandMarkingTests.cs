@@ -9,8 +9,14 @@ public sealed class HandMarkingTests
 {
     /// <summary>At (10, 20, 3), turned to the west: its right is north, its forward west.</summary>
     private static readonly EntityState Prop = new(
-        5, ObjectClass.Sign, "prop_sign_road_03c", new Pose(new Vector3D(10, 20, 3), Axes.FromHeading(90)), new Vector3D(-1, -1, 0),
-        new Vector3D(1, 1, 3), Vector3D.Zero);
+        5,
+        ObjectClass.Sign,
+        "prop_sign_road_03c",
+        new Pose(new Vector3D(10, 20, 3), Axes.FromHeading(90)),
+        new Vector3D(-1, -1, 0),
+        new Vector3D(1, 1, 3),
+        Vector3D.Zero
+    );
 
     [Fact]
     public void ToSpace_has_corners_in_the_model_frame_and_faces_the_viewer()

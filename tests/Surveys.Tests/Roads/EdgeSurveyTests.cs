@@ -56,11 +56,14 @@ public sealed class EdgeSurveyTests : IDisposable
     public void Step_with_inconsistent_edges_keeps_the_constant()
     {
         int asked = 0;
-        AssertConstant(Surveyed(
-            new FakeRoadSource(Street())
-            {
-                ReportedEdge = sides => sides.Node + (sides.Right * (sides.ToTheRight + (asked++ / 6 * 0.5))),
-            }));
+        AssertConstant(
+            Surveyed(
+                new FakeRoadSource(Street())
+                {
+                    ReportedEdge = sides => sides.Node + (sides.Right * (sides.ToTheRight + (asked++ / 6 * 0.5))),
+                }
+            )
+        );
     }
 
     [Fact]
@@ -78,8 +81,12 @@ public sealed class EdgeSurveyTests : IDisposable
         Vector3D Any(RoadSides sides)
         {
             double scale = scales[random.Next(scales.Length)];
-            return sides.Node + new Vector3D(
-                (random.NextDouble() - 0.5) * scale, (random.NextDouble() - 0.5) * scale, (random.NextDouble() - 0.5) * scale);
+            return sides.Node
+                + new Vector3D(
+                    (random.NextDouble() - 0.5) * scale,
+                    (random.NextDouble() - 0.5) * scale,
+                    (random.NextDouble() - 0.5) * scale
+                );
         }
 
         RoadNetwork found = Surveyed(new FakeRoadSource(Street()) { ReportedEdge = sides => Any(sides) });
@@ -92,15 +99,16 @@ public sealed class EdgeSurveyTests : IDisposable
     public void Step_with_an_earlier_survey_queries_only_missing_edges()
     {
         int asked = 0;
-        FakeRoadSource Game() => new(Street())
-        {
-            LaneWidth = LaneWidth,
-            ReportedEdge = sides =>
+        FakeRoadSource Game() =>
+            new(Street())
             {
-                asked++;
-                return sides.OnTheRight;
-            },
-        };
+                LaneWidth = LaneWidth,
+                ReportedEdge = sides =>
+                {
+                    asked++;
+                    return sides.OnTheRight;
+                },
+            };
         RoadNetwork first = Surveyed(Game());
         Assert.Equal(12, asked);
         RoadSurveyFile.Save(_file, first);
@@ -127,7 +135,8 @@ public sealed class EdgeSurveyTests : IDisposable
                     ticks.Add((sides.OnTheRight, tick));
                     return sides.OnTheRight;
                 },
-            });
+            }
+        );
         for (; tick < 20; tick++)
         {
             survey.Step(Place);
@@ -176,28 +185,35 @@ public sealed class EdgeSurveyTests : IDisposable
     {
         var lanes = new LaneModel(found);
         const double rounding = 1e-9;
-        Assert.All(Enumerable.Range(0, 3), link =>
-        {
-            (double width, LaneWidthSource source) = lanes.WidthOf(link);
-            Assert.Equal(LaneWidthSource.Calibrated, source);
-            Assert.Equal(LaneWidth, width, rounding);
-        });
+        Assert.All(
+            Enumerable.Range(0, 3),
+            link =>
+            {
+                (double width, LaneWidthSource source) = lanes.WidthOf(link);
+                Assert.Equal(LaneWidthSource.Calibrated, source);
+                Assert.Equal(LaneWidth, width, rounding);
+            }
+        );
     }
 
-    private static void AssertConstant(RoadNetwork found) => Assert.All(
-        Enumerable.Range(0, 3),
-        link => Assert.Equal((RoadGeometry.LaneWidth, LaneWidthSource.Constant), new LaneModel(found).WidthOf(link)));
+    private static void AssertConstant(RoadNetwork found) =>
+        Assert.All(
+            Enumerable.Range(0, 3),
+            link => Assert.Equal((RoadGeometry.LaneWidth, LaneWidthSource.Constant), new LaneModel(found).WidthOf(link))
+        );
 
     /// <summary>
     /// A street of three links in a slight bend: two lanes there and one back about a median, three lanes one-way, one lane each way.
     /// </summary>
-    private static RoadNetwork Street() => new(
-        [Node(0, -400, 800), Node(1, -401, 820), Node(2, -404, 840), Node(3, -409, 860)],
-        [
-            new RoadLink(0, 1, 2, 1, 2, RoadLinkFlags.None),
-            new RoadLink(1, 2, 3, 0, null, RoadLinkFlags.None),
-            new RoadLink(2, 3, 1, 1, 0, RoadLinkFlags.None),
-        ]);
+    private static RoadNetwork Street() =>
+        new(
+            [Node(0, -400, 800), Node(1, -401, 820), Node(2, -404, 840), Node(3, -409, 860)],
+            [
+                new RoadLink(0, 1, 2, 1, 2, RoadLinkFlags.None),
+                new RoadLink(1, 2, 3, 0, null, RoadLinkFlags.None),
+                new RoadLink(2, 3, 1, 1, 0, RoadLinkFlags.None),
+            ]
+        );
 
     private static RoadNode Node(int number, double x, double y) =>
         new(500, number, PathGrid.RemoveBias(new Vector3D(x, y, 5)), "", RoadNodeFlags.None);

@@ -126,12 +126,20 @@ public sealed class RoadSurveyTests : IDisposable
                     bool isJunction = i % perBlock == 0 && j % perBlock == 0;
                     indices[(i, j)] = nodes.Count;
                     Vector3D stored = PathGrid.Truncate(
-                        new Vector3D(600 + (i * step) + (0.3 * j), -300 + (j * step) - (0.2 * i), 10 + (0.07 * i)));
+                        new Vector3D(600 + (i * step) + (0.3 * j), -300 + (j * step) - (0.2 * i), 10 + (0.07 * i))
+                    );
                     nodes.Add(
-                        new RoadNode(500, nodes.Count, PathGrid.RemoveBias(stored), "", isJunction
-                            ? RoadNodeFlags.Junction
-                            : RoadNodeFlags.Highway)
-                        { Density = i % 16 });
+                        new RoadNode(
+                            500,
+                            nodes.Count,
+                            PathGrid.RemoveBias(stored),
+                            "",
+                            isJunction ? RoadNodeFlags.Junction : RoadNodeFlags.Highway
+                        )
+                        {
+                            Density = i % 16,
+                        }
+                    );
                 }
             }
         }
@@ -158,8 +166,10 @@ public sealed class RoadSurveyTests : IDisposable
         Assert.Equal(Described(expected), Described(actual));
     }
 
-    private static IEnumerable<RoadLink> Described(RoadNetwork network) => network.Links
-        .Select(link => link with { From = network.Nodes[link.From].Number, To = network.Nodes[link.To].Number })
-        .Select(link => link.From < link.To ? link : link.Reversed())
-        .OrderBy(link => link.From).ThenBy(link => link.To);
+    private static IEnumerable<RoadLink> Described(RoadNetwork network) =>
+        network
+            .Links.Select(link => link with { From = network.Nodes[link.From].Number, To = network.Nodes[link.To].Number })
+            .Select(link => link.From < link.To ? link : link.Reversed())
+            .OrderBy(link => link.From)
+            .ThenBy(link => link.To);
 }

@@ -17,9 +17,31 @@ from .state import STATE_NAMES
 from .vector import SideBySide
 
 __all__ = [
-    "Box", "BridgeError", "BridgeLink", "Dict", "DrivingEnv", "Ending", "Episode", "EpisodeCounter", "GameEndedError", "GameHungError",
-    "GameRefusedError", "GameServer", "GameStartError", "LaneKeeping", "PROTOCOL_VERSION", "Rate", "Reward", "STATE_NAMES", "SideBySide",
-    "VersionError", "driving_score", "mean_interval", "poisson_interval", "rates_per_km"]
+    "Box",
+    "BridgeError",
+    "BridgeLink",
+    "Dict",
+    "DrivingEnv",
+    "Ending",
+    "Episode",
+    "EpisodeCounter",
+    "GameEndedError",
+    "GameHungError",
+    "GameRefusedError",
+    "GameServer",
+    "GameStartError",
+    "LaneKeeping",
+    "PROTOCOL_VERSION",
+    "Rate",
+    "Reward",
+    "STATE_NAMES",
+    "SideBySide",
+    "VersionError",
+    "driving_score",
+    "mean_interval",
+    "poisson_interval",
+    "rates_per_km",
+]
 
 if gymnasium_module is not None:
     gymnasium_module.register(id="gtaharvest/Driving-v0", entry_point="gtaharvest.gym:DrivingEnv")

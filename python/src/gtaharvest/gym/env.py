@@ -27,8 +27,12 @@ _OBSERVATIONS = ("both", "image", "state")
 _ACTIONS = ("controls", "indicators")
 _RGB = (3, 8)
 _MAX_SEED = 2**31 - 1
-_INDICATOR_LOW = np.array([-np.pi if name == "angle" else 0 if name.startswith("dist") else -20 for name in INDICATOR_NAMES], np.float32)
-_INDICATOR_HIGH = np.array([np.pi if name == "angle" else 100 if name.startswith("dist") else 20 for name in INDICATOR_NAMES], np.float32)
+_INDICATOR_LOW = np.array(
+    [-np.pi if name == "angle" else 0 if name.startswith("dist") else -20 for name in INDICATOR_NAMES], np.float32
+)
+_INDICATOR_HIGH = np.array(
+    [np.pi if name == "angle" else 100 if name.startswith("dist") else 20 for name in INDICATOR_NAMES], np.float32
+)
 
 
 class DrivingEnv(Env):
@@ -87,7 +91,9 @@ class DrivingEnv(Env):
         self._reward = reward
         self._ending = ending
         self._size = (int(size[0]), int(size[1]))
-        self._options = _serve_options(size, _seed("town", town), traffic, traffic_radius, weather, assisted, serve_options)
+        self._options = _serve_options(
+            size, _seed("town", town), traffic, traffic_radius, weather, assisted, serve_options
+        )
         self._harvester = harvester
         self._address = address
         self._token = token
@@ -103,10 +109,13 @@ class DrivingEnv(Env):
         image = Box(0, 255, (size[1], size[0], 3), np.uint8)
         state = Box(STATE_LOW, STATE_HIGH, dtype=np.float32)
         self.observation_space = (
-            Dict({"image": image, "state": state}) if observation == "both" else image if self._has_image else state)
+            Dict({"image": image, "state": state}) if observation == "both" else image if self._has_image else state
+        )
         self.action_space = (
-            Box(np.array([-1, 0, 0], np.float32), np.ones(3, np.float32), dtype=np.float32) if self._by_controls
-            else Box(_INDICATOR_LOW, _INDICATOR_HIGH, dtype=np.float32))
+            Box(np.array([-1, 0, 0], np.float32), np.ones(3, np.float32), dtype=np.float32)
+            if self._by_controls
+            else Box(_INDICATOR_LOW, _INDICATOR_HIGH, dtype=np.float32)
+        )
 
     def reset(
         self, *, seed: Optional[int] = None, options: Optional[DictOf[str, Any]] = None
@@ -158,8 +167,10 @@ class DrivingEnv(Env):
         if len(values) != self.action_space.shape[0] or not np.all(np.isfinite(values)):
             raise ValueError(f"An action has {self.action_space.shape[0]} finite numbers, not {action!r}.")
         message: Header = (
-            {"type": "controls", "steering": values[0], "throttle": values[1], "brake": values[2]} if self._by_controls
-            else {"type": "indicators", "values": values})
+            {"type": "controls", "steering": values[0], "throttle": values[1], "brake": values[2]}
+            if self._by_controls
+            else {"type": "indicators", "values": values}
+        )
         self._is_awaiting = True
         try:
             link.send(message, {"type": "step", "seconds": self._step_seconds, "image": self._has_image})
@@ -223,10 +234,14 @@ class DrivingEnv(Env):
         self._is_awaiting = True
         after: List[Header] = []
         if "weather" in options or "timeOfDay" in options:
-            after.append({"type": "environment", **{name: options[name] for name in ("weather", "timeOfDay") if name in options}})
+            after.append(
+                {"type": "environment", **{name: options[name] for name in ("weather", "timeOfDay") if name in options}}
+            )
         if "position" in options:
             position = [float(value) for value in options["position"]]
-            after.append({"type": "reset", "position": position, "headingDegrees": float(options.get("headingDegrees", 0))})
+            after.append(
+                {"type": "reset", "position": position, "headingDegrees": float(options.get("headingDegrees", 0))}
+            )
         if self._restarts:
             town = {"town": _seed("town", options["town"])} if "town" in options else {}
             link.send({"type": "restart", "seed": episode, **town, "image": self._has_image and not after})
@@ -274,7 +289,9 @@ class DrivingEnv(Env):
         try:
             header = pngs.header(png)
             if header[:2] != self._size:
-                raise BridgeError(f"The game sends images of {header.width}x{header.height}; create the environment with this size.")
+                raise BridgeError(
+                    f"The game sends images of {header.width}x{header.height}; create the environment with this size."
+                )
             if header[2:] != _RGB:
                 raise BridgeError("The game sends images that are not red, green and blue of 8 bits.")
             picture: Array = pngs.decode(png)
@@ -310,8 +327,24 @@ def _seed(name: str, value: Any) -> int:
 
 
 def _serve_options(
-    size: Tuple[int, int], town: int, traffic: float, radius: Optional[float], weather: str, assisted: bool, further: Sequence[str]
+    size: Tuple[int, int],
+    town: int,
+    traffic: float,
+    radius: Optional[float],
+    weather: str,
+    assisted: bool,
+    further: Sequence[str],
 ) -> List[str]:
     near = [] if radius is None else ["--traffic-radius", f"{radius:g}"]
-    options = [*near, "--size", f"{size[0]}x{size[1]}", "--seed", str(town), "--traffic", f"{traffic:g}", "--weather", weather]
+    options = [
+        *near,
+        "--size",
+        f"{size[0]}x{size[1]}",
+        "--seed",
+        str(town),
+        "--traffic",
+        f"{traffic:g}",
+        "--weather",
+        weather,
+    ]
     return [*options, *([] if assisted else ["--unassisted"]), *further]

@@ -25,11 +25,22 @@ def _listed(count: int, check: Callable[[Any], Any]) -> Callable[[Any], List[Any
 
 
 _CHECKS: Dict[str, Callable[[Any], Any]] = {
-    **dict.fromkeys((
-        "timeSeconds", "speedMetresPerSecond", "headingDegrees", "drivenMetres", "laneOffsetMetres", "laneAngleRadians", "routeMetres"),
-        _measured),
-    "position": _listed(3, _measured), "appliedControls": _listed(3, _measured),
-    "indicators": _listed(13, _measured), "torcsEquivalent": _listed(13, _measured),
+    **dict.fromkeys(
+        (
+            "timeSeconds",
+            "speedMetresPerSecond",
+            "headingDegrees",
+            "drivenMetres",
+            "laneOffsetMetres",
+            "laneAngleRadians",
+            "routeMetres",
+        ),
+        _measured,
+    ),
+    "position": _listed(3, _measured),
+    "appliedControls": _listed(3, _measured),
+    "indicators": _listed(13, _measured),
+    "torcsEquivalent": _listed(13, _measured),
     **dict.fromkeys(("lanesKnown", "fast", "outsideLanes", "acrossMarking", "stopSign", "builtInDriver"), flag),
     **dict.fromkeys(("road", "lane", "redLightsRun", "stopSignsRun", "repositioned"), integer),
     "collisions": _listed(3, integer),
@@ -37,7 +48,14 @@ _CHECKS: Dict[str, Callable[[Any], Any]] = {
 }
 _REQUIRED = ("timeSeconds", "speedMetresPerSecond", "position", "lanesKnown", "fast", "indicators", "torcsEquivalent")
 _KNOWN_IN_A_TRUE_DRIVE = (
-    "collisions", "outsideLanes", "acrossMarking", "redLightsRun", "stopSignsRun", "repositioned", "builtInDriver")
+    "collisions",
+    "outsideLanes",
+    "acrossMarking",
+    "redLightsRun",
+    "stopSignsRun",
+    "repositioned",
+    "builtInDriver",
+)
 _PRESENT_IN_A_TRUE_DRIVE = ("road", "lane", "laneOffsetMetres")
 
 
@@ -51,7 +69,9 @@ def check_frame(header: Header, place: str) -> None:
         missing += [name for name in _KNOWN_IN_A_TRUE_DRIVE if header.get(name) is None]
         missing += [name for name in _PRESENT_IN_A_TRUE_DRIVE if name not in header]
     if missing:
-        raise VersionError(f"The game at {place} sends frames without '{missing[0]}', as another version does; install matching versions.")
+        raise VersionError(
+            f"The game at {place} sends frames without '{missing[0]}', as another version does; install matching versions."
+        )
     for name, check in _CHECKS.items():
         if header.get(name) is None:
             continue
@@ -59,4 +79,5 @@ def check_frame(header: Header, place: str) -> None:
             header[name] = check(header[name])
         except (TypeError, ValueError):
             raise GameRefusedError(
-                f"{place} sends a frame with a malformed '{name}': {shown(header[name])}; is it the bridge of a game?") from None
+                f"{place} sends a frame with a malformed '{name}': {shown(header[name])}; is it the bridge of a game?"
+            ) from None

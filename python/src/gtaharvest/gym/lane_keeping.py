@@ -31,7 +31,9 @@ class LaneKeeping:
     def take(self, frame: Frame) -> None:
         """Takes the next frame. Raises ValueError if the frame does not say where the car is in its lane, as in GTA V."""
         if frame.get("outsideLanes") is None or frame.get("acrossMarking") is None:
-            raise ValueError("The frame does not say whether the car has left its lane; only the simulated game reports that.")
+            raise ValueError(
+                "The frame does not say whether the car has left its lane; only the simulated game reports that."
+            )
         is_moved = self._last is not None and frame["repositioned"] > self._last["repositioned"]
         is_crossing = self.is_judged(frame) and bool(frame["outsideLanes"] or frame["acrossMarking"])
         if self._begun is not None and (is_moved or not is_crossing):

@@ -20,6 +20,7 @@ PROTOCOL_VERSION = 1
 _LENGTHS = struct.Struct(">II")
 _MAX_HEADER_BYTES = 1024 * 1024
 
+
 class BridgeLink:
     """A connection to a game. Nothing waits longer than the patience, in seconds of real time, for each message."""
 
@@ -36,7 +37,9 @@ class BridgeLink:
         try:
             self._socket = socket.create_connection((host, port), timeout=patience)
         except OSError as problem:
-            raise GameStartError(f"Cannot connect to a game at {self._place}: {problem}. Start harvester serve first.") from None
+            raise GameStartError(
+                f"Cannot connect to a game at {self._place}: {problem}. Start harvester serve first."
+            ) from None
         try:
             self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
             self.send({"type": "hello", "version": PROTOCOL_VERSION, **({} if token is None else {"token": token})})
@@ -46,7 +49,8 @@ class BridgeLink:
             if hello.get("version") != PROTOCOL_VERSION:
                 raise VersionError(
                     f"The game at {self._place} speaks version {shown(hello.get('version'))} of the bridge, this package version "
-                    f"{PROTOCOL_VERSION}; install matching versions.")
+                    f"{PROTOCOL_VERSION}; install matching versions."
+                )
         except BaseException:
             self.close()
             raise
@@ -74,14 +78,16 @@ class BridgeLink:
         header_length, payload_length = _LENGTHS.unpack(self._read(_LENGTHS.size, until))
         if header_length > _MAX_HEADER_BYTES or payload_length > MAX_BYTES:
             raise GameRefusedError(
-                f"{self._place} announces a message of {header_length + payload_length} bytes; is it the bridge of a game?")
+                f"{self._place} announces a message of {header_length + payload_length} bytes; is it the bridge of a game?"
+            )
         text = self._read(header_length, until)
         payload = self._read(payload_length, until)
         try:
             header = parse_object(text)
         except ValueError as problem:
             raise GameRefusedError(
-                f"{self._place} sends a header that is not a JSON object ({one_line(problem)}); is it the bridge of a game?") from None
+                f"{self._place} sends a header that is not a JSON object ({one_line(problem)}); is it the bridge of a game?"
+            ) from None
         if header.get("type") == "error":
             reason = header.get("reason")
             words = one_line(reason) if isinstance(reason, str) else "it gives no reason"

@@ -38,8 +38,10 @@ class Reward:
         """The terms of the step between two frames, whose sum is its reward."""
         seconds = after["timeSeconds"] - before["timeSeconds"]
         metres = (
-            after["speedMetresPerSecond"] * seconds if after.get("drivenMetres") is None
-            else after["drivenMetres"] - before["drivenMetres"])
+            after["speedMetresPerSecond"] * seconds
+            if after.get("drivenMetres") is None
+            else after["drivenMetres"] - before["drivenMetres"]
+        )
         steered = abs((after.get("appliedControls") or (0,))[0] - (before.get("appliedControls") or (0,))[0])
         may_stand = after.get("light") in ("amber", "red") or bool(after.get("stopSign"))
         stands = after["speedMetresPerSecond"] < 0.5 and not may_stand

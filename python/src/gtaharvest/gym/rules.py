@@ -51,17 +51,41 @@ class Rules:
         self._standing = self._standing + seconds if frame["speedMetresPerSecond"] < 0.1 else 0.0
         self._metres += frame["speedMetresPerSecond"] * seconds
         self._last = frame
-        metres = self._metres if frame.get("drivenMetres") is None else frame["drivenMetres"] - self._first["drivenMetres"]
-        terminated = next((reason for reason, is_so in (
-            ("collision", ending.collision and _total(frame) > _total(last)),
-            ("outside", _exceeds(self._outside, ending.outside_seconds)),
-            ("red_light", ending.red_light and (frame.get("redLightsRun") or 0) > (last.get("redLightsRun") or 0)),
-            ("stop_sign", ending.stop_sign and (frame.get("stopSignsRun") or 0) > (last.get("stopSignsRun") or 0))) if is_so), None)
-        truncated = next((reason for reason, is_so in (
-            ("seconds", _reaches(frame["timeSeconds"] - self._first["timeSeconds"], ending.seconds)),
-            ("metres", _reaches(metres, ending.metres)),
-            ("standing", _exceeds(self._standing, ending.standing_seconds)),
-            ("repositioned", (frame.get("repositioned") or 0) > (last.get("repositioned") or 0))) if is_so), None)
+        metres = (
+            self._metres if frame.get("drivenMetres") is None else frame["drivenMetres"] - self._first["drivenMetres"]
+        )
+        terminated = next(
+            (
+                reason
+                for reason, is_so in (
+                    ("collision", ending.collision and _total(frame) > _total(last)),
+                    ("outside", _exceeds(self._outside, ending.outside_seconds)),
+                    (
+                        "red_light",
+                        ending.red_light and (frame.get("redLightsRun") or 0) > (last.get("redLightsRun") or 0),
+                    ),
+                    (
+                        "stop_sign",
+                        ending.stop_sign and (frame.get("stopSignsRun") or 0) > (last.get("stopSignsRun") or 0),
+                    ),
+                )
+                if is_so
+            ),
+            None,
+        )
+        truncated = next(
+            (
+                reason
+                for reason, is_so in (
+                    ("seconds", _reaches(frame["timeSeconds"] - self._first["timeSeconds"], ending.seconds)),
+                    ("metres", _reaches(metres, ending.metres)),
+                    ("standing", _exceeds(self._standing, ending.standing_seconds)),
+                    ("repositioned", (frame.get("repositioned") or 0) > (last.get("repositioned") or 0)),
+                )
+                if is_so
+            ),
+            None,
+        )
         return terminated, truncated
 
 

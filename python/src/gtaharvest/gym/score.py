@@ -124,7 +124,9 @@ class EpisodeCounter:
         if not self._last:
             raise ValueError("An episode has at least one frame.")
         first, last = self._first, self._last
-        vehicles, parked, pedestrians = (after - before for before, after in zip(first["collisions"], last["collisions"]))
+        vehicles, parked, pedestrians = (
+            after - before for before, after in zip(first["collisions"], last["collisions"])
+        )
         return Episode(
             wanted_metres=self._wanted_metres,
             driven_metres=last["drivenMetres"] - first["drivenMetres"],
@@ -137,7 +139,8 @@ class EpisodeCounter:
             stop_signs=last["stopSignsRun"] - first["stopSignsRun"],
             judged_metres=self._judged_metres,
             lane_departures=len(self._keeping.departures),
-            repositioned=last["repositioned"] - first["repositioned"])
+            repositioned=last["repositioned"] - first["repositioned"],
+        )
 
 
 def driving_score(episode: Episode) -> float:
@@ -159,13 +162,17 @@ def rates_per_km(episodes: Sequence[Episode], confidence: float = 0.95) -> Dict[
     """The infractions of all episodes, by the names of `Episode`, with Garwood's exact intervals: lane departures per kilometre that the
     client drove outside junctions, all others per kilometre driven. Not a number if no such distance was driven.
     """
-    driven, judged = (sum(getattr(episode, name) for episode in episodes) / 1000 for name in ("driven_metres", "judged_metres"))
+    driven, judged = (
+        sum(getattr(episode, name) for episode in episodes) / 1000 for name in ("driven_metres", "judged_metres")
+    )
     rates = {}
     for name in _RATES:
         events = sum(int(getattr(episode, name)) for episode in episodes)
         kilometres = judged if name == "lane_departures" else driven
         low, high = poisson_interval(events, confidence)
-        rates[name] = Rate(events, kilometres, *(value / kilometres if kilometres > 0 else math.nan for value in (events, low, high)))
+        rates[name] = Rate(
+            events, kilometres, *(value / kilometres if kilometres > 0 else math.nan for value in (events, low, high))
+        )
     return rates
 
 
@@ -178,7 +185,9 @@ def poisson_interval(events: int, confidence: float = 0.95) -> Tuple[float, floa
     return low, _mean_where(lambda mean: _at_most(events, mean) < tail, events)
 
 
-def mean_interval(values: Sequence[float], confidence: float = 0.95, seed: int = 1, resamples: int = 10_000) -> Tuple[float, float, float]:
+def mean_interval(
+    values: Sequence[float], confidence: float = 0.95, seed: int = 1, resamples: int = 10_000
+) -> Tuple[float, float, float]:
     """The mean of some values and its percentile bootstrap interval; the same seed gives the same interval."""
     if len(values) == 0:
         raise ValueError("A mean takes at least one value.")

@@ -27,7 +27,9 @@ _ENDING_SECONDS = 5
 class GameServer:
     """`harvester serve --lockstep` at a free port of the loopback interface. It ends with its client, so also when this process dies."""
 
-    def __init__(self, options: Sequence[str] = (), harvester: Union[None, str, Sequence[str]] = None, patience: float = 60) -> None:
+    def __init__(
+        self, options: Sequence[str] = (), harvester: Union[None, str, Sequence[str]] = None, patience: float = 60
+    ) -> None:
         """options: further options of harvester serve. harvester: the command that runs it; by default that of the environment
         variable GTAHARVEST_HARVESTER, or `harvester` on the PATH. patience: for its start, in seconds.
 
@@ -37,12 +39,19 @@ class GameServer:
         self._faults = tempfile.TemporaryFile()
         try:
             self._process = subprocess.Popen(
-                command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=self._faults, text=True, encoding="utf-8",
-                errors="replace")
+                command,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=self._faults,
+                text=True,
+                encoding="utf-8",
+                errors="replace",
+            )
         except OSError as problem:
             self._faults.close()
             raise GameStartError(
-                f"Cannot start '{command[0]}': {problem}. Set {HARVESTER_VARIABLE} to the command that runs harvester.") from None
+                f"Cannot start '{command[0]}': {problem}. Set {HARVESTER_VARIABLE} to the command that runs harvester."
+            ) from None
         lines: queue.Queue[Optional[str]] = queue.Queue()
         threading.Thread(target=self._read, args=(lines,), daemon=True, name="harvester serve").start()
         try:
@@ -94,11 +103,15 @@ class GameServer:
                     # A wrapper may close its output and live on.
                     self._process.wait(max(0.0, until - time.monotonic()))
             except (queue.Empty, subprocess.TimeoutExpired):
-                raise GameStartError(f"harvester serve did not start within {patience:g} s. Give it more patience.") from None
+                raise GameStartError(
+                    f"harvester serve did not start within {patience:g} s. Give it more patience."
+                ) from None
             if line is None:
-                raise GameStartError(f"harvester serve ended at its start with code {self._process.returncode}: {self.fault()}")
+                raise GameStartError(
+                    f"harvester serve ended at its start with code {self._process.returncode}: {self.fault()}"
+                )
             if line.startswith(_SERVING):
-                host, _, port = line[len(_SERVING):].strip().rpartition(":")
+                host, _, port = line[len(_SERVING) :].strip().rpartition(":")
                 if not host or not port.isdecimal() or len(port) > 5 or int(port) > 65_535:
                     raise GameStartError(f"harvester serve gives no address: '{one_line(line)}'.")
                 return host, int(port)
@@ -109,5 +122,6 @@ def _command(harvester: Union[None, str, Sequence[str]]) -> List[str]:
         harvester = os.environ.get(HARVESTER_VARIABLE) or shutil.which("harvester")
     if not harvester:
         raise GameStartError(
-            f"harvester is not on the PATH. Set {HARVESTER_VARIABLE} to the command that runs it, or name an address to connect to.")
+            f"harvester is not on the PATH. Set {HARVESTER_VARIABLE} to the command that runs it, or name an address to connect to."
+        )
     return shlex.split(harvester, posix=os.name != "nt") if isinstance(harvester, str) else list(harvester)

@@ -25,7 +25,9 @@ gymnasium_module: Any = _import_gymnasium()
 class PlainSpace:
     """What all spaces have: shape, dtype, and a random generator of their own for samples."""
 
-    def __init__(self, shape: Optional[Tuple[int, ...]], dtype: Optional[npt.DTypeLike], seed: Optional[int] = None) -> None:
+    def __init__(
+        self, shape: Optional[Tuple[int, ...]], dtype: Optional[npt.DTypeLike], seed: Optional[int] = None
+    ) -> None:
         self.shape = shape
         self.dtype = None if dtype is None else np.dtype(dtype)
         self._np_random = np.random.default_rng(seed)
@@ -53,7 +55,12 @@ class PlainBox(PlainSpace):
     """Arrays of a shape, each element within its bounds."""
 
     def __init__(
-        self, low: Any, high: Any, shape: Optional[Sequence[int]] = None, dtype: npt.DTypeLike = np.float32, seed: Optional[int] = None
+        self,
+        low: Any,
+        high: Any,
+        shape: Optional[Sequence[int]] = None,
+        dtype: npt.DTypeLike = np.float32,
+        seed: Optional[int] = None,
     ) -> None:
         size = tuple(shape) if shape is not None else np.shape(low)
         super().__init__(size, dtype, seed)
@@ -67,13 +74,20 @@ class PlainBox(PlainSpace):
 
     def contains(self, x: Any) -> bool:
         return bool(
-            isinstance(x, np.ndarray) and np.can_cast(x.dtype, self.low.dtype) and x.shape == self.shape
-            and np.all(x >= self.low) and np.all(x <= self.high))
+            isinstance(x, np.ndarray)
+            and np.can_cast(x.dtype, self.low.dtype)
+            and x.shape == self.shape
+            and np.all(x >= self.low)
+            and np.all(x <= self.high)
+        )
 
     def __eq__(self, other: object) -> bool:
         return (
-            isinstance(other, PlainBox) and self.low.dtype == other.low.dtype and np.array_equal(self.low, other.low)
-            and np.array_equal(self.high, other.high))
+            isinstance(other, PlainBox)
+            and self.low.dtype == other.low.dtype
+            and np.array_equal(self.low, other.low)
+            and np.array_equal(self.high, other.high)
+        )
 
     def __repr__(self) -> str:
         return f"Box({self.low.min()}, {self.high.max()}, {self.shape}, {self.low.dtype})"
@@ -88,13 +102,19 @@ class PlainDict(PlainSpace):
 
     def seed(self, seed: Optional[int] = None) -> Any:
         super().seed(seed)
-        return {name: space.seed(None if seed is None else seed + i) for i, (name, space) in enumerate(self.spaces.items())}
+        return {
+            name: space.seed(None if seed is None else seed + i) for i, (name, space) in enumerate(self.spaces.items())
+        }
 
     def sample(self) -> DictOf[str, Any]:
         return {name: space.sample() for name, space in self.spaces.items()}
 
     def contains(self, x: Any) -> bool:
-        return isinstance(x, dict) and x.keys() == self.spaces.keys() and all(x[name] in space for name, space in self.spaces.items())
+        return (
+            isinstance(x, dict)
+            and x.keys() == self.spaces.keys()
+            and all(x[name] in space for name, space in self.spaces.items())
+        )
 
     def __getitem__(self, name: str) -> Any:
         return self.spaces[name]

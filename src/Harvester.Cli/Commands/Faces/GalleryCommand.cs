@@ -1,7 +1,4 @@
-using System;
 using System.CommandLine;
-using System.IO;
-using System.Linq;
 using Harvester.Cli.Faces;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;

@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.Globalization;
-using System.Linq;
 using Harvester.Cli.Faces;
 using Harvester.Cli.Terminals;
 using Harvester.Sessions.Faces;
@@ -19,7 +18,9 @@ internal static class SpacesCommand
     {
         var command = new Command("spaces", "Work with tables of sign faces and traffic light heads.")
         {
-            CreateCheck(terminal), CreateList(terminal), GalleryCommand.Create(terminal),
+            CreateCheck(terminal),
+            CreateList(terminal),
+            GalleryCommand.Create(terminal),
         };
         HelpWithNotes.AddTo(command, NotesWith(CheckExample, ListExample, GalleryCommand.Example));
         return command;
@@ -62,7 +63,8 @@ internal static class SpacesCommand
         HelpWithNotes.AddTo(command, NotesWith(ListExample));
         command.SetAction(parsed =>
         {
-            Table rows = new Table().Border(TableBorder.None)
+            Table rows = new Table()
+                .Border(TableBorder.None)
                 .AddColumns("model", "face", "name", "mutcd", "size, m", "facing", "provenance");
             FaceTableContent content = FaceFile.Read(parsed.GetRequiredValue(file));
             foreach (ModelFace face in content.Table.Faces)
@@ -84,15 +86,16 @@ internal static class SpacesCommand
     }
 
     private static string[] Cells(ModelFace face) =>
-    [
-        face.Model.Length > 0 ? face.Model : face.Hash.ToString(CultureInfo.InvariantCulture),
-        face.Number.ToString(CultureInfo.InvariantCulture),
-        face.Name,
-        face.MutcdCode,
-        string.Create(
-            CultureInfo.InvariantCulture,
-            $"{face.BackLowerRight.X - face.FrontUpperLeft.X:0.000} x {face.FrontUpperLeft.Z - face.BackLowerRight.Z:0.000}"),
-        JsonName.Of(face.Facing),
-        JsonName.Of(face.Provenance),
-    ];
+        [
+            face.Model.Length > 0 ? face.Model : face.Hash.ToString(CultureInfo.InvariantCulture),
+            face.Number.ToString(CultureInfo.InvariantCulture),
+            face.Name,
+            face.MutcdCode,
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"{face.BackLowerRight.X - face.FrontUpperLeft.X:0.000} x {face.FrontUpperLeft.Z - face.BackLowerRight.Z:0.000}"
+            ),
+            JsonName.Of(face.Facing),
+            JsonName.Of(face.Provenance),
+        ];
 }

@@ -1,8 +1,4 @@
-using System;
 using System.CommandLine;
-using System.IO;
-using System.Linq;
-using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
@@ -19,9 +15,7 @@ internal static class MasksImportCommand
 {
     /// <summary>The examples in the help.</summary>
     public const string Examples =
-        "Examples:\n"
-        + "  harvester masks import out stencil-maps\n"
-        + "  harvester masks import out stencil-maps --match";
+        "Examples:\n" + "  harvester masks import out stencil-maps\n" + "  harvester masks import out stencil-maps --match";
 
     private const string Notes =
         "DIR has one mask per frame: a 16-bit greyscale PNG of the image's size, named after the frame number (12.png or 00000012.png).\n"
@@ -43,44 +37,48 @@ internal static class MasksImportCommand
         Option<SyncMode> sync = SyncOption.Create();
         var command = new Command("import", "Replace the masks of a session with those of another tool.") { folder, maps, match, sync };
         HelpWithNotes.AddTo(command, Notes);
-        command.SetAction((parsed, cancellation) =>
-        {
-            string session = parsed.GetRequiredValue(folder);
-            using FolderLock held = FolderLock.Take(session);
-            MaskNumbers numbers = parsed.GetValue(match) ? MaskNumbers.Overlap : MaskNumbers.Ids;
-            MaskImport done = MaskImporter.Import(
-                RecordedSessions.Open(terminal, session, cancellation),
-                parsed.GetRequiredValue(maps),
-                numbers,
-                RewriteReport,
-                parsed.GetValue(sync),
-                cancellation);
-            if (done.Leftover is { } leftover)
+        command.SetAction(
+            (parsed, cancellation) =>
             {
-                terminal.WriteError(
-                    $"The masks are imported, but files of the former session in '{leftover}' cannot be deleted. Delete them yourself.");
-            }
+                string session = parsed.GetRequiredValue(folder);
+                using FolderLock held = FolderLock.Take(session);
+                MaskNumbers numbers = parsed.GetValue(match) ? MaskNumbers.Overlap : MaskNumbers.Ids;
+                MaskImport done = MaskImporter.Import(
+                    RecordedSessions.Open(terminal, session, cancellation),
+                    parsed.GetRequiredValue(maps),
+                    numbers,
+                    RewriteReport,
+                    parsed.GetValue(sync),
+                    cancellation
+                );
+                if (done.Leftover is { } leftover)
+                {
+                    terminal.WriteError(
+                        $"The masks are imported, but files of the former session in '{leftover}' cannot be deleted. Delete them yourself."
+                    );
+                }
 
-            string masks = Counted.Of(done.Frames, "mask");
-            terminal.Out.WriteLine(
-                $"{session}: {masks} imported; {done.Seen} of {done.Objects} labelled objects have visible pixels");
-            if (done.DroppedPixels > 0)
-            {
-                terminal.WriteError(DroppedIn(done));
-            }
+                string masks = Counted.Of(done.Frames, "mask");
+                terminal.Out.WriteLine($"{session}: {masks} imported; {done.Seen} of {done.Objects} labelled objects have visible pixels");
+                if (done.DroppedPixels > 0)
+                {
+                    terminal.WriteError(DroppedIn(done));
+                }
 
-            return Task.FromResult(ExitCode.Done);
-        });
+                return Task.FromResult(ExitCode.Done);
+            }
+        );
         return command;
     }
 
     private static string DroppedIn(MaskImport done)
     {
         const int maxValues = 10;
-        string values = string.Join(", ", done.FirstDroppedValues.Take(maxValues))
-            + (done.FirstDroppedValues.Count > maxValues ? ", ..." : "");
+        string values =
+            string.Join(", ", done.FirstDroppedValues.Take(maxValues)) + (done.FirstDroppedValues.Count > maxValues ? ", ..." : "");
         return FormattableString.Invariant(
-            $"{done.DroppedPixels} pixels match no object and are dropped, first in frame {done.FirstFrameWithDropped}: values {values}");
+            $"{done.DroppedPixels} pixels match no object and are dropped, first in frame {done.FirstFrameWithDropped}: values {values}"
+        );
     }
 
     private static void RewriteReport(SessionReader session)

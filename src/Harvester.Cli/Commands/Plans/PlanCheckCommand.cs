@@ -1,7 +1,4 @@
-using System.Collections.Generic;
 using System.CommandLine;
-using System.IO;
-using System.Threading.Tasks;
 using Harvester.Cli.Plans;
 using Harvester.Cli.Terminals;
 using Harvester.Sessions.Text;

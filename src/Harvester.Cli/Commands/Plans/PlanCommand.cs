@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.IO;
 using Harvester.Cli.Terminals;
 
 namespace Harvester.Cli.Commands.Plans;

@@ -1,6 +1,4 @@
 using System.CommandLine;
-using System.IO;
-using System.Threading.Tasks;
 using Harvester.Cli.Plans;
 using Harvester.Cli.Terminals;
 using Harvester.Sessions.Files;
@@ -18,7 +16,13 @@ internal sealed class PlanResolveCommand
         + "Example:\n"
         + "  harvester plan resolve plan.json --roads data/example-roads.csv --out resolved.json";
 
-    private Option<string> Out { get; } = new("--out") { Description = "File to write the plan to", HelpName = "FILE", Required = true };
+    private Option<string> Out { get; } =
+        new("--out")
+        {
+            Description = "File to write the plan to",
+            HelpName = "FILE",
+            Required = true,
+        };
     private PlanWorldOptions World { get; } = new();
 
     public static Command Create(Terminal terminal) => new PlanResolveCommand().Build(terminal);
@@ -29,8 +33,10 @@ internal sealed class PlanResolveCommand
         var command = new Command("resolve", "Write a plan whose places are all chosen.") { plan, Out };
         command.Options.Add(World.Roads);
         HelpWithNotes.AddTo(command, Notes);
-        command.SetAction((parsed, _) => Task.FromResult(
-            Run(terminal, parsed.GetRequiredValue(plan), World.WithRoads(parsed), parsed.GetRequiredValue(Out))));
+        command.SetAction(
+            (parsed, _) =>
+                Task.FromResult(Run(terminal, parsed.GetRequiredValue(plan), World.WithRoads(parsed), parsed.GetRequiredValue(Out)))
+        );
         return command;
     }
 

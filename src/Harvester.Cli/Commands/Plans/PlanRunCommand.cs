@@ -1,10 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.CommandLine;
-using System.IO;
-using System.Linq;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Plans;
 using Harvester.Cli.Terminals;
@@ -28,7 +22,13 @@ internal sealed class PlanRunCommand
         + "  harvester plan run plan.json --out experiment --resume\n"
         + "  harvester plan run plan.json --out experiment --shard 2/8";
 
-    private Option<string> Out { get; } = new("--out") { Description = "Folder to write to", HelpName = "DIR", Required = true };
+    private Option<string> Out { get; } =
+        new("--out")
+        {
+            Description = "Folder to write to",
+            HelpName = "DIR",
+            Required = true,
+        };
     private Option<bool> Resume { get; } = new("--resume") { Description = "Continue a run of the plan in the folder, or start one" };
     private Option<Shard> ShardOf { get; } = ShardOption.Create("Run only every N-th trial, as run I of N parallel runs");
     private Option<SyncMode> Sync { get; } = SyncOption.Create();
@@ -42,12 +42,19 @@ internal sealed class PlanRunCommand
         Argument<FileInfo> plan = PlanCommand.PlanArgument();
         var command = new Command("run", "Harvest every trial of a plan from the simulated game.")
         {
-            plan, Out, Resume, ShardOf, Sync, MinFree,
+            plan,
+            Out,
+            Resume,
+            ShardOf,
+            Sync,
+            MinFree,
         };
         World.AddTo(command);
         HelpWithNotes.AddTo(command, Notes);
-        command.SetAction((parsed, cancellation) =>
-            Task.FromResult(Run(terminal, PlanFile.Read(parsed.GetRequiredValue(plan).FullName), parsed, cancellation)));
+        command.SetAction(
+            (parsed, cancellation) =>
+                Task.FromResult(Run(terminal, PlanFile.Read(parsed.GetRequiredValue(plan).FullName), parsed, cancellation))
+        );
         return command;
     }
 
@@ -59,16 +66,21 @@ internal sealed class PlanRunCommand
         PlanWorld world = World.Parse(parsed);
         Trial[] trials = [.. TrialList.Of(file.Plan, world.PlacesOf(file.Plan)).Where((_, index) => shard.Takes(index))];
         using var output = PlanOutput.Open(folder, file.Text, world.ToJson(), shard, parsed.GetValue(Resume), disk.MinFreeBytes);
-        long images = trials.Where(trial => output.Status.NextAttempt(trial.Id) is not null)
+        long images = trials
+            .Where(trial => output.Status.NextAttempt(trial.Id) is not null)
             .Sum(trial => (long)PlanRun.ImagesOf(file, trial));
         if (images > int.MaxValue)
         {
-            throw new UsageException(FormattableString.Invariant(
-                $"The plan has {images} images; a run may have {int.MaxValue}. Divide it with --shard, or take fewer frames."));
+            throw new UsageException(
+                FormattableString.Invariant(
+                    $"The plan has {images} images; a run may have {int.MaxValue}. Divide it with --shard, or take fewer frames."
+                )
+            );
         }
 
         terminal.Out.WriteLine(
-            $"Running {Counted.Of(trials.Length, "trial")} of the plan {file.Plan.Name}, {PlanEstimate.Of(file, trials)}, to {folder}");
+            $"Running {Counted.Of(trials.Length, "trial")} of the plan {file.Plan.Name}, {PlanEstimate.Of(file, trials)}, to {folder}"
+        );
         terminal.Out.Flush();
         var heartbeat = new HeartbeatFile(folder, file.Plan.Name, shard);
         var run = new PlanRun(terminal, file, world, output, heartbeat, CommandText.Of(parsed)) { Disk = disk };
@@ -77,8 +89,10 @@ internal sealed class PlanRunCommand
         {
             int code = new JobProgress(terminal, (int)images, "images").Run(report => run.Run(trials, report, cancellation));
             code = code == ExitCode.Done ? Summarise(terminal, trials, output, folder) : code;
-            end = code == ExitCode.Done ? HeartbeatState.Finished
-                : code == ExitCode.HarvestFault ? HeartbeatState.Incomplete : HeartbeatState.Failed;
+            end =
+                code == ExitCode.Done ? HeartbeatState.Finished
+                : code == ExitCode.HarvestFault ? HeartbeatState.Incomplete
+                : HeartbeatState.Failed;
             return code;
         }
         catch (OperationCanceledException)
@@ -99,16 +113,18 @@ internal sealed class PlanRunCommand
         TrialResult[] skipped = [.. results.Where(result => result.State == TrialState.Skipped)];
         terminal.Out.WriteLine(
             $"{Counted.Of(results.Length - skipped.Length, "trial")} done, {skipped.Length} skipped, "
-            + Counted.Of(results.Where(result => result.State == TrialState.Done).Sum(result => (long)result.Frames), "frame"));
+                + Counted.Of(results.Where(result => result.State == TrialState.Done).Sum(result => (long)result.Frames), "frame")
+        );
         terminal.Out.WriteLine($"sessions {Path.Combine(folder, "trials")}");
         if (skipped.Length == 0)
         {
             return ExitCode.Done;
         }
 
-        terminal.WriteError(FormattableString.Invariant(
-            $"{Counted.Of(skipped.Length, "trial")} skipped after {TrialResult.MaxAttempts} failures each: ")
-            + string.Join(", ", skipped.Select(result => result.Trial)));
+        terminal.WriteError(
+            FormattableString.Invariant($"{Counted.Of(skipped.Length, "trial")} skipped after {TrialResult.MaxAttempts} failures each: ")
+                + string.Join(", ", skipped.Select(result => result.Trial))
+        );
         return ExitCode.HarvestFault;
     }
 }

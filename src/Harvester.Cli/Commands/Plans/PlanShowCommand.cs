@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.CommandLine;
-using System.IO;
-using System.Threading.Tasks;
 using Harvester.Cli.Plans;
 using Harvester.Cli.Terminals;
 using Harvester.Geometry;
@@ -43,8 +39,11 @@ internal sealed class PlanShowCommand
             Trial trial = trials[i];
             Vector2D start = trial.Place.Start!.Value;
             string images = Counted.Of(PlanRun.ImagesOf(file, trial), "image");
-            terminal.Out.WriteLine(FormattableString.Invariant(
-                $"{i + 1}  {trial.Id}  {images}  at {start.X:0.#},{start.Y:0.#}  seed {trial.SeedOf(file.Plan.Seed, 1)}"));
+            terminal.Out.WriteLine(
+                FormattableString.Invariant(
+                    $"{i + 1}  {trial.Id}  {images}  at {start.X:0.#},{start.Y:0.#}  seed {trial.SeedOf(file.Plan.Seed, 1)}"
+                )
+            );
         }
 
         string estimate = PlanEstimate.Of(file, trials).ToString();

@@ -23,13 +23,20 @@ internal static class RoadSourceArgument
         return import;
     }
 
-    public static Option<LanesIn> LanesIn() => ValueParsers.Choice<LanesIn>(
-        "--lanes-in",
-        "Direction of the \"lanes in\" of paths.ipl and paths.xml: forward (from a link's first node to its second) or backward "
-            + "[default: forward]");
+    public static Option<LanesIn> LanesIn() =>
+        ValueParsers.Choice<LanesIn>(
+            "--lanes-in",
+            "Direction of the \"lanes in\" of paths.ipl and paths.xml: forward (from a link's first node to its second) or backward "
+                + "[default: forward]"
+        );
 
     public static Option<string> Output(string description) =>
-        new("--out") { Description = description, HelpName = "FILE", Required = true };
+        new("--out")
+        {
+            Description = description,
+            HelpName = "FILE",
+            Required = true,
+        };
 
     /// <summary>The notes in the help of a command that reads road data.</summary>
     /// <param name="argument">The arguments, with a verb, such as "FROM is".</param>

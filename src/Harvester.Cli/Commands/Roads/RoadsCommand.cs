@@ -14,13 +14,17 @@ internal static class RoadsCommand
         command.Subcommands.Add(RoadsCompareCommand.Create(terminal));
         command.Subcommands.Add(RoadsMapCommand.Create(terminal));
         command.Subcommands.Add(RoadsNodesCommand.Create(terminal));
-        HelpWithNotes.AddTo(command, RoadSourceArgument.NotesWith(
-            "FROM, A and B are each",
-            RoadsImportCommand.Example,
-            RoadsInfoCommand.Example,
-            RoadsCompareCommand.Example,
-            RoadsMapCommand.Example,
-            RoadsNodesCommand.Example));
+        HelpWithNotes.AddTo(
+            command,
+            RoadSourceArgument.NotesWith(
+                "FROM, A and B are each",
+                RoadsImportCommand.Example,
+                RoadsInfoCommand.Example,
+                RoadsCompareCommand.Example,
+                RoadsMapCommand.Example,
+                RoadsNodesCommand.Example
+            )
+        );
         return command;
     }
 }

@@ -1,4 +1,3 @@
-using System;
 using System.CommandLine;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Roads;
@@ -20,8 +19,12 @@ internal static class RoadsCompareCommand
         var first = new Argument<string>("A") { Description = "Road data: a file, a folder or a zip archive" };
         var second = new Argument<string>("B") { Description = "Road data from another source" };
         Option<LanesIn> lanesIn = RoadSourceArgument.LanesIn();
-        var command = new Command("compare", "Match two networks by position and count the one-way links that agree.") { first, second,
-            lanesIn };
+        var command = new Command("compare", "Match two networks by position and count the one-way links that agree.")
+        {
+            first,
+            second,
+            lanesIn,
+        };
         HelpWithNotes.AddTo(command, RoadSourceArgument.NotesWith("A and B are each", Example));
         command.SetAction(parsed =>
         {

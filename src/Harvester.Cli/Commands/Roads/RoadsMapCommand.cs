@@ -1,7 +1,5 @@
-using System;
 using System.CommandLine;
 using System.Globalization;
-using System.IO;
 using System.IO.Compression;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
@@ -39,8 +37,12 @@ internal static class RoadsMapCommand
         Option<int> size = ValueParsers.Integer("--size", "PIXELS", "Length of the longer side, pixels", 16, MaxSize);
         size.DefaultValueFactory = _ => DefaultSize;
         Option<Box2D?> area = ValueParsers.Optional<Box2D>(
-            "--area", "XMIN,YMIN,XMAX,YMAX", "Part of the world to draw, metres [default: all]",
-                ParseArea, "the west, south, east and north edges, e.g. -500,-1500,1000,0");
+            "--area",
+            "XMIN,YMIN,XMAX,YMAX",
+            "Part of the world to draw, metres [default: all]",
+            ParseArea,
+            "the west, south, east and north edges, e.g. -500,-1500,1000,0"
+        );
         var command = new Command("map", "Draw road data as a map.") { from, lanesIn, output, size, area };
         HelpWithNotes.AddTo(command, $"Colours: {Legend}.\n\n" + RoadSourceArgument.NotesWith("FROM is", Example));
         command.SetAction(parsed =>
@@ -62,8 +64,9 @@ internal static class RoadsMapCommand
             var map = new RoadMap(network, part, parsed.GetValue(size));
             if (!map.HasRoads)
             {
-                throw new UsageException(part is null ? NoRoads
-                    : "There are no roads in --area. Choose another area, or omit the option to draw all roads.");
+                throw new UsageException(
+                    part is null ? NoRoads : "There are no roads in --area. Choose another area, or omit the option to draw all roads."
+                );
             }
 
             OutputFile.Write(file, stream => Write(map, extension, stream));

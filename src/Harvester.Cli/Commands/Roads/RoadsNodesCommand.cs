@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.IO;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
@@ -23,21 +22,32 @@ internal static class RoadsNodesCommand
         Option<string> output = RoadSourceArgument.Output("CSV file to write");
         Option<double> laneWidth = LaneOptions.LaneWidth();
         Option<double> narrow = LaneOptions.NarrowLaneWidth();
-        var command = new Command("nodes", "Write the node database: the position of the road at every node, for each direction.") { from,
-            lanesIn, output, laneWidth, narrow };
+        var command = new Command("nodes", "Write the node database: the position of the road at every node, for each direction.")
+        {
+            from,
+            lanesIn,
+            output,
+            laneWidth,
+            narrow,
+        };
         HelpWithNotes.AddTo(command, RoadSourceArgument.NotesWith("FROM is", Example));
         command.SetAction(parsed =>
         {
             RoadNetwork network = RoadSourceArgument.Import(parsed, from, lanesIn, terminal).Network;
             var database = new NodeDatabase(
-                new RoadCurves(network), new LaneModel(network, parsed.GetValue(laneWidth), parsed.GetValue(narrow)));
+                new RoadCurves(network),
+                new LaneModel(network, parsed.GetValue(laneWidth), parsed.GetValue(narrow))
+            );
             string file = parsed.GetRequiredValue(output);
             int count = 0;
-            OutputFile.Write(file, stream =>
-            {
-                using var text = new StreamWriter(stream, leaveOpen: true);
-                count = NodeDatabaseWriter.Write(database, text);
-            });
+            OutputFile.Write(
+                file,
+                stream =>
+                {
+                    using var text = new StreamWriter(stream, leaveOpen: true);
+                    count = NodeDatabaseWriter.Write(database, text);
+                }
+            );
             terminal.Out.WriteLine($"{file}: {count} entries for {Counted.Of(network.Nodes.Count, "node")}");
             return ExitCode.Done;
         });

@@ -1,7 +1,4 @@
 using System.CommandLine;
-using System.IO;
-using System.Threading;
-using System.Threading.Tasks;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Text;

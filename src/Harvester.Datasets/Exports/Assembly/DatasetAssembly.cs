@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text;
 using System.Text.Json;
 using Harvester.Datasets.Files;
@@ -25,15 +21,18 @@ internal static class DatasetAssembly
         ExportResult? result = null;
 
         // Everything else is on the disk before the manifest, and the manifest before the file that says that the dataset is there.
-        folder.Write(Manifest.FileName, stream =>
-        {
-            using var lines = new StreamWriter(stream, Utf8, leaveOpen: true) { NewLine = "\n" };
-            var manifest = new DatasetManifest(lines);
-            result = Assemble(folder, plan, journals, manifest);
-            header = HeaderText(plan, result, manifest.Files + 1);
-            manifest.Add(DatasetFolder.Header, FileDigest.Of(header));
-            folder.Flush();
-        });
+        folder.Write(
+            Manifest.FileName,
+            stream =>
+            {
+                using var lines = new StreamWriter(stream, Utf8, leaveOpen: true) { NewLine = "\n" };
+                var manifest = new DatasetManifest(lines);
+                result = Assemble(folder, plan, journals, manifest);
+                header = HeaderText(plan, result, manifest.Files + 1);
+                manifest.Add(DatasetFolder.Header, FileDigest.Of(header));
+                folder.Flush();
+            }
+        );
         folder.Flush();
         folder.Write(DatasetFolder.Header, stream => stream.Write(Utf8.GetBytes(header)));
         folder.Flush();
@@ -45,20 +44,24 @@ internal static class DatasetAssembly
     public static string PlanOf(DatasetFolder folder) => ReadHeader(folder, PlanIn);
 
     /// <summary>What a finished dataset says of itself.</summary>
-    public static ExportResult ResultOf(DatasetFolder folder) => ReadHeader(folder, static header =>
-    {
-        (DatasetFormat format, _) = ExportPlan.Parse(PlanIn(header));
-        JsonFields splits = header.Fields("framesOfSplits");
-        return new ExportResult(format, header.Integer("frames"), IsFinished: true)
-        {
-            FramesLeftOut = header.Integer("framesLeftOut"),
-            Labels = header.Integer("labels"),
-            Posts = header.Has("posts") ? header.Integer("posts") : 0,
-            Objects = header.Integer("objects"),
-            Ignored = header.Integer("ignored"),
-            FramesOfSplits = splits.Names.ToDictionary(split => split, splits.Integer),
-        };
-    });
+    public static ExportResult ResultOf(DatasetFolder folder) =>
+        ReadHeader(
+            folder,
+            static header =>
+            {
+                (DatasetFormat format, _) = ExportPlan.Parse(PlanIn(header));
+                JsonFields splits = header.Fields("framesOfSplits");
+                return new ExportResult(format, header.Integer("frames"), IsFinished: true)
+                {
+                    FramesLeftOut = header.Integer("framesLeftOut"),
+                    Labels = header.Integer("labels"),
+                    Posts = header.Has("posts") ? header.Integer("posts") : 0,
+                    Objects = header.Integer("objects"),
+                    Ignored = header.Integer("ignored"),
+                    FramesOfSplits = splits.Names.ToDictionary(split => split, splits.Integer),
+                };
+            }
+        );
 
     /// <summary>The plan in an export.json.</summary>
     /// <exception cref="DatasetFormatException">It has none.</exception>
@@ -104,7 +107,8 @@ internal static class DatasetAssembly
                     ? frames + 1
                     : throw new DatasetFormatException(
                         $"'{folder.Path}': frame {entry.Frame} is in the split '{entry.Split}', which the export does not have. Delete "
-                        + "the folder and export again.");
+                            + "the folder and export again."
+                    );
             }
 
             labels += entry.Labels;
@@ -129,8 +133,13 @@ internal static class DatasetAssembly
             FramesOfSplits = splits,
         };
         var readme = new AggregateFile(DatasetFolder.Readme, [AggregateSection.Literal(DatasetReadme.Of(options, result))]);
-        manifest.AddOthers(format.CreateWriter(options).Aggregates(parts.Counts).Append(readme).Select(file =>
-            KeyValuePair.Create(file.Path, folder.Write(file.Path, stream => Write(stream, file, parts, folder)))));
+        manifest.AddOthers(
+            format
+                .CreateWriter(options)
+                .Aggregates(parts.Counts)
+                .Append(readme)
+                .Select(file => KeyValuePair.Create(file.Path, folder.Write(file.Path, stream => Write(stream, file, parts, folder))))
+        );
         return result;
     }
 
@@ -172,8 +181,10 @@ internal static class DatasetAssembly
             if (section.WriteContainer is { } writeContainer)
             {
                 writer.Flush();
-                writeContainer(stream, parts.Read(section.Part!).Select(
-                    part => InputFile.ReadAllBytes(folder.PathOf(part), InputFile.MaxPictureBytes)));
+                writeContainer(
+                    stream,
+                    parts.Read(section.Part!).Select(part => InputFile.ReadAllBytes(folder.PathOf(part), InputFile.MaxPictureBytes))
+                );
                 continue;
             }
 
@@ -211,26 +222,27 @@ internal static class DatasetAssembly
         }
     }
 
-    private static string HeaderText(string plan, ExportResult result, int files) => JsonLine.Of(json =>
-    {
-        json.WriteStartObject();
-        json.WriteNumber("formatVersion", 1);
-        json.WriteNumber("frames", result.Frames);
-        json.WriteNumber("framesLeftOut", result.FramesLeftOut);
-        json.WriteNumber("labels", result.Labels);
-        json.WriteNumber("posts", result.Posts);
-        json.WriteNumber("objects", result.Objects);
-        json.WriteNumber("ignored", result.Ignored);
-        json.WriteNumber("files", files);
-        json.WriteStartObject("framesOfSplits");
-        foreach ((string name, int count) in result.FramesOfSplits)
+    private static string HeaderText(string plan, ExportResult result, int files) =>
+        JsonLine.Of(json =>
         {
-            json.WriteNumber(name, count);
-        }
+            json.WriteStartObject();
+            json.WriteNumber("formatVersion", 1);
+            json.WriteNumber("frames", result.Frames);
+            json.WriteNumber("framesLeftOut", result.FramesLeftOut);
+            json.WriteNumber("labels", result.Labels);
+            json.WriteNumber("posts", result.Posts);
+            json.WriteNumber("objects", result.Objects);
+            json.WriteNumber("ignored", result.Ignored);
+            json.WriteNumber("files", files);
+            json.WriteStartObject("framesOfSplits");
+            foreach ((string name, int count) in result.FramesOfSplits)
+            {
+                json.WriteNumber(name, count);
+            }
 
-        json.WriteEndObject();
-        json.WritePropertyName("plan");
-        json.WriteRawValue(plan);
-        json.WriteEndObject();
-    }) + "\n";
+            json.WriteEndObject();
+            json.WritePropertyName("plan");
+            json.WriteRawValue(plan);
+            json.WriteEndObject();
+        }) + "\n";
 }

@@ -9,7 +9,11 @@ internal static class DatasetCardText
     /// <summary>The hub's categories of sizes, by their upper limits.</summary>
     private static readonly (int Below, string Category)[] Sizes =
     [
-        (1_000, "n<1K"), (10_000, "1K<n<10K"), (100_000, "10K<n<100K"), (1_000_000, "100K<n<1M"), (10_000_000, "1M<n<10M"),
+        (1_000, "n<1K"),
+        (10_000, "1K<n<10K"),
+        (100_000, "10K<n<100K"),
+        (1_000_000, "100K<n<1M"),
+        (10_000_000, "1M<n<10M"),
         (int.MaxValue, "10M<n<100M"),
     ];
 
@@ -23,7 +27,10 @@ internal static class DatasetCardText
         text.Append("configs:\n- config_name: default\n  data_files:\n");
         foreach (string split in result.FramesOfSplits.Keys)
         {
-            text.Append("  - split: ").Append(YamlScalar.Of(DatasetCard.NameOf(split))).Append("\n    path: '").Append(card.FilesOf(split))
+            text.Append("  - split: ")
+                .Append(YamlScalar.Of(DatasetCard.NameOf(split)))
+                .Append("\n    path: '")
+                .Append(card.FilesOf(split))
                 .Append("'\n");
         }
 
@@ -33,18 +40,18 @@ internal static class DatasetCardText
     /// <summary>A program of three lines that reads a sample.</summary>
     public static string Example(DatasetCard card) =>
         $$"""
-        ## Loading
+            ## Loading
 
-        Python's `datasets` reads the folder (`{{card.Reader}}`):
+            Python's `datasets` reads the folder (`{{card.Reader}}`):
 
-        ```python
-        from datasets import load_dataset
-        splits = load_dataset("DIR", streaming=True)
-        print({name: next(iter(split)) for name, split in splits.items()})
-        ```
+            ```python
+            from datasets import load_dataset
+            splits = load_dataset("DIR", streaming=True)
+            print({name: next(iter(split)) for name, split in splits.items()})
+            ```
 
 
-        """.ReplaceLineEndings("\n");
+            """.ReplaceLineEndings("\n");
 
     private static string SizeOf(int frames)
     {

@@ -1,7 +1,3 @@
-using System;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Harvester.Capture.Storage;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
@@ -34,7 +30,10 @@ public sealed class DatasetExporter
 
         SplitPlan splits = plan.Options.Splits;
         _asked = plan.Format.KeepsSequences
-            ? plan with { Options = plan.Options with { Splits = new SplitPlan(splits.Splits, splits.Seed) } }
+            ? plan with
+            {
+                Options = plan.Options with { Splits = new SplitPlan(splits.Splits, splits.Seed) },
+            }
             : plan;
         _folder = new DatasetFolder(folder, sync);
         _shard = shard;
@@ -124,8 +123,17 @@ public sealed class DatasetExporter
                 space.Check();
                 var output = new FrameOutput(_folder, plan.Options.Images, encoder, digests.Of);
                 WrittenObjects written = writer.Write(frame, output);
-                journal.Append(new JournalEntry(
-                    frame.Index, frame.Split, frame.Label.Objects.Count, frame.PostCount, written, output.Files, output.Parts));
+                journal.Append(
+                    new JournalEntry(
+                        frame.Index,
+                        frame.Split,
+                        frame.Label.Objects.Count,
+                        frame.PostCount,
+                        written,
+                        output.Files,
+                        output.Parts
+                    )
+                );
                 report(journal.Frames);
             }
         }

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using System.Text;
 using Harvester.Datasets.Exports.Formats.Yolo;
 using Harvester.Sessions.Text;
@@ -12,8 +10,7 @@ namespace Harvester.Datasets.Exports.Assembly;
 /// </summary>
 internal static class DatasetReadme
 {
-    private const string Notice =
-        """
+    private const string Notice = """
         ## Notice
 
         Images recorded in Grand Theft Auto V show content of its publisher, who holds the rights to it. The publisher's statement of June
@@ -51,8 +48,9 @@ internal static class DatasetReadme
 
     private static string ClassesOf(DatasetFormat format, ExportOptions options)
     {
-        IEnumerable<string> names = new ClassCatalogue(options).All.Select(kind => format.HasNames
-            ? $"{YamlScalar.Of(kind.Name)} ({Numbers.Text(kind.Number)})" : YamlScalar.Of(kind.Name));
+        IEnumerable<string> names = new ClassCatalogue(options).All.Select(kind =>
+            format.HasNames ? $"{YamlScalar.Of(kind.Name)} ({Numbers.Text(kind.Number)})" : YamlScalar.Of(kind.Name)
+        );
         return $"Selected classes: {string.Join(", ", names)}.";
     }
 }

@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
@@ -20,8 +17,11 @@ internal static class ExportCommandText
         yield return "--format " + format.Name;
         if (options.Splits.Splits.Count > 1 || options.Splits.Splits[0].Name != SplitPlan.Everything.Splits[0].Name)
         {
-            yield return "--split " + string.Join(
-                ',', options.Splits.Splits.Select(split => $"{split.Name}:{split.ShareFraction.ToString(CultureInfo.InvariantCulture)}"));
+            yield return "--split "
+                + string.Join(
+                    ',',
+                    options.Splits.Splits.Select(split => $"{split.Name}:{split.ShareFraction.ToString(CultureInfo.InvariantCulture)}")
+                );
             if (options.Splits.Seed != 0)
             {
                 yield return "--seed " + Numbers.Text(options.Splits.Seed);
@@ -45,7 +45,8 @@ internal static class ExportCommandText
 
         if (options.ImageFormat is { } image)
         {
-            yield return "--image-format " + image.Extension().TrimStart('.')
+            yield return "--image-format "
+                + image.Extension().TrimStart('.')
                 + (image == ImageFormat.Jpeg ? " --quality " + Numbers.Text(options.JpegQuality) : "");
         }
     }
@@ -59,14 +60,13 @@ internal static class ExportCommandText
 
         if (options.Names.Count > 0)
         {
-            yield return "--map " + Quoted(
-                string.Join(',', options.Names.OrderBy(name => name.Key).Select(name => $"{JsonName.Of(name.Key)}={name.Value}")));
+            yield return "--map "
+                + Quoted(string.Join(',', options.Names.OrderBy(name => name.Key).Select(name => $"{JsonName.Of(name.Key)}={name.Value}")));
         }
 
         if (options.Subclasses != Subclasses.None)
         {
-            yield return "--subclasses "
-                + options.Subclasses.ToString().ToLowerInvariant().Replace(" ", "", StringComparison.Ordinal);
+            yield return "--subclasses " + options.Subclasses.ToString().ToLowerInvariant().Replace(" ", "", StringComparison.Ordinal);
         }
 
         if (options.MinVisibleFraction > 0)
@@ -92,6 +92,7 @@ internal static class ExportCommandText
 
     /// <summary>A word of a shell's command line, in quotes if it has characters that mean something to a shell.</summary>
     private static string Quoted(string word) =>
-        word.All(c => char.IsAsciiLetterOrDigit(c) || c is '=' or ',' or '-' or '_' or '.') ? word
+        word.All(c => char.IsAsciiLetterOrDigit(c) || c is '=' or ',' or '-' or '_' or '.')
+            ? word
             : $"'{word.Replace("'", "'\\''", StringComparison.Ordinal)}'";
 }

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Datasets.Exports.Assembly;
 
 /// <summary>The result of an export or merge.</summary>

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
 

@@ -1,9 +1,5 @@
-using System;
-using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Text;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
@@ -75,13 +71,18 @@ internal sealed class Journal : IDisposable
     /// <summary>The shards whose journals are in a folder.</summary>
     public static IEnumerable<Shard> ShardsIn(DatasetFolder folder)
     {
-        foreach (string name in Directory.EnumerateFiles(folder.PathOf(DatasetFolder.Working), "journal-*-of-*.jsonl")
-            .Select(Path.GetFileNameWithoutExtension).OfType<string>())
+        foreach (
+            string name in Directory
+                .EnumerateFiles(folder.PathOf(DatasetFolder.Working), "journal-*-of-*.jsonl")
+                .Select(Path.GetFileNameWithoutExtension)
+                .OfType<string>()
+        )
         {
             string[] words = name.Split('-');
             yield return (words is [_, var number, _, var count] ? ShardText.Parse($"{number}/{count}") : null)
                 ?? throw new DatasetFormatException(
-                    $"'{folder.Path}' has a journal '{name}' that belongs to no shard. Delete it, or delete the folder and export again.");
+                    $"'{folder.Path}' has a journal '{name}' that belongs to no shard. Delete it, or delete the folder and export again."
+                );
         }
     }
 
@@ -103,7 +104,9 @@ internal sealed class Journal : IDisposable
 
     /// <summary>The frames of a finished shard.</summary>
     public static IEnumerable<JournalEntry> Read(string path) =>
-        InputFile.ReadLines(path).Where(line => !line.StartsWith(EndMark, StringComparison.Ordinal))
+        InputFile
+            .ReadLines(path)
+            .Where(line => !line.StartsWith(EndMark, StringComparison.Ordinal))
             .Select(line => JournalEntry.Parse(line, path));
 
     /// <summary>Takes a frame whose files are written, and writes its line when it is due.</summary>
@@ -153,8 +156,8 @@ internal sealed class Journal : IDisposable
 
     public void Dispose() => _file.Dispose();
 
-    private static string NameOf(Shard shard) => string.Create(
-        CultureInfo.InvariantCulture, $"{DatasetFolder.Working}/journal-{shard.Number}-of-{shard.Count}.jsonl");
+    private static string NameOf(Shard shard) =>
+        string.Create(CultureInfo.InvariantCulture, $"{DatasetFolder.Working}/journal-{shard.Number}-of-{shard.Count}.jsonl");
 
     /// <summary>A line with its line feed, or the rest without one.</summary>
     private static string ReadTo(StreamReader reader)
@@ -172,7 +175,8 @@ internal sealed class Journal : IDisposable
             {
                 throw new DatasetFormatException(
                     $"A journal of the export has a line of more than {InputFile.MaxLineCharacters} characters. "
-                    + "Delete the folder, and export again.");
+                        + "Delete the folder, and export again."
+                );
             }
         }
 

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
@@ -18,39 +15,46 @@ namespace Harvester.Datasets.Exports.Assembly;
 /// <param name="Files">The files of the frame, with their digests.</param>
 /// <param name="Parts">Its parts of aggregate files, in the order of writing.</param>
 internal sealed record JournalEntry(
-    int Frame, string Split, int Labels, int Posts, WrittenObjects Written, IReadOnlyList<KeyValuePair<string, FileDigest>> Files,
-        IReadOnlyList<KeyValuePair<string, string>> Parts)
+    int Frame,
+    string Split,
+    int Labels,
+    int Posts,
+    WrittenObjects Written,
+    IReadOnlyList<KeyValuePair<string, FileDigest>> Files,
+    IReadOnlyList<KeyValuePair<string, string>> Parts
+)
 {
-    public string ToLine() => JsonLine.Of(json =>
-    {
-        json.WriteStartObject();
-        json.WriteNumber("frame", Frame);
-        json.WriteString("split", Split);
-        json.WriteNumber("labels", Labels);
-        json.WriteNumber("posts", Posts);
-        json.WriteNumber("objects", Written.Objects);
-        json.WriteNumber("ignored", Written.Ignored);
-        json.WriteStartArray("files");
-        foreach ((string file, FileDigest digest) in Files)
+    public string ToLine() =>
+        JsonLine.Of(json =>
         {
             json.WriteStartObject();
-            json.WriteString("path", file);
-            json.WriteNumber("bytes", digest.Bytes);
-            json.WriteString("sha256", digest.Sha256);
+            json.WriteNumber("frame", Frame);
+            json.WriteString("split", Split);
+            json.WriteNumber("labels", Labels);
+            json.WriteNumber("posts", Posts);
+            json.WriteNumber("objects", Written.Objects);
+            json.WriteNumber("ignored", Written.Ignored);
+            json.WriteStartArray("files");
+            foreach ((string file, FileDigest digest) in Files)
+            {
+                json.WriteStartObject();
+                json.WriteString("path", file);
+                json.WriteNumber("bytes", digest.Bytes);
+                json.WriteString("sha256", digest.Sha256);
+                json.WriteEndObject();
+            }
+
+            json.WriteEndArray();
+            json.WriteStartArray("parts");
+            foreach ((string name, string line) in Parts)
+            {
+                json.WriteStringValue(name);
+                json.WriteStringValue(line);
+            }
+
+            json.WriteEndArray();
             json.WriteEndObject();
-        }
-
-        json.WriteEndArray();
-        json.WriteStartArray("parts");
-        foreach ((string name, string line) in Parts)
-        {
-            json.WriteStringValue(name);
-            json.WriteStringValue(line);
-        }
-
-        json.WriteEndArray();
-        json.WriteEndObject();
-    });
+        });
 
     /// <summary>Reads a line.</summary>
     /// <param name="line">The line.</param>
@@ -66,7 +70,9 @@ internal sealed record JournalEntry(
         {
             throw new DatasetFormatException(
                 $"'{path}' has a damaged line or one of another version. Delete the folder of the dataset, or name another, and export "
-                + "again.", e);
+                    + "again.",
+                e
+            );
         }
     }
 
@@ -84,6 +90,7 @@ internal sealed record JournalEntry(
             [.. entry.List("files").Select(file => KeyValuePair.Create(file.Text("path"), ManifestParser.DigestOf(file)))],
             parts.Length % 2 == 0
                 ? [.. parts.Chunk(2).Select(pair => KeyValuePair.Create(pair[0], pair[1]))]
-                : throw new DatasetFormatException("parts must be pairs of a name and a line."));
+                : throw new DatasetFormatException("parts must be pairs of a name and a line.")
+        );
     }
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Labels;
@@ -62,7 +59,10 @@ internal static class PlannedFrames
     {
         string? view = line.Label!.View;
         int index = Array.IndexOf(views, view);
-        return index >= 0 ? index : throw new DatasetFormatException(
-            $"{session.PathOf(SessionReader.LabelsFile)}, line {line.Number}: view is '{view}', which is no camera of the rig.");
+        return index >= 0
+            ? index
+            : throw new DatasetFormatException(
+                $"{session.PathOf(SessionReader.LabelsFile)}, line {line.Number}: view is '{view}', which is no camera of the rig."
+            );
     }
 }

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using System.Threading;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Lanes;
@@ -56,7 +52,8 @@ internal sealed class SessionSurvey
             if (SessionHeader.Read(session).Shard is { } shard)
             {
                 throw new DatasetFormatException(
-                    $"'{session.Folder}' is shard {shard} of a session. Merge the shards first: harvester merge.");
+                    $"'{session.Folder}' is shard {shard} of a session. Merge the shards first: harvester merge."
+                );
             }
         }
 
@@ -74,7 +71,10 @@ internal sealed class SessionSurvey
     public ExportPlan Decide()
     {
         ExportOptions options = _plan.Options;
-        BoxKind boxes = !Format.HasBoxes ? Format.NeedsMasks ? BoxKind.Visible : BoxKind.Cuboid
+        BoxKind boxes = !Format.HasBoxes
+            ? Format.NeedsMasks
+                ? BoxKind.Visible
+                : BoxKind.Cuboid
             : options.Boxes ?? (HasMasks ? BoxKind.Visible : BoxKind.Cuboid);
         return _plan with
         {
@@ -103,7 +103,8 @@ internal sealed class SessionSurvey
         if (_written.Count == 0)
         {
             throw new DatasetFormatException(
-                $"No frame has lanes, which {Format.Name} needs. Harvest with roads, or choose another format.");
+                $"No frame has lanes, which {Format.Name} needs. Harvest with roads, or choose another format."
+            );
         }
 
         SplitPlan splits = _plan.Options.Splits;
@@ -131,7 +132,8 @@ internal sealed class SessionSurvey
         if (_written.Count > MaxFrames || _mutcdCodes.Count > MaxMutcdCodes)
         {
             throw new DatasetFormatException(
-                $"An export takes at most {MaxFrames} frames and {MaxMutcdCodes} MUTCD codes. Export the sessions separately.");
+                $"An export takes at most {MaxFrames} frames and {MaxMutcdCodes} MUTCD codes. Export the sessions separately."
+            );
         }
     }
 
@@ -140,7 +142,8 @@ internal sealed class SessionSurvey
         if (_plan.Options.Boxes == BoxKind.Whole && !_hasWholeBoxes)
         {
             throw new DatasetFormatException(
-                "Boxes of whole objects need amodal masks, and the sessions have none. Harvest with amodal masks, or choose other boxes.");
+                "Boxes of whole objects need amodal masks, and the sessions have none. Harvest with amodal masks, or choose other boxes."
+            );
         }
 
         if (!HasMasks)
@@ -148,7 +151,8 @@ internal sealed class SessionSurvey
             if (_plan.Options.Boxes == BoxKind.Visible)
             {
                 throw new DatasetFormatException(
-                    "Boxes of visible pixels need masks, and the sessions have none. Harvest with masks, or choose other boxes.");
+                    "Boxes of visible pixels need masks, and the sessions have none. Harvest with masks, or choose other boxes."
+                );
             }
 
             return;
@@ -160,9 +164,10 @@ internal sealed class SessionSurvey
             return;
         }
 
-        string reason = _masks[without[0]] > 0
-            ? $"'{FolderOf(without[0])}' has masks for {_masks[without[0]]} of {Counted.Of(_frames[without[0]], "frame")}"
-            : $"'{FolderOf(without[0])}' has no masks, and '{FolderOf(Array.FindIndex(_masks, masks => masks > 0))}' has";
+        string reason =
+            _masks[without[0]] > 0
+                ? $"'{FolderOf(without[0])}' has masks for {_masks[without[0]]} of {Counted.Of(_frames[without[0]], "frame")}"
+                : $"'{FolderOf(without[0])}' has no masks, and '{FolderOf(Array.FindIndex(_masks, masks => masks > 0))}' has";
         throw new DatasetFormatException($"Labels would not be comparable: {reason}. Export sessions with and without masks separately.");
     }
 
@@ -173,7 +178,8 @@ internal sealed class SessionSurvey
         {
             throw new DatasetFormatException(
                 $"Labels would not be comparable: '{FolderOf(without)}' has class maps for {_classMaps[without]} of "
-                + $"{Counted.Of(_frames[without], "frame")}, and other frames have them. Export them separately.");
+                    + $"{Counted.Of(_frames[without], "frame")}, and other frames have them. Export them separately."
+            );
         }
     }
 
@@ -183,14 +189,21 @@ internal sealed class SessionSurvey
         {
             int places = _written.DistinctBy(frame => (frame.Session, frame.Place)).Count();
             string few = $"each place stays in one split, and the sessions have {Counted.Of(places, "place")}. ";
-            return few + (splits.FirstFullSeed(_written) is { } seed ? FormattableString.Invariant($"Use --seed {seed}.")
-                : Format.KeepsSequences ? "Add sessions or places, or use fewer splits."
-                : "Add sessions or places, or use --split-block N, which separates frames that look alike.");
+            return few
+                + (
+                    splits.FirstFullSeed(_written) is { } seed ? FormattableString.Invariant($"Use --seed {seed}.")
+                    : Format.KeepsSequences ? "Add sessions or places, or use fewer splits."
+                    : "Add sessions or places, or use --split-block N, which separates frames that look alike."
+                );
         }
 
         string frames = $"{Counted.Of(_written.Count, "frame")}, assigned in blocks of {blockFrames}. ";
-        return frames + (splits.LargestFullBlock(_written) is { } block ? $"Use --split-block {block} or another --seed."
-            : "Use another --seed, or fewer splits.");
+        return frames
+            + (
+                splits.LargestFullBlock(_written) is { } block
+                    ? $"Use --split-block {block} or another --seed."
+                    : "Use another --seed, or fewer splits."
+            );
     }
 
     private string FolderOf(int session) => _plan.Sessions[session].Folder;

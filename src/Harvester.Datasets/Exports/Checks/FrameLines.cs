@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
@@ -48,10 +46,16 @@ internal static class FrameLines
         string last = "";
         foreach ((int number, string text) in dataset.Lines(name))
         {
-            string? problem = number == 1 ? text == Begin ? null : $"it does not begin with a line '{Begin}'."
-                : last == End ? $"a line follows the line '{End}'."
-                : text == End ? null
-                : ProblemOf(text.EndsWith(',') ? text[..^1] : text, problemOf);
+            string? problem =
+                number == 1
+                    ? text == Begin
+                        ? null
+                        : $"it does not begin with a line '{Begin}'."
+                    : last == End
+                        ? $"a line follows the line '{End}'."
+                        : text == End
+                            ? null
+                            : ProblemOf(text.EndsWith(',') ? text[..^1] : text, problemOf);
             if (problem is not null)
             {
                 yield return new SessionProblem(name, number, problem);

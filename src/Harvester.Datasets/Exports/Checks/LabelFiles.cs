@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports.Checks;
@@ -36,7 +32,9 @@ internal static class LabelFiles
     public static IEnumerable<SessionProblem> Strays(DatasetContent dataset, string folder, IEnumerable<string> stems)
     {
         HashSet<string> known = [.. stems];
-        return dataset.Files(folder).Where(name => !known.Contains(Path.GetFileNameWithoutExtension(name)))
+        return dataset
+            .Files(folder)
+            .Where(name => !known.Contains(Path.GetFileNameWithoutExtension(name)))
             .Select(name => new SessionProblem(name, null, "its image is missing."));
     }
 }

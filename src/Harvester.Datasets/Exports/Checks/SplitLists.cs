@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports.Checks;
@@ -13,7 +10,10 @@ internal static class SplitLists
     /// <param name="listOf">Name of the list of a split; a split without frames need not have one.</param>
     /// <param name="framesOf">The number of frames for each name that must be in a list.</param>
     public static IEnumerable<SessionProblem> Problems(
-        DatasetContent dataset, Func<string, string> listOf, IReadOnlyDictionary<string, int> framesOf)
+        DatasetContent dataset,
+        Func<string, string> listOf,
+        IReadOnlyDictionary<string, int> framesOf
+    )
     {
         var listed = new HashSet<string>(StringComparer.Ordinal);
         foreach (string split in dataset.Splits)

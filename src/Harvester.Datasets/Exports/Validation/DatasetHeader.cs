@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Files;
@@ -15,7 +11,11 @@ namespace Harvester.Datasets.Exports.Validation;
 /// <param name="FramesOfSplits">Number of frames in each split.</param>
 /// <param name="Files">Number of files in the manifest; null for a dataset of an earlier version, which has no manifest.</param>
 internal sealed record DatasetHeader(
-    DatasetFormat Format, ExportOptions Options, IReadOnlyDictionary<string, int> FramesOfSplits, int? Files)
+    DatasetFormat Format,
+    ExportOptions Options,
+    IReadOnlyDictionary<string, int> FramesOfSplits,
+    int? Files
+)
 {
     /// <summary>Reads the export.json of a dataset.</summary>
     /// <exception cref="DatasetFormatException">It is invalid.</exception>
@@ -31,7 +31,8 @@ internal sealed record DatasetHeader(
                 format,
                 options,
                 options.Splits.Splits.ToDictionary(split => split.Name, split => frames.Integer(split.Name), StringComparer.Ordinal),
-                header.Has("files") ? header.Integer("files") : null);
+                header.Has("files") ? header.Integer("files") : null
+            );
         }
         catch (Exception e) when (e is JsonException or DatasetFormatException)
         {

@@ -1,11 +1,6 @@
-using System;
 using System.Buffers.Binary;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Security.Cryptography;
 using System.Text;
-using System.Threading;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Validation;
@@ -57,8 +52,9 @@ internal sealed class DatasetManifestCheck(string folder, int? files)
         if (files is { } counted && isWhole && _listed.Count != counted)
         {
             isWhole = false;
-            problems.Add(new SessionProblem(
-                Manifest.FileName, null, $"it lists {_listed.Count} files, but {DatasetFolder.Header} counts {counted}."));
+            problems.Add(
+                new SessionProblem(Manifest.FileName, null, $"it lists {_listed.Count} files, but {DatasetFolder.Header} counts {counted}.")
+            );
         }
 
         // A manifest that has lost lines does not tell which files are too many.
@@ -105,8 +101,13 @@ internal sealed class DatasetManifestCheck(string folder, int? files)
 
             if (number > MaxFiles)
             {
-                problems.Add(new SessionProblem(
-                    Manifest.FileName, null, $"it lists more than {MaxFiles} files, the limit; later ones are not compared."));
+                problems.Add(
+                    new SessionProblem(
+                        Manifest.FileName,
+                        null,
+                        $"it lists more than {MaxFiles} files, the limit; later ones are not compared."
+                    )
+                );
                 return false;
             }
         }
@@ -131,9 +132,12 @@ internal sealed class DatasetManifestCheck(string folder, int? files)
         try
         {
             string file = InnerPath.Of(folder, path);
-            return (path, !File.Exists(file) ? $"it is missing, but listed in {Manifest.FileName}."
+            return (
+                path,
+                !File.Exists(file) ? $"it is missing, but listed in {Manifest.FileName}."
                 : DigestCheck.Problem(file, [digest]) is { } damage ? $"it {damage}"
-                : null);
+                : null
+            );
         }
         catch (DatasetFormatException e)
         {
@@ -160,8 +164,13 @@ internal sealed class DatasetManifestCheck(string folder, int? files)
         {
             if (_kinds.Contains(KindOf(name)))
             {
-                problems.Add(new SessionProblem(
-                    name, null, $"it is not listed in {Manifest.FileName}, but readers take it for a part of the dataset. Delete it."));
+                problems.Add(
+                    new SessionProblem(
+                        name,
+                        null,
+                        $"it is not listed in {Manifest.FileName}, but readers take it for a part of the dataset. Delete it."
+                    )
+                );
             }
             else
             {
@@ -177,6 +186,5 @@ internal sealed class DatasetManifestCheck(string folder, int? files)
     private static ulong ChecksumOf(string path) => BinaryPrimitives.ReadUInt64LittleEndian(SHA256.HashData(Encoding.UTF8.GetBytes(path)));
 
     /// <summary>Folder and ending: readers find files by listing a folder and by their endings.</summary>
-    private static ulong KindOf(string path) =>
-        ChecksumOf($"{Path.GetDirectoryName(path)}/*{Path.GetExtension(path).ToUpperInvariant()}");
+    private static ulong KindOf(string path) => ChecksumOf($"{Path.GetDirectoryName(path)}/*{Path.GetExtension(path).ToUpperInvariant()}");
 }

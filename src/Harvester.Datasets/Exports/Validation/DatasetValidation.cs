@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports.Validation;

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Threading;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Sessions;
@@ -43,8 +38,13 @@ public static class DatasetValidator
             int found = dataset.FramesOfSplits.GetValueOrDefault(split);
             if (found != counted)
             {
-                problems.Add(new SessionProblem(
-                    DatasetFolder.Header, null, $"it counts {Counted.Of(counted, "frame")} in {split}, but the dataset has {found}."));
+                problems.Add(
+                    new SessionProblem(
+                        DatasetFolder.Header,
+                        null,
+                        $"it counts {Counted.Of(counted, "frame")} in {split}, but the dataset has {found}."
+                    )
+                );
             }
         }
 
@@ -59,8 +59,10 @@ public static class DatasetValidator
 
     private static IEnumerable<SessionProblem> ImageProblems(string folder)
     {
-        IEnumerable<string> images = Directory.EnumerateFiles(folder, "*", SearchOption.AllDirectories)
-            .Where(file => Path.GetExtension(file) is ".png" or ".bmp" or ".jpg").Order(StringComparer.Ordinal);
+        IEnumerable<string> images = Directory
+            .EnumerateFiles(folder, "*", SearchOption.AllDirectories)
+            .Where(file => Path.GetExtension(file) is ".png" or ".bmp" or ".jpg")
+            .Order(StringComparer.Ordinal);
         foreach (string image in images)
         {
             if (Damage(image) is { } damage)

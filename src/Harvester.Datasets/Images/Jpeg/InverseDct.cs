@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Datasets.Images.Jpeg;
 
 /// <summary>

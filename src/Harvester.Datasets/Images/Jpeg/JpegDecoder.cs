@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Imaging;
 
@@ -47,7 +44,8 @@ public static class JpegDecoder
             JpegSegment.ProgressiveFrame => "a progressive JPEG",
             _ => "a lossless or arithmetic-coded JPEG",
         };
-        kind ??= frame.BitsPerSample != 8 ? $"a JPEG of {frame.BitsPerSample} bits per sample"
+        kind ??=
+            frame.BitsPerSample != 8 ? $"a JPEG of {frame.BitsPerSample} bits per sample"
             : frame.Components is not (1 or Colours) ? $"a JPEG of {frame.Components} components"
             : frame.Components == Colours && header.Exists(IsOfOtherColours) ? "a JPEG that is not in YCbCr"
             : header[^1].Content is [var scanned, ..] && scanned != frame.Components ? "a JPEG of several scans"
@@ -55,7 +53,8 @@ public static class JpegDecoder
         if (kind is not null)
         {
             throw new DatasetFormatException(
-                $"it is {kind}. Only baseline JPEG pictures of 8 bits in one scan, grey or in YCbCr, can be read; convert it.");
+                $"it is {kind}. Only baseline JPEG pictures of 8 bits in one scan, grey or in YCbCr, can be read; convert it."
+            );
         }
     }
 

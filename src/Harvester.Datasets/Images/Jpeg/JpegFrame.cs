@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Datasets.Images.Jpeg;
@@ -65,7 +61,13 @@ internal sealed class JpegFrame
     }
 
     private static JpegComponent Component(
-        JpegSegment frame, JpegSegment scan, JpegTables tables, int index, (int Across, int Down) factors, (int Across, int Down) units)
+        JpegSegment frame,
+        JpegSegment scan,
+        JpegTables tables,
+        int index,
+        (int Across, int Down) factors,
+        (int Across, int Down) units
+    )
     {
         ReadOnlySpan<byte> description = frame.Content.AsSpan(ComponentsAt + (ComponentLength * index), ComponentLength);
         ReadOnlySpan<byte> coding = scan.Content.AsSpan(1 + (2 * index), 2);

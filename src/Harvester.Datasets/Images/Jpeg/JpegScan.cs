@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Images.Jpeg;
@@ -59,14 +57,14 @@ internal sealed class JpegScan
 
     /// <summary>Diagonals in turn, every second one upwards.</summary>
     private static int[] AlongDiagonals() =>
-    [
-        .. from place in Enumerable.Range(0, Side * Side)
-           let row = place / Side
-           let column = place % Side
-           let diagonal = row + column
-           orderby diagonal, diagonal % 2 == 0 ? column : row
-           select place,
-    ];
+        [
+            .. from place in Enumerable.Range(0, Side * Side)
+            let row = place / Side
+            let column = place % Side
+            let diagonal = row + column
+            orderby diagonal, diagonal % 2 == 0 ? column : row
+            select place,
+        ];
 
     private void DecodeBlocks(int index, int column, int row)
     {

@@ -1,7 +1,4 @@
-using System;
 using System.Buffers.Binary;
-using System.Collections.Generic;
-using System.IO;
 using Harvester.Datasets.Files;
 using Harvester.Geometry.Cameras;
 
@@ -58,8 +55,7 @@ internal sealed record JpegSegment(byte Marker, byte[] Content)
         {
             segment = Read(file);
             yield return segment;
-        }
-        while (segment.Marker != StartOfScan);
+        } while (segment.Marker != StartOfScan);
     }
 
     private static JpegSegment Read(Stream file)

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.PixelMaps;
 
@@ -43,7 +40,7 @@ internal sealed record InstancePixels(InstanceMap Map, ushort Id, int Left, int 
         for (int row = 0; row < map.Image.Height; row++)
         {
             ReadOnlySpan<ushort> ids = map.Ids.AsSpan(row * width, width);
-            for (int column = 0; column < width;)
+            for (int column = 0; column < width; )
             {
                 ushort id = ids[column];
                 int length = ids[column..].IndexOfAnyExcept(id);
@@ -85,15 +82,17 @@ internal sealed record InstancePixels(InstanceMap Map, ushort Id, int Left, int 
     }
 
     /// <summary>The area of a polygon, positive if it is clockwise in the image.</summary>
-    private static double SignedArea(IReadOnlyList<Vector2D> outline) => outline
-        .Select((corner, i) => (Corner: corner, Next: outline[(i + 1) % outline.Count]))
-        .Sum(side => (side.Corner.X * side.Next.Y) - (side.Next.X * side.Corner.Y)) / 2;
+    private static double SignedArea(IReadOnlyList<Vector2D> outline) =>
+        outline
+            .Select((corner, i) => (Corner: corner, Next: outline[(i + 1) % outline.Count]))
+            .Sum(side => (side.Corner.X * side.Next.Y) - (side.Next.X * side.Corner.Y)) / 2;
 
-    private InstancePixels With(int left, int right, int row) => this with
-    {
-        Left = left < Left ? left : Left,
-        Right = right > Right ? right : Right,
-        Bottom = row + 1,
-        Area = Area + right - left,
-    };
+    private InstancePixels With(int left, int right, int row) =>
+        this with
+        {
+            Left = left < Left ? left : Left,
+            Right = right > Right ? right : Right,
+            Bottom = row + 1,
+            Area = Area + right - left,
+        };
 }

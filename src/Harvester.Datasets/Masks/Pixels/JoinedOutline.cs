@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 
 namespace Harvester.Datasets.Masks.Pixels;
@@ -22,8 +20,11 @@ internal static class JoinedOutline
             Loose next = loose.MinBy(candidate => candidate.Distance)!;
             loose.Remove(next);
             int at = joined.IndexOf(next.Anchor);
-            Vector2D[] tour = [.. Enumerable.Range(0, next.Outline.Count + 1)
-                .Select(step => next.Outline[(next.Corner + step) % next.Outline.Count]), next.Anchor];
+            Vector2D[] tour =
+            [
+                .. Enumerable.Range(0, next.Outline.Count + 1).Select(step => next.Outline[(next.Corner + step) % next.Outline.Count]),
+                next.Anchor,
+            ];
             joined.InsertRange(at + 1, tour);
             foreach (Loose candidate in loose)
             {

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Geometry.PixelMaps;
 
@@ -38,7 +37,12 @@ internal static class MaskOutlines
     }
 
     private static List<Vector2D> Follow(
-        InstanceMap map, ushort number, int column, int row, HashSet<(int Column, int Row, int Side)> followed)
+        InstanceMap map,
+        ushort number,
+        int column,
+        int row,
+        HashSet<(int Column, int Row, int Side)> followed
+    )
     {
         var corners = new List<Vector2D>();
         int side = 0;
@@ -68,8 +72,7 @@ internal static class MaskOutlines
     }
 
     // The end of a pixel's side when traversed clockwise.
-    private static Vector2D EndOf(int column, int row, int side) =>
-        new(column + (side is 0 or 1 ? 1 : 0), row + (side is 1 or 2 ? 1 : 0));
+    private static Vector2D EndOf(int column, int row, int side) => new(column + (side is 0 or 1 ? 1 : 0), row + (side is 1 or 2 ? 1 : 0));
 
     private static bool Shows(InstanceMap map, ushort number, int column, int row) =>
         map.Image.Contains(column, row) && map[column, row] == number;

@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads.Sources;
 using Harvester.Geometry;
@@ -20,16 +17,28 @@ internal static class IplImporter
 
     private static readonly (int Column, RoadNodeFlags Flag)[] NodeFlags =
     [
-        (3, RoadNodeFlags.SwitchedOff), (4, RoadNodeFlags.Water), (10, RoadNodeFlags.Highway), (11, RoadNodeFlags.NoGps),
-        (12, RoadNodeFlags.Tunnel), (14, RoadNodeFlags.CannotGoLeft), (15, RoadNodeFlags.LeftTurnsOnly), (16, RoadNodeFlags.OffRoad),
-        (17, RoadNodeFlags.CannotGoRight), (18, RoadNodeFlags.NoBigVehicles), (19, RoadNodeFlags.IndicateKeepLeft),
-        (20, RoadNodeFlags.IndicateKeepRight), (21, RoadNodeFlags.SlipLane),
+        (3, RoadNodeFlags.SwitchedOff),
+        (4, RoadNodeFlags.Water),
+        (10, RoadNodeFlags.Highway),
+        (11, RoadNodeFlags.NoGps),
+        (12, RoadNodeFlags.Tunnel),
+        (14, RoadNodeFlags.CannotGoLeft),
+        (15, RoadNodeFlags.LeftTurnsOnly),
+        (16, RoadNodeFlags.OffRoad),
+        (17, RoadNodeFlags.CannotGoRight),
+        (18, RoadNodeFlags.NoBigVehicles),
+        (19, RoadNodeFlags.IndicateKeepLeft),
+        (20, RoadNodeFlags.IndicateKeepRight),
+        (21, RoadNodeFlags.SlipLane),
     ];
 
     private static readonly RoadLinkFlags[] LinkFlags =
     [
-        RoadLinkFlags.NarrowRoad, RoadLinkFlags.GpsBothWays, RoadLinkFlags.BlockIfNoLanes, RoadLinkFlags.Shortcut,
-            RoadLinkFlags.DontUseForNavigation,
+        RoadLinkFlags.NarrowRoad,
+        RoadLinkFlags.GpsBothWays,
+        RoadLinkFlags.BlockIfNoLanes,
+        RoadLinkFlags.Shortcut,
+        RoadLinkFlags.DontUseForNavigation,
     ];
 
     /// <summary>Whether one of the first lines opens a section.</summary>
@@ -102,7 +111,8 @@ internal static class IplImporter
             {
                 throw new DatasetFormatException(
                     $"{source.Name}, line {line}: the link runs from node {link.From} to node {link.To}; there are {assembly.NodeCount} "
-                    + "nodes.");
+                        + "nodes."
+                );
             }
 
             assembly.Add(link);
@@ -125,7 +135,8 @@ internal static class IplImporter
             index,
             new Vector3D(row.Number(0), row.Number(1), row.Number(2)),
             street == 0 ? "" : "hash_" + street.ToString("X8", CultureInfo.InvariantCulture),
-            flags)
+            flags
+        )
         {
             Speed = TextRoadFields.Speed(row.Whole(6, 0, 3)),
             Density = TextRoadFields.Density(row.Number(8)),
@@ -147,6 +158,7 @@ internal static class IplImporter
             row.Whole(lanesIn == LanesIn.Forward ? 3 : 4, 0, TextRoadFields.MaxLanes),
             row.Whole(lanesIn == LanesIn.Forward ? 4 : 3, 0, TextRoadFields.MaxLanes),
             TextRoadFields.Median(row.Whole(2, -TextRoadFields.MaxWidth, TextRoadFields.MaxWidth)),
-            flags);
+            flags
+        );
     }
 }

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Datasets.Roads.JsonDump;
 
 /// <summary>A cell of the JSON dump.</summary>

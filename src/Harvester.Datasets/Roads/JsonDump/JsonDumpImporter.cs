@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.Text.Json;
-using System.Threading.Tasks;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Roads.Sources;
@@ -66,7 +62,8 @@ internal static class JsonDumpImporter
             {
                 throw new DatasetFormatException(
                     $"{source.Name}: {Name(assembly.Nodes[from])} has a neighbour, node {connection.Node.Id} at "
-                    + $"{connection.Node.Position}, that is not in the file.");
+                        + $"{connection.Node.Position}, that is not in the file."
+                );
             }
             else
             {
@@ -83,7 +80,8 @@ internal static class JsonDumpImporter
         List<(int From, DumpConnection Connection)> neighbours,
         DumpNode node,
         int area,
-        string file)
+        string file
+    )
     {
         int index = assembly.NodeCount;
         string street = node.StreetName is null or "0" ? "" : node.StreetName;
@@ -99,7 +97,8 @@ internal static class JsonDumpImporter
             if (connection is null || connection.LaneCountForward is < 0 or > MaxLanes || connection.LaneCountBackward is < 0 or > MaxLanes)
             {
                 throw new DatasetFormatException(
-                    $"{file}: {Name(roadNode)} has a link without a number of lanes from 0 to {MaxLanes} each way.");
+                    $"{file}: {Name(roadNode)} has a link without a number of lanes from 0 to {MaxLanes} each way."
+                );
             }
 
             RoadAssembly.RequireRoom(neighbours.Count / 2);

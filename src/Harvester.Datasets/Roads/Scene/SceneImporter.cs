@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Xml.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads.Sources;
@@ -23,20 +20,28 @@ internal static class SceneImporter
 
     private static readonly (string Name, RoadNodeFlags Flag)[] NodeFlags =
     [
-        ("Disabled", RoadNodeFlags.SwitchedOff), ("Water", RoadNodeFlags.Water), ("Highway", RoadNodeFlags.Highway),
-            ("NoGps", RoadNodeFlags.NoGps),
-        ("Tunnel", RoadNodeFlags.Tunnel), ("Cannot Go Left", RoadNodeFlags.CannotGoLeft), ("Left Turns Only", RoadNodeFlags.LeftTurnsOnly),
-        ("Off Road", RoadNodeFlags.OffRoad), ("Cannot Go Right", RoadNodeFlags.CannotGoRight),
-            ("No Big Vehicles", RoadNodeFlags.NoBigVehicles),
-        ("Indicate Keep Left", RoadNodeFlags.IndicateKeepLeft), ("Indicate Keep Right", RoadNodeFlags.IndicateKeepRight),
-            ("Slip Lane", RoadNodeFlags.SlipLane),
+        ("Disabled", RoadNodeFlags.SwitchedOff),
+        ("Water", RoadNodeFlags.Water),
+        ("Highway", RoadNodeFlags.Highway),
+        ("NoGps", RoadNodeFlags.NoGps),
+        ("Tunnel", RoadNodeFlags.Tunnel),
+        ("Cannot Go Left", RoadNodeFlags.CannotGoLeft),
+        ("Left Turns Only", RoadNodeFlags.LeftTurnsOnly),
+        ("Off Road", RoadNodeFlags.OffRoad),
+        ("Cannot Go Right", RoadNodeFlags.CannotGoRight),
+        ("No Big Vehicles", RoadNodeFlags.NoBigVehicles),
+        ("Indicate Keep Left", RoadNodeFlags.IndicateKeepLeft),
+        ("Indicate Keep Right", RoadNodeFlags.IndicateKeepRight),
+        ("Slip Lane", RoadNodeFlags.SlipLane),
     ];
 
     private static readonly (string Name, RoadLinkFlags Flag)[] LinkFlags =
     [
-        ("Narrowroad", RoadLinkFlags.NarrowRoad), ("GpsBothWays", RoadLinkFlags.GpsBothWays),
-            ("Block If No Lanes", RoadLinkFlags.BlockIfNoLanes),
-        ("Shortcut", RoadLinkFlags.Shortcut), ("Dont Use For Navigation", RoadLinkFlags.DontUseForNavigation),
+        ("Narrowroad", RoadLinkFlags.NarrowRoad),
+        ("GpsBothWays", RoadLinkFlags.GpsBothWays),
+        ("Block If No Lanes", RoadLinkFlags.BlockIfNoLanes),
+        ("Shortcut", RoadLinkFlags.Shortcut),
+        ("Dont Use For Navigation", RoadLinkFlags.DontUseForNavigation),
     ];
 
     public static RoadImport Import(RoadSource source, LanesIn lanesIn)
@@ -60,9 +65,17 @@ internal static class SceneImporter
                     break;
                 case "vehiclelink":
                     held += CharactersOf(element);
-                    links.Add(held <= MaxHeldCharacters ? new SceneObject(source, element)
-                        : throw RoadXml.Wrong(source, element, FormattableString.Invariant(
-                            $"the links up to here have more than {MaxHeldCharacters} characters, the limit.")));
+                    links.Add(
+                        held <= MaxHeldCharacters
+                            ? new SceneObject(source, element)
+                            : throw RoadXml.Wrong(
+                                source,
+                                element,
+                                FormattableString.Invariant(
+                                    $"the links up to here have more than {MaxHeldCharacters} characters, the limit."
+                                )
+                            )
+                    );
                     break;
             }
         }
@@ -81,12 +94,17 @@ internal static class SceneImporter
         return assembly.NodeCount > 0
             ? assembly.Finish("paths.xml")
             : throw new DatasetFormatException(
-                $"{source.Name}: the XML is neither a NodeDictionary nor a scene with objects of the class vehiclenode.");
+                $"{source.Name}: the XML is neither a NodeDictionary nor a scene with objects of the class vehiclenode."
+            );
     }
 
     private static long CharactersOf(XElement element) =>
-        element.DescendantsAndSelf().Sum(part => part.Name.LocalName.Length
-            + part.Attributes().Sum(attribute => (long)attribute.Name.LocalName.Length + attribute.Value.Length));
+        element
+            .DescendantsAndSelf()
+            .Sum(part =>
+                part.Name.LocalName.Length
+                + part.Attributes().Sum(attribute => (long)attribute.Name.LocalName.Length + attribute.Value.Length)
+            );
 
     private static int Index(SceneObject link, Dictionary<string, int> indices, string guid) =>
         indices.TryGetValue(guid, out int index) ? index : throw link.Wrong($"the link refers to {guid}, which is not a node of the file.");
@@ -101,7 +119,8 @@ internal static class SceneImporter
             index,
             new Vector3D(position.Number(source, "x"), position.Number(source, "y"), position.Number(source, "z")),
             Street(node.Text("Streetname")),
-            flags | PathBits.FlagsOfSpecial(node.Whole("Special", 0, 0, byte.MaxValue)))
+            flags | PathBits.FlagsOfSpecial(node.Whole("Special", 0, 0, byte.MaxValue))
+        )
         {
             Speed = TextRoadFields.Speed(node.Whole("Speed", DefaultSpeed, 0, 3)),
             Density = node.Number("Density") is { } density ? TextRoadFields.Density(density) : null,
@@ -110,11 +129,13 @@ internal static class SceneImporter
 
     private static string Street(string? text) => text is null or "0" ? "" : text;
 
-    private static RoadLink Link(SceneObject link, int from, int to, LanesIn lanesIn) => new(
-        from,
-        to,
-        link.Whole(lanesIn == LanesIn.Forward ? "Lanes In" : "Lanes Out", DefaultLanes, 0, TextRoadFields.MaxLanes),
-        link.Whole(lanesIn == LanesIn.Forward ? "Lanes Out" : "Lanes In", DefaultLanes, 0, TextRoadFields.MaxLanes),
-        TextRoadFields.Median(link.Whole("Width", 0, -TextRoadFields.MaxWidth, TextRoadFields.MaxWidth)),
-        LinkFlags.Where(flag => link.IsTrue(flag.Name)).Aggregate(RoadLinkFlags.None, (sum, flag) => sum | flag.Flag));
+    private static RoadLink Link(SceneObject link, int from, int to, LanesIn lanesIn) =>
+        new(
+            from,
+            to,
+            link.Whole(lanesIn == LanesIn.Forward ? "Lanes In" : "Lanes Out", DefaultLanes, 0, TextRoadFields.MaxLanes),
+            link.Whole(lanesIn == LanesIn.Forward ? "Lanes Out" : "Lanes In", DefaultLanes, 0, TextRoadFields.MaxLanes),
+            TextRoadFields.Median(link.Whole("Width", 0, -TextRoadFields.MaxWidth, TextRoadFields.MaxWidth)),
+            LinkFlags.Where(flag => link.IsTrue(flag.Name)).Aggregate(RoadLinkFlags.None, (sum, flag) => sum | flag.Flag)
+        );
 }

@@ -1,6 +1,4 @@
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using System.Xml.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads.Sources;
@@ -21,8 +19,8 @@ internal sealed class SceneObject
         foreach (XElement attribute in element.Element("attributes")?.Elements("attribute") ?? [])
         {
             string name = attribute.Attribute("name")?.Value ?? throw RoadXml.Wrong(source, attribute, "an attribute has no name.");
-            _attributes[name] = attribute.Attribute("value")?.Value
-                ?? throw RoadXml.Wrong(source, attribute, $"the attribute {name} has no value.");
+            _attributes[name] =
+                attribute.Attribute("value")?.Value ?? throw RoadXml.Wrong(source, attribute, $"the attribute {name} has no value.");
         }
     }
 
@@ -32,12 +30,13 @@ internal sealed class SceneObject
 
     public string? Text(string name) => _attributes.GetValueOrDefault(name);
 
-    public bool IsTrue(string name) => Text(name) switch
-    {
-        null or "false" or "False" or "0" => false,
-        "true" or "True" or "1" => true,
-        _ => throw Wrong($"the attribute {name} must be true or false."),
-    };
+    public bool IsTrue(string name) =>
+        Text(name) switch
+        {
+            null or "false" or "False" or "0" => false,
+            "true" or "True" or "1" => true,
+            _ => throw Wrong($"the attribute {name} must be true or false."),
+        };
 
     public double? Number(string name) =>
         Text(name) is not { } text ? null

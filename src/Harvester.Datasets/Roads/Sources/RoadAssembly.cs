@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using System.Globalization;
 using Harvester.Datasets.Files;
 using Harvester.Geometry.Roads;

@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
 using System.Xml;
 using System.Xml.Linq;
 using Harvester.Datasets.Files;
@@ -55,14 +52,15 @@ internal static class RoadXml
     /// <summary>An integer attribute.</summary>
     public static int Whole(this XElement element, RoadSource source, string attribute, int min, int max) =>
         int.TryParse(element.Attribute(attribute)?.Value, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value)
-            && value >= min && value <= max
+        && value >= min
+        && value <= max
             ? value
             : throw Wrong(source, element, $"{element.Name} must have {attribute}, a whole number from {min} to {max}.");
 
     /// <summary>A finite number attribute.</summary>
     public static double Number(this XElement element, RoadSource source, string attribute) =>
         double.TryParse(element.Attribute(attribute)?.Value, NumberStyles.Float, CultureInfo.InvariantCulture, out double value)
-            && double.IsFinite(value)
+        && double.IsFinite(value)
             ? value
             : throw Wrong(source, element, $"{element.Name} must have {attribute}, a finite number.");
 
@@ -70,15 +68,16 @@ internal static class RoadXml
     public static DatasetFormatException Wrong(RoadSource source, XElement element, string what) =>
         new($"{source.Name}, line {((IXmlLineInfo)element).LineNumber}: {what}");
 
-    private static XmlReaderSettings Limited(long characters) => new()
-    {
-        DtdProcessing = DtdProcessing.Prohibit,
-        XmlResolver = null,
-        MaxCharactersInDocument = characters,
-        IgnoreComments = true,
-        IgnoreWhitespace = true,
-        IgnoreProcessingInstructions = true,
-    };
+    private static XmlReaderSettings Limited(long characters) =>
+        new()
+        {
+            DtdProcessing = DtdProcessing.Prohibit,
+            XmlResolver = null,
+            MaxCharactersInDocument = characters,
+            IgnoreComments = true,
+            IgnoreWhitespace = true,
+            IgnoreProcessingInstructions = true,
+        };
 
     private static XElement Take(XmlReader reader)
     {
@@ -98,7 +97,8 @@ internal static class RoadXml
             if (reader.Depth > MaxNesting)
             {
                 throw new DatasetFormatException(
-                    $"{source.Name}, line {((IXmlLineInfo)reader).LineNumber}: elements are nested more than {MaxNesting} levels deep.");
+                    $"{source.Name}, line {((IXmlLineInfo)reader).LineNumber}: elements are nested more than {MaxNesting} levels deep."
+                );
             }
         }
     }
@@ -113,8 +113,7 @@ internal static class RoadXml
         {
             // The error for a document type has no line number.
             string place = e.LineNumber > 0 ? $"line {e.LineNumber}" : "before the outermost element";
-            string what = e.Message.Contains("DTD", StringComparison.Ordinal)
-                ? "document types (DTDs) are not allowed." : e.Message;
+            string what = e.Message.Contains("DTD", StringComparison.Ordinal) ? "document types (DTDs) are not allowed." : e.Message;
             throw new DatasetFormatException($"{source.Name}, {place}: {what}", e);
         }
     }

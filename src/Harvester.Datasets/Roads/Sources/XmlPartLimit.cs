@@ -1,4 +1,3 @@
-using System;
 using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Roads.Sources;
@@ -35,13 +34,15 @@ internal sealed class XmlPartLimit(string name) : IByteLimit
         if (_text > MaxTextBytes)
         {
             throw new DatasetFormatException(
-                FormattableString.Invariant($"{name}: a text or an attribute has more than {MaxTextBytes} bytes, the limit."));
+                FormattableString.Invariant($"{name}: a text or an attribute has more than {MaxTextBytes} bytes, the limit.")
+            );
         }
 
         if (IsTaking && _element > MaxElementBytes)
         {
             throw new DatasetFormatException(
-                FormattableString.Invariant($"{name}: an element has more than {MaxElementBytes} bytes, the limit."));
+                FormattableString.Invariant($"{name}: an element has more than {MaxElementBytes} bytes, the limit.")
+            );
         }
     }
 }

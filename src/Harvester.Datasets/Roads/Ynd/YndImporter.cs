@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Xml.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads.Sources;
@@ -19,8 +16,7 @@ internal static class YndImporter
     private const int MaxId = ushort.MaxValue;
 
     /// <summary>Whether a file begins like such a cell.</summary>
-    public static bool Understands(string head) =>
-        head.StartsWith('<') && head.Contains("<" + RootName, StringComparison.Ordinal);
+    public static bool Understands(string head) => head.StartsWith('<') && head.Contains("<" + RootName, StringComparison.Ordinal);
 
     public static RoadImport Import(IReadOnlyList<RoadSource> cells)
     {
@@ -64,7 +60,8 @@ internal static class YndImporter
             else if (files.ContainsKey(link.ToArea))
             {
                 throw new DatasetFormatException(
-                    $"{link.Place}: the link leads to node {link.ToNumber} of cell {link.ToArea}, which that cell does not have.");
+                    $"{link.Place}: the link leads to node {link.ToNumber} of cell {link.ToArea}, which that cell does not have."
+                );
             }
             else
             {
@@ -108,8 +105,7 @@ internal static class YndImporter
         return cells;
     }
 
-    private static int Count(XElement root, RoadSource cell, string name) =>
-        root.Child(cell, name).Whole(cell, "value", 0, MaxId);
+    private static int Count(XElement root, RoadSource cell, string name) => root.Child(cell, name).Whole(cell, "value", 0, MaxId);
 
     private static RoadNode Node(RoadSource cell, XElement item)
     {
@@ -121,7 +117,8 @@ internal static class YndImporter
             Value(cell, item, "NodeID", MaxId),
             PathGrid.RemoveBias(new Vector3D(position.Number(cell, "x"), position.Number(cell, "y"), position.Number(cell, "z"))),
             street == "0" ? "" : street,
-            PathBits.NodeFlags(flags))
+            PathBits.NodeFlags(flags)
+        )
         {
             Speed = PathBits.SpeedOf(flags[5]),
             Density = PathBits.DensityOf(flags[4]),
@@ -130,14 +127,19 @@ internal static class YndImporter
 
     private static YndLink Link(RoadSource cell, XElement item, int from)
     {
-        int bits = Value(cell, item, "Flags0", byte.MaxValue)
+        int bits =
+            Value(cell, item, "Flags0", byte.MaxValue)
             | (Value(cell, item, "Flags1", byte.MaxValue) << 8)
             | (Value(cell, item, "Flags2", byte.MaxValue) << 16);
         int line = ((System.Xml.IXmlLineInfo)item).LineNumber;
-        return new YndLink(from, Value(cell, item, "ToAreaID", MaxId), Value(cell, item, "ToNodeID", MaxId),
-            bits, $"{cell.Name}, line {line}");
+        return new YndLink(
+            from,
+            Value(cell, item, "ToAreaID", MaxId),
+            Value(cell, item, "ToNodeID", MaxId),
+            bits,
+            $"{cell.Name}, line {line}"
+        );
     }
 
-    private static int Value(RoadSource cell, XElement item, string name, int max) =>
-        item.Child(cell, name).Whole(cell, "value", 0, max);
+    private static int Value(RoadSource cell, XElement item, string name, int max) => item.Child(cell, name).Whole(cell, "value", 0, max);
 }

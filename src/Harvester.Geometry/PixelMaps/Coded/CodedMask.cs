@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.PixelMaps.Coded;
 
 /// <summary>An instance map decoded from pictures.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.PixelMaps.Coded;
@@ -51,8 +48,10 @@ public sealed class CodedMaskDecoder : IMaskDecoder
         ImageSize image = camera.Image;
         _image = image;
         Guard.NotNull(code, nameof(code));
-        if (Guard.NotNull(pictures, nameof(pictures)).Count != code.PictureCount
-            || pictures.Any(picture => picture.Length != 3 * image.PixelCount))
+        if (
+            Guard.NotNull(pictures, nameof(pictures)).Count != code.PictureCount
+            || pictures.Any(picture => picture.Length != 3 * image.PixelCount)
+        )
         {
             throw new ArgumentException("The pictures do not match the code or the size of the image.", nameof(pictures));
         }
@@ -74,9 +73,7 @@ public sealed class CodedMaskDecoder : IMaskDecoder
     /// <inheritdoc/>
     public CodedMask Finish()
     {
-        while (Step())
-        {
-        }
+        while (Step()) { }
 
         return _result!;
     }
@@ -184,7 +181,8 @@ public sealed class CodedMaskDecoder : IMaskDecoder
                     _stack.MeanIn(front),
                     PictureStack.CountOf(front),
                     _stack.MeanIn(behind),
-                    PictureStack.CountOf(behind));
+                    PictureStack.CountOf(behind)
+                );
                 order[layer] = (ushort)best.Objects[layer];
             }
 
@@ -235,8 +233,11 @@ public sealed class CodedMaskDecoder : IMaskDecoder
             for (int column = 1; column < _image.Width - 1; column++)
             {
                 int pixel = (row * _image.Width) + column;
-                if (_order[pixel] is not null && _margins[pixel] < ClearMargin
-                    && MajorityFilter.CountAround(map.Ids, _image.Width, pixel, map.Ids[pixel]) <= AgreeingNeighbours)
+                if (
+                    _order[pixel] is not null
+                    && _margins[pixel] < ClearMargin
+                    && MajorityFilter.CountAround(map.Ids, _image.Width, pixel, map.Ids[pixel]) <= AgreeingNeighbours
+                )
                 {
                     undetermined[column, row] = true;
                 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.PixelMaps.Coded;
 
 /// <summary>
@@ -36,9 +33,7 @@ internal sealed class EdgeSettler(PictureStack stack, NoiseMap noise, int imageW
     {
         _fragments.DropFaint(plane);
         TrimEdges(plane);
-        for (int round = 0; round < FillRounds && Fill(plane); round++)
-        {
-        }
+        for (int round = 0; round < FillRounds && Fill(plane); round++) { }
 
         FragmentFilter.FillHoles(plane);
         _fragments.FillLikes(plane, stack.Picture(0));
@@ -99,8 +94,11 @@ internal sealed class EdgeSettler(PictureStack stack, NoiseMap noise, int imageW
                 double squared = span.Dot(span);
                 double share = over.Dot(span) / squared;
                 double rest = (over - (span * share)).Length;
-                if (squared > MinContrast * MinContrast * variance && share < MaxShare
-                    && rest < (RimFraction * Math.Sqrt(squared)) + (RestDeviations * Math.Sqrt(variance)))
+                if (
+                    squared > MinContrast * MinContrast * variance
+                    && share < MaxShare
+                    && rest < (RimFraction * Math.Sqrt(squared)) + (RestDeviations * Math.Sqrt(variance))
+                )
                 {
                     return true;
                 }
@@ -135,8 +133,12 @@ internal sealed class EdgeSettler(PictureStack stack, NoiseMap noise, int imageW
             {
                 int index = (y * plane.Width) + x;
                 int neighbours = NeighboursOf(plane, x, y);
-                if (plane.State[index] == PixelState.Other && plane.Covers(x + plane.Left, y + plane.Top)
-                    && neighbours >= FillNeighbours && MeanAround(plane, x, y, 1, plane.Has) is { } around)
+                if (
+                    plane.State[index] == PixelState.Other
+                    && plane.Covers(x + plane.Left, y + plane.Top)
+                    && neighbours >= FillNeighbours
+                    && MeanAround(plane, x, y, 1, plane.Has) is { } around
+                )
                 {
                     int pixel = PixelOf(plane, x, y);
                     stack.Load(pixel);

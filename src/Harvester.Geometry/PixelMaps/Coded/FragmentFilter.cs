@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Geometry.PixelMaps.Coded;
 
 /// <summary>Judges connected pixels together: a faint fragment is noise or a moving texture, and a small closed hole is chance.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.PixelMaps.Coded;
 
 /// <summary>What the pictures of a mask show. Picture 0 shows all targets and nothing else that is not there otherwise.</summary>

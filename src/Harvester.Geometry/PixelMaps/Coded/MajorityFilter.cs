@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry.PixelMaps.Coded;
 
 /// <summary>
@@ -25,8 +23,13 @@ internal static class MajorityFilter
                 {
                     int pixel = (row * map.Image.Width) + column;
                     ushort other = before[pixel - 1] != before[pixel] ? before[pixel - 1] : before[pixel - map.Image.Width];
-                    if (before[pixel] != 0 && other != 0 && other != before[pixel]
-                        && CountAround(before, map.Image.Width, pixel, other) >= Majority && isThere(other, column, row))
+                    if (
+                        before[pixel] != 0
+                        && other != 0
+                        && other != before[pixel]
+                        && CountAround(before, map.Image.Width, pixel, other) >= Majority
+                        && isThere(other, column, row)
+                    )
                     {
                         map.Ids[pixel] = other;
                     }

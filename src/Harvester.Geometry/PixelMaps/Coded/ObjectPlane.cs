@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.PixelMaps.Coded;
@@ -88,12 +85,15 @@ internal sealed class ObjectPlane
         }
 
         var middle = new Vector2D(outline.Average(point => point.X), outline.Average(point => point.Y));
-        Vector2D[] wide = [.. outline.Select(point =>
-        {
-            Vector2D arm = point - middle;
-            double length = Math.Sqrt((arm.X * arm.X) + (arm.Y * arm.Y));
-            return length > 0 ? middle + (arm * (1 + MarginFraction + (MarginPixels / length))) : point;
-        })];
+        Vector2D[] wide =
+        [
+            .. outline.Select(point =>
+            {
+                Vector2D arm = point - middle;
+                double length = Math.Sqrt((arm.X * arm.X) + (arm.Y * arm.Y));
+                return length > 0 ? middle + (arm * (1 + MarginFraction + (MarginPixels / length))) : point;
+            }),
+        ];
         double more = MarginPixels + (MarginFraction * Math.Max(box.Width, box.Height));
         return new SilhouetteSpans(wide, new Box2D(box.XMin - more, box.YMin - more, box.XMax + more, box.YMax + more), image);
     }

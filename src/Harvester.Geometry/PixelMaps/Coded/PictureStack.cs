@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.PixelMaps.Coded;
 
 /// <summary>The values of one pixel in all pictures, and their statistics over groups of pictures. A group is a set of bits.</summary>

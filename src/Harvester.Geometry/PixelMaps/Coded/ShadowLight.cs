@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Geometry.PixelMaps.Coded;
 
 /// <summary>
@@ -55,8 +51,10 @@ internal sealed class ShadowLight
             return;
         }
 
-        List<Vector3D> darkest = [.. _ratios.OrderBy(ratio => ratio.X + ratio.Y + ratio.Z)
-            .Take((int)Math.Ceiling(DarkestFraction * _ratios.Count))];
+        List<Vector3D> darkest =
+        [
+            .. _ratios.OrderBy(ratio => ratio.X + ratio.Y + ratio.Z).Take((int)Math.Ceiling(DarkestFraction * _ratios.Count)),
+        ];
         _sky = darkest.Aggregate(Vector3D.Zero, (sum, ratio) => sum + ratio) / darkest.Count;
         _sun = new Vector3D(1, 1, 1) - _sky;
     }
@@ -74,7 +72,8 @@ internal sealed class ShadowLight
         var weight = new Vector3D(
             1 / VarianceOf(shaded.X, lit.X, variance, litVariance),
             1 / VarianceOf(shaded.Y, lit.Y, variance, litVariance),
-            1 / VarianceOf(shaded.Z, lit.Z, variance, litVariance));
+            1 / VarianceOf(shaded.Z, lit.Z, variance, litVariance)
+        );
         double aa = Dot(basisSky, basisSky, weight);
         double ab = Dot(basisSky, basisSun, weight);
         double bb = Dot(basisSun, basisSun, weight);

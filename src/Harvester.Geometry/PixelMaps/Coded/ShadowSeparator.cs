@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 
@@ -65,7 +64,8 @@ internal sealed class ShadowSeparator(Camera camera, NoiseMap noise, ShadowLight
     {
         double expectation = Expectation(plane, x, y);
         return !light.IsAny || expectation == Never
-            ? Never : Limited(ColourEvidence(plane, x, y)) + Limited(TextureEvidence(plane, x, y)) + expectation;
+            ? Never
+            : Limited(ColourEvidence(plane, x, y)) + Limited(TextureEvidence(plane, x, y)) + expectation;
     }
 
     private static double Limited(double value) => Math.Max(-MaxEvidence, Math.Min(MaxEvidence, value));
@@ -96,7 +96,8 @@ internal sealed class ShadowSeparator(Camera camera, NoiseMap noise, ShadowLight
         }
 
         return cuboid.Intersect(ray) is not { } span ? Outside
-            : height - (descent * span.Entry) < Clearance ? Below : Behind;
+            : height - (descent * span.Entry) < Clearance ? Below
+            : Behind;
     }
 
     private double ColourEvidence(ObjectPlane plane, int x, int y)
@@ -104,7 +105,11 @@ internal sealed class ShadowSeparator(Camera camera, NoiseMap noise, ShadowLight
         int index = (y * plane.Width) + x;
         double variance = VarianceAt(plane, x, y);
         return light.Evidence(
-            plane.ColourAt(index), plane.BehindAt(index), variance / plane.Counts[2 * index], variance / plane.Counts[(2 * index) + 1]);
+            plane.ColourAt(index),
+            plane.BehindAt(index),
+            variance / plane.Counts[2 * index],
+            variance / plane.Counts[(2 * index) + 1]
+        );
     }
 
     /// <summary>

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 
@@ -11,7 +9,12 @@ namespace Harvester.Geometry.PixelMaps.Screens;
 /// pixels around it, or at most pixels that both cover. A rider and a motorcycle are each in front of the other somewhere.
 /// </summary>
 internal sealed class FrontOrder(
-    Camera camera, IReadOnlyList<MapTarget> targets, ScreenPlan plan, IReadOnlyList<byte[]> pictures, ScreenMatte[] mattes)
+    Camera camera,
+    IReadOnlyList<MapTarget> targets,
+    ScreenPlan plan,
+    IReadOnlyList<byte[]> pictures,
+    ScreenMatte[] mattes
+)
 {
     /// <summary>A colour that differs by more than this, squared grey levels, is another: far more than noise.</summary>
     private const int ClearSquares = 100;
@@ -65,8 +68,10 @@ internal sealed class FrontOrder(
         }
 
         (int first, int second) = (Math.Min(a, b), Math.Max(a, b));
-        int votes = !_votes.TryGetValue((first, second), out int sum) ? 0
-            : VotesAround(first, second, column, row) is var near and not 0 ? near : sum;
+        int votes =
+            !_votes.TryGetValue((first, second), out int sum) ? 0
+            : VotesAround(first, second, column, row) is var near and not 0 ? near
+            : sum;
         return votes != 0 ? votes > 0 == a < b : plan.Screens[a].DistanceMetres <= plan.Screens[b].DistanceMetres;
     }
 
@@ -92,7 +97,8 @@ internal sealed class FrontOrder(
     {
         Ray ray = camera.RayThrough(column + 0.5, row + 0.5);
         return SpanOf(a, ray) is { } ofA && SpanOf(b, ray) is { } ofB && (ofA.Exit <= ofB.Entry || ofB.Exit <= ofA.Entry)
-            ? ofA.Entry < ofB.Entry : null;
+            ? ofA.Entry < ofB.Entry
+            : null;
     }
 
     private RaySpan? SpanOf(int target, Ray ray) => targets[target].Cuboid.Intersect(ray) ?? plan.Screens[target].Box.Intersect(ray);

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.PixelMaps.Screens;
 
 /// <summary>
@@ -47,8 +45,11 @@ internal sealed class MatteEdges(ScreenMatte matte, ScreenView view, ScreenColou
         }
     }
 
-    private bool IsInside(int x, int y) => matte.At(x - 1, y) == MatteState.Object && matte.At(x + 1, y) == MatteState.Object
-        && matte.At(x, y - 1) == MatteState.Object && matte.At(x, y + 1) == MatteState.Object;
+    private bool IsInside(int x, int y) =>
+        matte.At(x - 1, y) == MatteState.Object
+        && matte.At(x + 1, y) == MatteState.Object
+        && matte.At(x, y - 1) == MatteState.Object
+        && matte.At(x, y + 1) == MatteState.Object;
 
     /// <summary>The screen's share of a pixel, by the neighbour whose colour explains it best.</summary>
     private double ShareAt(int x, int y)

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps.Coded;
@@ -21,7 +18,14 @@ internal sealed class ObjectScreen
     private const double LiftMetres = 0.005;
 
     private static readonly (int A, int B, int C, int D)[] Faces =
-        [(0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5)];
+    [
+        (0, 1, 3, 2),
+        (4, 5, 7, 6),
+        (0, 1, 5, 4),
+        (2, 3, 7, 6),
+        (0, 2, 6, 4),
+        (1, 3, 7, 5),
+    ];
 
     private ObjectScreen(Cuboid box, SilhouetteSpans spans, double distance) => (Box, Spans, DistanceMetres) = (box, spans, distance);
 
@@ -43,20 +47,23 @@ internal sealed class ObjectScreen
         var box = new Cuboid(
             cuboid.Centre + (cuboid.Axes.Up * (rise + LiftMetres)),
             new Vector3D(cuboid.HalfExtents.X + margin, cuboid.HalfExtents.Y + margin, Math.Max(0, cuboid.HalfExtents.Z + rise)),
-            cuboid.Axes);
+            cuboid.Axes
+        );
         CuboidProjection projection = CuboidProjector.Project(camera, box);
         return new ObjectScreen(
             box,
             projection.Box is { } bounds
                 ? new SilhouetteSpans(projection.Silhouette, bounds, camera.Image)
                 : new SilhouetteSpans([], new Box2D(0, 0, 0, 0), camera.Image),
-            distance);
+            distance
+        );
     }
 
     /// <summary>The sheets of the screen.</summary>
-    public IEnumerable<ScreenSheet> Sheets(Vector3D eye) => Faces
-        .Select(face => new ScreenSheet(Box.Corner(face.A), Box.Corner(face.B), Box.Corner(face.C), Box.Corner(face.D)))
-        .Where(sheet => IsFar(sheet, eye));
+    public IEnumerable<ScreenSheet> Sheets(Vector3D eye) =>
+        Faces
+            .Select(face => new ScreenSheet(Box.Corner(face.A), Box.Corner(face.B), Box.Corner(face.C), Box.Corner(face.D)))
+            .Where(sheet => IsFar(sheet, eye));
 
     /// <summary>Number of pixels that two screens share, each widened by a pixel.</summary>
     public int PixelsSharedWith(ObjectScreen other)
@@ -67,8 +74,8 @@ internal sealed class ObjectScreen
         {
             (int first, int end) = Spans.Row(row);
             (int otherFirst, int otherEnd) = other.Spans.Row(row);
-            shared += first <= end && otherFirst <= otherEnd
-                ? Math.Max(0, Math.Min(end, otherEnd) + 1 - Math.Max(first, otherFirst) + 1) : 0;
+            shared +=
+                first <= end && otherFirst <= otherEnd ? Math.Max(0, Math.Min(end, otherEnd) + 1 - Math.Max(first, otherFirst) + 1) : 0;
         }
 
         return shared;

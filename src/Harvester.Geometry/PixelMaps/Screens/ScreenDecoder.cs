@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps.Coded;
 
@@ -45,9 +42,7 @@ internal sealed class ScreenDecoder : IMaskDecoder
     /// <inheritdoc/>
     public CodedMask Finish()
     {
-        while (Step())
-        {
-        }
+        while (Step()) { }
 
         return _result!;
     }
@@ -63,7 +58,12 @@ internal sealed class ScreenDecoder : IMaskDecoder
         for (int i = 0; i < _mattes.Length; i++)
         {
             var view = new ScreenView(
-                _camera, _plan.Screens[i], _pictures[1], PictureOf(_plan.ShownPicture(i), i), PictureOf(_plan.EmptyPicture(i), i));
+                _camera,
+                _plan.Screens[i],
+                _pictures[1],
+                PictureOf(_plan.ShownPicture(i), i),
+                PictureOf(_plan.EmptyPicture(i), i)
+            );
             _mattes[i] = new ScreenMatte(view, darkest);
             amodal[_targets[i].Number] = Collect(i, owners, several);
             yield return true;
@@ -133,14 +133,22 @@ internal sealed class ScreenDecoder : IMaskDecoder
             {
                 (int column, int row) = (matte.Left + (index % matte.Width), matte.Top + (index / matte.Width));
                 int first = 3 * ((row * _camera.Image.Width) + column);
-                (int red, int green, int blue) =
-                    (all[first] - none[first], all[first + 1] - none[first + 1], all[first + 2] - none[first + 2]);
-                undetermined[column, row] |= matte.State[index] == MatteState.Unknown && screen.Spans.Contains(column, row)
-                    && map[column, row] == 0 && (red * red) + (green * green) + (blue * blue) > ChangedSquares;
+                (int red, int green, int blue) = (
+                    all[first] - none[first],
+                    all[first + 1] - none[first + 1],
+                    all[first + 2] - none[first + 2]
+                );
+                undetermined[column, row] |=
+                    matte.State[index] == MatteState.Unknown
+                    && screen.Spans.Contains(column, row)
+                    && map[column, row] == 0
+                    && (red * red) + (green * green) + (blue * blue) > ChangedSquares;
             }
         }
     }
 
-    private ScreenPicture? PictureOf(int number, int target) => number == 0 ? null
-        : new ScreenPicture(_pictures[number], [.. _plan.Nearer(number, target).Select(other => _plan.Screens[other].Spans)]);
+    private ScreenPicture? PictureOf(int number, int target) =>
+        number == 0
+            ? null
+            : new ScreenPicture(_pictures[number], [.. _plan.Nearer(number, target).Select(other => _plan.Screens[other].Spans)]);
 }

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry.PixelMaps.Screens;
 
 /// <summary>
@@ -72,8 +70,11 @@ internal sealed class ScreenMatte
     /// <summary>The state at a place, counted from the upper left corner; outside, nothing is known.</summary>
     public MatteState At(int x, int y) => x < 0 || y < 0 || x >= Width || y >= Height ? MatteState.Unknown : State[(y * Width) + x];
 
-    public bool IsBesideScreen(int x, int y) => At(x - 1, y) == MatteState.Screen || At(x + 1, y) == MatteState.Screen
-        || At(x, y - 1) == MatteState.Screen || At(x, y + 1) == MatteState.Screen;
+    public bool IsBesideScreen(int x, int y) =>
+        At(x - 1, y) == MatteState.Screen
+        || At(x + 1, y) == MatteState.Screen
+        || At(x, y - 1) == MatteState.Screen
+        || At(x, y + 1) == MatteState.Screen;
 
     /// <summary>Whether a pixel of the image shows the object alone, so that its colour is the object's.</summary>
     public bool IsPure(int column, int row)
@@ -88,7 +89,8 @@ internal sealed class ScreenMatte
         if (!_view.HasEmpty[index])
         {
             return screen.ShareOf(shown) > ScreenShare ? MatteState.Screen
-                : (shown - _view.None(index)).Length < SameLevels ? MatteState.World : MatteState.Object;
+                : (shown - _view.None(index)).Length < SameLevels ? MatteState.World
+                : MatteState.Object;
         }
 
         Vector3D empty = _view.Empty(index);
@@ -105,7 +107,8 @@ internal sealed class ScreenMatte
 
         bool isGround = _view.IsGround(index);
         return !IsShadow(shown, empty, isGround ? DarkestContact : _darkestShadow) ? MatteState.Object
-            : isGround ? MatteState.World : MatteState.Doubt;
+            : isGround ? MatteState.World
+            : MatteState.Doubt;
     }
 
     /// <summary>Whether only the screen's share of a pixel has changed, into any colour.</summary>
@@ -113,7 +116,8 @@ internal sealed class ScreenMatte
     {
         Vector3D rest = shown - world;
         double most = (255 * share) + same;
-        return share < MixedShare ? rest.Length < same
+        return share < MixedShare
+            ? rest.Length < same
             : Math.Min(rest.X, Math.Min(rest.Y, rest.Z)) > -same && Math.Max(rest.X, Math.Max(rest.Y, rest.Z)) < most;
     }
 

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.PixelMaps.Screens;
 
 /// <summary>A picture with the screen of an object.</summary>
@@ -12,8 +10,13 @@ internal sealed record ScreenPicture(byte[] Bytes, IReadOnlyList<SilhouetteSpans
     {
         foreach (SilhouetteSpans spans in Nearer)
         {
-            if (spans.Contains(column, row) || spans.Contains(column - 1, row) || spans.Contains(column + 1, row)
-                || spans.Contains(column, row - 1) || spans.Contains(column, row + 1))
+            if (
+                spans.Contains(column, row)
+                || spans.Contains(column - 1, row)
+                || spans.Contains(column + 1, row)
+                || spans.Contains(column, row - 1)
+                || spans.Contains(column, row + 1)
+            )
             {
                 return true;
             }

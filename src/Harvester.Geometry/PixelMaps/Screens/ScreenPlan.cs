@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps.Coded;
 
@@ -48,8 +45,15 @@ public sealed class ScreenPlan : IPicturePlan
         }
 
         // Those that overlap with most others are the hardest to place.
-        int[] order = [.. Enumerable.Range(0, _screens.Length).Where(index => _screens[index].Spans.PixelCount > 0)
-            .OrderByDescending(index => degrees[index]).ThenBy(index => _screens[index].DistanceMetres).ThenBy(static index => index)];
+        int[] order =
+        [
+            .. Enumerable
+                .Range(0, _screens.Length)
+                .Where(index => _screens[index].Spans.PixelCount > 0)
+                .OrderByDescending(index => degrees[index])
+                .ThenBy(index => _screens[index].DistanceMetres)
+                .ThenBy(static index => index),
+        ];
         foreach (int index in order)
         {
             Place(index, _shown);

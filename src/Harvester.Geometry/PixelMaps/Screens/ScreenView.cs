@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 
@@ -81,7 +80,9 @@ internal sealed class ScreenView
     private bool IsWithin(int column, int row)
     {
         SilhouetteSpans spans = _screen.Spans;
-        return spans.Contains(column, row) && spans.Contains(Math.Max(0, column - 1), row)
-            && spans.Contains(Math.Min(_camera.Image.Width - 1, column + 1), row) && spans.Contains(column, Math.Max(0, row - 1));
+        return spans.Contains(column, row)
+            && spans.Contains(Math.Max(0, column - 1), row)
+            && spans.Contains(Math.Min(_camera.Image.Width - 1, column + 1), row)
+            && spans.Contains(column, Math.Max(0, row - 1));
     }
 }

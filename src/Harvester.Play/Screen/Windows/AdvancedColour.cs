@@ -1,4 +1,3 @@
-using System;
 using System.Runtime.InteropServices;
 
 namespace Harvester.Play.Screen.Windows;
@@ -70,7 +69,13 @@ internal static class AdvancedColour
 
     [DllImport("user32")]
     private static extern int QueryDisplayConfig(
-        uint flags, ref uint pathCount, [Out] byte[] paths, ref uint modeCount, [Out] byte[] modes, IntPtr topology);
+        uint flags,
+        ref uint pathCount,
+        [Out] byte[] paths,
+        ref uint modeCount,
+        [Out] byte[] modes,
+        IntPtr topology
+    );
 
     [DllImport("user32")]
     private static extern int DisplayConfigGetDeviceInfo([In, Out] byte[] info);

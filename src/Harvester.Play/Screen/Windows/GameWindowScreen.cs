@@ -1,4 +1,3 @@
-using System;
 using System.Diagnostics;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
@@ -25,9 +24,7 @@ public sealed class GameWindowScreen : IScreen, IGameWindow, IDisposable
     /// <summary>Grabs the main window of a process.</summary>
     /// <param name="processId">The game's process.</param>
     public GameWindowScreen(int processId)
-        : this(new WindowsDesktop(), processId)
-    {
-    }
+        : this(new WindowsDesktop(), processId) { }
 
     internal GameWindowScreen(IDesktop desktop, int processId)
     {

@@ -1,4 +1,3 @@
-using System;
 using System.Runtime.InteropServices;
 
 namespace Harvester.Play.Screen.Windows;
@@ -17,7 +16,13 @@ internal static class Gdi32
 
     [DllImport("gdi32")]
     public static extern IntPtr CreateDIBSection(
-        IntPtr context, ref NativeBitmapHeader header, uint usage, out IntPtr pixels, IntPtr section, uint offset);
+        IntPtr context,
+        ref NativeBitmapHeader header,
+        uint usage,
+        out IntPtr pixels,
+        IntPtr section,
+        uint offset
+    );
 
     [DllImport("gdi32")]
     public static extern IntPtr SelectObject(IntPtr context, IntPtr handle);
@@ -29,7 +34,16 @@ internal static class Gdi32
     [DllImport("gdi32")]
     [return: MarshalAs(UnmanagedType.Bool)]
     public static extern bool BitBlt(
-        IntPtr target, int x, int y, int width, int height, IntPtr source, int sourceX, int sourceY, int operation);
+        IntPtr target,
+        int x,
+        int y,
+        int width,
+        int height,
+        IntPtr source,
+        int sourceX,
+        int sourceY,
+        int operation
+    );
 
     [DllImport("gdi32")]
     [return: MarshalAs(UnmanagedType.Bool)]

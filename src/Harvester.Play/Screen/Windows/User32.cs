@@ -1,4 +1,3 @@
-using System;
 using System.Runtime.InteropServices;
 
 // Load only the system's own libraries, never one of the same name beside the game.

@@ -1,4 +1,3 @@
-using System;
 using System.Runtime.InteropServices;
 
 namespace Harvester.Play.Screen.Windows;
@@ -10,8 +9,7 @@ internal static class WindowManager
     private const int Cloaked = 14;
 
     /// <summary>Whether the window is not shown although it counts as visible: on another virtual desktop, or of a suspended app.</summary>
-    public static bool IsCloaked(IntPtr window) =>
-        GetWindowAttribute(window, Cloaked, out int cloaked, sizeof(int)) == 0 && cloaked != 0;
+    public static bool IsCloaked(IntPtr window) => GetWindowAttribute(window, Cloaked, out int cloaked, sizeof(int)) == 0 && cloaked != 0;
 
     /// <summary>The window's visible bounds, without the invisible border for resizing; null if unknown.</summary>
     public static PixelRectangle? VisibleBounds(IntPtr window) =>

@@ -1,4 +1,3 @@
-using System;
 using System.Runtime.InteropServices;
 
 namespace Harvester.Play.Screen.Windows;
@@ -29,7 +28,8 @@ internal sealed class WindowReader
             ShowsNothing(window, style),
             bounds,
             isMinimised ? default : ClientOf(window),
-            isMinimised ? RestoredArea(window) : bounds.Area);
+            isMinimised ? RestoredArea(window) : bounds.Area
+        );
     }
 
     private static bool ShowsNothing(IntPtr window, int style)
@@ -44,7 +44,8 @@ internal sealed class WindowReader
             return false;
         }
 
-        bool isInvisible = User32.GetLayeredWindowAttributes(window, out _, out byte alpha, out int flags)
+        bool isInvisible =
+            User32.GetLayeredWindowAttributes(window, out _, out byte alpha, out int flags)
             && (flags & User32.LayerHasAlpha) != 0
             && alpha == 0;
         return isInvisible || (style & User32.StyleTransparent) != 0;

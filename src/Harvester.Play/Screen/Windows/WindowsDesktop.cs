@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Sessions.Imaging;
 
 namespace Harvester.Play.Screen.Windows;
@@ -25,7 +23,8 @@ internal sealed class WindowsDesktop : IDesktop, IDisposable
 
                 return true;
             },
-            IntPtr.Zero);
+            IntPtr.Zero
+        );
         User32.EnumDisplayMonitors(
             IntPtr.Zero,
             IntPtr.Zero,
@@ -34,7 +33,8 @@ internal sealed class WindowsDesktop : IDesktop, IDisposable
                 monitors.Add(area.ToPixels());
                 return true;
             },
-            IntPtr.Zero);
+            IntPtr.Zero
+        );
         return new DesktopView(windows, monitors);
     }
 

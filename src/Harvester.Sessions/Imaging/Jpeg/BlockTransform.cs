@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Sessions.Imaging.Jpeg;
@@ -31,8 +30,12 @@ internal abstract class BlockTransform
         ImageSize size = picture.Size;
         if (column + JpegBlock.Side <= size.Width && row + JpegBlock.Side <= size.Height)
         {
-            Transform(picture.Bytes, ((row * size.Width) + column) * PixelBuffer.BytesPerPixel, size.Width * PixelBuffer.BytesPerPixel,
-                blocks);
+            Transform(
+                picture.Bytes,
+                ((row * size.Width) + column) * PixelBuffer.BytesPerPixel,
+                size.Width * PixelBuffer.BytesPerPixel,
+                blocks
+            );
             return;
         }
 
@@ -58,8 +61,13 @@ internal abstract class BlockTransform
             Buffer.BlockCopy(picture.Bytes, from, _border, to, inside * PixelBuffer.BytesPerPixel);
             for (int x = inside; x < JpegBlock.Side; x++)
             {
-                Buffer.BlockCopy(picture.Bytes, from + ((inside - 1) * PixelBuffer.BytesPerPixel), _border,
-                    to + (x * PixelBuffer.BytesPerPixel), PixelBuffer.BytesPerPixel);
+                Buffer.BlockCopy(
+                    picture.Bytes,
+                    from + ((inside - 1) * PixelBuffer.BytesPerPixel),
+                    _border,
+                    to + (x * PixelBuffer.BytesPerPixel),
+                    PixelBuffer.BytesPerPixel
+                );
             }
         }
     }

@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Sessions.Imaging.Jpeg;
@@ -30,16 +28,17 @@ public sealed class JpegEncoder
     /// <param name="quality">1 to 100, on the scale of libjpeg.</param>
     /// <exception cref="ArgumentOutOfRangeException">The quality is out of its range.</exception>
     public JpegEncoder(int quality = DefaultQuality)
-        : this(quality, BlockTransform.Fastest)
-    {
-    }
+        : this(quality, BlockTransform.Fastest) { }
 
     internal JpegEncoder(int quality, Func<QuantisationTable, QuantisationTable, BlockTransform> transform)
     {
         if (quality is < MinQuality or > MaxQuality)
         {
             throw new ArgumentOutOfRangeException(
-                nameof(quality), quality, $"The quality of a JPEG picture is {MinQuality} to {MaxQuality}.");
+                nameof(quality),
+                quality,
+                $"The quality of a JPEG picture is {MinQuality} to {MaxQuality}."
+            );
         }
 
         QuantisationTable luma = QuantisationTable.Luma(quality);

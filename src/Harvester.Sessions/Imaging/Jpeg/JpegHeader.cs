@@ -1,5 +1,3 @@
-using System.IO;
-using System.Linq;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Sessions.Imaging.Jpeg;

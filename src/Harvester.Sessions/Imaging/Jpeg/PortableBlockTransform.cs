@@ -43,14 +43,29 @@ internal sealed class PortableBlockTransform : BlockTransform
                 int red = pixels[from];
                 int green = pixels[from + 1];
                 int blue = pixels[from + 2];
-                target[at] = (((ColourWeights.RedInY * red) + (ColourWeights.GreenInY * green) + (ColourWeights.BlueInY * blue)
-                    + ColourWeights.RoundingOfY) >> ColourWeights.Bits) - ColourWeights.LevelShift;
-                target[at + JpegBlock.Length] = (
-                    (ColourWeights.RedInCb * red) + (ColourWeights.GreenInCb * green) + (ColourWeights.Half * blue)
-                    + ColourWeights.RoundingOfColour) >> ColourWeights.Bits;
-                target[at + (2 * JpegBlock.Length)] = (
-                    (ColourWeights.Half * red) + (ColourWeights.GreenInCr * green) + (ColourWeights.BlueInCr * blue)
-                    + ColourWeights.RoundingOfColour) >> ColourWeights.Bits;
+                target[at] =
+                    (
+                        (
+                            (ColourWeights.RedInY * red)
+                            + (ColourWeights.GreenInY * green)
+                            + (ColourWeights.BlueInY * blue)
+                            + ColourWeights.RoundingOfY
+                        ) >> ColourWeights.Bits
+                    ) - ColourWeights.LevelShift;
+                target[at + JpegBlock.Length] =
+                    (
+                        (ColourWeights.RedInCb * red)
+                        + (ColourWeights.GreenInCb * green)
+                        + (ColourWeights.Half * blue)
+                        + ColourWeights.RoundingOfColour
+                    ) >> ColourWeights.Bits;
+                target[at + (2 * JpegBlock.Length)] =
+                    (
+                        (ColourWeights.Half * red)
+                        + (ColourWeights.GreenInCr * green)
+                        + (ColourWeights.BlueInCr * blue)
+                        + ColourWeights.RoundingOfColour
+                    ) >> ColourWeights.Bits;
             }
         }
     }

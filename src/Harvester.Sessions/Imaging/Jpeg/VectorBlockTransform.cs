@@ -1,5 +1,4 @@
 #if NET
-using System;
 using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
 
@@ -48,8 +47,8 @@ internal sealed class VectorBlockTransform : BlockTransform
         {
             Vector256<int> quotients = table.Divided(rows[row], row);
             quotients.CopyTo(blocks.Coefficients, (component * JpegBlock.Length) + (row * JpegBlock.Side));
-            present |= (ulong)(byte)~Vector256.Equals(quotients, Vector256<int>.Zero)
-                .ExtractMostSignificantBits() << (row * JpegBlock.Side);
+            present |=
+                (ulong)(byte)~Vector256.Equals(quotients, Vector256<int>.Zero).ExtractMostSignificantBits() << (row * JpegBlock.Side);
         }
 
         blocks.Present[component] = present;
@@ -63,20 +62,54 @@ internal sealed class VectorBlockTransform : BlockTransform
             Vector256<int> red = Avx2.Shuffle(bytes, Reds).AsInt32();
             Vector256<int> green = Avx2.Shuffle(bytes, Greens).AsInt32();
             Vector256<int> blue = Avx2.Shuffle(bytes, Blues).AsInt32();
-            _y[row] = (((red * ColourWeights.RedInY) + (green * ColourWeights.GreenInY) + (blue * ColourWeights.BlueInY)
-                + Vector256.Create(ColourWeights.RoundingOfY)) >> ColourWeights.Bits) - Vector256.Create(ColourWeights.LevelShift);
-            _cb[row] = ((red * ColourWeights.RedInCb) + (green * ColourWeights.GreenInCb) + (blue * ColourWeights.Half)
-                + Vector256.Create(ColourWeights.RoundingOfColour)) >> ColourWeights.Bits;
-            _cr[row] = ((red * ColourWeights.Half) + (green * ColourWeights.GreenInCr) + (blue * ColourWeights.BlueInCr)
-                + Vector256.Create(ColourWeights.RoundingOfColour)) >> ColourWeights.Bits;
+            _y[row] =
+                (
+                    (
+                        (red * ColourWeights.RedInY)
+                        + (green * ColourWeights.GreenInY)
+                        + (blue * ColourWeights.BlueInY)
+                        + Vector256.Create(ColourWeights.RoundingOfY)
+                    ) >> ColourWeights.Bits
+                ) - Vector256.Create(ColourWeights.LevelShift);
+            _cb[row] =
+                (
+                    (red * ColourWeights.RedInCb)
+                    + (green * ColourWeights.GreenInCb)
+                    + (blue * ColourWeights.Half)
+                    + Vector256.Create(ColourWeights.RoundingOfColour)
+                ) >> ColourWeights.Bits;
+            _cr[row] =
+                (
+                    (red * ColourWeights.Half)
+                    + (green * ColourWeights.GreenInCr)
+                    + (blue * ColourWeights.BlueInCr)
+                    + Vector256.Create(ColourWeights.RoundingOfColour)
+                ) >> ColourWeights.Bits;
         }
     }
 
     /// <summary>Every third byte from a position of each half, each as an integer of 32 bits.</summary>
     private static Vector256<byte> Spread(byte lower, byte upper) => Vector256.Create(Spread(lower), Spread(upper));
 
-    private static Vector128<byte> Spread(byte from) => Vector128.Create(
-        from, Zero, Zero, Zero, (byte)(from + 3), Zero, Zero, Zero, (byte)(from + 6), Zero, Zero, Zero, (byte)(from + 9), Zero, Zero, Zero);
+    private static Vector128<byte> Spread(byte from) =>
+        Vector128.Create(
+            from,
+            Zero,
+            Zero,
+            Zero,
+            (byte)(from + 3),
+            Zero,
+            Zero,
+            Zero,
+            (byte)(from + 6),
+            Zero,
+            Zero,
+            Zero,
+            (byte)(from + 9),
+            Zero,
+            Zero,
+            Zero
+        );
 
     private static void Transpose(Vector256<int>[] rows)
     {

@@ -1,5 +1,4 @@
 #if !NET
-using System;
 
 namespace Harvester.Sessions.Imaging.Pictures;
 

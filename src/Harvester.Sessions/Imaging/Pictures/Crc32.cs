@@ -17,8 +17,15 @@ public static class Crc32
         for (; i + Slices <= count; i += Slices)
         {
             uint low = crc ^ (uint)(bytes[i] | (bytes[i + 1] << 8) | (bytes[i + 2] << 16) | (bytes[i + 3] << 24));
-            crc = Tables[7][low & 0xFF] ^ Tables[6][(low >> 8) & 0xFF] ^ Tables[5][(low >> 16) & 0xFF] ^ Tables[4][low >> 24]
-                ^ Tables[3][bytes[i + 4]] ^ Tables[2][bytes[i + 5]] ^ Tables[1][bytes[i + 6]] ^ Tables[0][bytes[i + 7]];
+            crc =
+                Tables[7][low & 0xFF]
+                ^ Tables[6][(low >> 8) & 0xFF]
+                ^ Tables[5][(low >> 16) & 0xFF]
+                ^ Tables[4][low >> 24]
+                ^ Tables[3][bytes[i + 4]]
+                ^ Tables[2][bytes[i + 5]]
+                ^ Tables[1][bytes[i + 6]]
+                ^ Tables[0][bytes[i + 7]];
         }
 
         for (; i < count; i++)

@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using Harvester.Sessions.Imaging.Jpeg;
 
 namespace Harvester.Sessions.Imaging.Pictures;

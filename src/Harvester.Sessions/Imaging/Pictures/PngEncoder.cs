@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.IO.Compression;
 using System.Text;
 using Harvester.Geometry.Cameras;
@@ -46,8 +43,14 @@ public sealed class PngEncoder
         }
 
         int stride = picture.Size.Width * PixelBuffer.BytesPerPixel;
-        Write(target, picture.Size, BitsOfColour, ColourTypeRgb, stride, (row, line) =>
-            Buffer.BlockCopy(picture.Bytes, row * stride, line, 0, stride));
+        Write(
+            target,
+            picture.Size,
+            BitsOfColour,
+            ColourTypeRgb,
+            stride,
+            (row, line) => Buffer.BlockCopy(picture.Bytes, row * stride, line, 0, stride)
+        );
     }
 
     /// <summary>Writes an instance map: grey, 16 bits per pixel, the value is the object's number.</summary>
@@ -61,15 +64,22 @@ public sealed class PngEncoder
 
         int width = map.Image.Width;
         ushort[] ids = map.Ids;
-        Write(target, map.Image, BitsOfGrey, ColourTypeGrey, width * 2, (row, line) =>
-        {
-            for (int at = 0, pixel = row * width; at < line.Length; at += 2, pixel++)
+        Write(
+            target,
+            map.Image,
+            BitsOfGrey,
+            ColourTypeGrey,
+            width * 2,
+            (row, line) =>
             {
-                ushort id = ids[pixel];
-                line[at] = (byte)(id >> 8);
-                line[at + 1] = (byte)id;
+                for (int at = 0, pixel = row * width; at < line.Length; at += 2, pixel++)
+                {
+                    ushort id = ids[pixel];
+                    line[at] = (byte)(id >> 8);
+                    line[at + 1] = (byte)id;
+                }
             }
-        });
+        );
     }
 
     /// <summary>Writes a map of small numbers: grey, 8 bits per pixel.</summary>
@@ -133,17 +143,32 @@ public sealed class PngEncoder
     private void Write8(InstanceMap map, byte colourType, byte[]? palette, Stream target)
     {
         int width = map.Image.Width;
-        Write(target, map.Image, 8, colourType, width, (row, line) =>
-        {
-            for (int column = 0; column < width; column++)
+        Write(
+            target,
+            map.Image,
+            8,
+            colourType,
+            width,
+            (row, line) =>
             {
-                line[column] = (byte)map.Ids[(row * width) + column];
-            }
-        }, palette);
+                for (int column = 0; column < width; column++)
+                {
+                    line[column] = (byte)map.Ids[(row * width) + column];
+                }
+            },
+            palette
+        );
     }
 
     private void Write(
-        Stream target, ImageSize size, byte bits, byte colourType, int stride, Action<int, byte[]> readRow, byte[]? palette = null)
+        Stream target,
+        ImageSize size,
+        byte bits,
+        byte colourType,
+        int stride,
+        Action<int, byte[]> readRow,
+        byte[]? palette = null
+    )
     {
         if (target is null)
         {

@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using System.IO.Compression;
 
 namespace Harvester.Sessions.Imaging.Pictures;
@@ -13,12 +11,17 @@ internal sealed class ZlibWriter : IDisposable
 #if NET
     private readonly ZLibStream _zlib;
 
-    private static readonly ZLibCompressionOptions Runs =
-        new() { CompressionLevel = 1, CompressionStrategy = ZLibCompressionStrategy.RunLengthEncoding };
+    private static readonly ZLibCompressionOptions Runs = new()
+    {
+        CompressionLevel = 1,
+        CompressionStrategy = ZLibCompressionStrategy.RunLengthEncoding,
+    };
 
-    public ZlibWriter(Stream target, CompressionLevel level) => _zlib = level == CompressionLevel.Fastest
-        ? new ZLibStream(target, Runs, leaveOpen: true)
-        : new ZLibStream(target, level, leaveOpen: true);
+    public ZlibWriter(Stream target, CompressionLevel level) =>
+        _zlib =
+            level == CompressionLevel.Fastest
+                ? new ZLibStream(target, Runs, leaveOpen: true)
+                : new ZLibStream(target, level, leaveOpen: true);
 
     public void Write(byte[] bytes, int count) => _zlib.Write(bytes, 0, count);
 

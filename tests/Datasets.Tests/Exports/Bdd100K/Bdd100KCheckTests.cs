@@ -24,8 +24,11 @@ public sealed class Bdd100KCheckTests(SimulatedSession simulated) : CheckTests(s
     {
         Export();
         Damage(Objects, pattern, replacement);
-        Assert.Contains(Problems(), problem =>
-            problem.StartsWith($"{Objects}, line ", StringComparison.Ordinal) && problem.EndsWith(expected, StringComparison.Ordinal));
+        Assert.Contains(
+            Problems(),
+            problem =>
+                problem.StartsWith($"{Objects}, line ", StringComparison.Ordinal) && problem.EndsWith(expected, StringComparison.Ordinal)
+        );
     }
 
     [Theory]
@@ -38,8 +41,11 @@ public sealed class Bdd100KCheckTests(SimulatedSession simulated) : CheckTests(s
     {
         Export();
         Damage(Lanes, pattern, replacement);
-        Assert.Contains(Problems(), problem =>
-            problem.StartsWith($"{Lanes}, line ", StringComparison.Ordinal) && problem.EndsWith(expected, StringComparison.Ordinal));
+        Assert.Contains(
+            Problems(),
+            problem =>
+                problem.StartsWith($"{Lanes}, line ", StringComparison.Ordinal) && problem.EndsWith(expected, StringComparison.Ordinal)
+        );
     }
 
     [Fact]

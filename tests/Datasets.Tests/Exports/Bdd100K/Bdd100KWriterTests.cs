@@ -30,7 +30,8 @@ public sealed class Bdd100KWriterTests : ExportTests
             {"id":"1","category":"car","attributes":{"occluded":true,"truncated":false,"crowd":false,"trafficLightColor":"none"},
             "box2d":{"x1":38,"y1":28,"x2":42,"y2":32}}
             """.ReplaceLineEndings(""),
-            Frames()[0]!["labels"]![0]!.ToJsonString());
+            Frames()[0]!["labels"]![0]!.ToJsonString()
+        );
         Assert.Equal("pedestrian", (string?)Frames()[0]!["labels"]![1]!["category"]);
         Assert.True((bool)Frames()[0]!["labels"]![1]!["attributes"]!["truncated"]!);
     }
@@ -60,6 +61,5 @@ public sealed class Bdd100KWriterTests : ExportTests
         Assert.Equal((expectedWeather, expectedTime), ((string?)attributes["weather"], (string?)attributes["timeofday"]));
     }
 
-    private JsonArray Frames() =>
-        JsonNode.Parse(File.ReadAllText(Folder.PathOf("out/labels/det_20/det_train.json")))!.AsArray();
+    private JsonArray Frames() => JsonNode.Parse(File.ReadAllText(Folder.PathOf("out/labels/det_20/det_train.json")))!.AsArray();
 }

@@ -61,8 +61,11 @@ public sealed class CityscapesCheckTests(SimulatedSession simulated) : CheckTest
     public void A_frame_in_two_splits_is_found()
     {
         Export(TwoSplits);
-        string image =
-            Directory.EnumerateFiles(Folder.PathOf("out/leftImg8bit/train/session0000")).Select(Path.GetFileName).Order().First()!;
+        string image = Directory
+            .EnumerateFiles(Folder.PathOf("out/leftImg8bit/train/session0000"))
+            .Select(Path.GetFileName)
+            .Order()
+            .First()!;
         Copy($"leftImg8bit/train/session0000/{image}", $"leftImg8bit/val/session0000/{image}");
         AssertFound($"leftImg8bit/val/session0000/{image}: it is in another split too.");
     }

@@ -23,7 +23,7 @@ public sealed class CityscapesWriterTests(SimulatedSession simulated) : ExportTe
             {
                 (int X, int Y)[] corners =
                 [
-                    .. item.GetProperty("polygon").EnumerateArray().Select(corner => (corner[0].GetInt32(), corner[1].GetInt32()))
+                    .. item.GetProperty("polygon").EnumerateArray().Select(corner => (corner[0].GetInt32(), corner[1].GetInt32())),
                 ];
                 Draw(drawn, corners, LabelIds[item.GetProperty("label").GetString()!]);
             }
@@ -42,22 +42,27 @@ public sealed class CityscapesWriterTests(SimulatedSession simulated) : ExportTe
 
         (int Label, int TrainId)[] pairs = [.. labels.Ids.Zip(trainIds.Ids, (label, trainId) => ((int)label, (int)trainId)).Distinct()];
         Assert.Contains((26, 13), pairs);
-        Assert.All(pairs, pair => Assert.Equal(
-            pair.Label switch
-            {
-                17 =>
-                5,
-                19 => 6,
-                20 => 7,
-                24 => 11,
-                25 => 12,
-                26 => 13,
-                27 => 14,
-                28 => 15,
-                32 => 17,
-                33 => 18,
-                _ => 255
-            }, pair.TrainId));
+        Assert.All(
+            pairs,
+            pair =>
+                Assert.Equal(
+                    pair.Label switch
+                    {
+                        17 => 5,
+                        19 => 6,
+                        20 => 7,
+                        24 => 11,
+                        25 => 12,
+                        26 => 13,
+                        27 => 14,
+                        28 => 15,
+                        32 => 17,
+                        33 => 18,
+                        _ => 255,
+                    },
+                    pair.TrainId
+                )
+        );
     }
 
     private static readonly Dictionary<string, ushort> LabelIds = new()
@@ -87,16 +92,23 @@ public sealed class CityscapesWriterTests(SimulatedSession simulated) : ExportTe
         var sides = corners.Select((corner, i) => (From: corner, To: corners[(i + 1) % corners.Length])).ToList();
         for (int y = top; y <= bottom; y++)
         {
-            int[] crossings = [.. sides.Where(side => side.From.X == side.To.X
-                && Math.Min(side.From.Y, side.To.Y) <= y
-                && y < Math.Max(side.From.Y, side.To.Y)).Select(side => side.From.X).Order()];
+            int[] crossings =
+            [
+                .. sides
+                    .Where(side =>
+                        side.From.X == side.To.X && Math.Min(side.From.Y, side.To.Y) <= y && y < Math.Max(side.From.Y, side.To.Y)
+                    )
+                    .Select(side => side.From.X)
+                    .Order(),
+            ];
             for (int i = 0; i + 1 < crossings.Length; i += 2)
             {
                 Fill(y, crossings[i], crossings[i + 1]);
             }
 
-            foreach ((var from, var to)
-                in sides.Where(side => Math.Min(side.From.Y, side.To.Y) <= y && y <= Math.Max(side.From.Y, side.To.Y)))
+            foreach (
+                (var from, var to) in sides.Where(side => Math.Min(side.From.Y, side.To.Y) <= y && y <= Math.Max(side.From.Y, side.To.Y))
+            )
             {
                 Fill(y, Math.Min(from.X, to.X), Math.Max(from.X, to.X));
             }
@@ -124,8 +136,11 @@ public sealed class CityscapesWriterTests(SimulatedSession simulated) : ExportTe
             Assert.Equal(8, ImageHeader.Read(Folder.PathOf(name + "labelIds.png")).BitsPerPixel);
             Assert.True(File.Exists(Folder.PathOf($"out/leftImg8bit/train/session0000/session0000_000000_{frame:D6}_leftImg8bit.png")));
             // One object, one instance id, and the other way round, except for what has no instances.
-            foreach (IGrouping<int, (int Id, int Instance)> own
-                in mask.Ids.Zip(instances.Ids, (id, instance) => (Id: (int)id, Instance: (int)instance)).GroupBy(pair => pair.Id))
+            foreach (
+                IGrouping<int, (int Id, int Instance)> own in mask
+                    .Ids.Zip(instances.Ids, (id, instance) => (Id: (int)id, Instance: (int)instance))
+                    .GroupBy(pair => pair.Id)
+            )
             {
                 int instance = Assert.Single(own.Select(pair => pair.Instance).Distinct());
                 ObjectClass? kind = label.Objects.SingleOrDefault(item => item.Id == own.Key)?.Class;
@@ -151,7 +166,8 @@ public sealed class CityscapesWriterTests(SimulatedSession simulated) : ExportTe
             int[] numbered = [.. instances.Ids.Where(id => id >= 1000).Select(id => (int)id).Distinct()];
             Assert.Equal(
                 numbered.Length,
-                mask.Ids.Zip(instances.Ids).Where(pair => pair.Second >= 1000).Select(pair => pair.First).Distinct().Count());
+                mask.Ids.Zip(instances.Ids).Where(pair => pair.Second >= 1000).Select(pair => pair.First).Distinct().Count()
+            );
             frame++;
         }
     }

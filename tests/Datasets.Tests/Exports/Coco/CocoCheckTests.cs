@@ -95,5 +95,7 @@ public sealed class CocoCheckTests(SimulatedSession simulated) : CheckTests(simu
 
     private int FirstId() =>
         int.Parse(
-            Folder.Lines("out/" + File)[FirstAnnotationLine - 1].Split(':', ',')[1], System.Globalization.CultureInfo.InvariantCulture);
+            Folder.Lines("out/" + File)[FirstAnnotationLine - 1].Split(':', ',')[1],
+            System.Globalization.CultureInfo.InvariantCulture
+        );
 }

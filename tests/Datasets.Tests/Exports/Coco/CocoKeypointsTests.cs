@@ -94,7 +94,8 @@ public sealed class CocoKeypointsTests : ExportTests
 
         Assert.Contains(
             DatasetValidator.Validate(Folder.PathOf("out")).Problems,
-            problem => problem.ToString().Contains(expected, StringComparison.Ordinal));
+            problem => problem.ToString().Contains(expected, StringComparison.Ordinal)
+        );
     }
 
     [Fact]

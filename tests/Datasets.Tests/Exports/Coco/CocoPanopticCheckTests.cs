@@ -12,7 +12,10 @@ public sealed class CocoPanopticCheckTests(SimulatedSession simulated) : CheckTe
 
     [Theory]
     [InlineData(
-        "\"segments_info\":\\[\\{\"id\":\\d+", "\"segments_info\":[{\"id\":60000", "segment 60000 is not in its map, or occurs twice.")]
+        "\"segments_info\":\\[\\{\"id\":\\d+",
+        "\"segments_info\":[{\"id\":60000",
+        "segment 60000 is not in its map, or occurs twice."
+    )]
     [InlineData("\"area\":(\\d+)", "\"area\":1$1", "area or bbox of segment 1 differs from its map.")]
     [InlineData("\"bbox\":\\[(\\d+)", "\"bbox\":[1$1", "area or bbox of segment 1 differs from its map.")]
     [InlineData("\"category_id\":\\d+", "\"category_id\":77", "segment 1 has a category that is not listed")]

@@ -14,8 +14,11 @@ public sealed class CocoWriterTests(SimulatedSession simulated) : ExportTests
     {
         Folder.Export("coco", simulated.Open());
         using JsonDocument coco = Read("out/annotations/instances_train.json");
-        ILookup<int, JsonElement> annotations = coco.RootElement.GetProperty("annotations").EnumerateArray().Where(IsObject).ToLookup(
-            item => item.GetProperty("image_id").GetInt32());
+        ILookup<int, JsonElement> annotations = coco
+            .RootElement.GetProperty("annotations")
+            .EnumerateArray()
+            .Where(IsObject)
+            .ToLookup(item => item.GetProperty("image_id").GetInt32());
         int frame = 0;
         foreach (FrameLabel label in simulated.Open().ReadLabels())
         {
@@ -60,11 +63,11 @@ public sealed class CocoWriterTests(SimulatedSession simulated) : ExportTests
         JsonElement[] annotations = [.. coco.RootElement.GetProperty("annotations").EnumerateArray()];
         HashSet<int> categories =
         [
-            .. coco.RootElement.GetProperty("categories").EnumerateArray().Select(item => item.GetProperty("id").GetInt32())
+            .. coco.RootElement.GetProperty("categories").EnumerateArray().Select(item => item.GetProperty("id").GetInt32()),
         ];
         HashSet<int> images =
         [
-            .. coco.RootElement.GetProperty("images").EnumerateArray().Select(item => item.GetProperty("id").GetInt32())
+            .. coco.RootElement.GetProperty("images").EnumerateArray().Select(item => item.GetProperty("id").GetInt32()),
         ];
 
         Assert.Equal(annotations.Length, annotations.Select(item => item.GetProperty("id").GetInt64()).Distinct().Count());
@@ -100,8 +103,7 @@ public sealed class CocoWriterTests(SimulatedSession simulated) : ExportTests
         Session.DeterminePedestrians();
         for (int frame = 0; frame < 3; frame++)
         {
-            Session.PaintMask(
-                frame, (1, 30, 20, 55, 45), (0, 33, 23, 52, 42), (1, 35, 25, 45, 35), (0, 36, 26, 36 + hole, 26 + hole));
+            Session.PaintMask(frame, (1, 30, 20, 55, 45), (0, 33, 23, 52, 42), (1, 35, 25, 45, 35), (0, 36, 26, 36 + hole, 26 + hole));
         }
 
         Session.Lines.ForEach(line => line["objects"]![0]!["box2dVisible"] = new System.Text.Json.Nodes.JsonArray(30, 20, 55, 45));
@@ -169,7 +171,10 @@ public sealed class CocoWriterTests(SimulatedSession simulated) : ExportTests
         int at = 0;
         int area = 0;
         bool inside = false;
-        int xMin = width, yMin = height, xMax = 0, yMax = 0;
+        int xMin = width,
+            yMin = height,
+            xMax = 0,
+            yMax = 0;
         foreach (int count in segmentation.GetProperty("counts").EnumerateArray().Select(count => count.GetInt32()))
         {
             for (int end = at + count; at < end; at++)

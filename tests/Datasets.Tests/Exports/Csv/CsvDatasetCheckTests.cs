@@ -15,8 +15,12 @@ public sealed class CsvDatasetCheckTests(SimulatedSession simulated) : CheckTest
     {
         Export();
         Damage("frames.csv", pattern, replacement);
-        Assert.Contains(Problems(), problem => problem.StartsWith($"frames.csv, line {line}: ", StringComparison.Ordinal)
-            && problem.Contains(expected, StringComparison.Ordinal));
+        Assert.Contains(
+            Problems(),
+            problem =>
+                problem.StartsWith($"frames.csv, line {line}: ", StringComparison.Ordinal)
+                && problem.Contains(expected, StringComparison.Ordinal)
+        );
     }
 
     [Theory]

@@ -8,8 +8,7 @@ public sealed class DeepDrivingCheckTests(SimulatedSession simulated) : CheckTes
     [InlineData("^frame,", "number,", 1, "its columns are not those of the format.")]
     [InlineData("^0,train,", "0,", 2, "it has 57 columns instead of 58.")]
     [InlineData("^0,train,", "0,test,", 2, "'test' is not a split of the export.")]
-    [InlineData(
-        "^0,train,images/00000000.png,[^,]*", "0,train,images/00000000.png,maybe", 2, "its status or fast has an unknown value.")]
+    [InlineData("^0,train,images/00000000.png,[^,]*", "0,train,images/00000000.png,maybe", 2, "its status or fast has an unknown value.")]
     [InlineData("^0,train,images/00000000", "0,train,images/00000009", 2, "its image 'images/00000009.png' is missing, or occurs twice.")]
     [InlineData("^1,train,images/00000001", "1,train,images/00000000", 3, "its image 'images/00000000.png' is missing, or occurs twice.")]
     [InlineData("^(0(,[^,]*){4}),[^,]*", "$1,x", 2, "a value is not a number.")]

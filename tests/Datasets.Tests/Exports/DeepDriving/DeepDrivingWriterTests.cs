@@ -42,12 +42,16 @@ public sealed class DeepDrivingWriterTests(SimulatedSession simulated) : ExportT
         {
             Assert.Equal(
                 File.ReadAllText(Folder.PathOf($"out/indicators/{frame:D8}.txt")).Trim(),
-                string.Join(' ', rows[frame + 1].Skip(first).Take(13)));
+                string.Join(' ', rows[frame + 1].Skip(first).Take(13))
+            );
             Assert.True(File.Exists(Folder.PathOf("out/" + rows[frame + 1][Array.IndexOf(rows[0], "image")])));
         }
     }
 
     private double[] Row(string name) =>
-        [.. File.ReadAllText(Folder.PathOf(name)).Split([' ', '\n'], StringSplitOptions.RemoveEmptyEntries).Select(
-            word => double.Parse(word, CultureInfo.InvariantCulture))];
+        [
+            .. File.ReadAllText(Folder.PathOf(name))
+                .Split([' ', '\n'], StringSplitOptions.RemoveEmptyEntries)
+                .Select(word => double.Parse(word, CultureInfo.InvariantCulture)),
+        ];
 }

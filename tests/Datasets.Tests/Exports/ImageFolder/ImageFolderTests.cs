@@ -18,7 +18,8 @@ public sealed class ImageFolderTests(SimulatedSession simulated) : CheckTests(si
             {"file_name":"00000000.png","session":0,"frame":0,"weather":"clear","objects":{"bbox":[[38,28,5,5],[70,24,10,12]],
             "categories":[0,6],"track_ids":[1,2]},"ignore_regions":[]}
             """.ReplaceLineEndings(""),
-            Folder.Lines("out/" + Metadata)[0]);
+            Folder.Lines("out/" + Metadata)[0]
+        );
         Assert.True(File.Exists(Folder.PathOf("out/data/train/00000002.png")));
     }
 

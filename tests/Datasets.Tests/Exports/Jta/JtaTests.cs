@@ -20,7 +20,9 @@ public sealed class JtaTests : ExportTests
 
         using var document = JsonDocument.Parse(System.IO.File.ReadAllText(Folder.PathOf(File)));
         double[][] rows =
-            [.. document.RootElement.EnumerateArray().Select(row => row.EnumerateArray().Select(value => value.GetDouble()).ToArray())];
+        [
+            .. document.RootElement.EnumerateArray().Select(row => row.EnumerateArray().Select(value => value.GetDouble()).ToArray()),
+        ];
         Assert.Equal(3 * 22, rows.Length);
 
         // Frame, person, joint, pixel, and position right, down and forward of the camera; neither, self-occluded, occluded.
@@ -38,7 +40,8 @@ public sealed class JtaTests : ExportTests
         Assert.True(System.IO.File.Exists(Folder.PathOf("out/frames/train/seq_0/3.png")));
         Assert.Equal(
             """{"fx":30,"fy":30,"cx":40,"cy":30,"width":80,"height":60}""",
-            System.IO.File.ReadAllText(Folder.PathOf("out/cameras/train/seq_0.json")).TrimEnd());
+            System.IO.File.ReadAllText(Folder.PathOf("out/cameras/train/seq_0.json")).TrimEnd()
+        );
         Assert.Empty(DatasetValidator.Validate(Folder.PathOf("out")).Problems);
     }
 
@@ -59,7 +62,8 @@ public sealed class JtaTests : ExportTests
 
         Assert.Contains(
             DatasetValidator.Validate(Folder.PathOf("out")).Problems,
-            problem => problem.ToString().Contains(expected, StringComparison.Ordinal));
+            problem => problem.ToString().Contains(expected, StringComparison.Ordinal)
+        );
     }
 
     private void Export() => Folder.Export("jta", Session.Open());

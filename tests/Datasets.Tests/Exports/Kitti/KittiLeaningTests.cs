@@ -57,7 +57,10 @@ public sealed class KittiLeaningTests : ExportTests
         Box2D written = Written();
         double miss = new[]
         {
-            written.XMin - truth.XMin, written.YMin - truth.YMin, written.XMax - truth.XMax, written.YMax - truth.YMax,
+            written.XMin - truth.XMin,
+            written.YMin - truth.YMin,
+            written.XMax - truth.XMax,
+            written.YMax - truth.YMax,
         }.Max(Math.Abs);
         Assert.Equal(["file", "line", "lean_degrees", "moved_m", "miss_px"], Folder.Lines("out/training/leaning.csv")[0].Split(','));
         Assert.Equal(["000000.txt", "1", "30"], row[..3]);
@@ -74,8 +77,10 @@ public sealed class KittiLeaningTests : ExportTests
 
         Assert.Equal(
             "training/label_2/000000.txt, line 1: its 3D box, projected with P2, does not fall onto its 2D box.",
-            Assert.Single(
-                DatasetValidator.Validate(Folder.PathOf("out")).Problems, problem => problem.File != "training/leaning.csv").ToString());
+            Assert
+                .Single(DatasetValidator.Validate(Folder.PathOf("out")).Problems, problem => problem.File != "training/leaning.csv")
+                .ToString()
+        );
     }
 
     /// <summary>
@@ -114,6 +119,8 @@ public sealed class KittiLeaningTests : ExportTests
         return box;
     }
 
-    private Box2D Written() => KittiObject.ReadAll(Folder.PathOf("out/training/label_2/000000.txt"))[0]
-        .Project(KittiObject.ReadMatrix(Folder.PathOf("out/training/calib/000000.txt"), "P2"));
+    private Box2D Written() =>
+        KittiObject
+            .ReadAll(Folder.PathOf("out/training/label_2/000000.txt"))[0]
+            .Project(KittiObject.ReadMatrix(Folder.PathOf("out/training/calib/000000.txt"), "P2"));
 }

@@ -5,15 +5,29 @@ namespace Harvester.Datasets.Tests.Exports.Kitti;
 
 /// <summary>An object of KITTI's label_2, read as the development kit's readme describes it.</summary>
 internal sealed record KittiObject(
-    string Type, double Truncated, int Occluded, double Alpha, Box2D Box, double Height, double Width, double Length, Vector3D Location,
-    double RotationY)
+    string Type,
+    double Truncated,
+    int Occluded,
+    double Alpha,
+    Box2D Box,
+    double Height,
+    double Width,
+    double Length,
+    Vector3D Location,
+    double RotationY
+)
 {
     public static KittiObject[] ReadAll(string path) => [.. File.ReadAllLines(path).Select(Parse)];
 
     /// <summary>The matrix of a name in a calibration file, 3 x 4.</summary>
     public static double[] ReadMatrix(string path, string name) =>
-        [.. File.ReadAllLines(path).Single(line => line.StartsWith(name + ": ", StringComparison.Ordinal)).Split(' ').Skip(1).Select(
-            Number)];
+        [
+            .. File.ReadAllLines(path)
+                .Single(line => line.StartsWith(name + ": ", StringComparison.Ordinal))
+                .Split(' ')
+                .Skip(1)
+                .Select(Number),
+        ];
 
     /// <summary>
     /// The box around the eight projected corners: x = P2 · (R(rotation_y) · corner + location), as the kit's computeBox3D does it.
@@ -33,8 +47,12 @@ internal sealed record KittiObject(
                     double y = up + Location.Y;
                     double z = (-sin * along) + (cos * across) + Location.Z;
                     double w = (p2[8] * x) + (p2[9] * y) + (p2[10] * z) + p2[11];
-                    points.Add(new Vector2D(
-                        ((p2[0] * x) + (p2[1] * y) + (p2[2] * z) + p2[3]) / w, ((p2[4] * x) + (p2[5] * y) + (p2[6] * z) + p2[7]) / w));
+                    points.Add(
+                        new Vector2D(
+                            ((p2[0] * x) + (p2[1] * y) + (p2[2] * z) + p2[3]) / w,
+                            ((p2[4] * x) + (p2[5] * y) + (p2[6] * z) + p2[7]) / w
+                        )
+                    );
                 }
             }
         }
@@ -48,8 +66,17 @@ internal sealed record KittiObject(
         Assert.Equal(15, words.Length);
         double[] n = [.. words.Skip(1).Select(Number)];
         return new KittiObject(
-            words[0], n[0], int.Parse(words[2], CultureInfo.InvariantCulture), n[2], new Box2D(n[3], n[4], n[5], n[6]),
-            n[7], n[8], n[9], new Vector3D(n[10], n[11], n[12]), n[13]);
+            words[0],
+            n[0],
+            int.Parse(words[2], CultureInfo.InvariantCulture),
+            n[2],
+            new Box2D(n[3], n[4], n[5], n[6]),
+            n[7],
+            n[8],
+            n[9],
+            new Vector3D(n[10], n[11], n[12]),
+            n[13]
+        );
     }
 
     private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);

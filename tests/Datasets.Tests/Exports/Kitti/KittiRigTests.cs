@@ -35,12 +35,13 @@ public sealed class KittiRigTests
     }
 
     [Fact]
-    public void Three_cameras_do_not_belong_together() =>
-        Assert.False(RigOf(Camera("a", 0), Camera("b", 0.5), Camera("c", 1)).IsRectified);
+    public void Three_cameras_do_not_belong_together() => Assert.False(RigOf(Camera("a", 0), Camera("b", 0.5), Camera("c", 1)).IsRectified);
 
     private static KittiRig RigOf(params string[] cameras) =>
         KittiRig.Of(RigParser.Parse($$"""{"name":"pair","cameras":[{{string.Join(',', cameras)}}]}"""));
 
-    private static string Camera(string name, double right, string more = "") => FormattableString.Invariant(
-        $$"""{"name":"{{name}}","position":[{{right}},2,1],{{more}}"verticalFovDegrees":50,"width":80,"height":60}""");
+    private static string Camera(string name, double right, string more = "") =>
+        FormattableString.Invariant(
+            $$"""{"name":"{{name}}","position":[{{right}},2,1],{{more}}"verticalFovDegrees":50,"width":80,"height":60}"""
+        );
 }

@@ -30,7 +30,8 @@ public sealed class KittiTrackingCheckTests(SimulatedSession simulated) : CheckT
         Damage(Labels, $"^1 {words[1]} Car", $"1 {words[1]} Truck");
         Assert.Contains(
             Problems(),
-            problem => problem.EndsWith($"track {words[1]} is Truck, but was Car in an earlier frame.", StringComparison.Ordinal));
+            problem => problem.EndsWith($"track {words[1]} is Truck, but was Car in an earlier frame.", StringComparison.Ordinal)
+        );
     }
 
     [Fact]
@@ -47,7 +48,8 @@ public sealed class KittiTrackingCheckTests(SimulatedSession simulated) : CheckT
     [InlineData("training/label_02/0000.txt", "training/label_02/0000.txt: it is missing, but its image exists.")]
     [InlineData(
         "training/evaluate_tracking.seqmap.training",
-        "training/evaluate_tracking.seqmap.training: it has no line '0000 empty 000000 000007'.")]
+        "training/evaluate_tracking.seqmap.training: it has no line '0000 empty 000000 000007'."
+    )]
     [InlineData("ImageSets/train.txt", "ImageSets/*.txt: '0000' is not in any list.")]
     [InlineData("training/image_02/0000/000006.png", "export.json: it counts 7 frames in train, but the dataset has 6.")]
     public void Missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);

@@ -15,7 +15,8 @@ public sealed class KittiTrackingWriterTests : ExportTests
         string[] lines = Folder.Lines("out/training/label_02/0001.txt");
         Assert.Equal(
             ["0 1 Car", "0 2 Pedestrian", "1 1 Car", "1 2 Pedestrian", "2 1 Car", "2 2 Pedestrian"],
-            lines.Select(line => string.Join(' ', line.Split(' ')[..3])));
+            lines.Select(line => string.Join(' ', line.Split(' ')[..3]))
+        );
         // 17 columns; truncation is a level here: 0.2 of the pedestrian is a part of it.
         Assert.All(lines, line => Assert.Equal(17, line.Split(' ').Length));
         Assert.Equal("1 0 -2.4469 69.5 23.5 79 35.5 2 2 0 6 1 5 -1.5708", string.Join(' ', lines[1].Split(' ')[3..]));
@@ -30,10 +31,13 @@ public sealed class KittiTrackingWriterTests : ExportTests
         Folder.Export(
             "kitti-tracking",
             [Session.Open(), Session.Open()],
-            new ExportOptions { Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 1, 1) });
+            new ExportOptions { Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 1, 1) }
+        );
 
         Assert.Equal(
-            ["0000 empty 000000 000003", "0001 empty 000000 000003"], Folder.Lines("out/training/evaluate_tracking.seqmap.training"));
+            ["0000 empty 000000 000003", "0001 empty 000000 000003"],
+            Folder.Lines("out/training/evaluate_tracking.seqmap.training")
+        );
         Assert.Equal(["0001 empty 000000 000003"], Folder.Lines("out/training/evaluate_tracking.seqmap.train"));
         Assert.Equal(["0000 empty 000000 000003"], Folder.Lines("out/training/evaluate_tracking.seqmap.val"));
         Assert.Empty(DatasetValidator.Validate(Folder.PathOf("out")).Problems);
@@ -56,6 +60,8 @@ public sealed class KittiTrackingWriterTests : ExportTests
 
         Assert.Contains(
             "camera calibration differs",
-            Assert.Throws<DatasetFormatException>(() => Folder.Export("kitti-tracking", Session.Open())).Message, StringComparison.Ordinal);
+            Assert.Throws<DatasetFormatException>(() => Folder.Export("kitti-tracking", Session.Open())).Message,
+            StringComparison.Ordinal
+        );
     }
 }

@@ -70,7 +70,7 @@ public sealed class KittiWriterTests(SimulatedSession simulated) : ExportTests
             double[] p2 = KittiObject.ReadMatrix(Folder.PathOf($"out/training/calib/{frame:D6}.txt"), "P2");
             KittiObject[] written =
             [
-                .. KittiObject.ReadAll(Folder.PathOf($"out/training/label_2/{frame:D6}.txt")).Where(item => item.Type != "DontCare")
+                .. KittiObject.ReadAll(Folder.PathOf($"out/training/label_2/{frame:D6}.txt")).Where(item => item.Type != "DontCare"),
             ];
             ObjectLabel[] labels =
             [
@@ -99,8 +99,11 @@ public sealed class KittiWriterTests(SimulatedSession simulated) : ExportTests
 
                 Box2D projected = item.Project(p2);
                 Box2D inImage = new(
-                    Math.Max(projected.XMin, 0), Math.Max(projected.YMin, 0),
-                    Math.Min(projected.XMax, label.Camera.Width - 1), Math.Min(projected.YMax, label.Camera.Height - 1));
+                    Math.Max(projected.XMin, 0),
+                    Math.Max(projected.YMin, 0),
+                    Math.Min(projected.XMax, label.Camera.Width - 1),
+                    Math.Min(projected.YMax, label.Camera.Height - 1)
+                );
                 Assert.InRange(Math.Abs(projected.XMin + 0.5 - source.Box2DAmodal.XMin), 0, allowed);
                 Assert.InRange(Math.Abs(projected.YMin + 0.5 - source.Box2DAmodal.YMin), 0, allowed);
                 Assert.InRange(Math.Abs(projected.XMax + 0.5 - source.Box2DAmodal.XMax), 0, allowed);

@@ -23,11 +23,9 @@ public sealed class SemanticKittiLabelTests
     [InlineData(SemanticClass.Rider, 9, 30 + (9 << 16))]
     public void Label_has_the_class_below_the_id(SemanticClass kind, int id, int label)
     {
-        var riders = new Riders(new Dictionary<int, (int, ObjectClass)>
-        {
-            [15] = (14, ObjectClass.Bicycle),
-            [7] = (6, ObjectClass.Motorcycle),
-        });
+        var riders = new Riders(
+            new Dictionary<int, (int, ObjectClass)> { [15] = (14, ObjectClass.Bicycle), [7] = (6, ObjectClass.Motorcycle) }
+        );
         using var stream = new MemoryStream();
         SemanticKittiLabels.Write(stream, [new LidarPoint(1, 2, 3, 0.5f, 0, 0, (ushort)id, kind)], new HashSet<int> { 4, 14, 15 }, riders);
 

@@ -47,8 +47,7 @@ public sealed class CuLaneTests(SimulatedSession simulated) : CheckTests(simulat
         foreach ((FrameLabel label, string line) in Known().Zip(Folder.Lines("out/" + Truth)))
         {
             string[] words = line.Split(' ');
-            Assert.Equal(
-                [$"/sequence-0000/{label.Frame:D8}.png", $"/laneseg_label_w16/sequence-0000/{label.Frame:D8}.png"], words[..2]);
+            Assert.Equal([$"/sequence-0000/{label.Frame:D8}.png", $"/laneseg_label_w16/sequence-0000/{label.Frame:D8}.png"], words[..2]);
             InstanceMap map = PngDecoder.ReadLabelMap(Folder.PathOf("out" + words[1]));
             for (int place = 1; place <= 4; place++)
             {
@@ -70,8 +69,9 @@ public sealed class CuLaneTests(SimulatedSession simulated) : CheckTests(simulat
         InstanceMap map = PngDecoder.ReadLabelMap(Folder.PathOf("out/laneseg_label_w16/sequence-0000/00000000.png"));
         double[][] lines =
         [
-            .. Folder.Lines("out/" + Lines).Select(line =>
-                line.Split(' ').Select(word => double.Parse(word, CultureInfo.InvariantCulture)).ToArray()),
+            .. Folder
+                .Lines("out/" + Lines)
+                .Select(line => line.Split(' ').Select(word => double.Parse(word, CultureInfo.InvariantCulture)).ToArray()),
         ];
 
         // A pixel at a point of a line is drawn; one farther than 8 from all points and from what joins them, 10 rows apart, is not.
@@ -111,25 +111,29 @@ public sealed class CuLaneTests(SimulatedSession simulated) : CheckTests(simulat
         AssertFound("list/train.txt, line 2: '/sequence-0000/00000001.png' is not in the dataset.");
     }
 
-    private FrameLabel[] Known() =>
-        [.. Simulated.Open().ReadLabels().Where(label => label.Lanes?.Status == LaneStatus.Known)];
+    private FrameLabel[] Known() => [.. Simulated.Open().ReadLabels().Where(label => label.Lanes?.Status == LaneStatus.Known)];
 
     private static double DistanceTo(double[] line, int column, int row)
     {
         var point = new Vector2D(column, row);
         Vector2D[] points = [.. line.Chunk(2).Select(pair => new Vector2D(pair[0], pair[1]))];
-        return Enumerable.Range(1, points.Length - 1).Min(i =>
-        {
-            Vector2D along = points[i] - points[i - 1];
-            double share = Math.Clamp((point - points[i - 1]).Dot(along) / along.Dot(along), 0, 1);
-            return (points[i - 1] + (along * share) - point).Length;
-        });
+        return Enumerable
+            .Range(1, points.Length - 1)
+            .Min(i =>
+            {
+                Vector2D along = points[i] - points[i - 1];
+                double share = Math.Clamp((point - points[i - 1]).Dot(along) / along.Dot(along), 0, 1);
+                return (points[i - 1] + (along * share) - point).Length;
+            });
     }
 
-    private static bool LiesOn(LaneLineView view, Vector2D point) => Enumerable.Range(1, view.Points.Count - 1).Any(i =>
-    {
-        (Vector2D a, Vector2D b) = (view.Points[i - 1].Pixel, view.Points[i].Pixel);
-        double share = (point.Y - a.Y) / (b.Y - a.Y);
-        return share is >= 0 and <= 1 && Math.Abs(a.X + ((b.X - a.X) * share) - point.X) <= RoundingPixels;
-    });
+    private static bool LiesOn(LaneLineView view, Vector2D point) =>
+        Enumerable
+            .Range(1, view.Points.Count - 1)
+            .Any(i =>
+            {
+                (Vector2D a, Vector2D b) = (view.Points[i - 1].Pixel, view.Points[i].Pixel);
+                double share = (point.Y - a.Y) / (b.Y - a.Y);
+                return share is >= 0 and <= 1 && Math.Abs(a.X + ((b.X - a.X) * share) - point.X) <= RoundingPixels;
+            });
 }

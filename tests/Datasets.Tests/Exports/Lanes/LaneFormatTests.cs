@@ -36,7 +36,8 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
                     // most.
                     const double halfPixel = 0.5001;
                     Assert.True(
-                        columns[i] == -2 || label.Lanes!.Markings!.Any(view => Crosses(view, columns[i] + 0.5, rows[i] + 0.5, halfPixel)));
+                        columns[i] == -2 || label.Lanes!.Markings!.Any(view => Crosses(view, columns[i] + 0.5, rows[i] + 0.5, halfPixel))
+                    );
                 }
             }
         }
@@ -51,9 +52,14 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
         int[][][] nearest = [.. Folder.Lines("out/label_data_train.json").Select(LanesOf)];
         int[][][] all = [.. Folder.Lines("all/label_data_train.json").Select(LanesOf)];
         Assert.Equal(all.Select(lanes => Math.Min(lanes.Length, 5)), nearest.Select(lanes => lanes.Length));
-        Assert.All(nearest.Zip(all), frame => Assert.Subset(
-            frame.Second.Select(lane => string.Join(' ', lane)).ToHashSet(),
-            frame.First.Select(lane => string.Join(' ', lane)).ToHashSet()));
+        Assert.All(
+            nearest.Zip(all),
+            frame =>
+                Assert.Subset(
+                    frame.Second.Select(lane => string.Join(' ', lane)).ToHashSet(),
+                    frame.First.Select(lane => string.Join(' ', lane)).ToHashSet()
+                )
+        );
         Assert.Equal(all.Length, all.Count(lanes => lanes.Length > 0));
     }
 
@@ -73,7 +79,8 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
         foreach (string image in list)
         {
             using JsonDocument json = JsonDocument.Parse(
-                File.ReadAllText(Folder.PathOf("out/lane3d/" + Path.ChangeExtension(image, ".json"))));
+                File.ReadAllText(Folder.PathOf("out/lane3d/" + Path.ChangeExtension(image, ".json")))
+            );
             Assert.Equal(image, json.RootElement.GetProperty("file_path").GetString());
             Assert.True(File.Exists(Folder.PathOf("out/images/" + image)));
             double[][] k = Matrix(json.RootElement.GetProperty("intrinsic"));
@@ -101,18 +108,21 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
         Folder.Export("openlane", simulated.Open());
         FrameLabel label = Known()[0];
         using JsonDocument json = JsonDocument.Parse(
-            File.ReadAllText(Folder.PathOf("out/lane3d/" + Path.ChangeExtension(Folder.Lines("out/train.txt")[0], ".json"))));
+            File.ReadAllText(Folder.PathOf("out/lane3d/" + Path.ChangeExtension(Folder.Lines("out/train.txt")[0], ".json")))
+        );
         double[][] extrinsic = Matrix(json.RootElement.GetProperty("extrinsic"));
         JsonElement line = json.RootElement.GetProperty("lane_lines")[0];
         double[][] xyz = Matrix(line.GetProperty("xyz"));
         double[] inVehicle =
         [
-            .. extrinsic.Take(3).Select(row => (row[0] * xyz[0][0]) + (row[1] * xyz[1][0]) + (row[2] * xyz[2][0]) + row[3])
+            .. extrinsic.Take(3).Select(row => (row[0] * xyz[0][0]) + (row[1] * xyz[1][0]) + (row[2] * xyz[2][0]) + row[3]),
         ];
 
         // The origin is the foot of the model's origin on the road, and the axes are the body's: forward, left, up.
         EgoLabel ego = label.Ego;
-        Vector3D right = ego.Axes!.Value.Right, forward = ego.Axes.Value.Forward, up = ego.Axes.Value.Up;
+        Vector3D right = ego.Axes!.Value.Right,
+            forward = ego.Axes.Value.Forward,
+            up = ego.Axes.Value.Up;
         Vector3D offset = label.Lanes!.Lines[0].Points[0].World - (ego.Position - (up * (ego.HeightAboveGroundMetres!.Value * up.Z)));
         const double roundingMetres = 0.001;
         Assert.Equal(forward.Dot(offset), inVehicle[0], roundingMetres);
@@ -128,7 +138,8 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
         foreach (string image in Folder.Lines("out/train.txt"))
         {
             using JsonDocument json = JsonDocument.Parse(
-                File.ReadAllText(Folder.PathOf("out/lane3d/" + Path.ChangeExtension(image, ".json"))));
+                File.ReadAllText(Folder.PathOf("out/lane3d/" + Path.ChangeExtension(image, ".json")))
+            );
             double[][] extrinsic = Matrix(json.RootElement.GetProperty("extrinsic"));
             foreach (JsonElement line in json.RootElement.GetProperty("lane_lines").EnumerateArray())
             {
@@ -162,7 +173,8 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
     {
         SetMarkings(
             new LaneLineView(1, true, [PointAt(20, 50, 5), PointAt(0, 45, 8)]),
-            new LaneLineView(1, true, [PointAt(0, 40, 14), PointAt(20, 35, 30)]));
+            new LaneLineView(1, true, [PointAt(0, 40, 14), PointAt(20, 35, 30)])
+        );
         Folder.Export("openlane", Session.Open());
 
         Assert.Equal("[[20,0,0,20],[50,45,40,35]]", Assert.Single(LinesOf()).GetProperty("uv").GetRawText());
@@ -173,7 +185,8 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
     {
         SetMarkings(
             new LaneLineView(1, true, [PointAt(20, 50, 5), PointAt(24, 45, 8)]),
-            new LaneLineView(1, true, [PointAt(28, 40, 14), PointAt(32, 35, 30)]));
+            new LaneLineView(1, true, [PointAt(28, 40, 14), PointAt(32, 35, 30)])
+        );
         Folder.Export("openlane", Session.Open());
 
         Assert.Equal(2, LinesOf().Length);
@@ -197,12 +210,14 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
     [Fact]
     public void OpenLane_category_of_a_boundary_is_unknown()
     {
-        string lanes = JsonLabelWriter.Lanes(new LanesLabel
-        {
-            Status = LaneStatus.Known,
-            Source = "simulation",
-            Boundaries = [new LaneLineView(1, true, [PointAt(20, 50, 5), PointAt(30, 40, 10)])],
-        });
+        string lanes = JsonLabelWriter.Lanes(
+            new LanesLabel
+            {
+                Status = LaneStatus.Known,
+                Source = "simulation",
+                Boundaries = [new LaneLineView(1, true, [PointAt(20, 50, 5), PointAt(30, 40, 10)])],
+            }
+        );
         Session.Lines.ForEach(line => line["lanes"] = JsonNode.Parse(lanes));
         Folder.Export("openlane", Session.Open());
 
@@ -214,9 +229,16 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
     {
         LaneLineView[] painted =
         [
-            .. views.Select(view => view with { Paint = view.Paint ?? new MarkingPaint(MarkingStyle.Solid, MarkingColour.White, 0.15) })
+            .. views.Select(view => view with { Paint = view.Paint ?? new MarkingPaint(MarkingStyle.Solid, MarkingColour.White, 0.15) }),
         ];
-        string lanes = JsonLabelWriter.Lanes(new LanesLabel { Status = LaneStatus.Known, Source = "simulation", Markings = painted });
+        string lanes = JsonLabelWriter.Lanes(
+            new LanesLabel
+            {
+                Status = LaneStatus.Known,
+                Source = "simulation",
+                Markings = painted,
+            }
+        );
         Session.Lines.ForEach(line => line["lanes"] = JsonNode.Parse(lanes));
     }
 
@@ -230,15 +252,21 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
     }
 
     private JsonElement[] LinesOf() =>
-        [.. JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/lane3d/train/segment-0000/00000000.json"))).RootElement
-            .GetProperty("lane_lines")
-            .EnumerateArray()];
+        [
+            .. JsonDocument
+                .Parse(File.ReadAllText(Folder.PathOf("out/lane3d/train/segment-0000/00000000.json")))
+                .RootElement.GetProperty("lane_lines")
+                .EnumerateArray(),
+        ];
 
-    private static bool Crosses(LaneLineView view, double x, double y, double within) => view.Points.Zip(view.Points.Skip(1)).Any(piece =>
-    {
-        (Vector2D a, Vector2D b) = (piece.First.Pixel, piece.Second.Pixel);
-        return a.Y != b.Y && (a.Y - y) * (b.Y - y) <= 0 && Math.Abs(a.X + ((b.X - a.X) * (y - a.Y) / (b.Y - a.Y)) - x) <= within;
-    });
+    private static bool Crosses(LaneLineView view, double x, double y, double within) =>
+        view
+            .Points.Zip(view.Points.Skip(1))
+            .Any(piece =>
+            {
+                (Vector2D a, Vector2D b) = (piece.First.Pixel, piece.Second.Pixel);
+                return a.Y != b.Y && (a.Y - y) * (b.Y - y) <= 0 && Math.Abs(a.X + ((b.X - a.X) * (y - a.Y) / (b.Y - a.Y)) - x) <= within;
+            });
 
     private static int[] Ints(JsonElement list) => [.. list.EnumerateArray().Select(item => item.GetInt32())];
 

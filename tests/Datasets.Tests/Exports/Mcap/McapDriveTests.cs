@@ -143,7 +143,8 @@ public sealed class McapDriveTests : ExportTests
                       "angularRate": [0.5, 0.25, -1], "applied": { "steering": 0.125, "throttle": 0, "brake": 1 } }
                   ]
                 }
-                """);
+                """
+            );
         }
     }
 
@@ -156,7 +157,9 @@ public sealed class McapDriveTests : ExportTests
         int id = McapChannel.All.Single(channel => channel.Topic == topic).Id;
         return
         [
-            .. McapRecords.Messages(Content()).Where(message => message.Channel == id)
+            .. McapRecords
+                .Messages(Content())
+                .Where(message => message.Channel == id)
                 .Select(message => (message.Time, message.Sequence, new ProtoFields(message.Content))),
         ];
     }

@@ -12,15 +12,21 @@ public sealed class McapFileTests
     {
         var random = new Random(1);
         (McapChannel Channel, byte[] Content)[] written =
-            [.. Enumerable.Range(0, Messages).Select(_ => (Draw(random), Bytes(random, random.Next(0, 300))))];
+        [
+            .. Enumerable.Range(0, Messages).Select(_ => (Draw(random), Bytes(random, random.Next(0, 300)))),
+        ];
 
         byte[] file = Write(written);
 
         Assert.Equal(
-            written.Select((message, i) =>
-                (message.Channel.Id, (uint)(i / MessagesPerChunk), Time(i / MessagesPerChunk), Convert.ToHexString(message.Content))),
-            McapRecords.Messages(file).Select(message =>
-                (message.Channel, message.Sequence, message.Time, Convert.ToHexString(message.Content))));
+            written.Select(
+                (message, i) =>
+                    (message.Channel.Id, (uint)(i / MessagesPerChunk), Time(i / MessagesPerChunk), Convert.ToHexString(message.Content))
+            ),
+            McapRecords
+                .Messages(file)
+                .Select(message => (message.Channel, message.Sequence, message.Time, Convert.ToHexString(message.Content)))
+        );
     }
 
     [Fact]
@@ -72,7 +78,11 @@ public sealed class McapFileTests
     {
         using var stream = new MemoryStream();
         McapChunk.Write(
-            stream, (long)Time(number), number, [.. messages.Select(message => new McapMessage(message.Channel, message.Content))]);
+            stream,
+            (long)Time(number),
+            number,
+            [.. messages.Select(message => new McapMessage(message.Channel, message.Content))]
+        );
         return stream.ToArray();
     }
 }

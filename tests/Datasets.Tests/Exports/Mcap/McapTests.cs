@@ -54,9 +54,12 @@ public sealed class McapTests : ExportTests
         content[(int)(place * content.Length)] ^= 1;
         System.IO.File.WriteAllBytes(Folder.PathOf(File), content);
 
-        Assert.Contains(DatasetValidator.Validate(Folder.PathOf("out")).Problems, problem =>
-            problem.ToString().Contains("0000.mcap", StringComparison.Ordinal)
-            && !problem.ToString().Contains("manifest", StringComparison.Ordinal));
+        Assert.Contains(
+            DatasetValidator.Validate(Folder.PathOf("out")).Problems,
+            problem =>
+                problem.ToString().Contains("0000.mcap", StringComparison.Ordinal)
+                && !problem.ToString().Contains("manifest", StringComparison.Ordinal)
+        );
     }
 
     [Fact]
@@ -67,7 +70,8 @@ public sealed class McapTests : ExportTests
 
         Assert.Contains(
             DatasetValidator.Validate(Folder.PathOf("out")).Problems,
-            problem => problem.ToString().Contains("cut off", StringComparison.Ordinal));
+            problem => problem.ToString().Contains("cut off", StringComparison.Ordinal)
+        );
     }
 
     [Fact]
@@ -78,7 +82,8 @@ public sealed class McapTests : ExportTests
 
         Assert.Contains(
             "train/0000.mcap: image 2: it is not a PNG, BMP or JPEG file, or is cut off.",
-            DatasetValidator.Validate(Folder.PathOf("out")).Problems.Select(problem => problem.ToString()));
+            DatasetValidator.Validate(Folder.PathOf("out")).Problems.Select(problem => problem.ToString())
+        );
     }
 
     private byte[] Content() => System.IO.File.ReadAllBytes(Folder.PathOf(File));

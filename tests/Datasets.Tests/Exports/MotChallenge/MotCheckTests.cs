@@ -20,8 +20,11 @@ public sealed class MotCheckTests(SimulatedSession simulated) : CheckTests(simul
     {
         Export();
         Damage(Truth, pattern, replacement);
-        Assert.Contains(Problems(), problem =>
-            problem.StartsWith(Truth + ", line ", StringComparison.Ordinal) && problem.EndsWith(expected, StringComparison.Ordinal));
+        Assert.Contains(
+            Problems(),
+            problem =>
+                problem.StartsWith(Truth + ", line ", StringComparison.Ordinal) && problem.EndsWith(expected, StringComparison.Ordinal)
+        );
     }
 
     [Theory]

@@ -18,10 +18,15 @@ public sealed class MotWriterTests : ExportTests
         // visible box is 10 x 12 from (70, 24), 0.8 is visible.
         Assert.Equal(
             [
-                "1,1,39,29,5,5,0,3,0.75", "1,2,71,25,10,12,1,1,0.8", "2,1,39,29,5,5,0,3,0.75", "2,2,71,25,10,12,1,1,0.8",
-                "3,1,39,29,5,5,0,3,0.75", "3,2,71,25,10,12,1,1,0.8",
+                "1,1,39,29,5,5,0,3,0.75",
+                "1,2,71,25,10,12,1,1,0.8",
+                "2,1,39,29,5,5,0,3,0.75",
+                "2,2,71,25,10,12,1,1,0.8",
+                "3,1,39,29,5,5,0,3,0.75",
+                "3,2,71,25,10,12,1,1,0.8",
             ],
-            Folder.Lines(Sequence + "/gt/gt.txt"));
+            Folder.Lines(Sequence + "/gt/gt.txt")
+        );
     }
 
     [Fact]
@@ -40,10 +45,9 @@ public sealed class MotWriterTests : ExportTests
 
         // Frames at 0.5, 1.5 and 2.5 s: one a second.
         Assert.Equal(
-            [
-                "[Sequence]", "name=sequence-0000", "imDir=img1", "frameRate=1", "seqLength=3", "imWidth=80", "imHeight=60", "imExt=.png",
-            ],
-            Folder.Lines(Sequence + "/seqinfo.ini"));
+            ["[Sequence]", "name=sequence-0000", "imDir=img1", "frameRate=1", "seqLength=3", "imWidth=80", "imHeight=60", "imExt=.png"],
+            Folder.Lines(Sequence + "/seqinfo.ini")
+        );
         Assert.Equal(["name", "sequence-0000", "sequence-0001"], Folder.Lines("out/seqmaps/MOT17-train.txt"));
         Assert.True(File.Exists(Folder.PathOf(Sequence + "/img1/000003.png")));
     }

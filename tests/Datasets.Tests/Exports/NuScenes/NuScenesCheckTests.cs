@@ -16,14 +16,22 @@ public sealed class NuScenesCheckTests(SimulatedSession simulated) : CheckTests(
     {
         Export();
         Damage($"{Tables}{table}.json", pattern, replacement);
-        Assert.Contains(Problems(), problem =>
-            problem.StartsWith($"{Tables}{table}.json: ", StringComparison.Ordinal)
-                && problem.EndsWith(expected, StringComparison.Ordinal));
+        Assert.Contains(
+            Problems(),
+            problem =>
+                problem.StartsWith($"{Tables}{table}.json: ", StringComparison.Ordinal)
+                && problem.EndsWith(expected, StringComparison.Ordinal)
+        );
     }
 
     [Fact]
-    public void Token_that_occurs_twice_is_found() => AssertDamageIsFound(
-        Tables + "visibility.json", "\"token\":\"2\"", "\"token\":\"1\"", $"{Tables}visibility.json: line 3: the token 1 occurs twice.");
+    public void Token_that_occurs_twice_is_found() =>
+        AssertDamageIsFound(
+            Tables + "visibility.json",
+            "\"token\":\"2\"",
+            "\"token\":\"1\"",
+            $"{Tables}visibility.json: line 3: the token 1 occurs twice."
+        );
 
     [Theory]
     [InlineData("},\n", "}\n", "line 3: a comma must follow the record before.")]
@@ -61,13 +69,17 @@ public sealed class NuScenesCheckTests(SimulatedSession simulated) : CheckTests(
     {
         Export();
         string table = Folder.PathOf($"out/{Tables}sample_annotation.json");
-        File.WriteAllText(table, Regex.Replace(
-            File.ReadAllText(table), "\"rotation\":\\[[^\\]]*", "\"rotation\":[0.707106781,0.707106781,0,0"));
-        Assert.Contains(Problems(), problem => problem.EndsWith(
-            "boxes lean by more than 60 degrees: rotation is w, x, y, z.", StringComparison.Ordinal));
+        File.WriteAllText(
+            table,
+            Regex.Replace(File.ReadAllText(table), "\"rotation\":\\[[^\\]]*", "\"rotation\":[0.707106781,0.707106781,0,0")
+        );
+        Assert.Contains(
+            Problems(),
+            problem => problem.EndsWith("boxes lean by more than 60 degrees: rotation is w, x, y, z.", StringComparison.Ordinal)
+        );
     }
 
     [Fact]
-    public void Scene_that_is_in_no_split_is_found() => AssertDamageIsFound(
-        Tables + "splits.json", "\"scene-2001\"", "", $"{Tables}splits.json: it does not have each scene once.");
+    public void Scene_that_is_in_no_split_is_found() =>
+        AssertDamageIsFound(Tables + "splits.json", "\"scene-2001\"", "", $"{Tables}splits.json: it does not have each scene once.");
 }

@@ -26,8 +26,11 @@ public sealed class OpenLabelCheckTests(SimulatedSession simulated) : CheckTests
     {
         Export();
         Damage(Labels, pattern, replacement);
-        Assert.Contains(Problems(), problem =>
-            problem.StartsWith($"{Labels}, line ", StringComparison.Ordinal) && problem.EndsWith(expected, StringComparison.Ordinal));
+        Assert.Contains(
+            Problems(),
+            problem =>
+                problem.StartsWith($"{Labels}, line ", StringComparison.Ordinal) && problem.EndsWith(expected, StringComparison.Ordinal)
+        );
     }
 
     [Theory]
@@ -38,8 +41,11 @@ public sealed class OpenLabelCheckTests(SimulatedSession simulated) : CheckTests
     {
         Export();
         Damage(Labels, pattern, replacement);
-        Assert.Contains(Problems(), problem =>
-            problem.StartsWith($"{Labels}, line 1", StringComparison.Ordinal) && problem.EndsWith(expected, StringComparison.Ordinal));
+        Assert.Contains(
+            Problems(),
+            problem =>
+                problem.StartsWith($"{Labels}, line 1", StringComparison.Ordinal) && problem.EndsWith(expected, StringComparison.Ordinal)
+        );
     }
 
     [Fact]

@@ -14,10 +14,12 @@ public sealed class OpenLabelWriterTests : ExportTests
         Assert.Equal("1.0.0", (string?)root["metadata"]!["schema_version"]);
         Assert.Equal(
             ["scene_cs", "local_cs", "sensor_cs"],
-            ((string[])["world", "ego", "camera"]).Select(name => (string?)root["coordinate_systems"]![name]!["type"]));
+            ((string[])["world", "ego", "camera"]).Select(name => (string?)root["coordinate_systems"]![name]!["type"])
+        );
         Assert.Equal(
             """{"width_px":80,"height_px":60,"camera_matrix":[30,0,40,0,0,30,30,0,0,0,1,0],"distortion_coeffs":[0,0,0,0,0]}""",
-            root["streams"]!["camera"]!["stream_properties"]!["intrinsics_pinhole"]!.ToJsonString());
+            root["streams"]!["camera"]!["stream_properties"]!["intrinsics_pinhole"]!.ToJsonString()
+        );
     }
 
     [Fact]
@@ -41,8 +43,10 @@ public sealed class OpenLabelWriterTests : ExportTests
         Folder.Export("openlabel", Session.Open());
 
         JsonNode properties = Root()["frames"]!["2"]!["frame_properties"]!;
-        Assert.Equal((2.5, "images/train/0000/00000002.png"),
-            ((double)properties["timestamp"]!, (string?)properties["streams"]!["camera"]!["uri"]));
+        Assert.Equal(
+            (2.5, "images/train/0000/00000002.png"),
+            ((double)properties["timestamp"]!, (string?)properties["streams"]!["camera"]!["uri"])
+        );
         JsonNode ego = properties["transforms"]!["ego_to_world"]!["transform_src_to_dst"]!;
         Assert.Equal("[0,-2,-1]", ego["translation"]!.ToJsonString());
 
@@ -61,7 +65,9 @@ public sealed class OpenLabelWriterTests : ExportTests
         JsonNode objects = Root()["objects"]!;
         Assert.Equal("""[{"frame_start":0,"frame_end":2}]""", objects["1"]!["frame_intervals"]!.ToJsonString());
         Assert.Equal(
-            """[{"frame_start":0,"frame_end":0},{"frame_start":2,"frame_end":2}]""", objects["2"]!["frame_intervals"]!.ToJsonString());
+            """[{"frame_start":0,"frame_end":0},{"frame_start":2,"frame_end":2}]""",
+            objects["2"]!["frame_intervals"]!.ToJsonString()
+        );
         Assert.Equal("pedestrian", (string?)objects["2"]!["type"]);
         Assert.Equal("""[{"frame_start":0,"frame_end":2}]""", Root()["frame_intervals"]!.ToJsonString());
         Assert.Empty(DatasetValidator.Validate(Folder.PathOf("out")).Problems);

@@ -44,7 +44,8 @@ public sealed class VocWriterTests : ExportTests
         XElement box = XDocument.Load(Folder.PathOf("out/Annotations/00000000.xml")).Descendants("bndbox").First();
         Assert.Equal(
             (first, "28", last, "33"),
-            (box.Element("xmin")!.Value, box.Element("ymin")!.Value, box.Element("xmax")!.Value, box.Element("ymax")!.Value));
+            (box.Element("xmin")!.Value, box.Element("ymin")!.Value, box.Element("xmax")!.Value, box.Element("ymax")!.Value)
+        );
     }
 
     [Fact]

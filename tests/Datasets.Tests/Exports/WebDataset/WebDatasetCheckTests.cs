@@ -50,14 +50,16 @@ public sealed class WebDatasetCheckTests(SimulatedSession simulated) : CheckTest
     [Fact]
     public void Parts_that_contradict_the_label_are_found()
     {
-        Rewrite(entry => entry.Name switch
-        {
-            "00000001.png" => (entry.Name, TestImages.Png(20, 15)),
-            "00000002.png" => (entry.Name, entry.Content[..^20]),
-            "00000003.mask.png" => (entry.Name, TestImages.Png(200, 150)),
-            "00000004.mask.png" => ("00000004.depth.png", entry.Content),
-            _ => entry,
-        });
+        Rewrite(entry =>
+            entry.Name switch
+            {
+                "00000001.png" => (entry.Name, TestImages.Png(20, 15)),
+                "00000002.png" => (entry.Name, entry.Content[..^20]),
+                "00000003.mask.png" => (entry.Name, TestImages.Png(200, 150)),
+                "00000004.mask.png" => ("00000004.depth.png", entry.Content),
+                _ => entry,
+            }
+        );
         AssertFound($"{Archive}: sample 00000001: image: it is 20 x 15, but its label says 200 x 150.");
         AssertFound($"{Archive}: sample 00000002: image: it is cut off");
         AssertFound($"{Archive}: sample 00000003: mask.png: it has 24 bits per pixel instead of 16.");
@@ -67,8 +69,9 @@ public sealed class WebDatasetCheckTests(SimulatedSession simulated) : CheckTest
     [Fact]
     public void Duplicate_sample_is_found()
     {
-        Rewrite(
-            entry => entry.Name.StartsWith("00000003", StringComparison.Ordinal) ? (entry.Name.Replace('3', '1'), entry.Content) : entry);
+        Rewrite(entry =>
+            entry.Name.StartsWith("00000003", StringComparison.Ordinal) ? (entry.Name.Replace('3', '1'), entry.Content) : entry
+        );
         AssertFound($"{Archive}: sample 00000001: it occurs twice, here or in another archive.");
     }
 
@@ -96,7 +99,8 @@ public sealed class WebDatasetCheckTests(SimulatedSession simulated) : CheckTest
             if (change((entry.Name, content.ToArray())) is { } changed)
             {
                 target.WriteEntry(
-                    new UstarTarEntry(TarEntryType.RegularFile, changed.Name) { DataStream = new MemoryStream(changed.Content) });
+                    new UstarTarEntry(TarEntryType.RegularFile, changed.Name) { DataStream = new MemoryStream(changed.Content) }
+                );
             }
         }
     }

@@ -22,7 +22,8 @@ public sealed class WebDatasetWriterTests(SimulatedSession simulated) : ExportTe
         {
             Assert.Equal(
                 [$"{frame:D8}.png", $"{frame:D8}.json", $"{frame:D8}.mask.png"],
-                entries.Skip(3 * frame).Take(3).Select(entry => entry.Name));
+                entries.Skip(3 * frame).Take(3).Select(entry => entry.Name)
+            );
             Assert.Equal(File.ReadAllBytes(Path.Combine(simulated.Folder, $"frames/{frame:D8}.png")), entries[3 * frame].Content);
             Assert.True(JsonNode.DeepEquals(JsonNode.Parse(labels[frame]), JsonNode.Parse(entries[(3 * frame) + 1].Content)));
         }
@@ -36,14 +37,18 @@ public sealed class WebDatasetWriterTests(SimulatedSession simulated) : ExportTe
 
         Assert.Equal(
             ["train-000000.tar", "train-000001.tar", "val-000000.tar", "val-000001.tar"],
-            writer.Aggregates(new Dictionary<string, int>
-            {
-                ["train-000000"] =
-                1,
-                ["train-000002"] = 1,
-                ["val-000001"] = 1,
-                ["val-000003"] = 1
-            }).Select(file => file.Path));
+            writer
+                .Aggregates(
+                    new Dictionary<string, int>
+                    {
+                        ["train-000000"] = 1,
+                        ["train-000002"] = 1,
+                        ["val-000001"] = 1,
+                        ["val-000003"] = 1,
+                    }
+                )
+                .Select(file => file.Path)
+        );
     }
 
     /// <summary>

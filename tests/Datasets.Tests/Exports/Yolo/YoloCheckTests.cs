@@ -25,12 +25,22 @@ public sealed class YoloCheckTests(SimulatedSession simulated) : CheckTests(simu
         AssertDamageIsFound(Label, pattern, replacement, $"{Label}, line 1: {expected}");
 
     [Fact]
-    public void Missing_class_name_is_found() => AssertDamageIsFound(
-        "data.yaml", $"^  {Classes - 1}: .*\n", "", $"data.yaml: it names {Classes - 1} classes, but {Classes} were exported.");
+    public void Missing_class_name_is_found() =>
+        AssertDamageIsFound(
+            "data.yaml",
+            $"^  {Classes - 1}: .*\n",
+            "",
+            $"data.yaml: it names {Classes - 1} classes, but {Classes} were exported."
+        );
 
     [Fact]
-    public void Split_without_images_is_found() => AssertDamageIsFound(
-        "data.yaml", "^val: .*", "val: images/elsewhere", "data.yaml, line 3: there are no images in images/elsewhere.");
+    public void Split_without_images_is_found() =>
+        AssertDamageIsFound(
+            "data.yaml",
+            "^val: .*",
+            "val: images/elsewhere",
+            "data.yaml, line 3: there are no images in images/elsewhere."
+        );
 
     [Theory]
     [InlineData("data.yaml", "data.yaml: it is missing.")]

@@ -31,7 +31,8 @@ public sealed class YoloWriterTests(SimulatedSession simulated) : ExportTests
 
         Assert.Equal(
             ["# Paths are relative to this file.", "train: images/train", "val: images/train", "names:", "  0: bus", "  1: pedestrian"],
-            Folder.Lines("out/data.yaml"));
+            Folder.Lines("out/data.yaml")
+        );
         Assert.StartsWith("1 ", Assert.Single(Folder.Lines("out/labels/train/00000000.txt")), StringComparison.Ordinal);
     }
 
@@ -39,19 +40,29 @@ public sealed class YoloWriterTests(SimulatedSession simulated) : ExportTests
     public void Data_file_quotes_names_that_yaml_would_not_read_as_strings()
     {
         Session.DeterminePedestrians();
-        Folder.Export("yolo", Session.Open(), new ExportOptions
-        {
-            Classes = [ObjectClass.Pedestrian, ObjectClass.Bus],
-            Names = new Dictionary<ObjectClass, string> { [ObjectClass.Pedestrian] = "no", [ObjectClass.Bus] = "12" },
-            Splits = new SplitPlan([new DatasetSplit("on", 1)], 0, 1),
-        });
+        Folder.Export(
+            "yolo",
+            Session.Open(),
+            new ExportOptions
+            {
+                Classes = [ObjectClass.Pedestrian, ObjectClass.Bus],
+                Names = new Dictionary<ObjectClass, string> { [ObjectClass.Pedestrian] = "no", [ObjectClass.Bus] = "12" },
+                Splits = new SplitPlan([new DatasetSplit("on", 1)], 0, 1),
+            }
+        );
 
         Assert.Equal(
             [
-                "# Paths are relative to this file.", "'on': images/on", "train: images/on", "val: images/on",
-                "names:", "  0: '12'", "  1: 'no'",
+                "# Paths are relative to this file.",
+                "'on': images/on",
+                "train: images/on",
+                "val: images/on",
+                "names:",
+                "  0: '12'",
+                "  1: 'no'",
             ],
-            Folder.Lines("out/data.yaml"));
+            Folder.Lines("out/data.yaml")
+        );
     }
 
     [Fact]
@@ -63,7 +74,9 @@ public sealed class YoloWriterTests(SimulatedSession simulated) : ExportTests
 
         InstanceMap mask = PngDecoder.ReadInstanceMap(Session.PathOf("masks/00000000.png"));
         Assert.Equal(
-            mask.Ids.Select(id => id == 1), Covered(Corners(Folder.Lines("out/labels/train/00000000.txt")[0], mask.Image), mask.Image));
+            mask.Ids.Select(id => id == 1),
+            Covered(Corners(Folder.Lines("out/labels/train/00000000.txt")[0], mask.Image), mask.Image)
+        );
     }
 
     [Fact]
@@ -77,7 +90,9 @@ public sealed class YoloWriterTests(SimulatedSession simulated) : ExportTests
             ObjectLabel[] seen = [.. label.Objects.Where(item => mask.Ids.Contains((ushort)item.Id))];
             string[] lines = Folder.Lines($"out/labels/train/{frame:D8}.txt");
             Assert.Equal(
-                seen.Select(item => (int)item.Class), lines.Select(line => int.Parse(line.Split(' ')[0], CultureInfo.InvariantCulture)));
+                seen.Select(item => (int)item.Class),
+                lines.Select(line => int.Parse(line.Split(' ')[0], CultureInfo.InvariantCulture))
+            );
             foreach ((string line, ObjectLabel item) in lines.Zip(seen))
             {
                 Assert.True(mask.Ids.Select(id => id == item.Id).SequenceEqual(Covered(Corners(line, mask.Image), mask.Image)), line);
@@ -88,10 +103,13 @@ public sealed class YoloWriterTests(SimulatedSession simulated) : ExportTests
     }
 
     private static Vector2D[] Corners(string line, ImageSize image) =>
-    [
-        .. line.Split(' ').Skip(1).Select(word => double.Parse(word, CultureInfo.InvariantCulture)).Chunk(2)
-            .Select(corner => new Vector2D(corner[0] * image.Width, corner[1] * image.Height)),
-    ];
+        [
+            .. line.Split(' ')
+                .Skip(1)
+                .Select(word => double.Parse(word, CultureInfo.InvariantCulture))
+                .Chunk(2)
+                .Select(corner => new Vector2D(corner[0] * image.Width, corner[1] * image.Height)),
+        ];
 
     /// <summary>For each pixel whether its centre has an odd number of the polygon's sides on its left.</summary>
     private static IEnumerable<bool> Covered(Vector2D[] corners, ImageSize image)
@@ -102,7 +120,8 @@ public sealed class YoloWriterTests(SimulatedSession simulated) : ExportTests
             double y = row + 0.5;
             double[] crossings =
             [
-                .. sides.Where(side => side.From.Y < y != side.To.Y < y)
+                .. sides
+                    .Where(side => side.From.Y < y != side.To.Y < y)
                     .Select(side => side.From.X + ((side.To.X - side.From.X) * (y - side.From.Y) / (side.To.Y - side.From.Y))),
             ];
             for (int column = 0; column < image.Width; column++)

@@ -60,12 +60,16 @@ public sealed class MaskOutlinesTests
 
     [Fact]
     public void Outlines_of_random_masks_enclose_the_area_of_their_pixels() =>
-        RandomCases.Check(200, Pixels, pixels =>
-        {
-            InstanceMap map = MapOf(pixels);
+        RandomCases.Check(
+            200,
+            Pixels,
+            pixels =>
+            {
+                InstanceMap map = MapOf(pixels);
 
-            Assert.Equal(map.MapOf(1).Count, MaskOutlines.Of(map, 1).Sum(SignedArea), 1e-9);
-        });
+                Assert.Equal(map.MapOf(1).Count, MaskOutlines.Of(map, 1).Sum(SignedArea), 1e-9);
+            }
+        );
 
     // Clockwise on the screen, where y points down, is positive.
     private static double SignedArea(IReadOnlyList<Vector2D> polygon) =>

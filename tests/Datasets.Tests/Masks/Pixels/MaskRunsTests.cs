@@ -22,17 +22,21 @@ public sealed class MaskRunsTests
 
     [Fact]
     public void Decode_inverts_Encode() =>
-        RandomCases.Check(50, MaskOutlinesTests.Pixels, pixels =>
-        {
-            InstanceMap map = MaskOutlinesTests.MapOf(pixels);
-
-            PixelMap back = MaskRuns.Decode(Encode(map, 1), map.Image);
-
-            for (int pixel = 0; pixel < map.Image.PixelCount; pixel++)
+        RandomCases.Check(
+            50,
+            MaskOutlinesTests.Pixels,
+            pixels =>
             {
-                Assert.Equal(map.Ids[pixel] == 1, back[pixel % map.Image.Width, pixel / map.Image.Width]);
+                InstanceMap map = MaskOutlinesTests.MapOf(pixels);
+
+                PixelMap back = MaskRuns.Decode(Encode(map, 1), map.Image);
+
+                for (int pixel = 0; pixel < map.Image.PixelCount; pixel++)
+                {
+                    Assert.Equal(map.Ids[pixel] == 1, back[pixel % map.Image.Width, pixel / map.Image.Width]);
+                }
             }
-        });
+        );
 
     [Fact]
     public void Decode_counts_that_do_not_add_up_are_refused()

@@ -9,7 +9,8 @@ public sealed class VisibilityCodeTests
 {
     private static readonly Camera Camera = new(
         new Pose(new Vector3D(0, 0, 1.5), Axes.Identity),
-        new CameraIntrinsics(50, new ImageSize(320, 240), 4.0 / 3, 0.15, Lens.Ideal));
+        new CameraIntrinsics(50, new ImageSize(320, 240), 4.0 / 3, 0.15, Lens.Ideal)
+    );
 
     [Theory]
     [InlineData(1, 3, 9)]
@@ -51,16 +52,23 @@ public sealed class VisibilityCodeTests
         {
             int first = i - 1;
             int second = i;
-            var seen = Enumerable.Range(0, code.PictureCount - 2)
-                .Select(picture => (code.IsShown(picture, first), code.IsShown(picture, second))).Distinct();
+            var seen = Enumerable
+                .Range(0, code.PictureCount - 2)
+                .Select(picture => (code.IsShown(picture, first), code.IsShown(picture, second)))
+                .Distinct();
             Assert.Equal(4, seen.Append((false, false)).Distinct().Count());
         }
     }
 
     /// <summary>Objects one behind another, so that the boxes of neighbours overlap.</summary>
-    private static MapTarget[] Row(int count) => [.. Enumerable.Range(0, count).Select(number =>
-    {
-        var cuboid = new Cuboid(new Vector3D((number % 9) - 4, 20 + number, 0.75), new Vector3D(0.9, 2, 0.75), Axes.Identity);
-        return new MapTarget(number + 100, (ushort)(number + 1), cuboid, CuboidProjector.Project(Camera, cuboid));
-    })];
+    private static MapTarget[] Row(int count) =>
+        [
+            .. Enumerable
+                .Range(0, count)
+                .Select(number =>
+                {
+                    var cuboid = new Cuboid(new Vector3D((number % 9) - 4, 20 + number, 0.75), new Vector3D(0.9, 2, 0.75), Axes.Identity);
+                    return new MapTarget(number + 100, (ushort)(number + 1), cuboid, CuboidProjector.Project(Camera, cuboid));
+                }),
+        ];
 }

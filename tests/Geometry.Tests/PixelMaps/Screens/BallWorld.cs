@@ -60,8 +60,12 @@ internal sealed class BallWorld(Camera camera, IReadOnlyList<(Vector3D Centre, d
                 return PostColour;
             }
 
-            bool isShaded = balls.Where((each, index) => shown[index]
-                && Math.Sqrt(Math.Pow(place.X - each.Centre.X, 2) + Math.Pow(place.Y - each.Centre.Y, 2)) < each.Radius).Any();
+            bool isShaded = balls
+                .Where(
+                    (each, index) =>
+                        shown[index] && Math.Sqrt(Math.Pow(place.X - each.Centre.X, 2) + Math.Pow(place.Y - each.Centre.Y, 2)) < each.Radius
+                )
+                .Any();
             double grey = (((int)Math.Floor(place.X) + (int)Math.Floor(place.Y)) & 1) == 0 ? 95 : 110;
             return new Vector3D(grey, grey, grey) * (isShaded ? 0.4 : 1);
         }

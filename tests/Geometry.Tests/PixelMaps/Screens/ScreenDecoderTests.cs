@@ -13,7 +13,8 @@ public sealed class ScreenDecoderTests
 
     private static readonly Camera Camera = new(
         new Pose(new Vector3D(0, 0, 1.5), Axes.Identity),
-        new CameraIntrinsics(50, new ImageSize(320, 240), 4.0 / 3, 0.15, Lens.Ideal));
+        new CameraIntrinsics(50, new ImageSize(320, 240), 4.0 / 3, 0.15, Lens.Ideal)
+    );
 
     /// <summary>A grey ball like the ground, one behind it, and one alone in the shade of its own.</summary>
     private static readonly (Vector3D Centre, double Radius, Vector3D Colour)[] Balls =
@@ -37,8 +38,11 @@ public sealed class ScreenDecoderTests
             Assert.InRange(
                 Iou(
                     pixel => mask.Amodal[number][pixel % Camera.Image.Width, pixel / Camera.Image.Width],
-                    pixel => world.BallAt(pixel, index => index == own) == own),
-                MinIou, 1);
+                    pixel => world.BallAt(pixel, index => index == own) == own
+                ),
+                MinIou,
+                1
+            );
         }
     }
 
@@ -57,11 +61,16 @@ public sealed class ScreenDecoderTests
         return (plan.Decoder([.. Enumerable.Range(0, plan.PictureCount).Select(number => world.Picture(plan, number))]).Finish(), world);
     }
 
-    private static MapTarget[] Targets() => [.. Balls.Select((ball, index) =>
-    {
-        var cuboid = new Cuboid(ball.Centre, new Vector3D(ball.Radius, ball.Radius, ball.Radius), Axes.Identity);
-        return new MapTarget(index + 100, (ushort)(index + 1), cuboid, CuboidProjector.Project(Camera, cuboid));
-    })];
+    private static MapTarget[] Targets() =>
+        [
+            .. Balls.Select(
+                (ball, index) =>
+                {
+                    var cuboid = new Cuboid(ball.Centre, new Vector3D(ball.Radius, ball.Radius, ball.Radius), Axes.Identity);
+                    return new MapTarget(index + 100, (ushort)(index + 1), cuboid, CuboidProjector.Project(Camera, cuboid));
+                }
+            ),
+        ];
 
     private static double Iou(Func<int, bool> found, Func<int, bool> expected)
     {

@@ -17,7 +17,8 @@ public sealed class ScreenPlanTests
 
     private static readonly Camera Camera = new(
         new Pose(new Vector3D(0, 0, 1.5), Axes.Identity),
-        new CameraIntrinsics(50, new ImageSize(320, 240), 4.0 / 3, 0.15, Lens.Ideal));
+        new CameraIntrinsics(50, new ImageSize(320, 240), 4.0 / 3, 0.15, Lens.Ideal)
+    );
 
     [Theory]
     [InlineData(0)]

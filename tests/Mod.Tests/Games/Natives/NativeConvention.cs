@@ -52,14 +52,19 @@ internal sealed class NativeConvention(int boolBytes)
             if (native.Parameters[i].IsAddress && random.Next(2) == 0)
             {
                 new NativeAddress(
-                    Marshal.ReadIntPtr(call.Arguments + (i * SlotBytes)), native.Parameters[i].Pointee, boolBytes).WriteGarbage(random);
+                    Marshal.ReadIntPtr(call.Arguments + (i * SlotBytes)),
+                    native.Parameters[i].Pointee,
+                    boolBytes
+                ).WriteGarbage(random);
             }
         }
 
         if (native.Result.IsText)
         {
             Marshal.WriteIntPtr(
-                call.Result, random.Next(2) == 0 ? IntPtr.Zero : TextOf($"{(char)random.Next('A', 'Z')}{(char)random.Next('A', 'Z')}"));
+                call.Result,
+                random.Next(2) == 0 ? IntPtr.Zero : TextOf($"{(char)random.Next('A', 'Z')}{(char)random.Next('A', 'Z')}")
+            );
         }
         else if (!native.Result.IsVoid)
         {

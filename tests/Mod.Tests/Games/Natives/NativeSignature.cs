@@ -30,17 +30,25 @@ internal sealed record NativeSignature(string Name, ulong Hash, NativeType Resul
         }
     }
 
-    private static bool Takes(NativeType parameter, ArgumentKind passed) => parameter.IsAny || passed == (
-        parameter.IsBoolean ? ArgumentKind.Boolean
-        : parameter.IsSingle ? ArgumentKind.Single
-        : parameter.IsText ? ArgumentKind.Text
-        : parameter.IsAddress ? ArgumentKind.Address
-        : ArgumentKind.Integer);
+    private static bool Takes(NativeType parameter, ArgumentKind passed) =>
+        parameter.IsAny
+        || passed
+            == (
+                parameter.IsBoolean ? ArgumentKind.Boolean
+                : parameter.IsSingle ? ArgumentKind.Single
+                : parameter.IsText ? ArgumentKind.Text
+                : parameter.IsAddress ? ArgumentKind.Address
+                : ArgumentKind.Integer
+            );
 
-    private bool Returns(Type expected) => !Result.IsVoid && expected == (
-        Result.IsBoolean ? typeof(bool)
-        : Result.IsSingle ? typeof(float)
-        : Result.IsVector ? typeof(Vector3)
-        : Result.IsText ? typeof(string)
-        : typeof(int));
+    private bool Returns(Type expected) =>
+        !Result.IsVoid
+        && expected
+            == (
+                Result.IsBoolean ? typeof(bool)
+                : Result.IsSingle ? typeof(float)
+                : Result.IsVector ? typeof(Vector3)
+                : Result.IsText ? typeof(string)
+                : typeof(int)
+            );
 }

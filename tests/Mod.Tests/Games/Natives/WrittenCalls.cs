@@ -42,11 +42,17 @@ internal static class WrittenCalls
     public static IReadOnlyList<WrittenCall> Read(string path)
     {
         using ModuleDefinition module = ModuleDefinition.ReadModule(path);
-        MethodDefinition[] methods = [.. module.GetTypes().SelectMany(type => type.Methods).Where(
-            method => method.HasBody && !IsCall(method) && method.DeclaringType.FullName != Api && method.Name != Conversion)];
+        MethodDefinition[] methods =
+        [
+            .. module
+                .GetTypes()
+                .SelectMany(type => type.Methods)
+                .Where(method => method.HasBody && !IsCall(method) && method.DeclaringType.FullName != Api && method.Name != Conversion),
+        ];
         Assert.DoesNotContain(
             methods.SelectMany(method => method.Body.Instructions),
-            instruction => instruction.Operand is MethodReference { DeclaringType.FullName: CallsOfApi });
+            instruction => instruction.Operand is MethodReference { DeclaringType.FullName: CallsOfApi }
+        );
         return [.. methods.SelectMany(method => In(method, methods))];
     }
 
@@ -95,8 +101,7 @@ internal static class WrittenCalls
         ParameterDefinition last = method.Parameters[^1];
         Assert.Equal(HashType, last.ParameterType.FullName);
         Assert.Equal(method.Parameters.Count - 1, LoadedArgument(load) - (method.HasThis ? 1 : 0));
-        return all
-            .SelectMany(caller => caller.Body.Instructions)
+        return all.SelectMany(caller => caller.Body.Instructions)
             .Where(instruction => instruction.Operand is MethodReference called && called.FullName == method.FullName)
             .Select(instruction => (Hash)(long)instruction.Previous.Operand);
     }

@@ -34,9 +34,18 @@ public sealed class SpaceSurveyTests : IDisposable
         Prop prop = KnownProps.All[name];
         IReadOnlyList<ModelFace> found = Reopened().Table.Of(name);
         Assert.Equal(prop.Faces.Count, found.Count);
-        Assert.All(prop.Faces, face => Assert.Contains(found, row =>
-            row.Facing == face.Facing && Front(row) is var front
-            && Largest(face.Min - front.Min) < ToleranceMetres && Largest(face.Max - front.Max) < ToleranceMetres));
+        Assert.All(
+            prop.Faces,
+            face =>
+                Assert.Contains(
+                    found,
+                    row =>
+                        row.Facing == face.Facing
+                        && Front(row) is var front
+                        && Largest(face.Min - front.Min) < ToleranceMetres
+                        && Largest(face.Max - front.Max) < ToleranceMetres
+                )
+        );
         Assert.All(found, face => Assert.Equal(Provenance.Measured, face.Provenance));
         Assert.Equal(0, stage.Standing);
         Assert.InRange(stage.RaysCast, 1, Math.Max(1, prop.Bones.Count) * MaxRays);
@@ -75,9 +84,15 @@ public sealed class SpaceSurveyTests : IDisposable
     public void Survey_of_a_light_without_head_bones_gives_derived_rows()
     {
         var stage = new PropStage(KnownProps.All, Place);
-        using (var survey = new FaceSurvey(
-            stage, [new SurveyedModel("octagon", ObjectClass.TrafficLight, string.Empty, string.Empty)], _folder = Reopened(),
-            new PlayerClock(), BudgetMilliseconds))
+        using (
+            var survey = new FaceSurvey(
+                stage,
+                [new SurveyedModel("octagon", ObjectClass.TrafficLight, string.Empty, string.Empty)],
+                _folder = Reopened(),
+                new PlayerClock(),
+                BudgetMilliseconds
+            )
+        )
         {
             ToEnd(survey);
         }
@@ -97,7 +112,9 @@ public sealed class SpaceSurveyTests : IDisposable
 
         IReadOnlyList<ModelFace> faces = Reopened().Table.Of("plate");
         Assert.Equal(
-            [("STOP", Provenance.Measured), (back.Name, Provenance.Estimated)], faces.Select(face => (face.Name, face.Provenance)));
+            [("STOP", Provenance.Measured), (back.Name, Provenance.Estimated)],
+            faces.Select(face => (face.Name, face.Provenance))
+        );
         Assert.Equal(back, faces[1]);
 
         // A second survey measures the front again and finds the back among the player's own rows.
@@ -117,14 +134,17 @@ public sealed class SpaceSurveyTests : IDisposable
     [Fact]
     public void Survey_that_finds_more_faces_renumbers_the_kept_one()
     {
-        Survey(new SurveyedModel("two", ObjectClass.Sign, "STOP", "R1-1")
-        {
-            Known = [Known("two", 0, Facing.Back), Known("two", 1, Facing.Front)],
-        });
+        Survey(
+            new SurveyedModel("two", ObjectClass.Sign, "STOP", "R1-1")
+            {
+                Known = [Known("two", 0, Facing.Back), Known("two", 1, Facing.Front)],
+            }
+        );
 
         Assert.Equal(
             [(0, Facing.Back), (1, Facing.Back), (2, Facing.Front)],
-            Reopened().Table.Of("two").Select(face => (face.Number, face.Facing)));
+            Reopened().Table.Of("two").Select(face => (face.Number, face.Facing))
+        );
     }
 
     [Fact]
@@ -165,14 +185,30 @@ public sealed class SpaceSurveyTests : IDisposable
     private void Survey(SurveyedModel model)
     {
         using var survey = new FaceSurvey(
-            new PropStage(KnownProps.All, Place), [model], _folder = Reopened(), new PlayerClock(), BudgetMilliseconds);
+            new PropStage(KnownProps.All, Place),
+            [model],
+            _folder = Reopened(),
+            new PlayerClock(),
+            BudgetMilliseconds
+        );
         ToEnd(survey);
         Assert.Null(survey.Fault);
     }
 
-    private static ModelFace Known(string model, int face, Facing facing) => new(
-        model, ModelHash.Of(model), ObjectClass.Sign, $"known {face}", "", face, new(-0.4, 0.02, 2.6), new(0.4, -0.04, 1.9), facing,
-        Provenance.Estimated, "test");
+    private static ModelFace Known(string model, int face, Facing facing) =>
+        new(
+            model,
+            ModelHash.Of(model),
+            ObjectClass.Sign,
+            $"known {face}",
+            "",
+            face,
+            new(-0.4, 0.02, 2.6),
+            new(0.4, -0.04, 1.9),
+            facing,
+            Provenance.Estimated,
+            "test"
+        );
 
     private PropStage Run(params string[] names)
     {
@@ -184,12 +220,14 @@ public sealed class SpaceSurveyTests : IDisposable
         return stage;
     }
 
-    private FaceSurvey Start(PropStage stage, params string[] names) => new(
-        stage,
-        names.Select(name => new SurveyedModel(name, ObjectClass.Sign, "a name", string.Empty)),
-        _folder = Reopened(),
-        new PlayerClock(),
-        BudgetMilliseconds);
+    private FaceSurvey Start(PropStage stage, params string[] names) =>
+        new(
+            stage,
+            names.Select(name => new SurveyedModel(name, ObjectClass.Sign, "a name", string.Empty)),
+            _folder = Reopened(),
+            new PlayerClock(),
+            BudgetMilliseconds
+        );
 
     /// <summary>The folder as another survey finds it.</summary>
     private SurveyFolder Reopened()
@@ -209,8 +247,7 @@ public sealed class SpaceSurveyTests : IDisposable
     private static (Vector3D Min, Vector3D Max) Front(ModelFace face)
     {
         double y = face.Facing == Facing.Front ? face.FrontUpperLeft.Y : face.BackLowerRight.Y;
-        return (
-            new(face.FrontUpperLeft.X, y, face.BackLowerRight.Z), new(face.BackLowerRight.X, y, face.FrontUpperLeft.Z));
+        return (new(face.FrontUpperLeft.X, y, face.BackLowerRight.Z), new(face.BackLowerRight.X, y, face.FrontUpperLeft.Z));
     }
 
     private static double Largest(Vector3D difference) =>

@@ -10,7 +10,8 @@ internal sealed class PropStage(IReadOnlyDictionary<string, Prop> props, Pose po
 {
     private const int Handle = 77;
     private static readonly Mesh Ground = new MeshBuilder()
-        .AddQuad(new(-100, -100, 0), new(100, -100, 0), new(100, 100, 0), new(-100, 100, 0), new Rgb(90, 90, 90)).Build();
+        .AddQuad(new(-100, -100, 0), new(100, -100, 0), new(100, 100, 0), new(-100, 100, 0), new Rgb(90, 90, 90))
+        .Build();
 
     private readonly RenderScene _scene = new([new MeshInstance(Ground, pose, RayHit.World)]);
     private readonly Dictionary<string, int> _ticksToLoad = [];

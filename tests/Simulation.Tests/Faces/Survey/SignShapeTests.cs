@@ -55,7 +55,8 @@ public sealed class SignShapeTests(ITestOutputHelper output) : IDisposable
         }
 
         output.WriteLine(
-            string.Create(CultureInfo.InvariantCulture, $"{signs.Count - wrong.Count} of {signs.Count} right, {largest:0.0000} m at most"));
+            string.Create(CultureInfo.InvariantCulture, $"{signs.Count - wrong.Count} of {signs.Count} right, {largest:0.0000} m at most")
+        );
         wrong.ForEach(output.WriteLine);
         Assert.Empty(wrong);
     }
@@ -63,12 +64,19 @@ public sealed class SignShapeTests(ITestOutputHelper output) : IDisposable
     private (IReadOnlyList<ModelFace> Found, int Rays) Survey(string name, Prop sign)
     {
         var stage = new PropStage(
-            new Dictionary<string, Prop> { ["sign"] = sign }, new Pose(new Vector3D(1200, -340, 25), Axes.FromHeading(77)));
+            new Dictionary<string, Prop> { ["sign"] = sign },
+            new Pose(new Vector3D(1200, -340, 25), Axes.FromHeading(77))
+        );
         var folder = new SurveyFolder(
-            Directory.CreateDirectory(Path.Combine(_path, ModelHash.Of(name).ToString(CultureInfo.InvariantCulture))).FullName);
+            Directory.CreateDirectory(Path.Combine(_path, ModelHash.Of(name).ToString(CultureInfo.InvariantCulture))).FullName
+        );
         using var survey = new FaceSurvey(
-            stage, [new SurveyedModel("sign", ObjectClass.Sign, "a name", string.Empty)], folder, new PlayerClock(),
-            double.PositiveInfinity);
+            stage,
+            [new SurveyedModel("sign", ObjectClass.Sign, "a name", string.Empty)],
+            folder,
+            new PlayerClock(),
+            double.PositiveInfinity
+        );
         while (!survey.IsOver)
         {
             survey.Step();
@@ -86,8 +94,12 @@ public sealed class SignShapeTests(ITestOutputHelper output) : IDisposable
         (Vector3D min, Vector3D max, Facing facing) = sign.Faces[0];
         double[] apart =
         [
-            found.FrontUpperLeft.X - min.X, found.BackLowerRight.X - max.X, found.BackLowerRight.Z - min.Z, found.FrontUpperLeft.Z - max.Z,
-            found.FrontUpperLeft.Y - min.Y, found.BackLowerRight.Y - min.Y,
+            found.FrontUpperLeft.X - min.X,
+            found.BackLowerRight.X - max.X,
+            found.BackLowerRight.Z - min.Z,
+            found.FrontUpperLeft.Z - max.Z,
+            found.FrontUpperLeft.Y - min.Y,
+            found.BackLowerRight.Y - min.Y,
         ];
         return found.Facing == facing ? apart.Max(Math.Abs) : double.PositiveInfinity;
     }

@@ -13,9 +13,7 @@ internal static class SignShapes
     private static readonly Rgb Grey = new(128, 128, 128);
 
     public static IReadOnlyList<string> Outlines { get; } =
-    [
-        "rectangle", "octagon", "diamond", "triangle up", "triangle down", "triangle sideways", "turned square",
-    ];
+    ["rectangle", "octagon", "diamond", "triangle up", "triangle down", "triangle sideways", "turned square"];
 
     public static IReadOnlyDictionary<string, Prop> Of(string outline, Facing facing)
     {
@@ -34,9 +32,12 @@ internal static class SignShapes
                 string name = string.Create(
                     CultureInfo.InvariantCulture,
                     $"{outline} {size:0.000} m, {facing}, post {radius:0.00} m to {postTop:0.0}, plate {thickness:0.0000} m, gap "
-                        + $"{gap:0.0000} m, at {middle:0.000} m");
+                        + $"{gap:0.0000} m, at {middle:0.000} m"
+                );
                 signs.Add(
-                    name, Sign([.. Corners(outline, size / 2)], facing, radius, postTop, thickness, gap, new Vector3D(beside, 0, middle)));
+                    name,
+                    Sign([.. Corners(outline, size / 2)], facing, radius, postTop, thickness, gap, new Vector3D(beside, 0, middle))
+                );
             }
         }
 
@@ -44,7 +45,14 @@ internal static class SignShapes
     }
 
     private static Prop Sign(
-        (double Right, double Up)[] outline, Facing facing, double radius, double postTop, double thickness, double gap, Vector3D middle)
+        (double Right, double Up)[] outline,
+        Facing facing,
+        double radius,
+        double postTop,
+        double thickness,
+        double gap,
+        Vector3D middle
+    )
     {
         int side = facing == Facing.Front ? 1 : -1;
         double y = side * (radius + gap + thickness);
@@ -56,22 +64,26 @@ internal static class SignShapes
                 .AddCylinder(Vector3D.Zero, new(0, 0, bottom + (postTop * (top - bottom))), radius, radius, 16, Grey)
                 .Build(),
             [],
-            [(new(plate.Min(corner => corner.X), y, bottom), new(plate.Max(corner => corner.X), y, top), facing)]);
+            [(new(plate.Min(corner => corner.X), y, bottom), new(plate.Max(corner => corner.X), y, top), facing)]
+        );
     }
 
-    private static IEnumerable<(double Right, double Up)> Corners(string outline, double radius) => outline switch
-    {
-        "rectangle" => [(-0.7 * radius, -radius), (0.7 * radius, -radius), (0.7 * radius, radius), (-0.7 * radius, radius)],
-        "octagon" => Regular(8, radius, Math.PI / 8),
-        "diamond" => Regular(4, radius, 0),
-        "triangle up" => Regular(3, radius, Math.PI / 2),
-        "triangle down" => Regular(3, radius, -Math.PI / 2),
-        "triangle sideways" => Regular(3, radius, 0),
-        "turned square" => Regular(4, radius, Math.PI / 9),
-        _ => throw new ArgumentOutOfRangeException(nameof(outline), outline, "No such outline."),
-    };
+    private static IEnumerable<(double Right, double Up)> Corners(string outline, double radius) =>
+        outline switch
+        {
+            "rectangle" => [(-0.7 * radius, -radius), (0.7 * radius, -radius), (0.7 * radius, radius), (-0.7 * radius, radius)],
+            "octagon" => Regular(8, radius, Math.PI / 8),
+            "diamond" => Regular(4, radius, 0),
+            "triangle up" => Regular(3, radius, Math.PI / 2),
+            "triangle down" => Regular(3, radius, -Math.PI / 2),
+            "triangle sideways" => Regular(3, radius, 0),
+            "turned square" => Regular(4, radius, Math.PI / 9),
+            _ => throw new ArgumentOutOfRangeException(nameof(outline), outline, "No such outline."),
+        };
 
-    private static IEnumerable<(double Right, double Up)> Regular(int count, double radius, double turn) => Enumerable.Range(0, count)
-        .Select(i => turn + (2 * Math.PI * i / count))
-        .Select(angle => (radius * Math.Cos(angle), radius * Math.Sin(angle)));
+    private static IEnumerable<(double Right, double Up)> Regular(int count, double radius, double turn) =>
+        Enumerable
+            .Range(0, count)
+            .Select(i => turn + (2 * Math.PI * i / count))
+            .Select(angle => (radius * Math.Cos(angle), radius * Math.Sin(angle)));
 }

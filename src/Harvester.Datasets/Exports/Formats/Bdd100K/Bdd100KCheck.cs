@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Exports.Checks;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Sessions;
@@ -32,9 +28,14 @@ internal sealed class Bdd100KCheck
         string objects = Bdd100KWriter.ObjectsOf(split);
         string lanes = Bdd100KWriter.LanesOf(split);
         var withLanes = new HashSet<string>(StringComparer.Ordinal);
-        return FrameLines.ListProblems(_dataset, objects, frame => ObjectsProblem(frame, split))
-            .Concat(_dataset.Files(Bdd100KWriter.Images + split).Where(image => !_named.Contains(Path.GetFileName(image)))
-                .Select(image => new SessionProblem(image, null, $"it is not in {objects}.")))
+        return FrameLines
+            .ListProblems(_dataset, objects, frame => ObjectsProblem(frame, split))
+            .Concat(
+                _dataset
+                    .Files(Bdd100KWriter.Images + split)
+                    .Where(image => !_named.Contains(Path.GetFileName(image)))
+                    .Select(image => new SessionProblem(image, null, $"it is not in {objects}."))
+            )
             .Concat(!_dataset.Has(lanes) ? [] : FrameLines.ListProblems(_dataset, lanes, frame => LanesProblem(frame, withLanes)));
     }
 
@@ -73,7 +74,8 @@ internal sealed class Bdd100KCheck
 
         // The last pixel belongs to the box.
         var box = new Box2D(sides.Number("x1"), sides.Number("y1"), sides.Number("x2") + 1, sides.Number("y2") + 1);
-        string? problem = !ids.Add(id) ? "its id occurs twice."
+        string? problem =
+            !ids.Add(id) ? "its id occurs twice."
             : !Bdd100KClasses.Names.Contains(label.Text("category")) ? $"category '{label.Text("category")}' is unknown."
             : !Bdd100KClasses.Lights.Contains(attributes.Text("trafficLightColor")) ? "trafficLightColor has an unknown value."
             : attributes.Boolean("crowd") && (attributes.Boolean("occluded") || attributes.Boolean("truncated"))
@@ -88,8 +90,11 @@ internal sealed class Bdd100KCheck
     {
         string name = frame.Text("name");
         ImageSize size = SizeOf(frame);
-        return !_named.Contains(name) || !withLanes.Add(name) ? $"'{name}' has no objects' frame, or occurs twice."
-            : frame.List("labels").Select((label, i) => LaneProblem(label, size) is { } problem ? $"label {i}: {problem}" : null)
+        return !_named.Contains(name) || !withLanes.Add(name)
+            ? $"'{name}' has no objects' frame, or occurs twice."
+            : frame
+                .List("labels")
+                .Select((label, i) => LaneProblem(label, size) is { } problem ? $"label {i}: {problem}" : null)
                 .FirstOrDefault(problem => problem is not null);
     }
 

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Scenes;
 
@@ -19,8 +17,19 @@ internal static class Bdd100KClasses
     /// <summary>Categories of objects: the ten that are evaluated, then those that are ignored.</summary>
     public static IReadOnlyCollection<string> Names { get; } =
     [
-        "pedestrian", "rider", "car", "truck", "bus", "train", "motorcycle", "bicycle", "traffic light", "traffic sign", "other person",
-        "other vehicle", "trailer",
+        "pedestrian",
+        "rider",
+        "car",
+        "truck",
+        "bus",
+        "train",
+        "motorcycle",
+        "bicycle",
+        "traffic light",
+        "traffic sign",
+        "other person",
+        "other vehicle",
+        "trailer",
     ];
 
     /// <summary>Categories of lane markings.</summary>
@@ -28,7 +37,7 @@ internal static class Bdd100KClasses
 
     /// <summary>Values of weather.</summary>
     public static IReadOnlyCollection<string> Weathers { get; } =
-        ["rainy", "snowy", "clear", "overcast", "partly cloudy", "foggy", Undefined];
+    ["rainy", "snowy", "clear", "overcast", "partly cloudy", "foggy", Undefined];
 
     /// <summary>Values of timeofday.</summary>
     public static IReadOnlyCollection<string> Times { get; } = ["daytime", "night", "dawn/dusk", Undefined];
@@ -40,37 +49,39 @@ internal static class Bdd100KClasses
     /// <param name="kind">Its class.</param>
     /// <param name="names">Categories of classes that do not have the default.</param>
     public static string Of(ObjectClass kind, IReadOnlyDictionary<ObjectClass, string> names) =>
-        names.TryGetValue(kind, out string? name) ? name
-        : kind switch
-        {
-            ObjectClass.Car => "car",
-            ObjectClass.Truck => "truck",
-            ObjectClass.Bus => "bus",
-            ObjectClass.Motorcycle => "motorcycle",
-            ObjectClass.Bicycle => "bicycle",
-            ObjectClass.Trailer => "trailer",
-            ObjectClass.Pedestrian => "pedestrian",
-            ObjectClass.Rider => "rider",
-            ObjectClass.Sign => "traffic sign",
-            ObjectClass.TrafficLight => "traffic light",
-            _ => "other vehicle",
-        };
+        names.TryGetValue(kind, out string? name)
+            ? name
+            : kind switch
+            {
+                ObjectClass.Car => "car",
+                ObjectClass.Truck => "truck",
+                ObjectClass.Bus => "bus",
+                ObjectClass.Motorcycle => "motorcycle",
+                ObjectClass.Bicycle => "bicycle",
+                ObjectClass.Trailer => "trailer",
+                ObjectClass.Pedestrian => "pedestrian",
+                ObjectClass.Rider => "rider",
+                ObjectClass.Sign => "traffic sign",
+                ObjectClass.TrafficLight => "traffic light",
+                _ => "other vehicle",
+            };
 
     /// <summary>The category of a painted marking.</summary>
     public static string Of(MarkingPaint paint) =>
         (paint.Style == MarkingStyle.DoubleSolid ? "double " : "single ") + (paint.Colour == MarkingColour.Yellow ? "yellow" : "white");
 
     /// <summary>The weather by the game's name.</summary>
-    public static string WeatherOf(string weather) => weather switch
-    {
-        "clear" or "extrasunny" => "clear",
-        "clouds" or "neutral" or "clearing" => "partly cloudy",
-        "overcast" => "overcast",
-        "rain" or "thunder" => "rainy",
-        "snow" or "snowlight" or "blizzard" or "xmas" => "snowy",
-        "foggy" or "smog" => "foggy",
-        _ => Undefined,
-    };
+    public static string WeatherOf(string weather) =>
+        weather switch
+        {
+            "clear" or "extrasunny" => "clear",
+            "clouds" or "neutral" or "clearing" => "partly cloudy",
+            "overcast" => "overcast",
+            "rain" or "thunder" => "rainy",
+            "snow" or "snowlight" or "blizzard" or "xmas" => "snowy",
+            "foggy" or "smog" => "foggy",
+            _ => Undefined,
+        };
 
     /// <summary>The time of day by the clock.</summary>
     public static string TimeOf(TimeSpan time) =>
@@ -79,11 +90,12 @@ internal static class Bdd100KClasses
         : "night";
 
     /// <summary>The value of trafficLightColor; none also if the state is unknown or the object is no light.</summary>
-    public static string LightOf(LightState? state) => state switch
-    {
-        LightState.Red => "red",
-        LightState.Amber => "yellow",
-        LightState.Green => "green",
-        _ => "none",
-    };
+    public static string LightOf(LightState? state) =>
+        state switch
+        {
+            LightState.Red => "red",
+            LightState.Amber => "yellow",
+            LightState.Green => "green",
+            _ => "none",
+        };
 }

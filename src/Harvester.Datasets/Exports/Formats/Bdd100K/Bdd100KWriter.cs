@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
@@ -34,18 +31,31 @@ internal sealed class Bdd100KWriter(ExportOptions options) : IDatasetWriter
         string file = frame.Name + frame.ImageExtension;
         ExportRegion[] ignored = [.. frame.Ignored.Where(region => region.Class is not null)];
         output.Image($"{Images}{frame.Split}/{file}", frame);
-        output.Part(ObjectsPrefix + frame.Split, Frame(frame, file, json =>
-        {
-            foreach (ExportObject item in frame.Objects)
-            {
-                WriteObject(json, Numbers.Text(item.Label.Id), Bdd100KClasses.Of(item.Label.Class, options.Names), item.Box, item.Label);
-            }
+        output.Part(
+            ObjectsPrefix + frame.Split,
+            Frame(
+                frame,
+                file,
+                json =>
+                {
+                    foreach (ExportObject item in frame.Objects)
+                    {
+                        WriteObject(
+                            json,
+                            Numbers.Text(item.Label.Id),
+                            Bdd100KClasses.Of(item.Label.Class, options.Names),
+                            item.Box,
+                            item.Label
+                        );
+                    }
 
-            for (int i = 0; i < ignored.Length; i++)
-            {
-                WriteObject(json, $"ignored-{i}", Bdd100KClasses.Of(ignored[i].Kind, options.Names), ignored[i].Box, null);
-            }
-        }));
+                    for (int i = 0; i < ignored.Length; i++)
+                    {
+                        WriteObject(json, $"ignored-{i}", Bdd100KClasses.Of(ignored[i].Kind, options.Names), ignored[i].Box, null);
+                    }
+                }
+            )
+        );
         if (frame.Label.Lanes is { Status: LaneStatus.Known, Markings: { } markings })
         {
             output.Part(LanesPrefix + frame.Split, Frame(frame, file, json => WriteMarkings(json, markings)));
@@ -55,9 +65,13 @@ internal sealed class Bdd100KWriter(ExportOptions options) : IDatasetWriter
     }
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
-        options.Splits.Splits.Select(split => List(ObjectsOf(split.Name), ObjectsPrefix + split.Name)).Concat(
-            options.Splits.Splits.Where(split => parts.ContainsKey(LanesPrefix + split.Name))
-                .Select(split => List(LanesOf(split.Name), LanesPrefix + split.Name)));
+        options
+            .Splits.Splits.Select(split => List(ObjectsOf(split.Name), ObjectsPrefix + split.Name))
+            .Concat(
+                options
+                    .Splits.Splits.Where(split => parts.ContainsKey(LanesPrefix + split.Name))
+                    .Select(split => List(LanesOf(split.Name), LanesPrefix + split.Name))
+            );
 
     /// <summary>The list with the objects of a split.</summary>
     public static string ObjectsOf(string split) => $"labels/det_20/det_{split}.json";
@@ -65,30 +79,31 @@ internal sealed class Bdd100KWriter(ExportOptions options) : IDatasetWriter
     /// <summary>The list with the lane markings of a split.</summary>
     public static string LanesOf(string split) => $"labels/lane/polygons/lane_{split}.json";
 
-    private static AggregateFile List(string path, string part) => new(
-        path, [AggregateSection.Literal("[\n"), AggregateSection.Joined(part, ",\n"), AggregateSection.Literal("\n]\n")]);
+    private static AggregateFile List(string path, string part) =>
+        new(path, [AggregateSection.Literal("[\n"), AggregateSection.Joined(part, ",\n"), AggregateSection.Literal("\n]\n")]);
 
-    private static string Frame(ExportFrame frame, string file, Action<Utf8JsonWriter> labels) => JsonLine.Of(json =>
-    {
-        json.WriteStartObject();
-        json.WriteString("name", file);
-        json.WriteString("videoName", $"sequence-{frame.SequenceIndex:D4}");
-        json.WriteNumber("frameIndex", frame.FrameInSequence);
-        json.Number("timestamp", frame.Label.TimeSeconds * MillisecondsPerSecond, 0);
-        json.WriteStartObject("size");
-        json.WriteNumber("width", frame.Label.Camera.Width);
-        json.WriteNumber("height", frame.Label.Camera.Height);
-        json.WriteEndObject();
-        json.WriteStartObject("attributes");
-        json.WriteString("weather", Bdd100KClasses.WeatherOf(frame.Label.Environment.Weather));
-        json.WriteString("scene", Bdd100KClasses.Undefined);
-        json.WriteString("timeofday", Bdd100KClasses.TimeOf(frame.Label.Environment.TimeOfDay));
-        json.WriteEndObject();
-        json.WriteStartArray("labels");
-        labels(json);
-        json.WriteEndArray();
-        json.WriteEndObject();
-    });
+    private static string Frame(ExportFrame frame, string file, Action<Utf8JsonWriter> labels) =>
+        JsonLine.Of(json =>
+        {
+            json.WriteStartObject();
+            json.WriteString("name", file);
+            json.WriteString("videoName", $"sequence-{frame.SequenceIndex:D4}");
+            json.WriteNumber("frameIndex", frame.FrameInSequence);
+            json.Number("timestamp", frame.Label.TimeSeconds * MillisecondsPerSecond, 0);
+            json.WriteStartObject("size");
+            json.WriteNumber("width", frame.Label.Camera.Width);
+            json.WriteNumber("height", frame.Label.Camera.Height);
+            json.WriteEndObject();
+            json.WriteStartObject("attributes");
+            json.WriteString("weather", Bdd100KClasses.WeatherOf(frame.Label.Environment.Weather));
+            json.WriteString("scene", Bdd100KClasses.Undefined);
+            json.WriteString("timeofday", Bdd100KClasses.TimeOf(frame.Label.Environment.TimeOfDay));
+            json.WriteEndObject();
+            json.WriteStartArray("labels");
+            labels(json);
+            json.WriteEndArray();
+            json.WriteEndObject();
+        });
 
     private static void WriteObject(Utf8JsonWriter json, string id, string category, Box2D box, ObjectLabel? label)
     {

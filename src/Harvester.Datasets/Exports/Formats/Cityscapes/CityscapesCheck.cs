@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
@@ -21,8 +17,10 @@ internal static class CityscapesCheck
     private const string TrainLabels = "labelTrainIds.png";
 
     public static IEnumerable<SessionProblem> Problems(DatasetContent dataset) =>
-        dataset.Splits.SelectMany(split =>
-            dataset.Folders($"leftImg8bit/{split}").Select(Path.GetFileName).SelectMany(city => CityProblems(dataset, split, city!)))
+        dataset
+            .Splits.SelectMany(split =>
+                dataset.Folders($"leftImg8bit/{split}").Select(Path.GetFileName).SelectMany(city => CityProblems(dataset, split, city!))
+            )
             .Concat(TwiceProblems(dataset));
 
     private static IEnumerable<SessionProblem> CityProblems(DatasetContent dataset, string split, string city)
@@ -68,8 +66,11 @@ internal static class CityscapesCheck
 
                 if (dataset.Header(image) is { } header && dataset.Header(name) is { } own && own.Size != header.Size)
                 {
-                    return new SessionProblem(name,
-                        null, $"it is {own.Size.Width} x {own.Size.Height}, but its image is {header.Size.Width} x {header.Size.Height}.");
+                    return new SessionProblem(
+                        name,
+                        null,
+                        $"it is {own.Size.Width} x {own.Size.Height}, but its image is {header.Size.Width} x {header.Size.Height}."
+                    );
                 }
             }
 
@@ -90,7 +91,8 @@ internal static class CityscapesCheck
     private static string? PixelProblem(InstanceMap instances, InstanceMap labels, InstanceMap trainLabels)
     {
         int width = instances.Image.Width;
-        Dictionary<ushort, CityscapesLabel?> labelOf = instances.Ids.Distinct()
+        Dictionary<ushort, CityscapesLabel?> labelOf = instances
+            .Ids.Distinct()
             .ToDictionary(instance => instance, CityscapesLabels.OfInstance);
         for (int i = 0; i < instances.Ids.Length; i++)
         {
@@ -127,7 +129,8 @@ internal static class CityscapesCheck
             using JsonDocument document = JsonInput.Read(dataset.PathOf(name));
             var fields = new JsonFields(document.RootElement);
             var image = new Box2D(0, 0, fields.Integer("imgWidth") - 1, fields.Integer("imgHeight") - 1);
-            return fields.List("objects")
+            return fields
+                .List("objects")
                 .Select((item, index) => ObjectProblem(item, image) is { } problem ? $"objects[{index}]: {problem}" : null)
                 .FirstOrDefault(problem => problem is not null);
         }
@@ -143,12 +146,15 @@ internal static class CityscapesCheck
 
     private static string? ObjectProblem(JsonFields item, Box2D image) =>
         !CityscapesLabels.Names.Contains(item.Text("label")) ? $"'{item.Text("label")}' is not an exported label."
-            : item.Rows("polygon")
-                .All(corner => corner.Length == 2 && image.Contains(new Box2D(corner[0], corner[1], corner[0], corner[1]), 0)) ? null
-            : "its polygon does not lie in the image.";
+        : item.Rows("polygon").All(corner => corner.Length == 2 && image.Contains(new Box2D(corner[0], corner[1], corner[0], corner[1]), 0))
+            ? null
+        : "its polygon does not lie in the image.";
 
-    private static IEnumerable<SessionProblem> TwiceProblems(DatasetContent dataset) => dataset.Splits
-        .SelectMany(split => dataset.Folders($"leftImg8bit/{split}")).SelectMany(dataset.Files)
-        .GroupBy(image => Path.GetFileName(image), StringComparer.Ordinal).SelectMany(same => same.Skip(1))
-        .Select(image => new SessionProblem(image, null, "it is in another split too."));
+    private static IEnumerable<SessionProblem> TwiceProblems(DatasetContent dataset) =>
+        dataset
+            .Splits.SelectMany(split => dataset.Folders($"leftImg8bit/{split}"))
+            .SelectMany(dataset.Files)
+            .GroupBy(image => Path.GetFileName(image), StringComparer.Ordinal)
+            .SelectMany(same => same.Skip(1))
+            .Select(image => new SessionProblem(image, null, "it is in another split too."));
 }

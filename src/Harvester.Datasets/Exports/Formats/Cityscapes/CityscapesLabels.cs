@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Semantics;
 
@@ -53,48 +50,54 @@ internal static class CityscapesLabels
 
     /// <summary>Label names that classes of objects can be given.</summary>
     public static IReadOnlyCollection<string> ObjectNames { get; } =
-        [.. Names.Except(["road", "sidewalk", "building", "fence", "vegetation", "terrain", "sky"])];
+    [.. Names.Except(["road", "sidewalk", "building", "fence", "vegetation", "terrain", "sky"])];
 
     /// <summary>The label of a class.</summary>
     /// <param name="kind">The class.</param>
     /// <param name="names">Label names of classes that do not have the default.</param>
-    public static CityscapesLabel Of(ObjectClass kind, IReadOnlyDictionary<ObjectClass, string> names) => Named(
-        names.TryGetValue(kind, out string? name) ? name : kind switch
-        {
-            ObjectClass.Car => "car",
-            ObjectClass.Truck => "truck",
-            ObjectClass.Bus => "bus",
-            ObjectClass.Trailer => "trailer",
-            ObjectClass.Motorcycle => "motorcycle",
-            ObjectClass.Bicycle => "bicycle",
-            ObjectClass.Pedestrian => "person",
-            ObjectClass.Rider => "rider",
-            ObjectClass.TrafficLight => "traffic light",
-            ObjectClass.Sign => "traffic sign",
-            ObjectClass.Other => "dynamic",
-            _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, "The class has no label in Cityscapes."),
-        });
+    public static CityscapesLabel Of(ObjectClass kind, IReadOnlyDictionary<ObjectClass, string> names) =>
+        Named(
+            names.TryGetValue(kind, out string? name)
+                ? name
+                : kind switch
+                {
+                    ObjectClass.Car => "car",
+                    ObjectClass.Truck => "truck",
+                    ObjectClass.Bus => "bus",
+                    ObjectClass.Trailer => "trailer",
+                    ObjectClass.Motorcycle => "motorcycle",
+                    ObjectClass.Bicycle => "bicycle",
+                    ObjectClass.Pedestrian => "person",
+                    ObjectClass.Rider => "rider",
+                    ObjectClass.TrafficLight => "traffic light",
+                    ObjectClass.Sign => "traffic sign",
+                    ObjectClass.Other => "dynamic",
+                    _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, "The class has no label in Cityscapes."),
+                }
+        );
 
     /// <summary>The label of a value in class maps; unlabeled for water, for objects, and for what is unknown.</summary>
-    public static CityscapesLabel OfSurface(SemanticClass kind) => kind switch
-    {
-        SemanticClass.Road or SemanticClass.LaneMarking => Named("road"),
-        SemanticClass.Pavement => Named("sidewalk"),
-        SemanticClass.Building => Named("building"),
-        SemanticClass.Fence => Named("fence"),
-        SemanticClass.Pole => Pole,
-        SemanticClass.Vegetation => Named("vegetation"),
-        SemanticClass.Terrain => Named("terrain"),
-        SemanticClass.Sky => Named("sky"),
-        _ => Unlabeled,
-    };
+    public static CityscapesLabel OfSurface(SemanticClass kind) =>
+        kind switch
+        {
+            SemanticClass.Road or SemanticClass.LaneMarking => Named("road"),
+            SemanticClass.Pavement => Named("sidewalk"),
+            SemanticClass.Building => Named("building"),
+            SemanticClass.Fence => Named("fence"),
+            SemanticClass.Pole => Pole,
+            SemanticClass.Vegetation => Named("vegetation"),
+            SemanticClass.Terrain => Named("terrain"),
+            SemanticClass.Sky => Named("sky"),
+            _ => Unlabeled,
+        };
 
     /// <summary>
     /// The label of an instance id, which is the label id itself for labels without instances; null for an unknown id.
     /// </summary>
-    public static CityscapesLabel? OfInstance(ushort instance) => instance >= InstancesPerLabel
-        ? Labels.FirstOrDefault(label => label.HasInstances && label.Id == instance / InstancesPerLabel)
-        : Labels.FirstOrDefault(label => !label.HasInstances && label.Id == instance);
+    public static CityscapesLabel? OfInstance(ushort instance) =>
+        instance >= InstancesPerLabel
+            ? Labels.FirstOrDefault(label => label.HasInstances && label.Id == instance / InstancesPerLabel)
+            : Labels.FirstOrDefault(label => !label.HasInstances && label.Id == instance);
 
     private static CityscapesLabel Named(string name) => Labels.First(label => label.Name == name);
 }

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Masks.Pixels;
@@ -19,20 +17,21 @@ internal static class CityscapesPolygons
     private const ushort UnlabeledNumber = ushort.MaxValue;
 
     /// <summary>The text of the file.</summary>
-    public static string Text(InstanceMap instances) => JsonLine.Of(json =>
-    {
-        json.WriteStartObject();
-        json.WriteNumber("imgHeight", instances.Image.Height);
-        json.WriteNumber("imgWidth", instances.Image.Width);
-        json.WriteStartArray("objects");
-        foreach ((string label, IReadOnlyList<Vector2D> outline) in Pieces(instances).OrderByDescending(piece => Area(piece.Outline)))
+    public static string Text(InstanceMap instances) =>
+        JsonLine.Of(json =>
         {
-            Write(json, label, outline);
-        }
+            json.WriteStartObject();
+            json.WriteNumber("imgHeight", instances.Image.Height);
+            json.WriteNumber("imgWidth", instances.Image.Width);
+            json.WriteStartArray("objects");
+            foreach ((string label, IReadOnlyList<Vector2D> outline) in Pieces(instances).OrderByDescending(piece => Area(piece.Outline)))
+            {
+                Write(json, label, outline);
+            }
 
-        json.WriteEndArray();
-        json.WriteEndObject();
-    });
+            json.WriteEndArray();
+            json.WriteEndObject();
+        });
 
     private static void Write(Utf8JsonWriter json, string label, IReadOnlyList<Vector2D> outline)
     {
@@ -62,9 +61,9 @@ internal static class CityscapesPolygons
 
         var whole = new Box2D(0, 0, instances.Image.Width, instances.Image.Height);
         return from number in numbered.Ids.Distinct()
-               from outline in MaskOutlines.Of(numbered, number)
-               where Area(outline) > 0 && (number != UnlabeledNumber || !outline.Any(corner => IsOnEdge(corner, whole)))
-               select (number == UnlabeledNumber ? CityscapesLabels.Unlabeled.Name : CityscapesLabels.OfInstance(number)!.Name, outline);
+            from outline in MaskOutlines.Of(numbered, number)
+            where Area(outline) > 0 && (number != UnlabeledNumber || !outline.Any(corner => IsOnEdge(corner, whole)))
+            select (number == UnlabeledNumber ? CityscapesLabels.Unlabeled.Name : CityscapesLabels.OfInstance(number)!.Name, outline);
     }
 
     private static bool IsOnEdge(Vector2D corner, Box2D image) =>
@@ -84,6 +83,6 @@ internal static class CityscapesPolygons
     }
 
     /// <summary>Positive for the outline of a region, negative for that of a hole.</summary>
-    private static double Area(IReadOnlyList<Vector2D> outline) => outline
-        .Select((corner, i) => corner.Cross(outline[(i + 1) % outline.Count])).Sum() / 2;
+    private static double Area(IReadOnlyList<Vector2D> outline) =>
+        outline.Select((corner, i) => corner.Cross(outline[(i + 1) % outline.Count])).Sum() / 2;
 }

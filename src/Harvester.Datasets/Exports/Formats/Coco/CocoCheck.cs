@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
@@ -27,15 +25,17 @@ internal static class CocoCheck
         SessionProblem[] problems = [.. images.Read(name, split).Take(ProblemList.MaxProblems + 1)];
         var ids = new HashSet<long>();
         return dataset.Has(name)
-            ? problems.Concat(CocoElements.Problems(
-                dataset, name, (list, element) => list == "annotations" ? Problem(element, images, ids, boxes) : null))
+            ? problems.Concat(
+                CocoElements.Problems(dataset, name, (list, element) => list == "annotations" ? Problem(element, images, ids, boxes) : null)
+            )
             : problems;
     }
 
     private static string? Problem(JsonFields annotation, CocoImages images, HashSet<long> ids, BoxKind boxes)
     {
         long id = annotation.LongInteger("id");
-        string? problem = !ids.Add(id) || id < 1 ? "its id occurs twice or is below 1."
+        string? problem =
+            !ids.Add(id) || id < 1 ? "its id occurs twice or is below 1."
             : !images.Sizes.TryGetValue(annotation.LongInteger("image_id"), out ImageSize image) ? "its image is not listed."
             : !images.HasCategory(annotation.Integer("category_id")) ? "its category is not listed."
             : annotation.Integer("iscrowd") is not (0 or 1) ? "iscrowd is not 0 or 1."
@@ -50,7 +50,7 @@ internal static class CocoCheck
         double area = annotation.Number("area");
         bool isInImage = boxes == BoxKind.Amodal || new Box2D(0, 0, image.Width, image.Height).Contains(box, RoundingPixels);
         return !(box.Width > 0 && box.Height > 0 && isInImage)
-            ? $"its box does not lie in the image of {image.Width} x {image.Height}, or has no area."
+                ? $"its box does not lie in the image of {image.Width} x {image.Height}, or has no area."
             : !(area > 0 && area <= MaxArea(box)) ? "its area is not positive, or larger than its box."
             : annotation.IsList("segmentation")
                 ? CocoSegmentationCheck.PolygonProblem(annotation.Rows("segmentation"), SpannedBy(annotation, box, boxes), area)

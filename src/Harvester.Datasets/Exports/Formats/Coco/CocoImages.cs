@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Sessions;
@@ -36,16 +33,28 @@ internal sealed class CocoImages(DatasetContent dataset)
         var listed = new HashSet<string>(StringComparer.Ordinal);
         SessionProblem[] problems =
         [
-            .. CocoElements.Problems(dataset, name, (list, element) => list switch
-            {
-                "images" => ImageProblem(element, split, listed),
-                "categories" => _categories.Add(element.Integer("id")) && element.Text("name").Length > 0 ? null
-                    : "its category occurs twice or has no name.",
-                _ => null,
-            }).Take(ProblemList.MaxProblems + 1),
+            .. CocoElements
+                .Problems(
+                    dataset,
+                    name,
+                    (list, element) =>
+                        list switch
+                        {
+                            "images" => ImageProblem(element, split, listed),
+                            "categories" => _categories.Add(element.Integer("id")) && element.Text("name").Length > 0
+                                ? null
+                                : "its category occurs twice or has no name.",
+                            _ => null,
+                        }
+                )
+                .Take(ProblemList.MaxProblems + 1),
         ];
-        return problems.Concat(dataset.Files($"images/{split}").Where(image => !listed.Contains(image))
-            .Select(image => new SessionProblem(image, null, $"it is not listed in {name}.")));
+        return problems.Concat(
+            dataset
+                .Files($"images/{split}")
+                .Where(image => !listed.Contains(image))
+                .Select(image => new SessionProblem(image, null, $"it is not listed in {name}."))
+        );
     }
 
     private string? ImageProblem(JsonFields image, string split, HashSet<string> listed)

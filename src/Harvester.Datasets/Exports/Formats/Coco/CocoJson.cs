@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Reports.Colours;
@@ -27,31 +25,33 @@ internal static class CocoJson
     /// <summary>As above, with the list of categories as JSON.</summary>
     public static IEnumerable<AggregateFile> Files(string kind, SplitPlan splits, string categories) =>
         splits.Splits.Select(split => new AggregateFile(
-        $"annotations/{kind}_{split.Name}.json",
-        [
-            AggregateSection.Literal("{\"info\":" + Info + ",\"licenses\":[],\"images\":[\n"),
-            AggregateSection.Joined($"images {split.Name}", ",\n"),
-            AggregateSection.Literal("\n],\"annotations\":[\n"),
-            AggregateSection.Joined($"annotations {split.Name}", ",\n"),
-            AggregateSection.Literal("\n],\"categories\":" + categories + "}\n"),
-        ]));
+            $"annotations/{kind}_{split.Name}.json",
+            [
+                AggregateSection.Literal("{\"info\":" + Info + ",\"licenses\":[],\"images\":[\n"),
+                AggregateSection.Joined($"images {split.Name}", ",\n"),
+                AggregateSection.Literal("\n],\"annotations\":[\n"),
+                AggregateSection.Joined($"annotations {split.Name}", ",\n"),
+                AggregateSection.Literal("\n],\"categories\":" + categories + "}\n"),
+            ]
+        ));
 
     /// <summary>The list of categories.</summary>
-    private static string Categories(ExportOptions options, IEnumerable<Stuff> stuff) => JsonLine.Of(json =>
-    {
-        json.WriteStartArray();
-        foreach (DatasetClass kind in new ClassCatalogue(options).All)
+    private static string Categories(ExportOptions options, IEnumerable<Stuff> stuff) =>
+        JsonLine.Of(json =>
         {
-            WriteCategory(json, kind.Category, kind.Name, SuperCategoryOf(kind.Kind), isThing: true, ClassColours.Of(kind.Kind));
-        }
+            json.WriteStartArray();
+            foreach (DatasetClass kind in new ClassCatalogue(options).All)
+            {
+                WriteCategory(json, kind.Category, kind.Name, SuperCategoryOf(kind.Kind), isThing: true, ClassColours.Of(kind.Kind));
+            }
 
-        foreach (Stuff kind in stuff)
-        {
-            WriteCategory(json, kind.Category, kind.Name, "stuff", isThing: false, kind.Colour);
-        }
+            foreach (Stuff kind in stuff)
+            {
+                WriteCategory(json, kind.Category, kind.Name, "stuff", isThing: false, kind.Colour);
+            }
 
-        json.WriteEndArray();
-    });
+            json.WriteEndArray();
+        });
 
     private static void WriteCategory(Utf8JsonWriter json, int id, string name, string superCategory, bool isThing, int colour)
     {
@@ -65,25 +65,27 @@ internal static class CocoJson
     }
 
     /// <summary>An entry of the list of images.</summary>
-    public static string Image(ExportFrame frame, string file) => JsonLine.Of(json =>
-    {
-        json.WriteStartObject();
-        json.WriteNumber("id", frame.Index);
-        json.WriteString("file_name", file);
-        json.WriteNumber("width", frame.Label.Camera.Width);
-        json.WriteNumber("height", frame.Label.Camera.Height);
-        json.WriteNumber("session", frame.RecordingIndex);
-        json.WriteNumber("frame", frame.Label.Frame);
-        json.Number("time_seconds", frame.Label.TimeSeconds, SecondsDecimals);
-        json.WriteString("weather", frame.Label.Environment.Weather);
-        json.WriteEndObject();
-    });
+    public static string Image(ExportFrame frame, string file) =>
+        JsonLine.Of(json =>
+        {
+            json.WriteStartObject();
+            json.WriteNumber("id", frame.Index);
+            json.WriteString("file_name", file);
+            json.WriteNumber("width", frame.Label.Camera.Width);
+            json.WriteNumber("height", frame.Label.Camera.Height);
+            json.WriteNumber("session", frame.RecordingIndex);
+            json.WriteNumber("frame", frame.Label.Frame);
+            json.Number("time_seconds", frame.Label.TimeSeconds, SecondsDecimals);
+            json.WriteString("weather", frame.Label.Environment.Weather);
+            json.WriteEndObject();
+        });
 
-    private static string SuperCategoryOf(ObjectClass kind) => kind switch
-    {
-        ObjectClass.Pedestrian or ObjectClass.Rider => "person",
-        ObjectClass.Sign or ObjectClass.TrafficLight => "outdoor",
-        ObjectClass.Other => "other",
-        _ => "vehicle",
-    };
+    private static string SuperCategoryOf(ObjectClass kind) =>
+        kind switch
+        {
+            ObjectClass.Pedestrian or ObjectClass.Rider => "person",
+            ObjectClass.Sign or ObjectClass.TrafficLight => "outdoor",
+            ObjectClass.Other => "other",
+            _ => "vehicle",
+        };
 }

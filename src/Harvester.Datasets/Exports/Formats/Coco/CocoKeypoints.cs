@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
@@ -24,8 +22,18 @@ internal static class CocoKeypoints
     /// <summary>The keypoints after the face, from shoulders to ankles, left before right.</summary>
     private static readonly Joint[] Body =
     [
-        Joint.LeftShoulder, Joint.RightShoulder, Joint.LeftElbow, Joint.RightElbow, Joint.LeftWrist, Joint.RightWrist,
-        Joint.LeftHip, Joint.RightHip, Joint.LeftKnee, Joint.RightKnee, Joint.LeftAnkle, Joint.RightAnkle,
+        Joint.LeftShoulder,
+        Joint.RightShoulder,
+        Joint.LeftElbow,
+        Joint.RightElbow,
+        Joint.LeftWrist,
+        Joint.RightWrist,
+        Joint.LeftHip,
+        Joint.RightHip,
+        Joint.LeftKnee,
+        Joint.RightKnee,
+        Joint.LeftAnkle,
+        Joint.RightAnkle,
     ];
 
     /// <summary>The category's lists of names and of lines between keypoints, counted from 1, as in COCO.</summary>
@@ -41,6 +49,7 @@ internal static class CocoKeypoints
         [.. FacePoints.Of(joints, camera).Concat(Body.Select(joint => joints[joint])).Select(Of)];
 
     private static (double X, double Y, int Flag) Of(JointLabel joint) =>
-        joint.Visibility == JointVisibility.Outside || joint.Pixel is not { } pixel ? (0, 0, Absent)
-        : (pixel.X, pixel.Y, joint.Visibility == JointVisibility.Visible ? Visible : Hidden);
+        joint.Visibility == JointVisibility.Outside || joint.Pixel is not { } pixel
+            ? (0, 0, Absent)
+            : (pixel.X, pixel.Y, joint.Visibility == JointVisibility.Visible ? Visible : Hidden);
 }

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
@@ -56,27 +54,34 @@ internal sealed class CocoKeypointsWriter(ExportOptions options) : IDatasetWrite
     }
 
     private static string Line(
-        ExportFrame frame, int id, Box2D box, CocoSegmentation segmentation, bool isCrowd,
-        IReadOnlyList<(double X, double Y, int Flag)>? keypoints, ObjectLabel? label) => JsonLine.Of(json =>
-    {
-        json.WriteStartObject();
-        json.WriteNumber("id", CocoIds.Of(frame, id));
-        json.WriteNumber("image_id", frame.Index);
-        json.WriteNumber("category_id", 1);
-        json.Numbers("bbox", [box.XMin, box.YMin, box.Width, box.Height], CocoJson.PixelDecimals);
-        json.Number("area", segmentation.Area ?? box.Area, CocoJson.PixelDecimals);
-        json.WriteNumber("iscrowd", isCrowd ? 1 : 0);
-        json.WritePropertyName("segmentation");
-        segmentation.Write(json);
-        WriteKeypoints(json, keypoints ?? [.. Enumerable.Repeat((0.0, 0.0, CocoKeypoints.Absent), CocoKeypoints.Count)]);
-        if (label is not null)
+        ExportFrame frame,
+        int id,
+        Box2D box,
+        CocoSegmentation segmentation,
+        bool isCrowd,
+        IReadOnlyList<(double X, double Y, int Flag)>? keypoints,
+        ObjectLabel? label
+    ) =>
+        JsonLine.Of(json =>
         {
-            json.WriteNumber("track_id", label.Id);
-            json.Number("distance_metres", label.DistanceMetres, CocoJson.PixelDecimals);
-        }
+            json.WriteStartObject();
+            json.WriteNumber("id", CocoIds.Of(frame, id));
+            json.WriteNumber("image_id", frame.Index);
+            json.WriteNumber("category_id", 1);
+            json.Numbers("bbox", [box.XMin, box.YMin, box.Width, box.Height], CocoJson.PixelDecimals);
+            json.Number("area", segmentation.Area ?? box.Area, CocoJson.PixelDecimals);
+            json.WriteNumber("iscrowd", isCrowd ? 1 : 0);
+            json.WritePropertyName("segmentation");
+            segmentation.Write(json);
+            WriteKeypoints(json, keypoints ?? [.. Enumerable.Repeat((0.0, 0.0, CocoKeypoints.Absent), CocoKeypoints.Count)]);
+            if (label is not null)
+            {
+                json.WriteNumber("track_id", label.Id);
+                json.Number("distance_metres", label.DistanceMetres, CocoJson.PixelDecimals);
+            }
 
-        json.WriteEndObject();
-    });
+            json.WriteEndObject();
+        });
 
     private static void WriteKeypoints(Utf8JsonWriter json, IReadOnlyList<(double X, double Y, int Flag)> keypoints)
     {

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Sessions;
@@ -29,11 +27,14 @@ internal static class CocoPanopticCheck
         }
 
         var seen = new HashSet<long>();
-        problems.AddRange(CocoElements.Problems(
-            dataset, name, (list, element) => list == "annotations" ? Problem(dataset, split, element, images, seen) : null)
-            .Take(ProblemList.MaxProblems + 1));
-        problems.AddRange(images.Sizes.Keys.Where(id => !seen.Contains(id))
-            .Select(id => new SessionProblem(name, null, $"image {id} has no annotation.")));
+        problems.AddRange(
+            CocoElements
+                .Problems(dataset, name, (list, element) => list == "annotations" ? Problem(dataset, split, element, images, seen) : null)
+                .Take(ProblemList.MaxProblems + 1)
+        );
+        problems.AddRange(
+            images.Sizes.Keys.Where(id => !seen.Contains(id)).Select(id => new SessionProblem(name, null, $"image {id} has no annotation."))
+        );
         return problems;
     }
 
@@ -41,7 +42,8 @@ internal static class CocoPanopticCheck
     {
         long image = annotation.LongInteger("image_id");
         string picture = $"annotations/panoptic_{split}/{annotation.Text("file_name")}";
-        string? problem = !images.Sizes.TryGetValue(image, out ImageSize size) ? "its image is not listed."
+        string? problem =
+            !images.Sizes.TryGetValue(image, out ImageSize size) ? "its image is not listed."
             : !seen.Add(image) ? "its image already has an annotation."
             : !dataset.Has(picture) ? $"'{picture}' is missing."
             : SegmentsProblem(annotation.List("segments_info"), PngDecoder.ReadRgb(dataset.PathOf(picture)), size, images);
@@ -65,8 +67,10 @@ internal static class CocoPanopticCheck
                 return $"segment {id} is not in its map, or occurs twice.";
             }
 
-            if (segment.Integer("area") != pixels.Area
-                || !box.SequenceEqual([pixels.Left, pixels.Top, pixels.Right - pixels.Left, pixels.Bottom - pixels.Top]))
+            if (
+                segment.Integer("area") != pixels.Area
+                || !box.SequenceEqual([pixels.Left, pixels.Top, pixels.Right - pixels.Left, pixels.Bottom - pixels.Top])
+            )
             {
                 return $"area or bbox of segment {id} differs from its map.";
             }

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Masks.Pixels;
@@ -53,38 +51,44 @@ internal sealed class CocoPanopticWriter(ExportOptions options) : IDatasetWriter
     /// The categories that are not objects. Without class maps, posts are one only if they are not part of their signs and lights.
     /// </summary>
     public static IEnumerable<Stuff> StuffOf(ExportOptions options) =>
-        options.HasClassMaps ? Stuff.Surfaces : options.Parts == PartSelection.Faces ? [Stuff.Pole, Stuff.Background] : [Stuff.Background];
+        options.HasClassMaps ? Stuff.Surfaces
+        : options.Parts == PartSelection.Faces ? [Stuff.Pole, Stuff.Background]
+        : [Stuff.Background];
 
-    private string Annotation(ExportFrame frame, ExportObject[] seen, SegmentMap map) => JsonLine.Of(json =>
-    {
-        json.WriteStartObject();
-        json.WriteNumber("image_id", frame.Index);
-        json.WriteString("file_name", frame.Name + ".png");
-        json.WriteStartArray("segments_info");
-        foreach (ExportObject item in seen)
+    private string Annotation(ExportFrame frame, ExportObject[] seen, SegmentMap map) =>
+        JsonLine.Of(json =>
         {
-            WriteSegment(json, map.Segments[item.Label.Id], item.Class.Category);
-        }
-
-        foreach (Stuff stuff in StuffOf(options))
-        {
-            if (map.Segments.TryGetValue(stuff.Segment, out Segment? segment))
+            json.WriteStartObject();
+            json.WriteNumber("image_id", frame.Index);
+            json.WriteString("file_name", frame.Name + ".png");
+            json.WriteStartArray("segments_info");
+            foreach (ExportObject item in seen)
             {
-                WriteSegment(json, segment, stuff.Category);
+                WriteSegment(json, map.Segments[item.Label.Id], item.Class.Category);
             }
-        }
 
-        json.WriteEndArray();
-        json.WriteEndObject();
-    });
+            foreach (Stuff stuff in StuffOf(options))
+            {
+                if (map.Segments.TryGetValue(stuff.Segment, out Segment? segment))
+                {
+                    WriteSegment(json, segment, stuff.Category);
+                }
+            }
+
+            json.WriteEndArray();
+            json.WriteEndObject();
+        });
 
     private static void WriteSegment(Utf8JsonWriter json, Segment segment, int category)
     {
         json.WriteStartObject();
         json.WriteNumber("id", segment.Id);
         json.WriteNumber("category_id", category);
-        json.Numbers("bbox", [segment.Left, segment.Top, segment.Right - segment.Left, segment.Bottom - segment.Top],
-            CocoJson.PixelDecimals);
+        json.Numbers(
+            "bbox",
+            [segment.Left, segment.Top, segment.Right - segment.Left, segment.Bottom - segment.Top],
+            CocoJson.PixelDecimals
+        );
         json.WriteNumber("area", segment.Area);
         json.WriteNumber("iscrowd", 0);
         json.WriteEndObject();

@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
@@ -24,7 +22,8 @@ internal static class CocoSegmentationCheck
         double[] ys = [.. polygons.SelectMany(polygon => polygon.Where((_, i) => i % 2 == 1))];
         return polygons.Length == 0 ? null
             : !IsSame(box, new Box2D(xs.Min(), ys.Min(), xs.Max(), ys.Max())) ? "its polygons do not span its box."
-            : polygons.Sum(AreaOf) != area ? "its polygons do not have its area." : null;
+            : polygons.Sum(AreaOf) != area ? "its polygons do not have its area."
+            : null;
     }
 
     /// <summary>The shoelace formula: half the sum of x1 y2 - x2 y1 over the sides. Corners are whole numbers, so it is exact.</summary>
@@ -45,14 +44,19 @@ internal static class CocoSegmentationCheck
     {
         double[] size = segmentation.Numbers("size", 2);
         double[] counts = segmentation.Numbers("counts");
-        if (size[0] != image.Height || size[1] != image.Width || counts.Any(count => count < 0 || count != Math.Floor(count))
-            || counts.Sum() != image.PixelCount)
+        if (
+            size[0] != image.Height
+            || size[1] != image.Width
+            || counts.Any(count => count < 0 || count != Math.Floor(count))
+            || counts.Sum() != image.PixelCount
+        )
         {
             return $"its run lengths are not those of an image of {image.Width} x {image.Height}.";
         }
 
         return counts.Where((_, i) => i % 2 == 1).Sum() != area ? "its run lengths do not add up to its area."
-            : IsSame(box, BoxOf(counts, image.Height)) ? null : "its run lengths do not span its box.";
+            : IsSame(box, BoxOf(counts, image.Height)) ? null
+            : "its run lengths do not span its box.";
     }
 
     private static Box2D BoxOf(double[] counts, int height)

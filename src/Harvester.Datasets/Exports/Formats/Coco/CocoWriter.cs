@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using System.Text.Json;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Masks.Pixels;
@@ -24,8 +23,10 @@ internal sealed class CocoWriter(ExportOptions options) : IDatasetWriter
             if (frame.Mask is null || pixels is not null)
             {
                 var segmentation = new CocoSegmentation(options.Segmentation, pixels);
-                output.Part($"annotations {frame.Split}",
-                    Annotation(frame, item.Label.Id, item.Class, item.Box, isCrowd: false, segmentation, item.Label));
+                output.Part(
+                    $"annotations {frame.Split}",
+                    Annotation(frame, item.Label.Id, item.Class, item.Box, isCrowd: false, segmentation, item.Label)
+                );
                 objects++;
             }
         }
@@ -37,8 +38,10 @@ internal sealed class CocoWriter(ExportOptions options) : IDatasetWriter
             {
                 CocoSegmentation segmentation = CocoSegmentation.OfRegion(region, frame);
                 int id = region.Label?.Id ?? CocoIds.FirstRegion + ignored;
-                output.Part($"annotations {frame.Split}",
-                    Annotation(frame, id, kind, region.Box, isCrowd: true, segmentation, region.Label));
+                output.Part(
+                    $"annotations {frame.Split}",
+                    Annotation(frame, id, kind, region.Box, isCrowd: true, segmentation, region.Label)
+                );
                 ignored++;
             }
         }
@@ -49,25 +52,32 @@ internal sealed class CocoWriter(ExportOptions options) : IDatasetWriter
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => CocoJson.Files("instances", options);
 
     private static string Annotation(
-        ExportFrame frame, int id, DatasetClass kind, Box2D box, bool isCrowd, CocoSegmentation segmentation, ObjectLabel? label) =>
-            JsonLine.Of(json =>
-    {
-        json.WriteStartObject();
-        json.WriteNumber("id", CocoIds.Of(frame, id));
-        json.WriteNumber("image_id", frame.Index);
-        json.WriteNumber("category_id", kind.Category);
-        json.Numbers("bbox", [box.XMin, box.YMin, box.Width, box.Height], CocoJson.PixelDecimals);
-        json.Number("area", segmentation.Area ?? box.Area, CocoJson.PixelDecimals);
-        json.WriteNumber("iscrowd", isCrowd ? 1 : 0);
-        json.WritePropertyName("segmentation");
-        segmentation.Write(json);
-        if (label is not null)
+        ExportFrame frame,
+        int id,
+        DatasetClass kind,
+        Box2D box,
+        bool isCrowd,
+        CocoSegmentation segmentation,
+        ObjectLabel? label
+    ) =>
+        JsonLine.Of(json =>
         {
-            WriteExtras(json, label);
-        }
+            json.WriteStartObject();
+            json.WriteNumber("id", CocoIds.Of(frame, id));
+            json.WriteNumber("image_id", frame.Index);
+            json.WriteNumber("category_id", kind.Category);
+            json.Numbers("bbox", [box.XMin, box.YMin, box.Width, box.Height], CocoJson.PixelDecimals);
+            json.Number("area", segmentation.Area ?? box.Area, CocoJson.PixelDecimals);
+            json.WriteNumber("iscrowd", isCrowd ? 1 : 0);
+            json.WritePropertyName("segmentation");
+            segmentation.Write(json);
+            if (label is not null)
+            {
+                WriteExtras(json, label);
+            }
 
-        json.WriteEndObject();
-    });
+            json.WriteEndObject();
+        });
 
     /// <summary>Fields of the session that the format does not define.</summary>
     private static void WriteExtras(Utf8JsonWriter json, ObjectLabel label)

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;
@@ -14,7 +13,13 @@ internal static class FacePoints
 {
     /// <summary>Nose, left eye, right eye, left ear, right ear: right, forward and up of the middle of the head, in head sizes.</summary>
     private static readonly Vector3D[] Places =
-        [new(0, 0.95, -0.1), new(-0.27, 0.72, 0.2), new(0.27, 0.72, 0.2), new(-0.62, 0, 0.05), new(0.62, 0, 0.05)];
+    [
+        new(0, 0.95, -0.1),
+        new(-0.27, 0.72, 0.2),
+        new(0.27, 0.72, 0.2),
+        new(-0.62, 0, 0.05),
+        new(0.62, 0, 0.05),
+    ];
 
     /// <summary>The five points with their visibility: that of the head, but hidden on the side of the head away from the camera.</summary>
     public static IEnumerable<JointLabel> Of(JointsLabel joints, Camera camera)
@@ -33,11 +38,15 @@ internal static class FacePoints
             Vector3D point = head + Offset(place, toCrown, toRight);
             Projection projection = camera.Project(point);
             bool isOnFarSide = (point - head).Dot(camera.Pose.Position - head) < 0;
-            JointVisibility visibility = projection.Outcome != ProjectionOutcome.InImage ? JointVisibility.Outside
+            JointVisibility visibility =
+                projection.Outcome != ProjectionOutcome.InImage ? JointVisibility.Outside
                 : isOnFarSide && joints[Joint.HeadCenter].Visibility == JointVisibility.Visible ? JointVisibility.SelfOccluded
                 : joints[Joint.HeadCenter].Visibility;
             yield return new JointLabel(
-                point, projection.Outcome == ProjectionOutcome.BehindNearPlane ? null : projection.Pixel, visibility);
+                point,
+                projection.Outcome == ProjectionOutcome.BehindNearPlane ? null : projection.Pixel,
+                visibility
+            );
         }
     }
 

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Datasets.Exports.Formats.Coco;
 
 /// <summary>A segment of a panoptic image: the pixels of one colour.</summary>
@@ -12,11 +10,12 @@ namespace Harvester.Datasets.Exports.Formats.Coco;
 internal sealed record Segment(int Id, int Left, int Top, int Right, int Bottom, int Area)
 {
     /// <summary>The segment extended by a run of pixels, in the row of its last run or below.</summary>
-    public Segment With(int left, int right, int row) => this with
-    {
-        Left = Math.Min(Left, left),
-        Right = Math.Max(Right, right),
-        Bottom = row + 1,
-        Area = Area + right - left,
-    };
+    public Segment With(int left, int right, int row) =>
+        this with
+        {
+            Left = Math.Min(Left, left),
+            Right = Math.Max(Right, right),
+            Bottom = row + 1,
+            Area = Area + right - left,
+        };
 }

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging;
 
@@ -23,9 +21,7 @@ internal sealed class SegmentMap
     /// <param name="classes">The class map, which is drawn where the mask is 0; null without one.</param>
     /// <param name="surfaceOf">The segment of a value of the class map.</param>
     public SegmentMap(InstanceMap mask, Func<int, int> segmentOf, InstanceMap? classes, Func<int, int> surfaceOf)
-        : this(Draw(mask, segmentOf, classes, surfaceOf))
-    {
-    }
+        : this(Draw(mask, segmentOf, classes, surfaceOf)) { }
 
     /// <summary>The image.</summary>
     public PixelBuffer Picture { get; }
@@ -63,9 +59,7 @@ internal sealed class SegmentMap
             for (int column = 0, end; column < picture.Size.Width; column = end)
             {
                 int id = IdAt(picture, column, row);
-                for (end = column + 1; end < picture.Size.Width && IdAt(picture, end, row) == id; end++)
-                {
-                }
+                for (end = column + 1; end < picture.Size.Width && IdAt(picture, end, row) == id; end++) { }
 
                 if (id != 0)
                 {

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Sessions.Semantics;
 using Harvester.Sessions.Text;
 
@@ -22,9 +20,15 @@ internal sealed record Stuff(int Category, int Segment, string Name, int Colour)
     public static IReadOnlyList<Stuff> Surfaces { get; } =
     [
         Pole,
-        Surface(103, SemanticClass.Road), Surface(104, SemanticClass.Pavement), Surface(105, SemanticClass.LaneMarking),
-        Surface(106, SemanticClass.Building), Surface(107, SemanticClass.Vegetation), Surface(108, SemanticClass.Terrain),
-        Surface(109, SemanticClass.Sky), Surface(110, SemanticClass.Water), Surface(111, SemanticClass.Fence),
+        Surface(103, SemanticClass.Road),
+        Surface(104, SemanticClass.Pavement),
+        Surface(105, SemanticClass.LaneMarking),
+        Surface(106, SemanticClass.Building),
+        Surface(107, SemanticClass.Vegetation),
+        Surface(108, SemanticClass.Terrain),
+        Surface(109, SemanticClass.Sky),
+        Surface(110, SemanticClass.Water),
+        Surface(111, SemanticClass.Fence),
     ];
 
     /// <summary>The segment of a class; 0, void, for objects and the unknown.</summary>

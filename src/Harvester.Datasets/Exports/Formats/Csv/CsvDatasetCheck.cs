@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using CsvHelper;
 using CsvHelper.Configuration;
 using Harvester.Datasets.Files;
@@ -30,7 +26,18 @@ internal sealed class CsvDatasetCheck
 
     private static readonly string[] Texts =
     [
-        "split", "image", "weather", "time_of_day", "class", "model", "name", "mutcd", "light_state", "has_rider", "reason", "driver",
+        "split",
+        "image",
+        "weather",
+        "time_of_day",
+        "class",
+        "model",
+        "name",
+        "mutcd",
+        "light_state",
+        "has_rider",
+        "reason",
+        "driver",
         "route",
     ];
 
@@ -48,12 +55,15 @@ internal sealed class CsvDatasetCheck
     public static IEnumerable<SessionProblem> Problems(DatasetContent dataset)
     {
         var check = new CsvDatasetCheck(dataset);
-        return check.TableProblems(Frames, CsvDatasetWriter.FrameColumns, check.FrameProblem)
+        return check
+            .TableProblems(Frames, CsvDatasetWriter.FrameColumns, check.FrameProblem)
             .Concat(check.TableProblems(Objects, CsvDatasetWriter.ObjectColumns, check.ObjectProblem))
             .Concat(check.TableProblems(Regions, CsvDatasetWriter.RegionColumns, check.RegionProblem))
-            .Concat(dataset.Has(CsvDriveTable.FileName)
-                ? check.TableProblems(CsvDriveTable.FileName, CsvDriveTable.Columns, check.DriveProblem)
-                : []);
+            .Concat(
+                dataset.Has(CsvDriveTable.FileName)
+                    ? check.TableProblems(CsvDriveTable.FileName, CsvDriveTable.Columns, check.DriveProblem)
+                    : []
+            );
     }
 
     private IEnumerable<SessionProblem> TableProblems(string name, string[] columns, Func<Dictionary<string, string>, string?> problemOf)
@@ -66,16 +76,24 @@ internal sealed class CsvDatasetCheck
 
         using TextReader file = InputFile.OpenText(_dataset.PathOf(name));
         using var csv = new CsvParser(
-            file, new CsvConfiguration(CultureInfo.InvariantCulture) { MaxFieldSize = MaxFieldCharacters, BadDataFound = null });
+            file,
+            new CsvConfiguration(CultureInfo.InvariantCulture) { MaxFieldSize = MaxFieldCharacters, BadDataFound = null }
+        );
         string? damage;
         while (TryRead(csv, out damage))
         {
             string[] fields = csv.Record!;
-            string? problem = csv.Row == 1 ? fields.SequenceEqual(columns) ? null : "its columns are not those of the format."
-                : fields.Length != columns.Length ? $"it has {fields.Length} fields instead of {columns.Length}."
-                : columns.Zip(fields).FirstOrDefault(
-                    pair => !Texts.Contains(pair.First) && !IsNumber(pair.Second)) is { First: { } column } ? $"{column} is not a number."
-                : problemOf(columns.Zip(fields).ToDictionary(pair => pair.First, pair => pair.Second));
+            string? problem =
+                csv.Row == 1
+                    ? fields.SequenceEqual(columns)
+                        ? null
+                        : "its columns are not those of the format."
+                    : fields.Length != columns.Length
+                        ? $"it has {fields.Length} fields instead of {columns.Length}."
+                        : columns.Zip(fields).FirstOrDefault(pair => !Texts.Contains(pair.First) && !IsNumber(pair.Second))
+                            is { First: { } column }
+                            ? $"{column} is not a number."
+                            : problemOf(columns.Zip(fields).ToDictionary(pair => pair.First, pair => pair.Second));
             if (problem is not null)
             {
                 yield return new SessionProblem(name, csv.RawRow, problem);
@@ -97,8 +115,8 @@ internal sealed class CsvDatasetCheck
         }
         catch (CsvHelperException e)
         {
-            damage = e is MaxFieldSizeException ? $"a field has more than {MaxFieldCharacters} characters."
-                : "it cannot be read from here on.";
+            damage =
+                e is MaxFieldSizeException ? $"a field has more than {MaxFieldCharacters} characters." : "it cannot be read from here on.";
             return false;
         }
     }
@@ -127,7 +145,7 @@ internal sealed class CsvDatasetCheck
             : header is not null && header.Size != size
                 ? $"its image is {header.Size.Width} x {header.Size.Height}, not {size.Width} x {size.Height}."
             : TimeSpan.TryParseExact(row["time_of_day"], @"hh\:mm\:ss", CultureInfo.InvariantCulture, out _) ? null
-                : "time_of_day is not a time such as 13:05:00.";
+            : "time_of_day is not a time such as 13:05:00.";
     }
 
     private string? ObjectProblem(Dictionary<string, string> row)
@@ -136,7 +154,8 @@ internal sealed class CsvDatasetCheck
             : !_objects.Add((row["frame"], row["id"])) ? $"object {row["id"]} occurs twice in frame {row["frame"]}."
             : row.Where(pair => pair.Key.EndsWith("_fraction", StringComparison.Ordinal) && pair.Value.Length > 0)
                 .FirstOrDefault(pair => Number(pair.Value) is < 0 or > 1)
-                is { Key: { } fraction } ? $"{fraction} is not 0 to 1."
+                is { Key: { } fraction }
+                ? $"{fraction} is not 0 to 1."
             : null;
     }
 
@@ -152,17 +171,20 @@ internal sealed class CsvDatasetCheck
         return !_classes.Contains(row["class"]) ? $"'{row["class"]}' is not a class of the export."
             : !(box.Width > 0 && box.Height > 0 && new Box2D(0, 0, size.Width, size.Height).Contains(box, RoundingPixels))
                 ? $"its box2d does not lie in the image of {size.Width} x {size.Height}, or has no area."
-            : Number(row["distance_metres"]) < 0 ? "distance_metres is below 0." : null;
+            : Number(row["distance_metres"]) < 0 ? "distance_metres is below 0."
+            : null;
     }
 
     private string? DriveProblem(Dictionary<string, string> row) =>
         !_sizes.ContainsKey(row["frame"]) ? $"frame {row["frame"]} is not in {Frames}."
-            : !_dataset.Has(row["image"]) ? $"its image '{row["image"]}' is missing."
-            : Array.Exists(["steering", "applied_steering"], name => Math.Abs(Number(row[name])) > 1) ? "steering is not -1 to 1."
-            : Array.Exists(
-                ["throttle", "brake", "applied_throttle", "applied_brake", "disturbed", "lanes_known"],
-                name => Number(row[name]) is < 0 or > 1) ? "a pedal or flag is not 0 to 1."
-            : null;
+        : !_dataset.Has(row["image"]) ? $"its image '{row["image"]}' is missing."
+        : Array.Exists(["steering", "applied_steering"], name => Math.Abs(Number(row[name])) > 1) ? "steering is not -1 to 1."
+        : Array.Exists(
+            ["throttle", "brake", "applied_throttle", "applied_brake", "disturbed", "lanes_known"],
+            name => Number(row[name]) is < 0 or > 1
+        )
+            ? "a pedal or flag is not 0 to 1."
+        : null;
 
     /// <summary>Unknown values are empty fields.</summary>
     private static bool IsNumber(string text) => text.Length == 0 || Numbers.Parse([text]) is not null;

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Text.Json;
 using CsvHelper;
 using CsvHelper.Configuration;
@@ -31,19 +27,57 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
     /// <summary>Columns of frames.csv.</summary>
     public static string[] FrameColumns { get; } =
     [
-        "frame", "split", "session", "session_frame", "image", "time_seconds", "weather", "time_of_day", "width", "height",
-        "fx", "fy", "cx", "cy", "k1", "k2",
-        .. VectorColumns("camera"), .. VectorColumns("camera_right"), .. VectorColumns("camera_forward"), .. VectorColumns("camera_up"),
-        .. VectorColumns("ego"), "ego_heading_degrees", .. VectorColumns("ego_velocity"),
+        "frame",
+        "split",
+        "session",
+        "session_frame",
+        "image",
+        "time_seconds",
+        "weather",
+        "time_of_day",
+        "width",
+        "height",
+        "fx",
+        "fy",
+        "cx",
+        "cy",
+        "k1",
+        "k2",
+        .. VectorColumns("camera"),
+        .. VectorColumns("camera_right"),
+        .. VectorColumns("camera_forward"),
+        .. VectorColumns("camera_up"),
+        .. VectorColumns("ego"),
+        "ego_heading_degrees",
+        .. VectorColumns("ego_velocity"),
     ];
 
     /// <summary>Columns of objects.csv.</summary>
     public static string[] ObjectColumns { get; } =
     [
-        "frame", "id", "class", "model", "name", .. BoxColumns("box2d"), .. BoxColumns("box2d_amodal"), .. BoxColumns("box2d_visible"),
-        "truncated_fraction", "occluded_fraction", "visible_fraction", .. VectorColumns("centre"), .. VectorColumns("half_extents"),
-        .. VectorColumns("right"), .. VectorColumns("forward"), .. VectorColumns("up"), "distance_metres",
-            .. VectorColumns("velocity"), "parent", "mutcd", "light_state", "has_rider", "vehicle",
+        "frame",
+        "id",
+        "class",
+        "model",
+        "name",
+        .. BoxColumns("box2d"),
+        .. BoxColumns("box2d_amodal"),
+        .. BoxColumns("box2d_visible"),
+        "truncated_fraction",
+        "occluded_fraction",
+        "visible_fraction",
+        .. VectorColumns("centre"),
+        .. VectorColumns("half_extents"),
+        .. VectorColumns("right"),
+        .. VectorColumns("forward"),
+        .. VectorColumns("up"),
+        "distance_metres",
+        .. VectorColumns("velocity"),
+        "parent",
+        "mutcd",
+        "light_state",
+        "has_rider",
+        "vehicle",
     ];
 
     /// <summary>Columns of ignore_regions.csv.</summary>
@@ -68,27 +102,36 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
         IgnoreRegion[] regions = [.. frame.Label.IgnoreRegions.Where(region => _classes.Of(region.Class) is not null)];
         foreach (IgnoreRegion region in regions)
         {
-            output.Part("regions", Line(
-            [
-                Numbers.Text(frame.Index), JsonName.Of(region.Reason), CsvText.Of(_classes.Of(region.Class)!.Name), .. Of(region.Box2D),
+            output.Part(
+                "regions",
+                Line([
+                    Numbers.Text(frame.Index),
+                    JsonName.Of(region.Reason),
+                    CsvText.Of(_classes.Of(region.Class)!.Name),
+                    .. Of(region.Box2D),
                     .. Of(Metres, region.DistanceMetres),
-            ]));
+                ])
+            );
         }
 
         return new WrittenObjects(frame.Objects.Count, regions.Length);
     }
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
-    [
-        .. parts.ContainsKey(CsvDriveTable.Part)
-            ? [new AggregateFile(
-                CsvDriveTable.FileName,
-                [AggregateSection.Literal(Line(CsvDriveTable.Columns) + "\n"), AggregateSection.Lines(CsvDriveTable.Part)])]
-            : Array.Empty<AggregateFile>(),
-        new("frames.csv", [AggregateSection.Literal(Line(FrameColumns) + "\n"), AggregateSection.Lines("frames")]),
-        new("ignore_regions.csv", [AggregateSection.Literal(Line(RegionColumns) + "\n"), AggregateSection.Lines("regions")]),
-        new("objects.csv", [AggregateSection.Literal(Line(ObjectColumns) + "\n"), AggregateSection.Lines("objects")]),
-    ];
+        [
+            .. parts.ContainsKey(CsvDriveTable.Part)
+                ?
+                [
+                    new AggregateFile(
+                        CsvDriveTable.FileName,
+                        [AggregateSection.Literal(Line(CsvDriveTable.Columns) + "\n"), AggregateSection.Lines(CsvDriveTable.Part)]
+                    ),
+                ]
+                : Array.Empty<AggregateFile>(),
+            new("frames.csv", [AggregateSection.Literal(Line(FrameColumns) + "\n"), AggregateSection.Lines("frames")]),
+            new("ignore_regions.csv", [AggregateSection.Literal(Line(RegionColumns) + "\n"), AggregateSection.Lines("regions")]),
+            new("objects.csv", [AggregateSection.Literal(Line(ObjectColumns) + "\n"), AggregateSection.Lines("objects")]),
+        ];
 
     private static string[] VectorColumns(string name) => [$"{name}_x", $"{name}_y", $"{name}_z"];
 
@@ -100,13 +143,23 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
         CameraLabel camera = label.Camera;
         return
         [
-            Numbers.Text(frame.Index), CsvText.Of(frame.Split), Numbers.Text(frame.RecordingIndex), Numbers.Text(label.Frame), image,
-            .. Of(Seconds, label.TimeSeconds), CsvText.Of(label.Environment.Weather),
-                label.Environment.TimeOfDay.ToString(@"hh\:mm\:ss", CultureInfo.InvariantCulture),
-            Numbers.Text(camera.Width), Numbers.Text(camera.Height),
-            .. Of(Intrinsics, camera.Fx, camera.Fy, camera.Cx, camera.Cy), .. Of(Axis, camera.Distortion.K1, camera.Distortion.K2),
-            .. Of(camera.Pose.Position, Metres), .. Of(camera.Pose.Axes),
-            .. Of(label.Ego.Position, Metres), .. Of(Metres, label.Ego.HeadingDegrees), .. Of(label.Ego.Velocity, Metres),
+            Numbers.Text(frame.Index),
+            CsvText.Of(frame.Split),
+            Numbers.Text(frame.RecordingIndex),
+            Numbers.Text(label.Frame),
+            image,
+            .. Of(Seconds, label.TimeSeconds),
+            CsvText.Of(label.Environment.Weather),
+            label.Environment.TimeOfDay.ToString(@"hh\:mm\:ss", CultureInfo.InvariantCulture),
+            Numbers.Text(camera.Width),
+            Numbers.Text(camera.Height),
+            .. Of(Intrinsics, camera.Fx, camera.Fy, camera.Cx, camera.Cy),
+            .. Of(Axis, camera.Distortion.K1, camera.Distortion.K2),
+            .. Of(camera.Pose.Position, Metres),
+            .. Of(camera.Pose.Axes),
+            .. Of(label.Ego.Position, Metres),
+            .. Of(Metres, label.Ego.HeadingDegrees),
+            .. Of(label.Ego.Velocity, Metres),
         ];
     }
 
@@ -115,12 +168,23 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
         ObjectLabel label = item.Label;
         return
         [
-            Numbers.Text(label.Id), CsvText.Of(item.Class.Name), CsvText.Of(label.Model), CsvText.Of(label.Name),
-            .. Of(label.Box2D), .. Of(label.Box2DAmodal), .. Of(label.Box2DVisible),
+            Numbers.Text(label.Id),
+            CsvText.Of(item.Class.Name),
+            CsvText.Of(label.Model),
+            CsvText.Of(label.Name),
+            .. Of(label.Box2D),
+            .. Of(label.Box2DAmodal),
+            .. Of(label.Box2DVisible),
             .. Of(Fraction, label.TruncatedFraction, label.OccludedFraction, visibleFraction),
-            .. Of(label.Box3D.Centre, Metres), .. Of(label.Box3D.HalfExtents, Metres), .. Of(label.Box3D.Axes),
-            .. Of(Metres, label.DistanceMetres), .. Of(label.Velocity, Metres), .. Of(0, label.Parent),
-            CsvText.Of(label.Face?.MutcdCode), label.Face?.Light is { } light ? JsonName.Of(light.State) : "", Of(label.HasRider),
+            .. Of(label.Box3D.Centre, Metres),
+            .. Of(label.Box3D.HalfExtents, Metres),
+            .. Of(label.Box3D.Axes),
+            .. Of(Metres, label.DistanceMetres),
+            .. Of(label.Velocity, Metres),
+            .. Of(0, label.Parent),
+            CsvText.Of(label.Face?.MutcdCode),
+            label.Face?.Light is { } light ? JsonName.Of(light.State) : "",
+            Of(label.HasRider),
             .. Of(0, label.Vehicle),
         ];
     }
@@ -131,11 +195,18 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
     private static Dictionary<int, double?> VisibleFractions(string line)
     {
         using JsonDocument label = JsonDocument.Parse(line);
-        return new JsonFields(label.RootElement).List("objects")
+        return new JsonFields(label.RootElement)
+            .List("objects")
             .ToDictionary(item => item.Integer("id"), item => item.OptionalNumber("visibleFraction"));
     }
 
-    private static string Of(bool? truth) => truth switch { true => "1", false => "0", null => "" };
+    private static string Of(bool? truth) =>
+        truth switch
+        {
+            true => "1",
+            false => "0",
+            null => "",
+        };
 
     /// <summary>Unknown values are empty fields.</summary>
     private static IEnumerable<string> Of(int decimals, params double?[] values) =>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
@@ -25,10 +23,27 @@ internal static class CsvDriveTable
     /// <summary>Its columns.</summary>
     public static string[] Columns { get; } =
     [
-        "frame", "split", "image", "time_seconds", "driver", "disturbed", "steering", "throttle", "brake", "answer_seconds",
-        "applied_steering", "applied_throttle", "applied_brake", "target_speed", "target_right",
-        "route", "route_metres", "speed",
-        .. AxisColumns("acceleration"), .. AxisColumns("angular_rate"), "lanes_known",
+        "frame",
+        "split",
+        "image",
+        "time_seconds",
+        "driver",
+        "disturbed",
+        "steering",
+        "throttle",
+        "brake",
+        "answer_seconds",
+        "applied_steering",
+        "applied_throttle",
+        "applied_brake",
+        "target_speed",
+        "target_right",
+        "route",
+        "route_metres",
+        "speed",
+        .. AxisColumns("acceleration"),
+        .. AxisColumns("angular_rate"),
+        "lanes_known",
         .. IndicatorTable.All.Select(indicator => $"torcs_{indicator.Name}"),
     ];
 
@@ -38,12 +53,23 @@ internal static class CsvDriveTable
         LanesLabel? lanes = frame.Label.Lanes;
         return
         [
-            Numbers.Text(frame.Index), CsvText.Of(frame.Split), image, Text(frame.Label.TimeSeconds, SecondDecimals),
-            JsonName.Of(drive.Driver), drive.IsDisturbed ? "1" : "0",
-            .. Texts(drive.Controls), Text(drive.AnswerSeconds, SecondDecimals), .. Texts(drive.Applied),
-            Text(drive.Target?.SpeedMetresPerSecond, MetreDecimals), Text(drive.Target?.RightMetres, MetreDecimals),
-            CsvText.Of(drive.Route), Text(drive.RouteMetres, MetreDecimals), Text(drive.SpeedMetresPerSecond, MetreDecimals),
-            .. Texts(drive.Acceleration), .. Texts(drive.AngularRate), lanes is { Status: LaneStatus.Known } ? "1" : "0",
+            Numbers.Text(frame.Index),
+            CsvText.Of(frame.Split),
+            image,
+            Text(frame.Label.TimeSeconds, SecondDecimals),
+            JsonName.Of(drive.Driver),
+            drive.IsDisturbed ? "1" : "0",
+            .. Texts(drive.Controls),
+            Text(drive.AnswerSeconds, SecondDecimals),
+            .. Texts(drive.Applied),
+            Text(drive.Target?.SpeedMetresPerSecond, MetreDecimals),
+            Text(drive.Target?.RightMetres, MetreDecimals),
+            CsvText.Of(drive.Route),
+            Text(drive.RouteMetres, MetreDecimals),
+            Text(drive.SpeedMetresPerSecond, MetreDecimals),
+            .. Texts(drive.Acceleration),
+            .. Texts(drive.AngularRate),
+            lanes is { Status: LaneStatus.Known } ? "1" : "0",
             .. IndicatorOrder.Values(lanes?.TorcsEquivalent ?? LaneIndicators.Unknown).Select(value => Text(value, IndicatorDecimals)),
         ];
     }
@@ -51,9 +77,7 @@ internal static class CsvDriveTable
     private static string[] AxisColumns(string name) => [$"{name}_right", $"{name}_forward", $"{name}_up"];
 
     private static string[] Texts(DriveControls? controls) =>
-    [
-        Text(controls?.Steering, ControlDecimals), Text(controls?.Throttle, ControlDecimals), Text(controls?.Brake, ControlDecimals),
-    ];
+        [Text(controls?.Steering, ControlDecimals), Text(controls?.Throttle, ControlDecimals), Text(controls?.Brake, ControlDecimals)];
 
     private static string[] Texts(Vector3D? vector) =>
         [Text(vector?.X, InertialDecimals), Text(vector?.Y, InertialDecimals), Text(vector?.Z, InertialDecimals)];

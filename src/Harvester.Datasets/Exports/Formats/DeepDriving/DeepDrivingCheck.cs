@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Exports.Checks;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Sessions;
@@ -41,8 +37,10 @@ internal static class DeepDrivingCheck
 
         foreach ((int number, string text) in dataset.Lines(Table))
         {
-            string? problem = number > 1 ? RowProblem(dataset, text.Split(','), images)
-                : text + "\n" == DeepDrivingWriter.Header ? null : "its columns are not those of the format.";
+            string? problem =
+                number > 1 ? RowProblem(dataset, text.Split(','), images)
+                : text + "\n" == DeepDrivingWriter.Header ? null
+                : "its columns are not those of the format.";
             if (problem is not null)
             {
                 yield return new SessionProblem(Table, number, problem);
@@ -76,7 +74,7 @@ internal static class DeepDrivingCheck
         dataset.Found(split);
         ImageSize expected = DeepDrivingWriter.Size;
         return dataset.Header(image) is { } header && header.Size != expected
-            ? $"its image is {header.Size.Width} x {header.Size.Height}, not {expected.Width} x {expected.Height}."
+                ? $"its image is {header.Size.Width} x {header.Size.Height}, not {expected.Width} x {expected.Height}."
             : !JsonNames.TryRead(status, out LaneStatus _) || fast is not ("0" or "1") ? "its status or fast has an unknown value."
             : Numbers.Parse(row.Skip(LeadingColumns)) is not { } numbers ? "a value is not a number."
             : ValueProblem(dataset, Path.GetFileNameWithoutExtension(image), fast == "1", numbers);
@@ -97,7 +95,9 @@ internal static class DeepDrivingCheck
 
         double[] expected = [.. DeepDrivingWriter.Normalised(values[(2 * count)..(3 * count)]), DeepDrivingNormalisation.Fast(isFast)];
         int wrong = Array.FindIndex(
-            [.. expected.Zip(values.Skip(3 * count), (a, b) => Math.Abs(a - b))], difference => difference > Rounding);
+            [.. expected.Zip(values.Skip(3 * count), (a, b) => Math.Abs(a - b))],
+            difference => difference > Rounding
+        );
         return wrong >= 0 ? $"normalised_{DeepDrivingWriter.Columns.Append("fast").ElementAt(wrong)} does not follow from its value."
             : Math.Abs(metres[0]) > Math.PI + Rounding ? "angle is not from -pi to pi."
             : FileProblem(dataset, $"indicators/{stem}.txt", metres) ?? FileProblem(dataset, $"normalised/{stem}.txt", normalised);

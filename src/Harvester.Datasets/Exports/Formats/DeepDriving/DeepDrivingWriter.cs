@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Imaging;
@@ -22,18 +20,29 @@ internal sealed class DeepDrivingWriter : IDatasetWriter
 
     /// <summary>Columns of the indicators. The table keeps the spelling with an underscore, such as toMarking_LL.</summary>
     public static IReadOnlyList<string> Columns { get; } =
-        [.. IndicatorTable.All.Select(indicator => indicator.Place.Length == 0
-            ? indicator.Name
-            : indicator.Name.Insert(indicator.Name.Length - indicator.Place.Length, "_"))];
+    [
+        .. IndicatorTable.All.Select(indicator =>
+            indicator.Place.Length == 0 ? indicator.Name : indicator.Name.Insert(indicator.Name.Length - indicator.Place.Length, "_")
+        ),
+    ];
 
     /// <summary>The header line of the table, with its line end.</summary>
-    public static string Header { get; } = string.Join(
-        ',',
-        [
-            "frame", "split", "image", "status", "fast",
-            .. Columns, .. Columns.Select(name => "valid_" + name), .. Columns.Select(name => "torcs_" + name),
-            .. Columns.Select(name => "normalised_" + name), "normalised_fast",
-        ]) + "\n";
+    public static string Header { get; } =
+        string.Join(
+            ',',
+            [
+                "frame",
+                "split",
+                "image",
+                "status",
+                "fast",
+                .. Columns,
+                .. Columns.Select(name => "valid_" + name),
+                .. Columns.Select(name => "torcs_" + name),
+                .. Columns.Select(name => "normalised_" + name),
+                "normalised_fast",
+            ]
+        ) + "\n";
 
     private readonly ImageFormat _format;
     private readonly PictureEncoder _encoder;
@@ -55,14 +64,24 @@ internal sealed class DeepDrivingWriter : IDatasetWriter
         double[] normalised = Normalised(torcs);
         output.Text($"indicators/{frame.Name}.txt", Numbers.Row(Decimals, metres) + "\n");
         output.Text($"normalised/{frame.Name}.txt", Numbers.Row(Decimals, normalised) + "\n");
-        output.Part("rows", string.Join(
-            ',',
-            [
-                Numbers.Text(frame.Index), frame.Split, image, JsonName.Of(lanes.Status), Flag(lanes.IsFast),
-                .. metres.Select(Text), .. IndicatorTable.All.Select(indicator => Flag(indicator.Of(lanes.Indicators).IsValid)),
-                .. torcs.Select(Text),
-                .. normalised.Select(Text), Text(DeepDrivingNormalisation.Fast(lanes.IsFast)),
-            ]));
+        output.Part(
+            "rows",
+            string.Join(
+                ',',
+                [
+                    Numbers.Text(frame.Index),
+                    frame.Split,
+                    image,
+                    JsonName.Of(lanes.Status),
+                    Flag(lanes.IsFast),
+                    .. metres.Select(Text),
+                    .. IndicatorTable.All.Select(indicator => Flag(indicator.Of(lanes.Indicators).IsValid)),
+                    .. torcs.Select(Text),
+                    .. normalised.Select(Text),
+                    Text(DeepDrivingNormalisation.Fast(lanes.IsFast)),
+                ]
+            )
+        );
         return default;
     }
 

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Exports.Checks;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Sessions;
@@ -35,9 +31,14 @@ internal sealed class ImageFolderCheck
     {
         string folder = $"data/{split}";
         string name = $"{folder}/{ImageFolderWriter.Metadata}";
-        return FrameLines.Problems(_dataset, name, row => Problem(row, split, folder))
-            .Concat(_dataset.Files(folder).Where(file => file != name && !_named.Contains(Path.GetFileName(file)))
-                .Select(file => new SessionProblem(file, null, $"{ImageFolderWriter.Metadata} has no row for it.")));
+        return FrameLines
+            .Problems(_dataset, name, row => Problem(row, split, folder))
+            .Concat(
+                _dataset
+                    .Files(folder)
+                    .Where(file => file != name && !_named.Contains(Path.GetFileName(file)))
+                    .Select(file => new SessionProblem(file, null, $"{ImageFolderWriter.Metadata} has no row for it."))
+            );
     }
 
     private string? Problem(JsonFields row, string split, string folder)
@@ -55,11 +56,13 @@ internal sealed class ImageFolderCheck
                 ? $"a category is not a whole number from 0 to {_classes - 1}."
             : tracks.Distinct().Count() != tracks.Length ? "a track id occurs twice."
             : _dataset.Header($"{folder}/{file}") is { } header
-                && boxes.Concat(row.Rows("ignore_regions", 4)).Any(sides => !IsIn(header.Size.Bounds, sides))
+            && boxes.Concat(row.Rows("ignore_regions", 4)).Any(sides => !IsIn(header.Size.Bounds, sides))
                 ? $"a box does not lie in the image of {header.Size.Width} x {header.Size.Height}, or has no area."
             : null;
     }
 
-    private static bool IsIn(Box2D image, double[] sides) => sides[2] > 0 && sides[3] > 0
+    private static bool IsIn(Box2D image, double[] sides) =>
+        sides[2] > 0
+        && sides[3] > 0
         && image.Contains(new Box2D(sides[0], sides[1], sides[0] + sides[2], sides[1] + sides[3]), RoundingPixels);
 }

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
@@ -24,24 +22,25 @@ internal sealed class ImageFolderWriter(ExportOptions options) : IDatasetWriter
         return new WrittenObjects(frame.Objects.Count, frame.Ignored.Count);
     }
 
-    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => options.Splits.Splits.Select(split =>
-        new AggregateFile($"data/{split.Name}/{Metadata}", [AggregateSection.Lines(split.Name)]));
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
+        options.Splits.Splits.Select(split => new AggregateFile($"data/{split.Name}/{Metadata}", [AggregateSection.Lines(split.Name)]));
 
-    private static string Row(ExportFrame frame, string file) => JsonLine.Of(json =>
-    {
-        json.WriteStartObject();
-        json.WriteString("file_name", file);
-        json.WriteNumber("session", frame.RecordingIndex);
-        json.WriteNumber("frame", frame.Label.Frame);
-        json.WriteString("weather", frame.Label.Environment.Weather);
-        json.WriteStartObject("objects");
-        WriteBoxes(json, "bbox", frame.Objects.Select(item => item.Box));
-        json.Numbers("categories", [.. frame.Objects.Select(item => (double)item.Class.Number)], 0);
-        json.Numbers("track_ids", [.. frame.Objects.Select(item => (double)item.Label.Id)], 0);
-        json.WriteEndObject();
-        WriteBoxes(json, "ignore_regions", frame.Ignored.Select(region => region.Box));
-        json.WriteEndObject();
-    });
+    private static string Row(ExportFrame frame, string file) =>
+        JsonLine.Of(json =>
+        {
+            json.WriteStartObject();
+            json.WriteString("file_name", file);
+            json.WriteNumber("session", frame.RecordingIndex);
+            json.WriteNumber("frame", frame.Label.Frame);
+            json.WriteString("weather", frame.Label.Environment.Weather);
+            json.WriteStartObject("objects");
+            WriteBoxes(json, "bbox", frame.Objects.Select(item => item.Box));
+            json.Numbers("categories", [.. frame.Objects.Select(item => (double)item.Class.Number)], 0);
+            json.Numbers("track_ids", [.. frame.Objects.Select(item => (double)item.Label.Id)], 0);
+            json.WriteEndObject();
+            WriteBoxes(json, "ignore_regions", frame.Ignored.Select(region => region.Box));
+            json.WriteEndObject();
+        });
 
     private static void WriteBoxes(Utf8JsonWriter json, string name, IEnumerable<Box2D> boxes)
     {

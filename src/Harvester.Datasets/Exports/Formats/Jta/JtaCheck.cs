@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
@@ -74,7 +70,9 @@ internal static class JtaCheck
         try
         {
             using JsonDocument document = JsonInput.Parse("{\"rows\":[" + text.TrimEnd(',') + "]}");
-            return new JsonFields(document.RootElement).Rows("rows", Columns).Select(row => Problem(row, frames, k))
+            return new JsonFields(document.RootElement)
+                .Rows("rows", Columns)
+                .Select(row => Problem(row, frames, k))
                 .FirstOrDefault(problem => problem is not null);
         }
         catch (JsonException e)

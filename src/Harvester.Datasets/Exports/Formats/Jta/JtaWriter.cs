@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
@@ -27,7 +24,9 @@ internal sealed class JtaWriter : IDatasetWriter
         }
 
         ObjectLabel[] people =
-            [.. frame.Objects.Select(item => item.Label).Where(label => VehicleClasses.ArePeople(label.Class) && label.Joints is not null)];
+        [
+            .. frame.Objects.Select(item => item.Label).Where(label => VehicleClasses.ArePeople(label.Class) && label.Joints is not null),
+        ];
         if (people.Length > 0)
         {
             output.Part(RowsPrefix + sequence, string.Join(",", people.SelectMany(person => Rows(frame, person))));
@@ -37,14 +36,13 @@ internal sealed class JtaWriter : IDatasetWriter
     }
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
-        parts.Keys.Where(part => part.StartsWith(SequencePrefix, StringComparison.Ordinal)).Select(part => part[SequencePrefix.Length..])
+        parts
+            .Keys.Where(part => part.StartsWith(SequencePrefix, StringComparison.Ordinal))
+            .Select(part => part[SequencePrefix.Length..])
             .Select(sequence => new AggregateFile(
                 $"annotations/{sequence}.json",
-                [
-                    AggregateSection.Literal("[\n"),
-                    AggregateSection.Joined(RowsPrefix + sequence, ",\n"),
-                    AggregateSection.Literal("\n]\n"),
-                ]));
+                [AggregateSection.Literal("[\n"), AggregateSection.Joined(RowsPrefix + sequence, ",\n"), AggregateSection.Literal("\n]\n")]
+            ));
 
     /// <summary>One row for each joint in front of the camera, in the order of JTA's columns.</summary>
     private static IEnumerable<string> Rows(ExportFrame frame, ObjectLabel person)
@@ -57,7 +55,14 @@ internal sealed class JtaWriter : IDatasetWriter
                 Vector3D inCamera = frame.Label.Camera.Pose.ToLocal(joint.Position);
                 double[] row =
                 [
-                    frame.FrameInSequence + 1, person.Id, number, pixel.X, pixel.Y, inCamera.X, -inCamera.Z, inCamera.Y,
+                    frame.FrameInSequence + 1,
+                    person.Id,
+                    number,
+                    pixel.X,
+                    pixel.Y,
+                    inCamera.X,
+                    -inCamera.Z,
+                    inCamera.Y,
                     joint.Visibility is JointVisibility.Occluded or JointVisibility.Unknown ? 1 : 0,
                     joint.Visibility == JointVisibility.SelfOccluded ? 1 : 0,
                 ];
@@ -67,15 +72,16 @@ internal sealed class JtaWriter : IDatasetWriter
     }
 
     /// <summary>The intrinsics, which in JTA are the same for all sequences.</summary>
-    private static string Camera(CameraLabel camera) => JsonLine.Of(json =>
-    {
-        json.WriteStartObject();
-        json.Number("fx", camera.Fx, Decimals);
-        json.Number("fy", camera.Fy, Decimals);
-        json.Number("cx", camera.Cx, Decimals);
-        json.Number("cy", camera.Cy, Decimals);
-        json.WriteNumber("width", camera.Width);
-        json.WriteNumber("height", camera.Height);
-        json.WriteEndObject();
-    });
+    private static string Camera(CameraLabel camera) =>
+        JsonLine.Of(json =>
+        {
+            json.WriteStartObject();
+            json.Number("fx", camera.Fx, Decimals);
+            json.Number("fy", camera.Fy, Decimals);
+            json.Number("cx", camera.Cx, Decimals);
+            json.Number("cy", camera.Cy, Decimals);
+            json.WriteNumber("width", camera.Width);
+            json.WriteNumber("height", camera.Height);
+            json.WriteEndObject();
+        });
 }

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
@@ -86,7 +84,8 @@ internal sealed class KittiBox
             Numbers.Row(KittiDecimals.Angle, box.Alpha),
             Sides(Box),
             Numbers.Row(KittiDecimals.Metres, box.Height, box.Width, box.Length, box.Location.X, box.Location.Y, box.Location.Z),
-            Numbers.Row(KittiDecimals.Angle, box.RotationY));
+            Numbers.Row(KittiDecimals.Angle, box.RotationY)
+        );
     }
 
     /// <summary>The four fields of a 2D box.</summary>
@@ -96,7 +95,11 @@ internal sealed class KittiBox
     private static Box2D? BoxIn(Box2D box, CameraLabel camera)
     {
         var shifted = new Box2D(
-            Place(box.XMin, camera.Width), Place(box.YMin, camera.Height), Place(box.XMax, camera.Width), Place(box.YMax, camera.Height));
+            Place(box.XMin, camera.Width),
+            Place(box.YMin, camera.Height),
+            Place(box.XMax, camera.Width),
+            Place(box.YMax, camera.Height)
+        );
         return shifted.Width >= MinPixels && shifted.Height >= MinPixels ? shifted : null;
     }
 

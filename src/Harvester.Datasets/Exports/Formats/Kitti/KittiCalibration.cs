@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
 /// <summary>
@@ -19,9 +16,12 @@ internal static class KittiCalibration
     /// <summary>The lines of a file of the odometry benchmark, ended by <see cref="LineMark"/>.</summary>
     /// <param name="projections">P0 to P3.</param>
     /// <param name="toCamera">The place of the laser scanner, row by row; null if there is none.</param>
-    public static string OdometryText(IEnumerable<double[]> projections, double[]? toCamera) => string.Concat(
-        ProjectionLines(projections).Append($"Tr: {Numbers.Row(KittiDecimals.Calibration, toCamera ?? VelodyneToCamera)}")
-            .Select(line => line + LineMark));
+    public static string OdometryText(IEnumerable<double[]> projections, double[]? toCamera) =>
+        string.Concat(
+            ProjectionLines(projections)
+                .Append($"Tr: {Numbers.Row(KittiDecimals.Calibration, toCamera ?? VelodyneToCamera)}")
+                .Select(line => line + LineMark)
+        );
 
     /// <summary>The lines of a file; the two benchmarks name the last three matrices differently.</summary>
     /// <param name="projections">P0 to P3.</param>
@@ -31,8 +31,13 @@ internal static class KittiCalibration
     /// <param name="inertial">Name of the place of the inertial unit.</param>
     /// <param name="toVelodyne">The place of the inertial unit beside the laser scanner, row by row; null if there is no scanner.</param>
     public static string Text(
-        IEnumerable<double[]> projections, double[]? toCamera, string rectification, string velodyne, string inertial,
-        double[]? toVelodyne = null)
+        IEnumerable<double[]> projections,
+        double[]? toCamera,
+        string rectification,
+        string velodyne,
+        string inertial,
+        double[]? toVelodyne = null
+    )
     {
         IEnumerable<string> lines =
         [

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports.Formats.Kitti;
@@ -22,7 +20,8 @@ internal sealed class KittiCalibrationCheck
     public KittiCalibrationCheck(DatasetContent dataset, string name, string rectification, params string[] others)
     {
         _name = name;
-        Dictionary<string, int> sizes = others.Concat(["P0:", "P1:", Projection + ":", "P3:"])
+        Dictionary<string, int> sizes = others
+            .Concat(["P0:", "P1:", Projection + ":", "P3:"])
             .ToDictionary(matrix => matrix, _ => ProjectionSize);
         sizes.Add(rectification, RotationSize);
         foreach ((int number, string text) in dataset.Lines(name).Where(line => line.Text.Length > 0))
@@ -53,8 +52,12 @@ internal sealed class KittiCalibrationCheck
         else if (matrix == Projection)
         {
             // fx 0 cx tx, 0 fy cy ty, 0 0 1 tz.
-            if (values[0] > 0 && values[5] > 0 && values[1..2].Concat(values[4..5]).Concat(values[8..10]).All(value => value == 0)
-                && values[10] == 1)
+            if (
+                values[0] > 0
+                && values[5] > 0
+                && values[1..2].Concat(values[4..5]).Concat(values[8..10]).All(value => value == 0)
+                && values[10] == 1
+            )
             {
                 P2 = values;
             }

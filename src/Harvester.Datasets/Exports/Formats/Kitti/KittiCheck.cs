@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Exports.Checks;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Sessions;
@@ -33,7 +29,8 @@ internal static class KittiCheck
             frames[frame]++;
         }
 
-        return images.SelectMany(image => ProblemsOf(dataset, image, misses))
+        return images
+            .SelectMany(image => ProblemsOf(dataset, image, misses))
             .Concat(LabelFiles.Strays(dataset, Labels, frames.Keys))
             .Concat(LabelFiles.Strays(dataset, Calibrations, frames.Keys))
             .Concat(LabelFiles.Strays(dataset, Inertial, frames.Keys))
@@ -46,22 +43,41 @@ internal static class KittiCheck
     {
         string frame = Path.GetFileNameWithoutExtension(image);
         var calibration = new KittiCalibrationCheck(
-            dataset, $"{Calibrations}/{frame}.txt", "R0_rect:", "Tr_velo_to_cam:", "Tr_imu_to_velo:");
+            dataset,
+            $"{Calibrations}/{frame}.txt",
+            "R0_rect:",
+            "Tr_velo_to_cam:",
+            "Tr_imu_to_velo:"
+        );
         ImageHeader? header = dataset.Header(image);
         var columns = new KittiColumns(dataset.Options.Boxes ?? BoxKind.Cuboid);
         IEnumerable<SessionProblem> points = PointProblems(dataset, $"{Points}/{frame}.bin");
-        return calibration.Problems.Concat(points).Concat(LabelFiles.Problems(dataset, $"{Labels}/{frame}.txt", (number, words) =>
-            ProblemOf(words, header?.Size, calibration.P2, columns,
-                misses.GetValueOrDefault($"{frame}.txt,{number}", KittiLeaning.MaxMissPixels))));
+        return calibration
+            .Problems.Concat(points)
+            .Concat(
+                LabelFiles.Problems(
+                    dataset,
+                    $"{Labels}/{frame}.txt",
+                    (number, words) =>
+                        ProblemOf(
+                            words,
+                            header?.Size,
+                            calibration.P2,
+                            columns,
+                            misses.GetValueOrDefault($"{frame}.txt,{number}", KittiLeaning.MaxMissPixels)
+                        )
+                )
+            );
     }
 
     private static IEnumerable<SessionProblem> PointProblems(DatasetContent dataset, string name) =>
         dataset.Has(name) && new FileInfo(dataset.PathOf(name)).Length % BytesPerPoint != 0
-            ? [new SessionProblem(name, null, $"its length is no multiple of the {BytesPerPoint} bytes of a point.")] : [];
+            ? [new SessionProblem(name, null, $"its length is no multiple of the {BytesPerPoint} bytes of a point.")]
+            : [];
 
     private static string? ProblemOf(string[] words, ImageSize? image, double[]? projection, KittiColumns columns, double missPixels) =>
         words.Length != Columns ? $"it has {words.Length} columns instead of {Columns}."
-            : Numbers.Parse(words.Skip(1)) is not { } numbers ? "a column after the type is not a number."
-            : words[0] != KittiClasses.DontCare && numbers[0] is < 0 or > 1 ? "truncated is not 0 to 1."
-            : columns.ProblemOf(words[0], numbers.AsSpan(1), image, projection, missPixels);
+        : Numbers.Parse(words.Skip(1)) is not { } numbers ? "a column after the type is not a number."
+        : words[0] != KittiClasses.DontCare && numbers[0] is < 0 or > 1 ? "truncated is not 0 to 1."
+        : columns.ProblemOf(words[0], numbers.AsSpan(1), image, projection, missPixels);
 }

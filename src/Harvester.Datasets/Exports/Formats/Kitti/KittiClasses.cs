@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 
@@ -17,7 +16,7 @@ internal static class KittiClasses
 
     /// <summary>The types of objects.</summary>
     public static IReadOnlyCollection<string> Types { get; } =
-        ["Car", "Van", "Truck", "Pedestrian", "Person_sitting", "Cyclist", "Tram", "Misc"];
+    ["Car", "Van", "Truck", "Pedestrian", "Person_sitting", "Cyclist", "Tram", "Misc"];
 
     /// <summary>The type of ignore regions.</summary>
     public const string DontCare = "DontCare";
@@ -33,19 +32,22 @@ internal static class KittiClasses
     /// <param name="names">Types of classes that do not have the default.</param>
     public static string TypeOf(ObjectLabel label, IReadOnlyDictionary<ObjectClass, string> names) =>
         names.TryGetValue(label.Class, out string? name)
-        ? name
-        : label.Class switch
-        {
-            ObjectClass.Car => KittiVans.Has(label.Model) ? "Van" : "Car",
-            ObjectClass.Truck => "Truck",
-            ObjectClass.Pedestrian => "Pedestrian",
-            ObjectClass.Bicycle when label.HasRider == true => "Cyclist",
-            _ => "Misc",
-        };
+            ? name
+            : label.Class switch
+            {
+                ObjectClass.Car => KittiVans.Has(label.Model) ? "Van" : "Car",
+                ObjectClass.Truck => "Truck",
+                ObjectClass.Pedestrian => "Pedestrian",
+                ObjectClass.Bicycle when label.HasRider == true => "Cyclist",
+                _ => "Misc",
+            };
 
     /// <summary>0 fully visible, 1 partly, 2 largely occluded, 3 unknown.</summary>
     public static int OcclusionOf(ObjectLabel label) => label.OccludedFraction is { } hidden ? LevelOf(hidden) : UnknownOcclusion;
 
     /// <summary>KITTI tracking's truncation level: 0 none, 1 partly, 2 largely.</summary>
-    public static int LevelOf(double fraction) => fraction <= MaxHiddenOfVisible ? 0 : fraction <= MaxHiddenOfPartly ? 1 : 2;
+    public static int LevelOf(double fraction) =>
+        fraction <= MaxHiddenOfVisible ? 0
+        : fraction <= MaxHiddenOfPartly ? 1
+        : 2;
 }

@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;
@@ -89,7 +87,11 @@ internal sealed class KittiColumns(BoxKind boxes)
 
         Vector2D[] points = [.. corners.Select(corner => Project(corner, p))];
         var around = new Box2D(
-            points.Min(point => point.X), points.Min(point => point.Y), points.Max(point => point.X), points.Max(point => point.Y));
+            points.Min(point => point.X),
+            points.Min(point => point.Y),
+            points.Max(point => point.X),
+            points.Max(point => point.Y)
+        );
         var whole = new Box2D(0, 0, image.Width - 1, image.Height - 1);
         if (around.Intersect(whole) is not { } seen)
         {
@@ -106,6 +108,9 @@ internal sealed class KittiColumns(BoxKind boxes)
     private static Box2D Grown(Box2D box, double across, double down) =>
         new(box.XMin - across, box.YMin - down, box.XMax + across, box.YMax + down);
 
-    private static Vector2D Project(Vector3D point, double[] p) => new(
-        ((p[0] * point.X) + (p[2] * point.Z) + p[3]) / (point.Z + p[11]), ((p[5] * point.Y) + (p[6] * point.Z) + p[7]) / (point.Z + p[11]));
+    private static Vector2D Project(Vector3D point, double[] p) =>
+        new(
+            ((p[0] * point.X) + (p[2] * point.Z) + p[3]) / (point.Z + p[11]),
+            ((p[5] * point.Y) + (p[6] * point.Z) + p[7]) / (point.Z + p[11])
+        );
 }

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Exports.Checks;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
@@ -22,9 +18,15 @@ internal static class KittiOdometryCheck
     public static IEnumerable<SessionProblem> Problems(DatasetContent dataset)
     {
         string[] sequences = [.. dataset.Folders(Sequences).Select(folder => Path.GetFileName(folder))];
-        Dictionary<string, int> frames = sequences.ToDictionary(sequence => sequence, sequence => Enumerable.Range(0, KittiRig.Cameras)
-            .Sum(slot => dataset.Files($"{KittiOdometryWriter.FolderOf(sequence)}/image_{slot}").Count));
-        return sequences.SelectMany(sequence => ProblemsOf(dataset, sequence))
+        Dictionary<string, int> frames = sequences.ToDictionary(
+            sequence => sequence,
+            sequence =>
+                Enumerable
+                    .Range(0, KittiRig.Cameras)
+                    .Sum(slot => dataset.Files($"{KittiOdometryWriter.FolderOf(sequence)}/image_{slot}").Count)
+        );
+        return sequences
+            .SelectMany(sequence => ProblemsOf(dataset, sequence))
             .Concat(SplitLists.Problems(dataset, split => $"ImageSets/{split}.txt", frames));
     }
 
@@ -42,13 +44,18 @@ internal static class KittiOdometryCheck
             }
         }
 
-        foreach (SessionProblem problem in TimeProblems(dataset, $"{folder}/times.txt", names.Length)
-            .Concat(PoseProblems(dataset, $"poses/{sequence}.txt", names.Length))
-            .Concat(PoseProblems(dataset, $"{folder}/poses.txt", names.Length))
-            .Concat(CalibrationProblems(dataset, $"{folder}/calib.txt"))
-            .Concat(names.SelectMany(name => PointProblems(dataset, folder, name)))
-            .Concat(Enumerable.Range(0, names.Length).SelectMany(number =>
-                KittiOxtsCheck.Problems(dataset, $"{folder}/oxts/data/{number:D10}.txt"))))
+        foreach (
+            SessionProblem problem in TimeProblems(dataset, $"{folder}/times.txt", names.Length)
+                .Concat(PoseProblems(dataset, $"poses/{sequence}.txt", names.Length))
+                .Concat(PoseProblems(dataset, $"{folder}/poses.txt", names.Length))
+                .Concat(CalibrationProblems(dataset, $"{folder}/calib.txt"))
+                .Concat(names.SelectMany(name => PointProblems(dataset, folder, name)))
+                .Concat(
+                    Enumerable
+                        .Range(0, names.Length)
+                        .SelectMany(number => KittiOxtsCheck.Problems(dataset, $"{folder}/oxts/data/{number:D10}.txt"))
+                )
+        )
         {
             yield return problem;
         }
@@ -142,23 +149,28 @@ internal static class KittiOdometryCheck
             yield break;
         }
 
-        if (!dataset.Has(points) || !dataset.Has(labels)
+        if (
+            !dataset.Has(points)
+            || !dataset.Has(labels)
             || new FileInfo(dataset.PathOf(points)).Length / BytesPerPoint * BytesPerLabel != new FileInfo(dataset.PathOf(labels)).Length
-            || new FileInfo(dataset.PathOf(points)).Length % BytesPerPoint != 0)
+            || new FileInfo(dataset.PathOf(points)).Length % BytesPerPoint != 0
+        )
         {
             yield return new SessionProblem(labels, null, "it does not have four bytes for each point of its scan.");
             yield break;
         }
 
-        byte[] bytes = InputFile.ReadAllBytes(
-            dataset.PathOf(labels), LidarFile.MaxPoints * BytesPerLabel);
+        byte[] bytes = InputFile.ReadAllBytes(dataset.PathOf(labels), LidarFile.MaxPoints * BytesPerLabel);
         for (int at = 0; at < bytes.Length; at += BytesPerLabel)
         {
             uint kind = SemanticKittiLabels.ClassOf(BitConverter.ToUInt32(bytes, at));
             if (!SemanticKittiLabels.Classes.Contains(kind))
             {
                 yield return new SessionProblem(
-                    labels, null, $"point {at / BytesPerLabel} has the class {kind}, which is not in SemanticKITTI.");
+                    labels,
+                    null,
+                    $"point {at / BytesPerLabel} has the class {kind}, which is not in SemanticKITTI."
+                );
                 yield break;
             }
         }

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using Harvester.Geometry;
 
 namespace Harvester.Datasets.Exports.Formats.Kitti;
@@ -47,11 +43,18 @@ internal sealed class KittiOdometryWriter : IDatasetWriter
             output.File($"{folder}/labels/{number:D6}.label", points.WriteLabels);
         }
 
-        output.Part(CalibrationPrefix + sequence, KittiCalibration.OdometryText(
-            place.Rig.Projections(frame), points?.ToCamera(place.Rig.MountOf(KittiRig.Origin, frame))));
+        output.Part(
+            CalibrationPrefix + sequence,
+            KittiCalibration.OdometryText(place.Rig.Projections(frame), points?.ToCamera(place.Rig.MountOf(KittiRig.Origin, frame)))
+        );
         output.Part(TimePrefix + sequence, frame.Label.TimeSeconds.ToString("R", CultureInfo.InvariantCulture));
-        output.Part(PosePrefix + sequence, string.Join(' ', PoseOf(place.Rig.PoseOf(KittiRig.Origin, frame))
-            .Select(value => value.ToString("R", CultureInfo.InvariantCulture))));
+        output.Part(
+            PosePrefix + sequence,
+            string.Join(
+                ' ',
+                PoseOf(place.Rig.PoseOf(KittiRig.Origin, frame)).Select(value => value.ToString("R", CultureInfo.InvariantCulture))
+            )
+        );
         if (number == 0)
         {
             output.Part(ListPrefix + frame.Split, sequence);
@@ -61,23 +64,26 @@ internal sealed class KittiOdometryWriter : IDatasetWriter
     }
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
-    [
-        .. Sequences(parts).SelectMany(sequence => FilesOf(sequence)),
-        .. parts.Keys.Where(part => part.StartsWith(ListPrefix, StringComparison.Ordinal)).Select(part =>
-            new AggregateFile($"ImageSets/{part[ListPrefix.Length..]}.txt", [AggregateSection.Lines(part)])),
-    ];
+        [
+            .. Sequences(parts).SelectMany(sequence => FilesOf(sequence)),
+            .. parts
+                .Keys.Where(part => part.StartsWith(ListPrefix, StringComparison.Ordinal))
+                .Select(part => new AggregateFile($"ImageSets/{part[ListPrefix.Length..]}.txt", [AggregateSection.Lines(part)])),
+        ];
 
-    private static IEnumerable<string> Sequences(IReadOnlyDictionary<string, int> parts) => parts.Keys
-        .Where(part => part.StartsWith(PosePrefix, StringComparison.Ordinal)).Select(part => part[PosePrefix.Length..])
-        .Order(StringComparer.Ordinal);
+    private static IEnumerable<string> Sequences(IReadOnlyDictionary<string, int> parts) =>
+        parts
+            .Keys.Where(part => part.StartsWith(PosePrefix, StringComparison.Ordinal))
+            .Select(part => part[PosePrefix.Length..])
+            .Order(StringComparer.Ordinal);
 
     private static IEnumerable<AggregateFile> FilesOf(string sequence) =>
-    [
-        new($"{FolderOf(sequence)}/calib.txt", [AggregateSection.Summary(CalibrationPrefix + sequence, WriteFirst)]),
-        new($"{FolderOf(sequence)}/times.txt", [AggregateSection.Summary(TimePrefix + sequence, WriteTimes)]),
-        new($"poses/{sequence}.txt", [AggregateSection.Summary(PosePrefix + sequence, WritePoses)]),
-        new($"{FolderOf(sequence)}/poses.txt", [AggregateSection.Summary(PosePrefix + sequence, WritePoses)]),
-    ];
+        [
+            new($"{FolderOf(sequence)}/calib.txt", [AggregateSection.Summary(CalibrationPrefix + sequence, WriteFirst)]),
+            new($"{FolderOf(sequence)}/times.txt", [AggregateSection.Summary(TimePrefix + sequence, WriteTimes)]),
+            new($"poses/{sequence}.txt", [AggregateSection.Summary(PosePrefix + sequence, WritePoses)]),
+            new($"{FolderOf(sequence)}/poses.txt", [AggregateSection.Summary(PosePrefix + sequence, WritePoses)]),
+        ];
 
     /// <summary>Cameras that belong together share a sequence, whose number is that of their first view.</summary>
     private static string SequenceOf(ExportFrame frame, KittiPlace place) =>

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry;
 
 namespace Harvester.Datasets.Exports.Formats.Kitti;
@@ -42,10 +40,25 @@ internal static class KittiOxts
             Numbers.Row(
                 Decimals,
                 [
-                    place.Z, roll, pitch, yaw, velocity.Y, velocity.X, levelVelocity.X, levelVelocity.Y, levelVelocity.Z,
-                    .. Of(felt), .. Of(levelAcceleration), .. Of(now.RotationRate), .. Of(levelRate), 0, 0,
-                ]),
-            Reception);
+                    place.Z,
+                    roll,
+                    pitch,
+                    yaw,
+                    velocity.Y,
+                    velocity.X,
+                    levelVelocity.X,
+                    levelVelocity.Y,
+                    levelVelocity.Z,
+                    .. Of(felt),
+                    .. Of(levelAcceleration),
+                    .. Of(now.RotationRate),
+                    .. Of(levelRate),
+                    0,
+                    0,
+                ]
+            ),
+            Reception
+        );
     }
 
     /// <summary>The latitude whose Mercator projection is so far north of the equator.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Rigs;
@@ -51,8 +48,9 @@ internal sealed class KittiRig
         }
 
         IEnumerable<int> views = Enumerable.Range(0, rig.Cameras.Count);
-        return new KittiRig(
-            [.. rig.Cameras.Count == 2 ? views.OrderBy(view => InAxesOf(rig.Cameras[0].Mount, rig.Cameras[view].Mount).X) : views]);
+        return new KittiRig([
+            .. rig.Cameras.Count == 2 ? views.OrderBy(view => InAxesOf(rig.Cameras[0].Mount, rig.Cameras[view].Mount).X) : views,
+        ]);
     }
 
     /// <summary>
@@ -68,9 +66,18 @@ internal sealed class KittiRig
             (double right, double down, double ahead) = PlaceOf(slot, frame);
             yield return
             [
-                camera.Fx, 0, cx, -(camera.Fx * right) - (cx * ahead),
-                0, camera.Fy, cy, -(camera.Fy * down) - (cy * ahead),
-                0, 0, 1, -ahead,
+                camera.Fx,
+                0,
+                cx,
+                -(camera.Fx * right) - (cx * ahead),
+                0,
+                camera.Fy,
+                cy,
+                -(camera.Fy * down) - (cy * ahead),
+                0,
+                0,
+                1,
+                -ahead,
             ];
         }
     }
@@ -78,8 +85,8 @@ internal sealed class KittiRig
     /// <summary>The mount of a camera on the vehicle. A pair has virtual cameras 0 and 1 at the places of 2 and 3.</summary>
     /// <param name="slot">Number of the camera.</param>
     /// <param name="frame">The frame of the reference camera.</param>
-    public Pose MountOf(int slot, ExportFrame frame) => frame.Rig!.Cameras[
-        ViewOf(slot) ?? ViewOf(slot + GreyCameras) ?? (frame.Label.Frame % frame.Rig.Cameras.Count)].Mount;
+    public Pose MountOf(int slot, ExportFrame frame) =>
+        frame.Rig!.Cameras[ViewOf(slot) ?? ViewOf(slot + GreyCameras) ?? (frame.Label.Frame % frame.Rig.Cameras.Count)].Mount;
 
     /// <summary>Where a camera is in the frame of camera 0: x right, y down, z forward, metres.</summary>
     /// <param name="slot">Number of the camera.</param>
@@ -97,14 +104,19 @@ internal sealed class KittiRig
     {
         Pose reference = frame.Label.Camera.Pose;
         return IsRectified
-            ? reference with { Position = reference.ToWorld(InAxesOf(MountOf(Reference, frame), MountOf(slot, frame))) }
+            ? reference with
+            {
+                Position = reference.ToWorld(InAxesOf(MountOf(Reference, frame), MountOf(slot, frame))),
+            }
             : reference;
     }
 
     private static Vector3D InAxesOf(Pose camera, Pose other) => camera.ToLocal(other.Position);
 
     private static bool IsParallel(RigCamera camera, RigCamera other) =>
-        camera.Image == other.Image && camera.VerticalFovDegrees == other.VerticalFovDegrees && camera.Lens == other.Lens
+        camera.Image == other.Image
+        && camera.VerticalFovDegrees == other.VerticalFovDegrees
+        && camera.Lens == other.Lens
         && (camera.Mount.Axes.Forward - other.Mount.Axes.Forward).Length < Tolerance
         && (camera.Mount.Axes.Up - other.Mount.Axes.Up).Length < Tolerance;
 }

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Exports.Checks;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
@@ -24,9 +20,11 @@ internal static class KittiTrackingCheck
     public static IEnumerable<SessionProblem> Problems(DatasetContent dataset)
     {
         IReadOnlyDictionary<string, double> misses = KittiLeaning.MissesOf(dataset);
-        Dictionary<string, int> sequences = dataset.Folders(Images)
+        Dictionary<string, int> sequences = dataset
+            .Folders(Images)
             .ToDictionary(folder => Path.GetFileName(folder), folder => dataset.Files(folder).Count);
-        return sequences.Keys.SelectMany(sequence => ProblemsOf(dataset, sequence, misses))
+        return sequences
+            .Keys.SelectMany(sequence => ProblemsOf(dataset, sequence, misses))
             .Concat(LabelFiles.Strays(dataset, Labels, sequences.Keys))
             .Concat(LabelFiles.Strays(dataset, Calibrations, sequences.Keys))
             .Concat(SeqmapProblems(dataset, sequences))
@@ -34,26 +32,50 @@ internal static class KittiTrackingCheck
     }
 
     private static IEnumerable<SessionProblem> ProblemsOf(
-        DatasetContent dataset, string sequence, IReadOnlyDictionary<string, double> misses)
+        DatasetContent dataset,
+        string sequence,
+        IReadOnlyDictionary<string, double> misses
+    )
     {
         string labels = $"{Labels}/{sequence}.txt";
         var calibration = new KittiCalibrationCheck(dataset, $"{Calibrations}/{sequence}.txt", "R_rect", "Tr_velo_cam", "Tr_imu_velo");
-        Dictionary<int, ImageSize?> frames = dataset.Files($"{Images}/{sequence}").ToDictionary(
-            image => int.Parse(Path.GetFileNameWithoutExtension(image), CultureInfo.InvariantCulture), image =>
-                dataset.Header(image)?.Size);
+        Dictionary<int, ImageSize?> frames = dataset
+            .Files($"{Images}/{sequence}")
+            .ToDictionary(
+                image => int.Parse(Path.GetFileNameWithoutExtension(image), CultureInfo.InvariantCulture),
+                image => dataset.Header(image)?.Size
+            );
         var tracks = new TrackCheck();
         var columns = new KittiColumns(dataset.Options.Boxes ?? BoxKind.Cuboid);
         return calibration.Problems.Concat(
-            LabelFiles.Problems(dataset, labels, (_, words) => ProblemOf(words, frames, tracks, (n, image) => columns.ProblemOf(
-            words[2], n, image, calibration.P2,
-                misses.GetValueOrDefault($"{sequence}.txt,{words[0]} {words[1]}", KittiLeaning.MaxMissPixels)))));
+            LabelFiles.Problems(
+                dataset,
+                labels,
+                (_, words) =>
+                    ProblemOf(
+                        words,
+                        frames,
+                        tracks,
+                        (n, image) =>
+                            columns.ProblemOf(
+                                words[2],
+                                n,
+                                image,
+                                calibration.P2,
+                                misses.GetValueOrDefault($"{sequence}.txt,{words[0]} {words[1]}", KittiLeaning.MaxMissPixels)
+                            )
+                    )
+            )
+        );
     }
 
     private static IEnumerable<SessionProblem> SeqmapProblems(DatasetContent dataset, Dictionary<string, int> sequences)
     {
         IEnumerable<(int Number, string Text)> lines = dataset.Lines(Seqmap);
         HashSet<string> listed = [.. lines.Select(line => line.Text)];
-        return sequences.Select(sequence => $"{sequence.Key} empty 000000 {sequence.Value:D6}").Where(line => !listed.Contains(line))
+        return sequences
+            .Select(sequence => $"{sequence.Key} empty 000000 {sequence.Value:D6}")
+            .Where(line => !listed.Contains(line))
             .Select(line => new SessionProblem(Seqmap, null, $"it has no line '{line}'."));
     }
 

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 
 namespace Harvester.Datasets.Exports.Formats.Kitti;
@@ -26,19 +23,28 @@ internal sealed class KittiTrackingWriter(ExportOptions options) : IDatasetWrite
         output.Part($"{FramePrefix}{frame.Split} {sequence}", number);
         if (frame.FrameInSequence == 0)
         {
-            output.Text($"training/calib/{sequence}.txt",
-                KittiCalibration.Text(
-                    KittiRig.Of(null).Projections(frame), null, "R_rect", "Tr_velo_cam", "Tr_imu_velo"));
+            output.Text(
+                $"training/calib/{sequence}.txt",
+                KittiCalibration.Text(KittiRig.Of(null).Projections(frame), null, "R_rect", "Tr_velo_cam", "Tr_imu_velo")
+            );
             output.Part(ListPrefix + frame.Split, sequence);
         }
 
         int objects = 0;
         foreach (KittiBox box in KittiBox.Of(frame, options.Names))
         {
-            output.Part(LabelPrefix + sequence, string.Join(
-                ' ',
-                number, Numbers.Text(box.Label.Id), box.Type, Numbers.Text(KittiClasses.LevelOf(box.Label.TruncatedFraction)),
-                Numbers.Text(KittiClasses.OcclusionOf(box.Label)), box.Fields(Vector3D.Zero)));
+            output.Part(
+                LabelPrefix + sequence,
+                string.Join(
+                    ' ',
+                    number,
+                    Numbers.Text(box.Label.Id),
+                    box.Type,
+                    Numbers.Text(KittiClasses.LevelOf(box.Label.TruncatedFraction)),
+                    Numbers.Text(KittiClasses.OcclusionOf(box.Label)),
+                    box.Fields(Vector3D.Zero)
+                )
+            );
             KittiLeaning.Add(output, $"{sequence}.txt", $"{number} {box.Label.Id}", box);
             objects++;
         }
@@ -46,8 +52,10 @@ internal sealed class KittiTrackingWriter(ExportOptions options) : IDatasetWrite
         Box2D[] ignored = [.. KittiBox.IgnoredIn(frame)];
         foreach (Box2D box in ignored)
         {
-            output.Part(LabelPrefix
-                + sequence, $"{number} -1 {KittiClasses.DontCare} -1 -1 -10 {KittiBox.Sides(box)} -1000 -1000 -1000 -10 -1 -1 -1");
+            output.Part(
+                LabelPrefix + sequence,
+                $"{number} -1 {KittiClasses.DontCare} -1 -1 -10 {KittiBox.Sides(box)} -1000 -1000 -1000 -10 -1 -1 -1"
+            );
         }
 
         return new WrittenObjects(objects, ignored.Length);
@@ -58,12 +66,16 @@ internal sealed class KittiTrackingWriter(ExportOptions options) : IDatasetWrite
     {
         (string Split, string Sequence, int Frames)[] sequences =
         [
-            .. parts.Where(part => part.Key.StartsWith(FramePrefix, StringComparison.Ordinal))
+            .. parts
+                .Where(part => part.Key.StartsWith(FramePrefix, StringComparison.Ordinal))
                 .Select(part => (part.Key.Split(' ')[1], part.Key.Split(' ')[2], part.Value))
-                    .OrderBy(sequence => sequence.Item2, StringComparer.Ordinal),
+                .OrderBy(sequence => sequence.Item2, StringComparer.Ordinal),
         ];
-        return sequences.Select(sequence =>
-            new AggregateFile($"training/label_02/{sequence.Sequence}.txt", [AggregateSection.Lines(LabelPrefix + sequence.Sequence)]))
+        return sequences
+            .Select(sequence => new AggregateFile(
+                $"training/label_02/{sequence.Sequence}.txt",
+                [AggregateSection.Lines(LabelPrefix + sequence.Sequence)]
+            ))
             .Concat(sequences.GroupBy(sequence => sequence.Split).SelectMany(split => ListsOf(split.Key, split)))
             .Concat(sequences.Any(sequence => sequence.Split == WholeSet) ? [] : [Seqmap(WholeSet, sequences)])
             .Append(KittiLeaning.Table());
@@ -73,7 +85,13 @@ internal sealed class KittiTrackingWriter(ExportOptions options) : IDatasetWrite
         [new($"ImageSets/{split}.txt", [AggregateSection.Lines(ListPrefix + split)]), Seqmap(split, sequences)];
 
     /// <summary>The format that the benchmark and TrackEval read: sequence, an unused word, first frame, number of frames.</summary>
-    private static AggregateFile Seqmap(string set, IEnumerable<(string Split, string Sequence, int Frames)> sequences) => new(
-        SeqmapPrefix + set, [AggregateSection.Literal(
-            string.Concat(sequences.Select(sequence => $"{sequence.Sequence} empty 000000 {sequence.Frames:D6}\n")))]);
+    private static AggregateFile Seqmap(string set, IEnumerable<(string Split, string Sequence, int Frames)> sequences) =>
+        new(
+            SeqmapPrefix + set,
+            [
+                AggregateSection.Literal(
+                    string.Concat(sequences.Select(sequence => $"{sequence.Sequence} empty 000000 {sequence.Frames:D6}\n"))
+                ),
+            ]
+        );
 }

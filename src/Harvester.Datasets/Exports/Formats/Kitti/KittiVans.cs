@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Exports.Formats.Kitti;
@@ -12,8 +10,10 @@ internal static class KittiVans
         .. (
             "ambulance boxville boxville2 boxville3 boxville4 boxville5 burrito burrito2 burrito3 burrito4 burrito5 camper gburrito "
             + "gburrito2 journey journey2 minivan minivan2 moonbeam moonbeam2 paradise policet pony pony2 rumpo rumpo2 rumpo3 "
-            + "speedo speedo2 speedo3 speedo4 speedo5 surfer surfer2 surfer3 taco youga youga2 youga3 youga4 youga5")
-            .Split(' ').Select(ModelHash.Of),
+            + "speedo speedo2 speedo3 speedo4 speedo5 surfer surfer2 surfer3 taco youga youga2 youga3 youga4 youga5"
+        )
+            .Split(' ')
+            .Select(ModelHash.Of),
     ];
 
     /// <summary>Whether a model is a van.</summary>

@@ -1,5 +1,3 @@
-using System.IO;
-using System.Linq;
 using System.Text;
 using Harvester.Geometry;
 using Harvester.Sessions.Files;
@@ -54,10 +52,7 @@ internal sealed class KittiVelodyne
                 EgoTrack.InBody(lidar.Axes, new Vector3D(0, 0, 1)),
                 EgoTrack.InBody(lidar.Axes, lidar.Position * -1),
             ];
-            return
-            [
-                .. columns.Select(column => column.X), .. columns.Select(column => column.Y), .. columns.Select(column => column.Z),
-            ];
+            return [.. columns.Select(column => column.X), .. columns.Select(column => column.Y), .. columns.Select(column => column.Z)];
         }
     }
 

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using System.Text;
 using Harvester.Geometry;
 
@@ -33,8 +31,15 @@ internal sealed class KittiWriter(ExportOptions options) : IDatasetWriter
         foreach (KittiBox box in KittiBox.Of(frame, options.Names))
         {
             string truncated = Numbers.Row(KittiDecimals.Fraction, box.Label.TruncatedFraction);
-            lines.Append(box.Type).Append(' ').Append(truncated).Append(' ').Append(KittiClasses.OcclusionOf(box.Label)).Append(' ')
-                .Append(box.Fields(place.Rig.PlaceOf(KittiRig.Reference, frame))).Append('\n');
+            lines
+                .Append(box.Type)
+                .Append(' ')
+                .Append(truncated)
+                .Append(' ')
+                .Append(KittiClasses.OcclusionOf(box.Label))
+                .Append(' ')
+                .Append(box.Fields(place.Rig.PlaceOf(KittiRig.Reference, frame)))
+                .Append('\n');
             objects++;
             KittiLeaning.Add(output, $"{name}.txt", Numbers.Text(objects), box);
         }
@@ -42,7 +47,10 @@ internal sealed class KittiWriter(ExportOptions options) : IDatasetWriter
         Box2D[] ignored = [.. KittiBox.IgnoredIn(frame)];
         foreach (Box2D box in ignored)
         {
-            lines.Append(KittiClasses.DontCare).Append(" -1 -1 -10 ").Append(KittiBox.Sides(box))
+            lines
+                .Append(KittiClasses.DontCare)
+                .Append(" -1 -1 -10 ")
+                .Append(KittiBox.Sides(box))
                 .Append(" -1 -1 -1 -1000 -1000 -1000 -10\n");
         }
 
@@ -53,16 +61,24 @@ internal sealed class KittiWriter(ExportOptions options) : IDatasetWriter
             output.File($"training/velodyne/{name}.bin", points.Write);
         }
 
-        output.Text($"training/calib/{name}.txt",
+        output.Text(
+            $"training/calib/{name}.txt",
             KittiCalibration.Text(
-                place.Rig.Projections(frame), points?.ToCamera(place.Rig.MountOf(KittiRig.Origin, frame)),
-                "R0_rect:", "Tr_velo_to_cam:", "Tr_imu_to_velo:", points?.FromInertial));
+                place.Rig.Projections(frame),
+                points?.ToCamera(place.Rig.MountOf(KittiRig.Origin, frame)),
+                "R0_rect:",
+                "Tr_velo_to_cam:",
+                "Tr_imu_to_velo:",
+                points?.FromInertial
+            )
+        );
         output.Part(ListPrefix + frame.Split, name);
         return new WrittenObjects(objects, ignored.Length);
     }
 
-    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => parts.Keys
-        .Where(part => part.StartsWith(ListPrefix, System.StringComparison.Ordinal))
-        .Select(part => new AggregateFile($"ImageSets/{part[ListPrefix.Length..]}.txt", [AggregateSection.Lines(part)]))
-        .Append(KittiLeaning.Table());
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
+        parts
+            .Keys.Where(part => part.StartsWith(ListPrefix, System.StringComparison.Ordinal))
+            .Select(part => new AggregateFile($"ImageSets/{part[ListPrefix.Length..]}.txt", [AggregateSection.Lines(part)]))
+            .Append(KittiLeaning.Table());
 }

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.IO;
 using System.Text;
 using Harvester.Sessions.Lidar;
 using Harvester.Sessions.Scenes;
@@ -55,7 +53,7 @@ internal static class SemanticKittiLabels
 
     /// <summary>Numbers that a label can have as its class.</summary>
     public static IReadOnlyCollection<uint> Classes { get; } =
-        [.. Ids.Values, .. MovingIds.Values, Bicyclist, Motorcyclist, MovingBicyclist, MovingMotorcyclist, OtherObject];
+    [.. Ids.Values, .. MovingIds.Values, Bicyclist, Motorcyclist, MovingBicyclist, MovingMotorcyclist, OtherObject];
 
     /// <summary>The class of a label.</summary>
     public static uint ClassOf(uint label) => label & ((1u << InstanceShift) - 1);
@@ -69,12 +67,12 @@ internal static class SemanticKittiLabels
     /// <param name="riders">Who rides what.</param>
     public static void Write(Stream stream, IEnumerable<LidarPoint> points, IReadOnlySet<int> moving, Riders riders)
     {
-
         using var writer = new BinaryWriter(stream, Encoding.UTF8, leaveOpen: true);
         foreach (LidarPoint point in points)
         {
             bool isMoving = moving.Contains(point.ObjectId);
-            (int instance, uint id) = riders.VehicleOf(point.ObjectId) is { } vehicle ? (vehicle.Id, RiderOf(vehicle.Class, isMoving))
+            (int instance, uint id) =
+                riders.VehicleOf(point.ObjectId) is { } vehicle ? (vehicle.Id, RiderOf(vehicle.Class, isMoving))
                 : riders.Ridden.Contains(point.ObjectId) ? (point.ObjectId, RiderOf(SemanticClasses.ObjectOf(point.Class), isMoving))
                 : isMoving && MovingIds.TryGetValue(point.Class, out uint mover) ? (point.ObjectId, mover)
                 : (point.ObjectId, Ids.GetValueOrDefault(point.Class, OtherObject));
@@ -82,7 +80,12 @@ internal static class SemanticKittiLabels
         }
     }
 
-    private static uint RiderOf(ObjectClass? vehicle, bool isMoving) => vehicle == ObjectClass.Bicycle
-        ? isMoving ? MovingBicyclist : Bicyclist
-        : isMoving ? MovingMotorcyclist : Motorcyclist;
+    private static uint RiderOf(ObjectClass? vehicle, bool isMoving) =>
+        vehicle == ObjectClass.Bicycle
+            ? isMoving
+                ? MovingBicyclist
+                : Bicyclist
+            : isMoving
+                ? MovingMotorcyclist
+                : Motorcyclist;
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
 /// <summary>

@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Sessions.Labels;
@@ -72,8 +70,10 @@ internal sealed record UprightBox
     {
         var upright = new UprightBox(cuboid, camera);
         UprightBox box = upright;
-        if (Projection([.. Enumerable.Range(0, Corners).Select(number => InKitti(camera.Pose.ToLocal(cuboid.Corner(number))))],
-            camera) is not { } aim)
+        if (
+            Projection([.. Enumerable.Range(0, Corners).Select(number => InKitti(camera.Pose.ToLocal(cuboid.Corner(number))))], camera)
+            is not { } aim
+        )
         {
             return box;
         }
@@ -101,14 +101,22 @@ internal sealed record UprightBox
         }
 
         return seen is { } placed
-            ? box with { MissPixels = MissOf(placed.Box, aim.Box), MovedMetres = (box.Location - upright.Location).Length }
+            ? box with
+            {
+                MissPixels = MissOf(placed.Box, aim.Box),
+                MovedMetres = (box.Location - upright.Location).Length,
+            }
             : upright;
     }
 
-    private static double MissOf(Box2D box, Box2D aim) => new[]
-    {
-        Math.Abs(box.XMin - aim.XMin), Math.Abs(box.YMin - aim.YMin), Math.Abs(box.XMax - aim.XMax), Math.Abs(box.YMax - aim.YMax),
-    }.Max();
+    private static double MissOf(Box2D box, Box2D aim) =>
+        new[]
+        {
+            Math.Abs(box.XMin - aim.XMin),
+            Math.Abs(box.YMin - aim.YMin),
+            Math.Abs(box.XMax - aim.XMax),
+            Math.Abs(box.YMax - aim.YMax),
+        }.Max();
 
     private static Vector2D CentreOf(Box2D box) => new((box.XMin + box.XMax) / 2, (box.YMin + box.YMax) / 2);
 
@@ -128,11 +136,9 @@ internal sealed record UprightBox
         (Vector3D top, Vector3D bottom) = (corners.MinBy(V), corners.MaxBy(V));
         return new UprightProjection(
             new Box2D(U(left), V(top), U(right), V(bottom)),
-            new Vector2D(
-                camera.Fx * ((1 / left.Z) + (1 / right.Z)) / 2,
-                camera.Fy * ((1 / top.Z) + (1 / bottom.Z)) / 2));
+            new Vector2D(camera.Fx * ((1 / left.Z) + (1 / right.Z)) / 2, camera.Fy * ((1 / top.Z) + (1 / bottom.Z)) / 2)
+        );
     }
 
-    private UprightProjection? Seen(CameraLabel camera) =>
-        Projection(KittiCorners.Of(Location, Height, Width, Length, RotationY), camera);
+    private UprightProjection? Seen(CameraLabel camera) => Projection(KittiCorners.Of(Location, Height, Width, Length, RotationY), camera);
 }

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Exports.Checks;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
@@ -17,10 +13,15 @@ internal static class CuLaneCheck
 
     public static IEnumerable<SessionProblem> Problems(DatasetContent dataset)
     {
-        Dictionary<string, int> images = dataset.Folders(".").Select(folder => Path.GetFileName(folder))
-            .Where(folder => folder.StartsWith("sequence-", StringComparison.Ordinal)).SelectMany(dataset.Files)
-            .Where(file => !file.EndsWith(".txt", StringComparison.Ordinal)).ToDictionary(file => "/" + file, _ => 1);
-        return SplitLists.Problems(dataset, split => $"list/{split}.txt", images)
+        Dictionary<string, int> images = dataset
+            .Folders(".")
+            .Select(folder => Path.GetFileName(folder))
+            .Where(folder => folder.StartsWith("sequence-", StringComparison.Ordinal))
+            .SelectMany(dataset.Files)
+            .Where(file => !file.EndsWith(".txt", StringComparison.Ordinal))
+            .ToDictionary(file => "/" + file, _ => 1);
+        return SplitLists
+            .Problems(dataset, split => $"list/{split}.txt", images)
             .Concat(images.Keys.SelectMany(image => LineProblems(dataset, image[1..])))
             .Concat(dataset.Splits.SelectMany(split => TruthProblems(dataset, split)));
     }
@@ -30,11 +31,16 @@ internal static class CuLaneCheck
     private static IEnumerable<SessionProblem> LineProblems(DatasetContent dataset, string image)
     {
         ImageSize? size = dataset.Header(image)?.Size;
-        return LabelFiles.Problems(dataset, LinesOf(image), (number, words) =>
-            number > LanePlaces.Count ? $"it is more than the {LanePlaces.Count} lines of an image."
-            : Numbers.Parse(words) is not { } numbers ? "a word is not a number."
-            : numbers.Length < MinNumbers || numbers.Length % 2 != 0 ? "it must have pairs of numbers, two or more."
-            : size is { } known ? PointProblem(numbers, known) : null);
+        return LabelFiles.Problems(
+            dataset,
+            LinesOf(image),
+            (number, words) =>
+                number > LanePlaces.Count ? $"it is more than the {LanePlaces.Count} lines of an image."
+                : Numbers.Parse(words) is not { } numbers ? "a word is not a number."
+                : numbers.Length < MinNumbers || numbers.Length % 2 != 0 ? "it must have pairs of numbers, two or more."
+                : size is { } known ? PointProblem(numbers, known)
+                : null
+        );
     }
 
     private static string? PointProblem(double[] numbers, ImageSize size)
@@ -68,7 +74,8 @@ internal static class CuLaneCheck
             foreach ((int number, string text) in dataset.Lines(name))
             {
                 string[] words = text.Split(' ');
-                string? problem = !listed.MoveNext() || words[0] != listed.Current.Text ? $"its image is not that of list/{split}.txt."
+                string? problem =
+                    !listed.MoveNext() || words[0] != listed.Current.Text ? $"its image is not that of list/{split}.txt."
                     : words.Length != 2 + LanePlaces.Count || words.Skip(2).Any(flag => flag is not ("0" or "1"))
                         ? $"it must have an image, a map and {LanePlaces.Count} flags, each 0 or 1."
                     : TruthProblem(dataset, words);

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
@@ -57,9 +54,14 @@ internal sealed class CuLaneWriter(ExportOptions options) : IDatasetWriter
         return default;
     }
 
-    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => options.Splits.Splits.SelectMany(split =>
-        ListsOf(split.Name).Zip([ListPrefix, TruthPrefix], (list, prefix) =>
-            new AggregateFile($"list/{list}.txt", [AggregateSection.Lines(prefix + split.Name)])));
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
+        options.Splits.Splits.SelectMany(split =>
+            ListsOf(split.Name)
+                .Zip(
+                    [ListPrefix, TruthPrefix],
+                    (list, prefix) => new AggregateFile($"list/{list}.txt", [AggregateSection.Lines(prefix + split.Name)])
+                )
+        );
 
     /// <summary>The points of the lines by their places, from the bottom of the image upwards; null where there is no line.</summary>
     private static Vector2D[]?[] LinesOf(LanesLabel lanes, ImageSize size)

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
@@ -52,6 +50,8 @@ internal static class LaneMap
     }
 
     private static (int First, int Last) Range(double a, double b, int count) =>
-        (Math.Max(0, (int)Math.Floor(Math.Min(a, b) - HalfWidthPixels)),
-            Math.Min(count - 1, (int)Math.Ceiling(Math.Max(a, b) + HalfWidthPixels)));
+        (
+            Math.Max(0, (int)Math.Floor(Math.Min(a, b) - HalfWidthPixels)),
+            Math.Min(count - 1, (int)Math.Ceiling(Math.Max(a, b) + HalfWidthPixels))
+        );
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Lanes;
 
 namespace Harvester.Datasets.Exports.Formats.Lanes;
@@ -19,8 +16,23 @@ internal static class LanePlaces
     {
         int[] left = [.. lines.Where(view => view.IsLeftOfCar).Select(view => view.Index).Distinct().OrderDescending()];
         int[] right = [.. lines.Where(view => !view.IsLeftOfCar).Select(view => view.Index).Distinct().Order()];
-        return lines.Select(view => view.Index).Distinct().ToDictionary(
-            index => index, index =>
-                Array.IndexOf(left, index) switch { 0 => 2, 1 => 1, _ => Array.IndexOf(right, index) switch { 0 => 3, 1 => 4, _ => 0 } });
+        return lines
+            .Select(view => view.Index)
+            .Distinct()
+            .ToDictionary(
+                index => index,
+                index =>
+                    Array.IndexOf(left, index) switch
+                    {
+                        0 => 2,
+                        1 => 1,
+                        _ => Array.IndexOf(right, index) switch
+                        {
+                            0 => 3,
+                            1 => 4,
+                            _ => 0,
+                        },
+                    }
+            );
     }
 }

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Exports.Checks;
 using Harvester.Datasets.Files;
@@ -20,18 +16,28 @@ internal static class OpenLaneCheck
     {
         Dictionary<string, int> images = Below(dataset, "images").ToDictionary(name => name, _ => 1);
         HashSet<string> stems = [.. images.Keys.Select(LabelsOf)];
-        return SplitLists.Problems(dataset, split => $"{split}.txt", images)
-            .Concat(images.Keys.SelectMany(image => Problem(dataset, image) is { } problem
-                ? [new SessionProblem(LabelsOf(image), null, problem)] : Array.Empty<SessionProblem>()))
-            .Concat(Below(dataset, "lane3d").Select(name => "lane3d/" + name).Where(name => !stems.Contains(name))
-                .Select(name => new SessionProblem(name, null, "its image is missing.")));
+        return SplitLists
+            .Problems(dataset, split => $"{split}.txt", images)
+            .Concat(
+                images.Keys.SelectMany(image =>
+                    Problem(dataset, image) is { } problem
+                        ? [new SessionProblem(LabelsOf(image), null, problem)]
+                        : Array.Empty<SessionProblem>()
+                )
+            )
+            .Concat(
+                Below(dataset, "lane3d")
+                    .Select(name => "lane3d/" + name)
+                    .Where(name => !stems.Contains(name))
+                    .Select(name => new SessionProblem(name, null, "its image is missing."))
+            );
     }
 
     private static string LabelsOf(string image) => "lane3d/" + Path.ChangeExtension(image, ".json").Replace('\\', '/');
 
     /// <summary>The files split/segment/frame below a folder, without the folder's name.</summary>
-    private static IEnumerable<string> Below(DatasetContent dataset, string folder) => dataset.Folders(folder)
-        .SelectMany(dataset.Folders).SelectMany(dataset.Files).Select(name => name[(folder.Length + 1)..]);
+    private static IEnumerable<string> Below(DatasetContent dataset, string folder) =>
+        dataset.Folders(folder).SelectMany(dataset.Folders).SelectMany(dataset.Files).Select(name => name[(folder.Length + 1)..]);
 
     private static string? Problem(DatasetContent dataset, string image)
     {
@@ -69,8 +75,11 @@ internal static class OpenLaneCheck
             : !IsMotion(extrinsic) ? "extrinsic is not a rotation and a displacement."
             : !(extrinsic[2][3] > 0) ? "extrinsic puts the camera below the road."
             : size is not { } known ? null
-            : frame.List("lane_lines").Select(
-                (line, index) => OpenLaneLine.Problem(line, intrinsic, known) is { } problem ? $"lane_lines[{index}]: {problem}" : null)
+            : frame
+                .List("lane_lines")
+                .Select(
+                    (line, index) => OpenLaneLine.Problem(line, intrinsic, known) is { } problem ? $"lane_lines[{index}]: {problem}" : null
+                )
                 .FirstOrDefault(problem => problem is not null);
     }
 
@@ -82,7 +91,8 @@ internal static class OpenLaneCheck
     {
         // Matrix elements have nine decimals.
         const double rounding = 0.00000001;
-        return m.Length == 4 && m[3].SequenceEqual([0, 0, 0, 1])
+        return m.Length == 4
+            && m[3].SequenceEqual([0, 0, 0, 1])
             && Enumerable.Range(0, 3).All(i => Enumerable.Range(0, 3).All(j => Math.Abs(Dot(m[i], m[j]) - (i == j ? 1 : 0)) < rounding))
             && Determinant(m) > 0;
     }

@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
@@ -47,7 +45,9 @@ internal static class OpenLaneLine
             return "its attribute, category or track_id has an unknown value.";
         }
 
-        return Enumerable.Range(0, visibility.Length).Select(i => PointProblem(i, uv, xyz, intrinsic, image))
+        return Enumerable
+            .Range(0, visibility.Length)
+            .Select(i => PointProblem(i, uv, xyz, intrinsic, image))
             .FirstOrDefault(problem => problem is not null);
     }
 
@@ -72,7 +72,8 @@ internal static class OpenLaneLine
         double along = seen.Dot(ideal) / radius;
         double across = seen.Cross(ideal) / radius;
         double rounding = RoundingPixels + (k[0][0] * RoundingMetres * (1 + (radius / k[0][0])) / forward);
-        return Math.Abs(along - ideal.Length) <= (MaxBendFraction * ideal.Length) + rounding
+        return
+            Math.Abs(along - ideal.Length) <= (MaxBendFraction * ideal.Length) + rounding
             && Math.Abs(across) <= (AspectFraction * ideal.Length) + rounding
             ? null
             : $"point {i}, projected with intrinsic, does not fall onto its pixel.";

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
@@ -35,23 +33,24 @@ internal sealed class OpenLaneWriter : IDatasetWriter
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
         parts.Keys.Select(part => new AggregateFile($"{part[ListPrefix.Length..]}.txt", [AggregateSection.Lines(part)]));
 
-    private static string Text(ExportFrame frame, LanesLabel lanes, string image) => JsonLine.Of(json =>
-    {
-        CameraLabel camera = frame.Label.Camera;
-        json.WriteStartObject();
-        WriteMatrix(json, "extrinsic", 4, Extrinsic(frame.Label));
-        WriteMatrix(json, "intrinsic", 3, [camera.Fx, 0, camera.Cx, 0, camera.Fy, camera.Cy, 0, 0, 1]);
-        json.WriteString("file_path", image);
-        json.WriteStartArray("lane_lines");
-        IReadOnlyDictionary<int, int> attributes = LanePlaces.Of(lanes.Lines);
-        foreach (LaneLineView view in WholeLines.Of(lanes.Lines, frame.Image))
+    private static string Text(ExportFrame frame, LanesLabel lanes, string image) =>
+        JsonLine.Of(json =>
         {
-            WriteLine(json, view, attributes[view.Index]);
-        }
+            CameraLabel camera = frame.Label.Camera;
+            json.WriteStartObject();
+            WriteMatrix(json, "extrinsic", 4, Extrinsic(frame.Label));
+            WriteMatrix(json, "intrinsic", 3, [camera.Fx, 0, camera.Cx, 0, camera.Fy, camera.Cy, 0, 0, 1]);
+            json.WriteString("file_path", image);
+            json.WriteStartArray("lane_lines");
+            IReadOnlyDictionary<int, int> attributes = LanePlaces.Of(lanes.Lines);
+            foreach (LaneLineView view in WholeLines.Of(lanes.Lines, frame.Image))
+            {
+                WriteLine(json, view, attributes[view.Index]);
+            }
 
-        json.WriteEndArray();
-        json.WriteEndObject();
-    });
+            json.WriteEndArray();
+            json.WriteEndObject();
+        });
 
     private static void WriteLine(Utf8JsonWriter json, LaneLineView view, int attribute)
     {
@@ -77,18 +76,19 @@ internal sealed class OpenLaneWriter : IDatasetWriter
     }
 
     /// <summary>The dataset's categories of white and yellow lines; 0 if it is not known that the boundary is painted.</summary>
-    private static int CategoryOf(MarkingPaint? paint) => paint is { } known
-        ? (known.Colour, known.Style) switch
-        {
-            (MarkingColour.White, MarkingStyle.Dashed) => 1,
-            (MarkingColour.White, MarkingStyle.Solid) => 2,
-            (MarkingColour.White, MarkingStyle.DoubleSolid) => 4,
-            (MarkingColour.Yellow, MarkingStyle.Dashed) => 7,
-            (MarkingColour.Yellow, MarkingStyle.Solid) => 8,
-            (MarkingColour.Yellow, MarkingStyle.DoubleSolid) => 10,
-            _ => UnknownCategory,
-        }
-        : UnknownCategory;
+    private static int CategoryOf(MarkingPaint? paint) =>
+        paint is { } known
+            ? (known.Colour, known.Style) switch
+            {
+                (MarkingColour.White, MarkingStyle.Dashed) => 1,
+                (MarkingColour.White, MarkingStyle.Solid) => 2,
+                (MarkingColour.White, MarkingStyle.DoubleSolid) => 4,
+                (MarkingColour.Yellow, MarkingStyle.Dashed) => 7,
+                (MarkingColour.Yellow, MarkingStyle.Solid) => 8,
+                (MarkingColour.Yellow, MarkingStyle.DoubleSolid) => 10,
+                _ => UnknownCategory,
+            }
+            : UnknownCategory;
 
     /// <summary>The matrix, by rows, from the camera's frame to the vehicle's (both x forward, y left, z up).</summary>
     private static double[] Extrinsic(FrameLabel label)
@@ -101,10 +101,22 @@ internal sealed class OpenLaneWriter : IDatasetWriter
         Vector3D position = vehicle.ToLocal(label.Camera.Pose.Position);
         return
         [
-            forward.Y, -right.Y, up.Y, position.Y,
-            -forward.X, right.X, -up.X, -position.X,
-            forward.Z, -right.Z, up.Z, position.Z,
-            0, 0, 0, 1,
+            forward.Y,
+            -right.Y,
+            up.Y,
+            position.Y,
+            -forward.X,
+            right.X,
+            -up.X,
+            -position.X,
+            forward.Z,
+            -right.Z,
+            up.Z,
+            position.Z,
+            0,
+            0,
+            0,
+            1,
         ];
     }
 

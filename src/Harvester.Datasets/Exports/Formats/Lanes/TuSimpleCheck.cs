@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
@@ -16,9 +13,15 @@ internal static class TuSimpleCheck
     public static IEnumerable<SessionProblem> Problems(DatasetContent dataset)
     {
         var named = new HashSet<string>(StringComparer.Ordinal);
-        return dataset.Splits.SelectMany(split => SplitProblems(dataset, split, named))
-            .Concat(dataset.Folders("clips").SelectMany(dataset.Files).Where(image => !named.Contains(image))
-                .Select(image => new SessionProblem(image, null, "it is not in any list of labels.")));
+        return dataset
+            .Splits.SelectMany(split => SplitProblems(dataset, split, named))
+            .Concat(
+                dataset
+                    .Folders("clips")
+                    .SelectMany(dataset.Files)
+                    .Where(image => !named.Contains(image))
+                    .Select(image => new SessionProblem(image, null, "it is not in any list of labels."))
+            );
     }
 
     private static IEnumerable<SessionProblem> SplitProblems(DatasetContent dataset, string split, HashSet<string> named)
@@ -75,7 +78,8 @@ internal static class TuSimpleCheck
                 ? $"h_samples are not rising rows of the image of {header.Size.Width} x {header.Size.Height}."
             : lanes.Any(lane => lane.Length != rows.Length) ? $"a lane does not have {rows.Length} columns, one for each of h_samples."
             : lanes.Any(lane => lane.All(column => column == Absent)) ? "a lane has no points."
-            : lanes.SelectMany(lane => lane)
+            : lanes
+                .SelectMany(lane => lane)
                 .Any(column => column != Absent && !(column >= 0 && column < header.Size.Width && column == Math.Floor(column)))
                 ? $"a lane has a column that is neither -2 nor one of the image of {header.Size.Width} x {header.Size.Height}."
             : null;

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Json;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
@@ -44,12 +41,15 @@ internal sealed class TuSimpleWriter(ExportOptions options) : IDatasetWriter
         int[] rows = [.. Enumerable.Range(0, height).Where(row => row >= first && row % RowStep == 0)];
         (LaneLineView Marking, int[] Columns)[] crossing =
         [
-            .. lanes.Lines.GroupBy(view => view.Index)
+            .. lanes
+                .Lines.GroupBy(view => view.Index)
                 .Select(marking => (marking.First(), rows.Select(row => ColumnAt(marking, row)).ToArray()))
                 .Where(marking => marking.Item2.Any(column => column != Absent)),
         ];
-        HashSet<int> written = selection == LaneSelection.All ? [.. crossing.Select(marking => marking.Marking.Index)]
-            : Nearest([.. crossing.Select(marking => marking.Marking)]);
+        HashSet<int> written =
+            selection == LaneSelection.All
+                ? [.. crossing.Select(marking => marking.Marking.Index)]
+                : Nearest([.. crossing.Select(marking => marking.Marking)]);
         return JsonLine.Of(json =>
         {
             json.WriteStartObject();
@@ -83,8 +83,11 @@ internal sealed class TuSimpleWriter(ExportOptions options) : IDatasetWriter
         int[] right = [.. markings.Where(view => !view.IsLeftOfCar).Select(view => view.Index).Order()];
         return
         [
-            .. markings.OrderBy(view => Array.IndexOf(view.IsLeftOfCar ? left : right, view.Index))
-                .ThenBy(view => Math.Abs(view.Points[0].InCamera.X)).Take(MaxLanes).Select(view => view.Index),
+            .. markings
+                .OrderBy(view => Array.IndexOf(view.IsLeftOfCar ? left : right, view.Index))
+                .ThenBy(view => Math.Abs(view.Points[0].InCamera.X))
+                .Take(MaxLanes)
+                .Select(view => view.Index),
         ];
     }
 

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 
@@ -21,8 +19,9 @@ internal static class WholeLines
         var lines = new List<LaneLineView>();
         foreach (LaneLineView run in runs)
         {
-            int last = lines.FindLastIndex(
-                line => line.Index == run.Index && line.IsLeftOfCar == run.IsLeftOfCar && line.Paint == run.Paint);
+            int last = lines.FindLastIndex(line =>
+                line.Index == run.Index && line.IsLeftOfCar == run.IsLeftOfCar && line.Paint == run.Paint
+            );
             if (last >= 0 && IsOnBorder(lines[last].Points[^1], image) && IsOnBorder(run.Points[0], image))
             {
                 lines[last] = lines[last] with { Points = [.. lines[last].Points.Concat(run.Points)] };
@@ -36,8 +35,7 @@ internal static class WholeLines
         return lines;
     }
 
-    private static bool IsOnBorder(LaneLinePoint point, Box2D image) => new[]
-    {
-        point.Pixel.X - image.XMin, point.Pixel.Y - image.YMin, image.XMax - point.Pixel.X, image.YMax - point.Pixel.Y,
-    }.Min() <= RoundingPixels;
+    private static bool IsOnBorder(LaneLinePoint point, Box2D image) =>
+        new[] { point.Pixel.X - image.XMin, point.Pixel.Y - image.YMin, image.XMax - point.Pixel.X, image.YMax - point.Pixel.Y }.Min()
+        <= RoundingPixels;
 }

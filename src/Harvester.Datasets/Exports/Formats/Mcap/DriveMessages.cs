@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Google.Protobuf.Reflection;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
@@ -30,7 +28,9 @@ internal static class DriveMessages
         if (drive.Indicators is { } indicators)
         {
             yield return new McapMessage(
-                McapChannel.AnsweredIndicators, IndicatorMessage.Of(indicators, drive.SpeedMetresPerSecond, nanoseconds));
+                McapChannel.AnsweredIndicators,
+                IndicatorMessage.Of(indicators, drive.SpeedMetresPerSecond, nanoseconds)
+            );
         }
 
         foreach (DriveTick tick in drive.Ticks)
@@ -51,50 +51,69 @@ internal static class DriveMessages
 
     /// <summary>The schemas.</summary>
     public static FileDescriptorProto[] Describe() =>
-    [
-        OwnSchema.File(
-            ControlsSchema, OwnSchema.Number("steering", 1), OwnSchema.Number("throttle", 2), OwnSchema.Number("brake", 3)),
-        OwnSchema.File(
-            ActionSchema, OwnSchema.Time(1), OwnSchema.Text("driver", 2), OwnSchema.Message("controls", 3, ControlsSchema),
-            OwnSchema.OptionalNumber("answer_seconds", 4), OwnSchema.Message("applied", 5, ControlsSchema),
-            OwnSchema.Boolean("disturbed", 6), OwnSchema.Text("route", 7), OwnSchema.OptionalNumber("route_metres", 8),
-            OwnSchema.Number("speed", 9), OwnSchema.OptionalNumber("target_speed", 10), OwnSchema.OptionalNumber("target_left", 11)),
-        OwnSchema.File(
-            TickSchema, OwnSchema.Time(1), OwnSchema.Text("driver", 2), OwnSchema.Number("speed", 3),
-            OwnSchema.Message("applied", 4, ControlsSchema)),
-        OwnSchema.File(
-            ImuSchema, OwnSchema.Time(1), OwnSchema.Text("frame_id", 2), OwnSchema.Message("angular_velocity", 3, VectorSchema),
-            OwnSchema.Message("linear_acceleration", 4, VectorSchema)),
-    ];
+        [
+            OwnSchema.File(ControlsSchema, OwnSchema.Number("steering", 1), OwnSchema.Number("throttle", 2), OwnSchema.Number("brake", 3)),
+            OwnSchema.File(
+                ActionSchema,
+                OwnSchema.Time(1),
+                OwnSchema.Text("driver", 2),
+                OwnSchema.Message("controls", 3, ControlsSchema),
+                OwnSchema.OptionalNumber("answer_seconds", 4),
+                OwnSchema.Message("applied", 5, ControlsSchema),
+                OwnSchema.Boolean("disturbed", 6),
+                OwnSchema.Text("route", 7),
+                OwnSchema.OptionalNumber("route_metres", 8),
+                OwnSchema.Number("speed", 9),
+                OwnSchema.OptionalNumber("target_speed", 10),
+                OwnSchema.OptionalNumber("target_left", 11)
+            ),
+            OwnSchema.File(
+                TickSchema,
+                OwnSchema.Time(1),
+                OwnSchema.Text("driver", 2),
+                OwnSchema.Number("speed", 3),
+                OwnSchema.Message("applied", 4, ControlsSchema)
+            ),
+            OwnSchema.File(
+                ImuSchema,
+                OwnSchema.Time(1),
+                OwnSchema.Text("frame_id", 2),
+                OwnSchema.Message("angular_velocity", 3, VectorSchema),
+                OwnSchema.Message("linear_acceleration", 4, VectorSchema)
+            ),
+        ];
 
-    private static byte[] Action(DriveLabel drive, long nanoseconds) => ProtoMessage.Of(message =>
-    {
-        FoxgloveMessages.Time(message, 1, nanoseconds);
-        message.Text(2, JsonName.Of(drive.Driver));
-        Controls(message, 3, drive.Controls);
-        Optional(message, 4, drive.AnswerSeconds);
-        Controls(message, 5, drive.Applied);
-        message.Integer(6, drive.IsDisturbed ? 1 : 0).Text(7, drive.Route ?? "");
-        Optional(message, 8, drive.RouteMetres);
-        message.Number(9, drive.SpeedMetresPerSecond);
-        Optional(message, 10, drive.Target?.SpeedMetresPerSecond);
-        Optional(message, 11, -drive.Target?.RightMetres);
-    });
+    private static byte[] Action(DriveLabel drive, long nanoseconds) =>
+        ProtoMessage.Of(message =>
+        {
+            FoxgloveMessages.Time(message, 1, nanoseconds);
+            message.Text(2, JsonName.Of(drive.Driver));
+            Controls(message, 3, drive.Controls);
+            Optional(message, 4, drive.AnswerSeconds);
+            Controls(message, 5, drive.Applied);
+            message.Integer(6, drive.IsDisturbed ? 1 : 0).Text(7, drive.Route ?? "");
+            Optional(message, 8, drive.RouteMetres);
+            message.Number(9, drive.SpeedMetresPerSecond);
+            Optional(message, 10, drive.Target?.SpeedMetresPerSecond);
+            Optional(message, 11, -drive.Target?.RightMetres);
+        });
 
-    private static byte[] Tick(DriveTick tick, long nanoseconds) => ProtoMessage.Of(message =>
-    {
-        FoxgloveMessages.Time(message, 1, nanoseconds);
-        message.Text(2, JsonName.Of(tick.Driver)).Number(3, tick.SpeedMetresPerSecond);
-        Controls(message, 4, tick.Applied);
-    });
+    private static byte[] Tick(DriveTick tick, long nanoseconds) =>
+        ProtoMessage.Of(message =>
+        {
+            FoxgloveMessages.Time(message, 1, nanoseconds);
+            message.Text(2, JsonName.Of(tick.Driver)).Number(3, tick.SpeedMetresPerSecond);
+            Controls(message, 4, tick.Applied);
+        });
 
-    private static byte[] Imu(Vector3D acceleration, Vector3D rate, long nanoseconds) => ProtoMessage.Of(message =>
-    {
-        FoxgloveMessages.Time(message, 1, nanoseconds);
-        message.Text(2, FoxgloveMessages.Ego);
-        Vector(message, 3, rate);
-        Vector(message, 4, acceleration);
-    });
+    private static byte[] Imu(Vector3D acceleration, Vector3D rate, long nanoseconds) =>
+        ProtoMessage.Of(message =>
+        {
+            FoxgloveMessages.Time(message, 1, nanoseconds);
+            message.Text(2, FoxgloveMessages.Ego);
+            Vector(message, 3, rate);
+            Vector(message, 4, acceleration);
+        });
 
     /// <summary>A vector along the car's right, forward and up, as x forward, y left, z up.</summary>
     private static void Vector(ProtoMessage message, int field, Vector3D ofCar) =>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Reports.Colours;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
@@ -38,106 +35,188 @@ internal sealed class FoxgloveMessages(FrameLabel label, long nanoseconds)
     private const int LaneColour = 0xFFFFFF;
     private const int JointColour = 0xFFE633;
 
-    public static void Time(ProtoMessage message, int field, long nanoseconds) => message.Message(
-        field, time => time.Integer(1, nanoseconds / NanosecondsPerSecond).Integer(2, nanoseconds % NanosecondsPerSecond));
+    public static void Time(ProtoMessage message, int field, long nanoseconds) =>
+        message.Message(field, time => time.Integer(1, nanoseconds / NanosecondsPerSecond).Integer(2, nanoseconds % NanosecondsPerSecond));
 
     /// <summary>CompressedImage.</summary>
     /// <param name="bytes">A PNG or JPEG file.</param>
     /// <param name="format">png or jpeg.</param>
-    public byte[] Image(byte[] bytes, string format) => ProtoMessage.Of(message =>
-    {
-        Time(message, 1);
-        message.Bytes(ImageMessage.DataField, bytes).Text(3, format).Text(4, CameraFrame);
-    }, bytes.Length + ImageHeadBytes);
+    public byte[] Image(byte[] bytes, string format) =>
+        ProtoMessage.Of(
+            message =>
+            {
+                Time(message, 1);
+                message.Bytes(ImageMessage.DataField, bytes).Text(3, format).Text(4, CameraFrame);
+            },
+            bytes.Length + ImageHeadBytes
+        );
 
     /// <summary>CameraCalibration; k1 and k2 are the first two of plumb_bob's five coefficients.</summary>
-    public byte[] Calibration() => ProtoMessage.Of(message =>
-    {
-        CameraLabel camera = label.Camera;
-        Time(message, 1);
-        message.Fixed32(2, camera.Width).Fixed32(3, camera.Height).Text(4, "plumb_bob")
-            .Numbers(5, [camera.Distortion.K1, camera.Distortion.K2, 0, 0, 0])
-            .Numbers(6, [camera.Fx, 0, camera.Cx, 0, camera.Fy, camera.Cy, 0, 0, 1])
-            .Numbers(7, [1, 0, 0, 0, 1, 0, 0, 0, 1])
-            .Numbers(8, [camera.Fx, 0, camera.Cx, 0, 0, camera.Fy, camera.Cy, 0, 0, 0, 1, 0])
-            .Text(9, CameraFrame);
-    });
+    public byte[] Calibration() =>
+        ProtoMessage.Of(message =>
+        {
+            CameraLabel camera = label.Camera;
+            Time(message, 1);
+            message
+                .Fixed32(2, camera.Width)
+                .Fixed32(3, camera.Height)
+                .Text(4, "plumb_bob")
+                .Numbers(5, [camera.Distortion.K1, camera.Distortion.K2, 0, 0, 0])
+                .Numbers(6, [camera.Fx, 0, camera.Cx, 0, camera.Fy, camera.Cy, 0, 0, 1])
+                .Numbers(7, [1, 0, 0, 0, 1, 0, 0, 0, 1])
+                .Numbers(8, [camera.Fx, 0, camera.Cx, 0, 0, camera.Fy, camera.Cy, 0, 0, 0, 1, 0])
+                .Text(9, CameraFrame);
+        });
 
     /// <summary>FrameTransforms: the ego and the camera in the world.</summary>
-    public byte[] Transforms() => ProtoMessage.Of(message =>
-    {
-        Axes ego = label.Ego.Axes ?? Axes.FromHeading(label.Ego.HeadingDegrees);
-        Transform(Ego, label.Ego.Position, Rotation.OfBody(ego));
-        Transform(CameraFrame, label.Camera.Pose.Position, Rotation.OfCamera(label.Camera.Pose.Axes));
-
-        void Transform(string child, Vector3D position, Rotation rotation) => message.Message(1, transform =>
+    public byte[] Transforms() =>
+        ProtoMessage.Of(message =>
         {
-            Time(transform, 1);
-            transform.Text(2, World).Text(3, child).Message(4, vector => Vector(vector, position))
-                .Message(5, quaternion => Quaternion(quaternion, rotation));
+            Axes ego = label.Ego.Axes ?? Axes.FromHeading(label.Ego.HeadingDegrees);
+            Transform(Ego, label.Ego.Position, Rotation.OfBody(ego));
+            Transform(CameraFrame, label.Camera.Pose.Position, Rotation.OfCamera(label.Camera.Pose.Axes));
+
+            void Transform(string child, Vector3D position, Rotation rotation) =>
+                message.Message(
+                    1,
+                    transform =>
+                    {
+                        Time(transform, 1);
+                        transform
+                            .Text(2, World)
+                            .Text(3, child)
+                            .Message(4, vector => Vector(vector, position))
+                            .Message(5, quaternion => Quaternion(quaternion, rotation));
+                    }
+                );
         });
-    });
 
     /// <summary>SceneUpdate: a cuboid for each object, in place of those of the moment before.</summary>
-    public byte[] Objects(IReadOnlyList<ExportObject> objects) => Scene(update =>
-        update.Messages(2, objects, (entity, item) =>
-        {
-            Time(entity, 1);
-            entity.Text(2, World).Text(3, $"{item.Label.Id}").Messages(6, Facts(item), (pair, fact) => Pair(pair, fact.Name, fact.Value));
-            entity.Message(8, cube =>
-            {
-                Vector3D half = item.Label.Box3D.HalfExtents;
-                cube.Message(1, pose => Pose(pose, item.Label.Box3D.Centre, Rotation.OfBody(item.Label.Box3D.Axes)))
-                    .Message(2, size => Vector(size, new Vector3D(2 * half.Y, 2 * half.X, 2 * half.Z)))
-                    .Message(3, colour => Paint(colour, ClassColours.Of(item.Label.Class), CuboidOpacity));
-            });
-        }));
+    public byte[] Objects(IReadOnlyList<ExportObject> objects) =>
+        Scene(update =>
+            update.Messages(
+                2,
+                objects,
+                (entity, item) =>
+                {
+                    Time(entity, 1);
+                    entity
+                        .Text(2, World)
+                        .Text(3, $"{item.Label.Id}")
+                        .Messages(6, Facts(item), (pair, fact) => Pair(pair, fact.Name, fact.Value));
+                    entity.Message(
+                        8,
+                        cube =>
+                        {
+                            Vector3D half = item.Label.Box3D.HalfExtents;
+                            cube.Message(1, pose => Pose(pose, item.Label.Box3D.Centre, Rotation.OfBody(item.Label.Box3D.Axes)))
+                                .Message(2, size => Vector(size, new Vector3D(2 * half.Y, 2 * half.X, 2 * half.Z)))
+                                .Message(3, colour => Paint(colour, ClassColours.Of(item.Label.Class), CuboidOpacity));
+                        }
+                    );
+                }
+            )
+        );
 
     /// <summary>SceneUpdate: a line for each lane line in the image.</summary>
-    public byte[] Lanes(LanesLabel lanes) => Scene(update =>
-        update.Messages(2, lanes.Lines.Select((line, index) => (line, index)), (entity, item) =>
-        {
-            Time(entity, 1);
-            entity.Text(2, World).Text(3, $"{item.index}").Messages(6, Facts(item.line), (pair, fact) => Pair(pair, fact.Name, fact.Value));
-            entity.Message(11, line => line.Message(2, pose => Pose(pose, Vector3D.Zero, Rotation.None)).Number(3, LaneThicknessMetres)
-                .Messages(5, item.line.Points, (point, at) => Vector(point, at.World)).Message(6, colour => Paint(colour, LaneColour)));
-        }));
+    public byte[] Lanes(LanesLabel lanes) =>
+        Scene(update =>
+            update.Messages(
+                2,
+                lanes.Lines.Select((line, index) => (line, index)),
+                (entity, item) =>
+                {
+                    Time(entity, 1);
+                    entity
+                        .Text(2, World)
+                        .Text(3, $"{item.index}")
+                        .Messages(6, Facts(item.line), (pair, fact) => Pair(pair, fact.Name, fact.Value));
+                    entity.Message(
+                        11,
+                        line =>
+                            line.Message(2, pose => Pose(pose, Vector3D.Zero, Rotation.None))
+                                .Number(3, LaneThicknessMetres)
+                                .Messages(5, item.line.Points, (point, at) => Vector(point, at.World))
+                                .Message(6, colour => Paint(colour, LaneColour))
+                    );
+                }
+            )
+        );
 
     /// <summary>ImageAnnotations: boxes with captions, joints and lane lines, pixels.</summary>
-    public byte[] Annotations(IReadOnlyList<ExportObject> objects) => ProtoMessage.Of(message =>
-    {
-        message.Messages(2, objects, (points, item) => Drawing(
-                points, LineLoop, Corners(item.Box), ClassColours.Of(item.Label.Class), LineThicknessPixels, Facts(item)))
-            .Messages(2, objects.Where(item => item.Label.Joints is not null), (points, item) => Drawing(
-                points, Points, item.Label.Joints!.Joints.Where(joint => joint.Pixel is not null).Select(joint => joint.Pixel!.Value),
-                JointColour, PointThicknessPixels, Facts(item)))
-            .Messages(2, label.Lanes?.Lines ?? [], (points, line) => Drawing(
-                points, LineStrip, line.Points.Select(point => point.Pixel), LaneColour, LineThicknessPixels, Facts(line)))
-            .Messages(3, objects, (text, item) =>
-            {
-                Time(text, 1);
-                text.Message(2, position => Point(position, new Vector2D(item.Box.XMin, item.Box.YMin))).Text(3, item.Class.Name)
-                    .Number(4, FontPixels).Message(5, colour => Paint(colour, ClassColours.Of(item.Label.Class)));
-            });
-        Time(message, 5);
-    });
-
-    private byte[] Scene(Action<ProtoMessage> entities) => ProtoMessage.Of(update =>
-    {
-        update.Message(1, deletion =>
+    public byte[] Annotations(IReadOnlyList<ExportObject> objects) =>
+        ProtoMessage.Of(message =>
         {
-            Time(deletion, 1);
-            deletion.Integer(2, DeleteAll);
+            message
+                .Messages(
+                    2,
+                    objects,
+                    (points, item) =>
+                        Drawing(points, LineLoop, Corners(item.Box), ClassColours.Of(item.Label.Class), LineThicknessPixels, Facts(item))
+                )
+                .Messages(
+                    2,
+                    objects.Where(item => item.Label.Joints is not null),
+                    (points, item) =>
+                        Drawing(
+                            points,
+                            Points,
+                            item.Label.Joints!.Joints.Where(joint => joint.Pixel is not null).Select(joint => joint.Pixel!.Value),
+                            JointColour,
+                            PointThicknessPixels,
+                            Facts(item)
+                        )
+                )
+                .Messages(
+                    2,
+                    label.Lanes?.Lines ?? [],
+                    (points, line) =>
+                        Drawing(points, LineStrip, line.Points.Select(point => point.Pixel), LaneColour, LineThicknessPixels, Facts(line))
+                )
+                .Messages(
+                    3,
+                    objects,
+                    (text, item) =>
+                    {
+                        Time(text, 1);
+                        text.Message(2, position => Point(position, new Vector2D(item.Box.XMin, item.Box.YMin)))
+                            .Text(3, item.Class.Name)
+                            .Number(4, FontPixels)
+                            .Message(5, colour => Paint(colour, ClassColours.Of(item.Label.Class)));
+                    }
+                );
+            Time(message, 5);
         });
-        entities(update);
-    });
+
+    private byte[] Scene(Action<ProtoMessage> entities) =>
+        ProtoMessage.Of(update =>
+        {
+            update.Message(
+                1,
+                deletion =>
+                {
+                    Time(deletion, 1);
+                    deletion.Integer(2, DeleteAll);
+                }
+            );
+            entities(update);
+        });
 
     private void Drawing(
-        ProtoMessage drawing, int type, IEnumerable<Vector2D> points, int colour, double thickness,
-        IEnumerable<(string Name, string Value)> facts)
+        ProtoMessage drawing,
+        int type,
+        IEnumerable<Vector2D> points,
+        int colour,
+        double thickness,
+        IEnumerable<(string Name, string Value)> facts
+    )
     {
         Time(drawing, 1);
-        drawing.Integer(2, type).Messages(3, points, Point).Message(4, outline => Paint(outline, colour)).Number(7, thickness)
+        drawing
+            .Integer(2, type)
+            .Messages(3, points, Point)
+            .Message(4, outline => Paint(outline, colour))
+            .Number(7, thickness)
             .Messages(8, facts, (pair, fact) => Pair(pair, fact.Name, fact.Value));
     }
 
@@ -160,11 +239,12 @@ internal sealed class FoxgloveMessages(FrameLabel label, long nanoseconds)
     }
 
     private static IEnumerable<(string Name, string Value)> Facts(LaneLineView line) =>
-    [
-        ("index", FormattableString.Invariant($"{line.Index}")),
-        .. line.Paint is { } paint ? [("style", paint.Style.ToString()), ("colour", paint.Colour.ToString())]
-            : Array.Empty<(string, string)>(),
-    ];
+        [
+            ("index", FormattableString.Invariant($"{line.Index}")),
+            .. line.Paint is { } paint
+                ? [("style", paint.Style.ToString()), ("colour", paint.Colour.ToString())]
+                : Array.Empty<(string, string)>(),
+        ];
 
     private static Vector2D[] Corners(Box2D box) =>
         [new(box.XMin, box.YMin), new(box.XMax, box.YMin), new(box.XMax, box.YMax), new(box.XMin, box.YMax)];
@@ -186,8 +266,12 @@ internal sealed class FoxgloveMessages(FrameLabel label, long nanoseconds)
     /// <param name="message">The message.</param>
     /// <param name="colour">0xRRGGBB.</param>
     /// <param name="opacity">0 to 1.</param>
-    private static void Paint(ProtoMessage message, int colour, double opacity = 1) => message.Number(1, ((colour >> 16) & 0xFF) / 255.0)
-        .Number(2, ((colour >> 8) & 0xFF) / 255.0).Number(3, (colour & 0xFF) / 255.0).Number(4, opacity);
+    private static void Paint(ProtoMessage message, int colour, double opacity = 1) =>
+        message
+            .Number(1, ((colour >> 16) & 0xFF) / 255.0)
+            .Number(2, ((colour >> 8) & 0xFF) / 255.0)
+            .Number(3, (colour & 0xFF) / 255.0)
+            .Number(4, opacity);
 
     private void Time(ProtoMessage message, int field) => Time(message, field, nanoseconds);
 }

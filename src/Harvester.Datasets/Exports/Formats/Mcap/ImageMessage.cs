@@ -1,4 +1,3 @@
-using System.IO;
 using Google.Protobuf;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Google.Protobuf.Reflection;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
@@ -20,38 +18,42 @@ internal static class IndicatorMessage
     private static int SpeedField => FirstIndicatorField + IndicatorTable.Count;
 
     /// <summary>Writes the message.</summary>
-    public static byte[] Of(FrameLabel label, LanesLabel lanes, long nanoseconds) => ProtoMessage.Of(message =>
-    {
-        FoxgloveMessages.Time(message, TimestampField, nanoseconds);
-        for (int i = 0; i < IndicatorTable.Count; i++)
+    public static byte[] Of(FrameLabel label, LanesLabel lanes, long nanoseconds) =>
+        ProtoMessage.Of(message =>
         {
-            if (IndicatorTable.All[i].Of(lanes.Indicators) is { IsValid: true } indicator)
+            FoxgloveMessages.Time(message, TimestampField, nanoseconds);
+            for (int i = 0; i < IndicatorTable.Count; i++)
             {
-                message.NumberOrZero(FirstIndicatorField + i, indicator.Value);
+                if (IndicatorTable.All[i].Of(lanes.Indicators) is { IsValid: true } indicator)
+                {
+                    message.NumberOrZero(FirstIndicatorField + i, indicator.Value);
+                }
             }
-        }
 
-        message.Number(SpeedField, label.Ego.Velocity.Length);
-    });
+            message.Number(SpeedField, label.Ego.Velocity.Length);
+        });
 
     /// <summary>Writes the indicators by which a driver answered, all of them, as it had them.</summary>
-    public static byte[] Of(IReadOnlyList<double> answered, double speed, long nanoseconds) => ProtoMessage.Of(message =>
-    {
-        FoxgloveMessages.Time(message, TimestampField, nanoseconds);
-        for (int i = 0; i < answered.Count; i++)
+    public static byte[] Of(IReadOnlyList<double> answered, double speed, long nanoseconds) =>
+        ProtoMessage.Of(message =>
         {
-            message.NumberOrZero(FirstIndicatorField + i, answered[i]);
-        }
+            FoxgloveMessages.Time(message, TimestampField, nanoseconds);
+            for (int i = 0; i < answered.Count; i++)
+            {
+                message.NumberOrZero(FirstIndicatorField + i, answered[i]);
+            }
 
-        message.Number(SpeedField, speed);
-    });
+            message.Number(SpeedField, speed);
+        });
 
     /// <summary>The schema.</summary>
-    public static FileDescriptorProto Describe() => OwnSchema.File(
-        SchemaName,
-        [
-            OwnSchema.Time(TimestampField),
-            .. IndicatorTable.All.Select((indicator, index) => OwnSchema.OptionalNumber(indicator.Name, FirstIndicatorField + index)),
-            OwnSchema.Number("speed", SpeedField),
-        ]);
+    public static FileDescriptorProto Describe() =>
+        OwnSchema.File(
+            SchemaName,
+            [
+                OwnSchema.Time(TimestampField),
+                .. IndicatorTable.All.Select((indicator, index) => OwnSchema.OptionalNumber(indicator.Name, FirstIndicatorField + index)),
+                OwnSchema.Number("speed", SpeedField),
+            ]
+        );
 }

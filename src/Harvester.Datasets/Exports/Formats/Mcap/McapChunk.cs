@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Sessions.Imaging.Pictures;
 
 namespace Harvester.Datasets.Exports.Formats.Mcap;
@@ -27,20 +23,28 @@ internal static class McapChunk
             long time = message.Nanoseconds ?? nanoseconds;
             offsets.Add((message.Channel, time, records.Length));
             using var record = new McapRecord(McapOpcode.Message, message.Content.Length + MessageHeadBytes);
-            record.UInt16(message.Channel.Id).UInt32(sequence).UInt64(time).UInt64(time).Bytes(message.Content)
-                .WriteTo(records);
+            record.UInt16(message.Channel.Id).UInt32(sequence).UInt64(time).UInt64(time).Bytes(message.Content).WriteTo(records);
         }
 
         byte[] content = records.GetBuffer();
         int length = (int)records.Length;
         using var chunk = new McapRecord(McapOpcode.Chunk, length + ChunkHeadBytes);
-        chunk.UInt64(nanoseconds).UInt64(offsets.Max(entry => entry.Time)).UInt64(length).UInt32(Crc32.Append(0, content, length))
-            .Text("").UInt64(length).Bytes(content.AsSpan(0, length)).WriteTo(target);
+        chunk
+            .UInt64(nanoseconds)
+            .UInt64(offsets.Max(entry => entry.Time))
+            .UInt64(length)
+            .UInt32(Crc32.Append(0, content, length))
+            .Text("")
+            .UInt64(length)
+            .Bytes(content.AsSpan(0, length))
+            .WriteTo(target);
         foreach (IGrouping<int, (McapChannel Channel, long Time, long Offset)> channel in offsets.GroupBy(entry => entry.Channel.Id))
         {
             using var index = new McapRecord(McapOpcode.MessageIndex);
-            index.UInt16(channel.Key)
-                .Entries([.. channel], IndexEntryBytes, entry => index.UInt64(entry.Time).UInt64(entry.Offset)).WriteTo(target);
+            index
+                .UInt16(channel.Key)
+                .Entries([.. channel], IndexEntryBytes, entry => index.UInt64(entry.Time).UInt64(entry.Offset))
+                .WriteTo(target);
         }
     }
 }

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Datasets.Exports.Formats.Mcap;
 
 /// <summary>The records that define channels and their schemas.</summary>
@@ -19,18 +15,24 @@ internal sealed record McapDefinitions(IReadOnlyList<McapChannel> Channels, IRea
     /// <summary>These and others.</summary>
     public McapDefinitions With(McapDefinitions others) => new([.. Channels, .. others.Channels], [.. Schemas, .. others.Schemas]);
 
-    public byte[] SchemaRecords() => [.. Schemas.SelectMany(name =>
-    {
-        using var schema = new McapRecord(McapOpcode.Schema);
-        byte[] descriptors = FoxgloveSchemas.DescriptorsOf(name);
-        return schema.UInt16(NumberOf(name)).Text(name).Text("protobuf").UInt32(descriptors.Length).Bytes(descriptors).ToArray();
-    })];
+    public byte[] SchemaRecords() =>
+        [
+            .. Schemas.SelectMany(name =>
+            {
+                using var schema = new McapRecord(McapOpcode.Schema);
+                byte[] descriptors = FoxgloveSchemas.DescriptorsOf(name);
+                return schema.UInt16(NumberOf(name)).Text(name).Text("protobuf").UInt32(descriptors.Length).Bytes(descriptors).ToArray();
+            }),
+        ];
 
-    public byte[] ChannelRecords() => [.. Channels.SelectMany(channel =>
-    {
-        using var record = new McapRecord(McapOpcode.Channel);
-        return record.UInt16(channel.Id).UInt16(NumberOf(channel.Schema)).Text(channel.Topic).Text("protobuf").UInt32(0).ToArray();
-    })];
+    public byte[] ChannelRecords() =>
+        [
+            .. Channels.SelectMany(channel =>
+            {
+                using var record = new McapRecord(McapOpcode.Channel);
+                return record.UInt16(channel.Id).UInt16(NumberOf(channel.Schema)).Text(channel.Topic).Text("protobuf").UInt32(0).ToArray();
+            }),
+        ];
 
     private static string[] NamesOf(IEnumerable<McapChannel> channels) =>
         [.. channels.Select(channel => channel.Schema).Distinct(StringComparer.Ordinal)];

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Imaging.Pictures;
 
@@ -117,14 +113,23 @@ internal sealed class McapFile
         using var statistics = new McapRecord(McapOpcode.Statistics);
         (int Channel, long Count)[] counts =
         [
-            .. _chunks.SelectMany(chunk => chunk.Messages).GroupBy(channel => channel).OrderBy(group => group.Key)
+            .. _chunks
+                .SelectMany(chunk => chunk.Messages)
+                .GroupBy(channel => channel)
+                .OrderBy(group => group.Key)
                 .Select(group => (group.Key, (long)group.Count())),
         ];
-        return statistics.UInt64(counts.Sum(count => count.Count)).UInt16(definitions.Schemas.Count).UInt32(definitions.Channels.Count)
-            .UInt32(0).UInt32(0).UInt32(_chunks.Count)
+        return statistics
+            .UInt64(counts.Sum(count => count.Count))
+            .UInt16(definitions.Schemas.Count)
+            .UInt32(definitions.Channels.Count)
+            .UInt32(0)
+            .UInt32(0)
+            .UInt32(_chunks.Count)
             .UInt64(_chunks.Count == 0 ? 0 : _chunks.Min(chunk => chunk.Nanoseconds))
             .UInt64(_chunks.Count == 0 ? 0 : _chunks.Max(chunk => chunk.EndNanoseconds))
-            .Entries(counts, OffsetBytes, count => statistics.UInt16(count.Channel).UInt64(count.Count)).ToArray();
+            .Entries(counts, OffsetBytes, count => statistics.UInt16(count.Channel).UInt64(count.Count))
+            .ToArray();
     }
 
     private void Append(byte[] bytes)
@@ -136,8 +141,15 @@ internal sealed class McapFile
 
     /// <summary>What the summary says of a chunk.</summary>
     private sealed record ChunkEntry(
-        long Nanoseconds, long EndNanoseconds, long Start, long Length, long ContentLength,
-        IReadOnlyList<(int Channel, long Start)> Indexes, long IndexLength, IReadOnlyList<int> Messages)
+        long Nanoseconds,
+        long EndNanoseconds,
+        long Start,
+        long Length,
+        long ContentLength,
+        IReadOnlyList<(int Channel, long Start)> Indexes,
+        long IndexLength,
+        IReadOnlyList<int> Messages
+    )
     {
         private const int IndexEntryBytes = 2 * sizeof(ulong);
         private const int EndAt = McapRecord.HeadLength + sizeof(ulong);
@@ -161,8 +173,15 @@ internal sealed class McapFile
                 }
 
                 return new ChunkEntry(
-                    BitConverter.ToInt64(records, McapRecord.HeadLength), BitConverter.ToInt64(records, EndAt), start, chunk,
-                    BitConverter.ToInt64(records, ContentLengthAt), indexes, records.Length - chunk, messages);
+                    BitConverter.ToInt64(records, McapRecord.HeadLength),
+                    BitConverter.ToInt64(records, EndAt),
+                    start,
+                    chunk,
+                    BitConverter.ToInt64(records, ContentLengthAt),
+                    indexes,
+                    records.Length - chunk,
+                    messages
+                );
             }
             catch (ArgumentException e)
             {
@@ -173,9 +192,17 @@ internal sealed class McapFile
         public byte[] Index()
         {
             using var index = new McapRecord(McapOpcode.ChunkIndex);
-            return index.UInt64(Nanoseconds).UInt64(EndNanoseconds).UInt64(Start).UInt64(Length)
+            return index
+                .UInt64(Nanoseconds)
+                .UInt64(EndNanoseconds)
+                .UInt64(Start)
+                .UInt64(Length)
                 .Entries(Indexes, OffsetBytes, entry => index.UInt16(entry.Channel).UInt64(entry.Start))
-                .UInt64(IndexLength).Text("").UInt64(ContentLength).UInt64(ContentLength).ToArray();
+                .UInt64(IndexLength)
+                .Text("")
+                .UInt64(ContentLength)
+                .UInt64(ContentLength)
+                .ToArray();
         }
 
         private static int LengthAt(byte[] records, int at)

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Imaging.Pictures;
 
@@ -117,21 +114,24 @@ internal sealed class McapReader(Stream file)
         byte[] content = chunk[at..];
         Expect(
             BitConverter.ToInt64(chunk, at - sizeof(ulong)) == content.Length
-            && BitConverter.ToInt64(chunk, 2 * sizeof(ulong)) == content.Length
-            && BitConverter.ToUInt32(chunk, crcAt) == Crc32.Append(0, content, content.Length),
-            "the length or the checksum of a chunk is wrong.");
+                && BitConverter.ToInt64(chunk, 2 * sizeof(ulong)) == content.Length
+                && BitConverter.ToUInt32(chunk, crcAt) == Crc32.Append(0, content, content.Length),
+            "the length or the checksum of a chunk is wrong."
+        );
         return content;
     }
 
     private void CountMessages(byte[] content)
     {
-        for (long at = 0; at < content.Length;)
+        for (long at = 0; at < content.Length; )
         {
             long length = BitConverter.ToInt64(content, (int)at + 1);
             Expect(
-                content[at] == (byte)McapOpcode.Message && length >= MessageHeadBytes
-                && length <= content.Length - at - McapRecord.HeadLength,
-                "a chunk has something other than whole messages.");
+                content[at] == (byte)McapOpcode.Message
+                    && length >= MessageHeadBytes
+                    && length <= content.Length - at - McapRecord.HeadLength,
+                "a chunk has something other than whole messages."
+            );
             int channel = BitConverter.ToUInt16(content, (int)at + McapRecord.HeadLength);
             _messages[channel] = _messages.GetValueOrDefault(channel) + 1;
             if (channel == McapChannel.Image.Id)
@@ -166,8 +166,9 @@ internal sealed class McapReader(Stream file)
             int offset = checked((int)BitConverter.ToInt64(index, at + sizeof(ulong)));
             Expect(
                 BitConverter.ToUInt16(_chunk!, offset + McapRecord.HeadLength) == BitConverter.ToUInt16(index)
-                && BitConverter.ToInt64(_chunk!, offset + timeAt) == BitConverter.ToInt64(index, at),
-                "an index leads to another message.");
+                    && BitConverter.ToInt64(_chunk!, offset + timeAt) == BitConverter.ToInt64(index, at),
+                "an index leads to another message."
+            );
         }
     }
 
@@ -178,14 +179,16 @@ internal sealed class McapReader(Stream file)
         long start = BitConverter.ToInt64(index, startAt);
         Expect(
             _chunks.TryGetValue(start, out int length) && length == BitConverter.ToInt64(index, startAt + sizeof(ulong)),
-            "its summary names a chunk that is not there.");
+            "its summary names a chunk that is not there."
+        );
         int end = checked(offsetsAt + sizeof(uint) + BitConverter.ToInt32(index, offsetsAt));
         for (int at = offsetsAt + sizeof(uint); at < end; at += OffsetEntryBytes)
         {
             Expect(
                 _indexes.TryGetValue(BitConverter.ToInt64(index, at + sizeof(ushort)), out int channel)
-                && channel == BitConverter.ToUInt16(index, at),
-                "its summary names an index that is not there.");
+                    && channel == BitConverter.ToUInt16(index, at),
+                "its summary names an index that is not there."
+            );
         }
 
         _indexedChunks++;

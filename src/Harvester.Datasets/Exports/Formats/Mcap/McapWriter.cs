@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
@@ -52,8 +48,11 @@ internal sealed class McapWriter : IDatasetWriter
             all.AddRange(DriveMessages.Of(drive, nanoseconds, Nanoseconds));
         }
 
-        output.StagedPart($"{frame.Split}/{frame.SequenceIndex:D4}.mcap", frame.Name + ".chunk", stream =>
-            McapChunk.Write(stream, nanoseconds, frame.FrameInSequence, all));
+        output.StagedPart(
+            $"{frame.Split}/{frame.SequenceIndex:D4}.mcap",
+            frame.Name + ".chunk",
+            stream => McapChunk.Write(stream, nanoseconds, frame.FrameInSequence, all)
+        );
         return new WrittenObjects(frame.Objects.Count);
     }
 

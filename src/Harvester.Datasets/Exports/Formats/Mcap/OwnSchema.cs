@@ -1,7 +1,7 @@
-using System.Linq;
 using Google.Protobuf.Reflection;
 using static Google.Protobuf.Reflection.FieldDescriptorProto.Types;
 using TimestampReflection = Google.Protobuf.WellKnownTypes.TimestampReflection;
+using Type = Google.Protobuf.Reflection.FieldDescriptorProto.Types.Type;
 
 namespace Harvester.Datasets.Exports.Formats.Mcap;
 
@@ -26,10 +26,14 @@ internal static class OwnSchema
         }
 
         message.Field.AddRange(fields);
-        var file = new FileDescriptorProto { Name = FileOf(fullName), Package = Package, Syntax = "proto3" };
+        var file = new FileDescriptorProto
+        {
+            Name = FileOf(fullName),
+            Package = Package,
+            Syntax = "proto3",
+        };
         file.MessageType.Add(message);
-        file.Dependency.AddRange(
-            fields.Where(field => field.Type == Type.Message).Select(field => FileOf(field.TypeName[1..])).Distinct());
+        file.Dependency.AddRange(fields.Where(field => field.Type == Type.Message).Select(field => FileOf(field.TypeName[1..])).Distinct());
         return file;
     }
 
@@ -58,7 +62,13 @@ internal static class OwnSchema
     }
 
     private static FieldDescriptorProto Field(string name, int number, Type type) =>
-        new() { Name = name, Number = number, Type = type, Label = Label.Optional };
+        new()
+        {
+            Name = name,
+            Number = number,
+            Type = type,
+            Label = Label.Optional,
+        };
 
     private static string FileOf(string message) =>
         message == Timestamp ? TimestampReflection.Descriptor.Name : message.Replace('.', '/') + ".proto";

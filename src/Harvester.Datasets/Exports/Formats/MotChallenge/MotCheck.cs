@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
@@ -40,13 +36,18 @@ internal sealed class MotCheck
         string list = $"seqmaps/{folder}.txt";
         string[] listed = [.. dataset.Lines(list).Select(line => line.Text)];
         string[] expected = ["name", .. sequences.Select(sequence => Path.GetFileName(sequence))];
-        return sequences.SelectMany(sequence =>
-        {
-            var check = new MotCheck(dataset, sequence);
-            dataset.Found(split, check._frames);
-            return check.InfoProblems().Concat(check.RowProblems());
-        }).Concat(sequences.Length == 0 || listed.SequenceEqual(expected) ? []
-            : [new SessionProblem(list, null, $"it must be the line 'name' and the sequences of {folder}.")]);
+        return sequences
+            .SelectMany(sequence =>
+            {
+                var check = new MotCheck(dataset, sequence);
+                dataset.Found(split, check._frames);
+                return check.InfoProblems().Concat(check.RowProblems());
+            })
+            .Concat(
+                sequences.Length == 0 || listed.SequenceEqual(expected)
+                    ? []
+                    : [new SessionProblem(list, null, $"it must be the line 'name' and the sequences of {folder}.")]
+            );
     }
 
     private IEnumerable<SessionProblem> InfoProblems()
@@ -60,16 +61,18 @@ internal sealed class MotCheck
         }
 
         ImageHeader? header = null;
-        string? problem = !info.ContainsKey("[Sequence]") ? "it is missing, or has no section [Sequence]."
+        string? problem =
+            !info.ContainsKey("[Sequence]") ? "it is missing, or has no section [Sequence]."
             : info.GetValueOrDefault("name") != Path.GetFileName(_sequence) ? "name is not that of its folder."
             : info.GetValueOrDefault("imDir") != "img1" ? "imDir is not img1."
             : !(Number(info, "frameRate") > 0) ? "frameRate is not a number above 0."
             : Number(info, "seqLength") != _frames ? $"seqLength is not {_frames}, the number of images in img1."
-            : Enumerable.Range(1, _frames).FirstOrDefault(
-                frame => !_dataset.Has(Image(frame, info.GetValueOrDefault("imExt")))) is var lost and > 0
+            : Enumerable.Range(1, _frames).FirstOrDefault(frame => !_dataset.Has(Image(frame, info.GetValueOrDefault("imExt"))))
+                is var lost
+                    and > 0
                 ? $"img1 has no image {lost:D6}{info.GetValueOrDefault("imExt")}."
             : (header = _dataset.Header(Image(1, info["imExt"]))) is not null
-                && (Number(info, "imWidth") != header.Size.Width || Number(info, "imHeight") != header.Size.Height)
+            && (Number(info, "imWidth") != header.Size.Width || Number(info, "imHeight") != header.Size.Height)
                 ? $"imWidth and imHeight are not those of its images, {header.Size.Width} x {header.Size.Height}."
             : null;
         _size = header?.Size;
@@ -79,15 +82,21 @@ internal sealed class MotCheck
     private IEnumerable<SessionProblem> RowProblems()
     {
         string name = $"{_sequence}/gt/gt.txt";
-        return !_dataset.Has(name) ? [new SessionProblem(name, null, "it is missing.")]
-            : _dataset.Lines(name).Select(line => (line.Number, Problem: RowProblem(line.Text.Split(','))))
-                .Where(row => row.Problem is not null).Select(row => new SessionProblem(name, row.Number, row.Problem!));
+        return !_dataset.Has(name)
+            ? [new SessionProblem(name, null, "it is missing.")]
+            : _dataset
+                .Lines(name)
+                .Select(line => (line.Number, Problem: RowProblem(line.Text.Split(','))))
+                .Where(row => row.Problem is not null)
+                .Select(row => new SessionProblem(name, row.Number, row.Problem!));
     }
 
     private string? RowProblem(string[] words)
     {
-        if (words.Length != Columns || Numbers.Parse(words) is not [var frame, var id, var left, var top, var width, var height,
-            var flag, var kind, var visible])
+        if (
+            words.Length != Columns
+            || Numbers.Parse(words) is not [var frame, var id, var left, var top, var width, var height, var flag, var kind, var visible]
+        )
         {
             return $"it must have {Columns} numbers, separated by commas.";
         }
@@ -97,14 +106,13 @@ internal sealed class MotCheck
         return !(frame >= 1 && frame <= _frames) || frame != Math.Floor(frame) ? $"frame {words[0]} has no image."
             : !(id >= 1) || id != Math.Floor(id) ? "its id is not a whole number from 1."
             : !_rows.Add((frame, id)) ? $"id {words[1]} occurs twice in frame {words[0]}."
-            : kind is < MotClasses.Pedestrian or > MotClasses.Last || kind != Math.Floor(kind)
-                ? $"its class is not 1 to {MotClasses.Last}."
+            : kind is < MotClasses.Pedestrian or > MotClasses.Last || kind != Math.Floor(kind) ? $"its class is not 1 to {MotClasses.Last}."
             : flag != (kind == MotClasses.Pedestrian ? 1 : 0) ? "its flag is not 1 for class 1 and 0 for others."
             : visible is < 0 or > 1 ? "its visibility is not 0 to 1."
             : kind != MotClasses.Distractor && !_classes.TryAdd(id, kind) && _classes[id] != kind
                 ? $"id {words[1]} has class {words[7]}, but had {Numbers.Text((int)_classes[id])} in an earlier frame."
-            : !(width > 0 && height > 0) || (_size is { } size && _dataset.Options.Boxes != BoxKind.Amodal
-                && !size.Bounds.Contains(box, RoundingPixels))
+            : !(width > 0 && height > 0)
+            || (_size is { } size && _dataset.Options.Boxes != BoxKind.Amodal && !size.Bounds.Contains(box, RoundingPixels))
                 ? $"its box does not lie in the image{(_size is { } known ? $" of {known.Width} x {known.Height}" : "")}, or has no area."
             : null;
     }

@@ -21,14 +21,15 @@ internal static class MotClasses
     private const int NonMotorisedVehicle = 6;
 
     /// <summary>The number of a class; null if MOT17 does not label it.</summary>
-    public static int? Of(ObjectClass kind) => kind switch
-    {
-        ObjectClass.Pedestrian => Pedestrian,
-        ObjectClass.Rider => PersonOnVehicle,
-        ObjectClass.Car or ObjectClass.Truck or ObjectClass.Bus => Car,
-        ObjectClass.Bicycle => Bicycle,
-        ObjectClass.Motorcycle => Motorbike,
-        ObjectClass.Trailer => NonMotorisedVehicle,
-        _ => null,
-    };
+    public static int? Of(ObjectClass kind) =>
+        kind switch
+        {
+            ObjectClass.Pedestrian => Pedestrian,
+            ObjectClass.Rider => PersonOnVehicle,
+            ObjectClass.Car or ObjectClass.Truck or ObjectClass.Bus => Car,
+            ObjectClass.Bicycle => Bicycle,
+            ObjectClass.Motorcycle => Motorbike,
+            ObjectClass.Trailer => NonMotorisedVehicle,
+            _ => null,
+        };
 }

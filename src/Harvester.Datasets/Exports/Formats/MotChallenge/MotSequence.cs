@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports.Formats.MotChallenge;
@@ -29,8 +25,7 @@ internal static class MotSequence
         string[][] frames = [.. parts.Select(part => part.Split(' '))];
         string[] first = frames[0];
         double rate = Math.Max(1, Math.Round(RateOf([.. frames.Select(frame => Number(frame[0]))], Number(first[4]))));
-        writer.Write(FormattableString.Invariant(
-            $"[Sequence]\nname={name}\nimDir=img1\nframeRate={rate:0}\nseqLength={frames.Length}\n"));
+        writer.Write(FormattableString.Invariant($"[Sequence]\nname={name}\nimDir=img1\nframeRate={rate:0}\nseqLength={frames.Length}\n"));
         writer.Write($"imWidth={first[1]}\nimHeight={first[2]}\nimExt={first[3]}\n");
     }
 

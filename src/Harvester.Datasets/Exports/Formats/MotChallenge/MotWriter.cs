@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
@@ -59,10 +56,17 @@ internal sealed class MotWriter : IDatasetWriter
     }
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
-        parts.Keys.Where(part => part.StartsWith(InfoPrefix, StringComparison.Ordinal)).SelectMany(FilesOf)
-            .Concat(parts.Keys.Where(part => part.StartsWith(ListPrefix, StringComparison.Ordinal)).Select(part => new AggregateFile(
-                $"seqmaps/{Benchmark}{part[ListPrefix.Length..]}.txt",
-                [AggregateSection.Literal("name\n"), AggregateSection.Lines(part)])));
+        parts
+            .Keys.Where(part => part.StartsWith(InfoPrefix, StringComparison.Ordinal))
+            .SelectMany(FilesOf)
+            .Concat(
+                parts
+                    .Keys.Where(part => part.StartsWith(ListPrefix, StringComparison.Ordinal))
+                    .Select(part => new AggregateFile(
+                        $"seqmaps/{Benchmark}{part[ListPrefix.Length..]}.txt",
+                        [AggregateSection.Literal("name\n"), AggregateSection.Lines(part)]
+                    ))
+            );
 
     /// <summary>A sequence without objects has an empty gt.txt, because readers require it.</summary>
     private static AggregateFile[] FilesOf(string part)
@@ -73,7 +77,8 @@ internal sealed class MotWriter : IDatasetWriter
             new($"{sequence}/gt/gt.txt", [AggregateSection.Lines(TruthPrefix + sequence)]),
             new(
                 $"{sequence}/seqinfo.ini",
-                [AggregateSection.Summary(part, (writer, frames) => MotSequence.Write(writer, sequence.Split('/')[1], frames))]),
+                [AggregateSection.Summary(part, (writer, frames) => MotSequence.Write(writer, sequence.Split('/')[1], frames))]
+            ),
         ];
     }
 
@@ -81,12 +86,18 @@ internal sealed class MotWriter : IDatasetWriter
     {
         string[] sides =
         [
-            .. ((double[])[box.XMin + PixelShift, box.YMin + PixelShift, box.Width, box.Height])
-                .Select(side => InvariantNumber.Format(side, PixelDecimals)),
+            .. ((double[])[box.XMin + PixelShift, box.YMin + PixelShift, box.Width, box.Height]).Select(side =>
+                InvariantNumber.Format(side, PixelDecimals)
+            ),
         ];
         return string.Join(
             ',',
-            Numbers.Text(frame.FrameInSequence + 1), Numbers.Text(id), string.Join(',', sides),
-            number == MotClasses.Pedestrian ? "1" : "0", Numbers.Text(number), InvariantNumber.Format(visible, FractionDecimals));
+            Numbers.Text(frame.FrameInSequence + 1),
+            Numbers.Text(id),
+            string.Join(',', sides),
+            number == MotClasses.Pedestrian ? "1" : "0",
+            Numbers.Text(number),
+            InvariantNumber.Format(visible, FractionDecimals)
+        );
     }
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 
 namespace Harvester.Datasets.Exports.Formats.NuScenes;
@@ -26,14 +23,25 @@ internal sealed record NuScenesArea(int West, int South, int East, int North)
     /// <summary>The square around a place.</summary>
     /// <param name="place">Metres, world.</param>
     /// <param name="margin">Distance of its sides from the place, metres.</param>
-    public static NuScenesArea Around(Vector3D place, double margin) => new(
-        (int)Math.Floor(place.X - margin), (int)Math.Floor(place.Y - margin), (int)Math.Ceiling(place.X + margin),
-        (int)Math.Ceiling(place.Y + margin));
+    public static NuScenesArea Around(Vector3D place, double margin) =>
+        new(
+            (int)Math.Floor(place.X - margin),
+            (int)Math.Floor(place.Y - margin),
+            (int)Math.Ceiling(place.X + margin),
+            (int)Math.Ceiling(place.Y + margin)
+        );
 
     /// <summary>The least area that has all of the given ones.</summary>
-    public static NuScenesArea Of(IEnumerable<NuScenesArea> areas) => areas.Aggregate((one, other) => new NuScenesArea(
-        Math.Min(one.West, other.West), Math.Min(one.South, other.South), Math.Max(one.East, other.East),
-        Math.Max(one.North, other.North)));
+    public static NuScenesArea Of(IEnumerable<NuScenesArea> areas) =>
+        areas.Aggregate(
+            (one, other) =>
+                new NuScenesArea(
+                    Math.Min(one.West, other.West),
+                    Math.Min(one.South, other.South),
+                    Math.Max(one.East, other.East),
+                    Math.Max(one.North, other.North)
+                )
+        );
 
     /// <summary>Reads what <see cref="ToString"/> wrote.</summary>
     public static NuScenesArea Parse(string text)

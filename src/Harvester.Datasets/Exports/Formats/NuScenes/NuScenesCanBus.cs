@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
 
@@ -29,8 +25,8 @@ internal static class NuScenesCanBus
         {
             ["ms_imu"] = ride => ride.All.Select(NuScenesMessages.Imu),
             ["pose"] = ride => ride.All.Select(NuScenesMessages.Pose),
-            ["steeranglefeedback"] = ride => ride.All.Where(moment => moment.Reading.Controls is not null)
-                .Select(NuScenesMessages.SteeringFeedback),
+            ["steeranglefeedback"] = ride =>
+                ride.All.Where(moment => moment.Reading.Controls is not null).Select(NuScenesMessages.SteeringFeedback),
             ["vehicle_monitor"] = ride => ride.Every(MonitorSeconds).Select(NuScenesMessages.VehicleMonitor),
             ["zoe_veh_info"] = ride => ride.All.Select(NuScenesMessages.VehicleInfo),
             ["zoesensors"] = ride => ride.All.Where(moment => moment.Reading.Controls is not null).Select(NuScenesMessages.Sensors),
@@ -49,18 +45,26 @@ internal static class NuScenesCanBus
     /// <param name="frame">The frame.</param>
     /// <param name="area">The part of the world around it.</param>
     /// <param name="rows">A row for each tick; none except for the first view.</param>
-    public static void Add(FrameOutput output, ExportFrame frame, NuScenesArea area, IEnumerable<string> rows) => output.Part(
-        FormattableString.Invariant($"{PartPrefix}{frame.RecordingIndex:D8} {frame.Label.Place ?? 0:D8}"),
-        string.Join(NuScenesRide.Separator, rows.Prepend(area.ToString())));
+    public static void Add(FrameOutput output, ExportFrame frame, NuScenesArea area, IEnumerable<string> rows) =>
+        output.Part(
+            FormattableString.Invariant($"{PartPrefix}{frame.RecordingIndex:D8} {frame.Label.Place ?? 0:D8}"),
+            string.Join(NuScenesRide.Separator, rows.Prepend(area.ToString()))
+        );
 
     /// <summary>The files of all scenes.</summary>
     /// <param name="parts">The names of all parts.</param>
     /// <param name="hasSample">Whether a session has a sample at a place; others are no scenes.</param>
-    public static IEnumerable<AggregateFile> Files(IEnumerable<string> parts, Func<string, bool> hasSample) => parts
-        .Where(part => part.StartsWith(PartPrefix, StringComparison.Ordinal) && hasSample(part[PartPrefix.Length..]))
-        .Order(StringComparer.Ordinal)
-        .SelectMany((part, scene) => FileKinds.Select(kind => new AggregateFile(
-            PathOf(scene, kind), [AggregateSection.Summary(part, (writer, lines) => Write(writer, kind, NuScenesRide.Read(lines)))])));
+    public static IEnumerable<AggregateFile> Files(IEnumerable<string> parts, Func<string, bool> hasSample) =>
+        parts
+            .Where(part => part.StartsWith(PartPrefix, StringComparison.Ordinal) && hasSample(part[PartPrefix.Length..]))
+            .Order(StringComparer.Ordinal)
+            .SelectMany(
+                (part, scene) =>
+                    FileKinds.Select(kind => new AggregateFile(
+                        PathOf(scene, kind),
+                        [AggregateSection.Summary(part, (writer, lines) => Write(writer, kind, NuScenesRide.Read(lines)))]
+                    ))
+            );
 
     private static void Write(TextWriter writer, string kind, NuScenesRide ride)
     {
@@ -70,8 +74,10 @@ internal static class NuScenesCanBus
         }
         else if (kind == Route)
         {
-            NuScenesTables.WriteList(writer, ride.Route().Select(place =>
-                (Action<Utf8JsonWriter>)(json => json.Values([place.X, place.Y], Decimals))));
+            NuScenesTables.WriteList(
+                writer,
+                ride.Route().Select(place => (Action<Utf8JsonWriter>)(json => json.Values([place.X, place.Y], Decimals)))
+            );
         }
         else
         {

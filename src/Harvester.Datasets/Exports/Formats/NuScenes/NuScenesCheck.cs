@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
@@ -67,13 +64,19 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
 
         Collect(problems, Links.Select(link => link.Table).Distinct(), LinkProblem);
         Collect(problems, Chains, ChainProblem);
-        Collect(problems, ["sample_data", "map"], (_, record) =>
-            dataset.Has(record.Text("filename")) ? null : $"its file '{record.Text("filename")}' is missing.");
+        Collect(
+            problems,
+            ["sample_data", "map"],
+            (_, record) => dataset.Has(record.Text("filename")) ? null : $"its file '{record.Text("filename")}' is missing."
+        );
         Collect(problems, ["sample_annotation"], (_, record) => AnnotationProblem(record));
         Collect(problems, ["ego_pose", "calibrated_sensor"], (_, record) => NuScenesGeometryCheck.PoseProblem(record));
         Collect(problems, ["calibrated_sensor"], (_, record) => IntrinsicsProblem(record));
-        Collect(problems, ["ego_pose", "sample_annotation"], (_, record) =>
-            record.Numbers("translation", 3).Take(2).All(metres => metres >= 0) ? null : "it lies outside its map.");
+        Collect(
+            problems,
+            ["ego_pose", "sample_annotation"],
+            (_, record) => record.Numbers("translation", 3).Take(2).All(metres => metres >= 0) ? null : "it lies outside its map."
+        );
         if (problems.Count == 0)
         {
             // Poses and boxes that are wrong by themselves say nothing of each other.
@@ -108,8 +111,11 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
         string? problem = Checked(() =>
         {
             using JsonDocument document = JsonInput.Parse(InputFile.ReadAllBytes(dataset.PathOf(FileOf(table)), MaxTableBytes));
-            return document.RootElement.ValueKind != JsonValueKind.Array ? "it is no list."
-                : document.RootElement.EnumerateArray().Select(record => Add(new JsonFields(record.Clone()), records))
+            return document.RootElement.ValueKind != JsonValueKind.Array
+                ? "it is no list."
+                : document
+                    .RootElement.EnumerateArray()
+                    .Select(record => Add(new JsonFields(record.Clone()), records))
                     .FirstOrDefault(found => found is not null);
         });
         _tables[table] = records;
@@ -128,9 +134,14 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
         string last = "";
         foreach ((int number, string text) in dataset.Lines(FileOf(table)))
         {
-            string? problem = last == End || last == Empty ? "a line follows the last."
-                : number == 1 ? text is Begin or Empty ? null : "it does not begin a list of records."
-                : text == End ? last.EndsWith(',') ? "a record must follow the comma." : null
+            string? problem =
+                last == End || last == Empty ? "a line follows the last."
+                : number == 1
+                    ? text is Begin or Empty ? null
+                        : "it does not begin a list of records."
+                : text == End
+                    ? last.EndsWith(',') ? "a record must follow the comma."
+                        : null
                 : number > 2 && !last.EndsWith(',') ? "a comma must follow the record before."
                 : Checked(() => RecordProblem(text, records));
             if (problem is not null)
@@ -212,9 +223,11 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
     }
 
     private string? IntrinsicsProblem(JsonFields record) =>
-        _tables["sensor"].TryGetValue(record.Text("sensor_token"), out JsonFields sensor) && sensor.Text("modality") == "camera"
-            && record.Rows("camera_intrinsic", 3) is not [[> 0, 0, _], [0, > 0, _], [0, 0, 1]]
-                ? "its camera_intrinsic is no camera matrix." : null;
+        _tables["sensor"].TryGetValue(record.Text("sensor_token"), out JsonFields sensor)
+        && sensor.Text("modality") == "camera"
+        && record.Rows("camera_intrinsic", 3) is not [[> 0, 0, _], [0, > 0, _], [0, 0, 1]]
+            ? "its camera_intrinsic is no camera matrix."
+            : null;
 
     private IEnumerable<SessionProblem> GeometryProblems()
     {
@@ -224,7 +237,8 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
             return [new SessionProblem(FileOf("sample_annotation"), null, leaning)];
         }
 
-        ILookup<string, JsonFields> data = _tables["sample_data"].Values.Where(record => record.Boolean("is_key_frame"))
+        ILookup<string, JsonFields> data = _tables["sample_data"]
+            .Values.Where(record => record.Boolean("is_key_frame"))
             .ToLookup(record => record.Text("sample_token"));
         foreach (string sample in _tables["sample"].Keys)
         {
@@ -238,34 +252,35 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
         return [];
     }
 
-    private string? SplitProblem() => Checked(() =>
-    {
-        if (!dataset.Has(FileOf("splits")))
+    private string? SplitProblem() =>
+        Checked(() =>
         {
-            return "it is missing.";
-        }
-
-        using JsonDocument document = JsonInput.Read(dataset.PathOf(FileOf("splits")));
-        var splits = new JsonFields(document.RootElement);
-        ILookup<string, string> tokens = _tables["scene"].ToLookup(scene => scene.Value.Text("name"), scene => scene.Key);
-        ILookup<string, string> files = _tables["sample_data"].Values
-            .Where(record => record.Integer("width") > 0 && _tables["sample"].ContainsKey(record.Text("sample_token")))
-            .ToLookup(record => _tables["sample"][record.Text("sample_token")].Text("scene_token"), record => record.Text("filename"));
-        int scenes = 0;
-        foreach (string split in dataset.Splits)
-        {
-            string[] names = splits.Has(NuScenesTables.SplitOf(split)) ? splits.Texts(NuScenesTables.SplitOf(split)) : [];
-            if (Array.Find(names, name => !tokens.Contains(name)) is { } unknown)
+            if (!dataset.Has(FileOf("splits")))
             {
-                return $"it has the unknown scene '{unknown}'.";
+                return "it is missing.";
             }
 
-            scenes += names.Length;
-            dataset.Found(split, names.Sum(name => files[tokens[name].First()].Count()));
-        }
+            using JsonDocument document = JsonInput.Read(dataset.PathOf(FileOf("splits")));
+            var splits = new JsonFields(document.RootElement);
+            ILookup<string, string> tokens = _tables["scene"].ToLookup(scene => scene.Value.Text("name"), scene => scene.Key);
+            ILookup<string, string> files = _tables["sample_data"]
+                .Values.Where(record => record.Integer("width") > 0 && _tables["sample"].ContainsKey(record.Text("sample_token")))
+                .ToLookup(record => _tables["sample"][record.Text("sample_token")].Text("scene_token"), record => record.Text("filename"));
+            int scenes = 0;
+            foreach (string split in dataset.Splits)
+            {
+                string[] names = splits.Has(NuScenesTables.SplitOf(split)) ? splits.Texts(NuScenesTables.SplitOf(split)) : [];
+                if (Array.Find(names, name => !tokens.Contains(name)) is { } unknown)
+                {
+                    return $"it has the unknown scene '{unknown}'.";
+                }
 
-        return scenes == tokens.Count ? null : "it does not have each scene once.";
-    });
+                scenes += names.Length;
+                dataset.Found(split, names.Sum(name => files[tokens[name].First()].Count()));
+            }
+
+            return scenes == tokens.Count ? null : "it does not have each scene once.";
+        });
 
     private static string? Checked(Func<string?> check)
     {

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
@@ -14,8 +11,7 @@ namespace Harvester.Datasets.Exports.Formats.NuScenes;
 /// </summary>
 /// <param name="dataset">The dataset.</param>
 /// <param name="tables">Its tables, by name and token.</param>
-internal sealed class NuScenesGeometryCheck(
-    DatasetContent dataset, IReadOnlyDictionary<string, Dictionary<string, JsonFields>> tables)
+internal sealed class NuScenesGeometryCheck(DatasetContent dataset, IReadOnlyDictionary<string, Dictionary<string, JsonFields>> tables)
 {
     /// <summary>x, y, z, intensity and ring, float32 each.</summary>
     private const int BytesPerPoint = 20;
@@ -40,15 +36,16 @@ internal sealed class NuScenesGeometryCheck(
 
     private const double Microseconds = 1e6;
 
-    private readonly ILookup<string, JsonFields> _annotations =
-        tables["sample_annotation"].Values.ToLookup(record => record.Text("sample_token"));
+    private readonly ILookup<string, JsonFields> _annotations = tables["sample_annotation"]
+        .Values.ToLookup(record => record.Text("sample_token"));
 
     /// <summary>The problem of the orientation and intrinsics of a pose or a sensor.</summary>
     public static string? PoseProblem(JsonFields record)
     {
         _ = record.Numbers("translation", 3);
         return Math.Abs(record.Numbers("rotation", 4).Sum(part => part * part) - 1) > RoundingUnit
-            ? "its rotation is no unit quaternion." : null;
+            ? "its rotation is no unit quaternion."
+            : null;
     }
 
     /// <summary>The problem of the rotations of all boxes: with the scalar last, most of them lie on their sides or heads.</summary>
@@ -57,7 +54,8 @@ internal sealed class NuScenesGeometryCheck(
         int boxes = tables["sample_annotation"].Count;
         int leaning = tables["sample_annotation"].Values.Count(record => new NuScenesBox(record).Up.Z < LeaningCosine);
         return leaning > MaxLeaningFraction * boxes
-            ? FormattableString.Invariant($"{leaning} of {boxes} boxes lean by more than 60 degrees: rotation is w, x, y, z.") : null;
+            ? FormattableString.Invariant($"{leaning} of {boxes} boxes lean by more than 60 degrees: rotation is w, x, y, z.")
+            : null;
     }
 
     /// <summary>The problem of the boxes of a sample; each is the first of its kind.</summary>
@@ -75,10 +73,12 @@ internal sealed class NuScenesGeometryCheck(
         foreach (JsonFields annotation in _annotations[sample])
         {
             var box = new NuScenesBox(annotation);
-            string? problem = !cameras.Any(camera => Shows(camera, box)) ? "its box is in no image of its sample."
+            string? problem =
+                !cameras.Any(camera => Shows(camera, box)) ? "its box is in no image of its sample."
                 : box.Count(points) is var inside && inside != annotation.Integer("num_lidar_pts")
                     ? FormattableString.Invariant(
-                        $"num_lidar_pts is {annotation.Integer("num_lidar_pts")}, and {inside} points are inside its box.")
+                        $"num_lidar_pts is {annotation.Integer("num_lidar_pts")}, and {inside} points are inside its box."
+                    )
                 : ShapeProblem(annotation) ?? MotionProblem(annotation, box);
             if (problem is not null)
             {
@@ -113,8 +113,15 @@ internal sealed class NuScenesGeometryCheck(
         byte[] bytes = InputFile.ReadAllBytes(dataset.PathOf(scan.Text("filename")), LidarFile.MaxPoints * BytesPerPoint);
         for (int at = 0; at + BytesPerPoint <= bytes.Length; at += BytesPerPoint)
         {
-            yield return toGlobal.Apply(toEgo.Apply(new Vector3D(
-                BitConverter.ToSingle(bytes, at), BitConverter.ToSingle(bytes, at + 4), BitConverter.ToSingle(bytes, at + 8))));
+            yield return toGlobal.Apply(
+                toEgo.Apply(
+                    new Vector3D(
+                        BitConverter.ToSingle(bytes, at),
+                        BitConverter.ToSingle(bytes, at + 4),
+                        BitConverter.ToSingle(bytes, at + 8)
+                    )
+                )
+            );
         }
     }
 
@@ -134,7 +141,8 @@ internal sealed class NuScenesGeometryCheck(
         double seconds = (TimeOf(next) - TimeOf(annotation)) / Microseconds;
         Vector3D way = new NuScenesBox(next).Centre - box.Centre;
         return seconds > 0 && way.Dot(box.Forward) / seconds < -MaxReverse
-            ? $"the vehicle moves backwards at more than {MaxReverse} m/s." : null;
+            ? $"the vehicle moves backwards at more than {MaxReverse} m/s."
+            : null;
     }
 
     private double TimeOf(JsonFields annotation) => tables["sample"][annotation.Text("sample_token")].LongInteger("timestamp");

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
@@ -52,13 +49,15 @@ internal sealed class NuScenesGround
             using JsonDocument document = JsonInput.Read(session.PathOf(name));
             var header = new JsonFields(document.RootElement);
             double range = header.Has("options") ? header.Fields("options").OptionalNumber("rangeMetres") ?? 0 : 0;
-            LaneWidths widths = header.Has("settings") ? LaneWidths.Of(header.Fields("settings"))
+            LaneWidths widths = header.Has("settings")
+                ? LaneWidths.Of(header.Fields("settings"))
                 : new LaneWidths(RoadGeometry.LaneWidth, RoadGeometry.NarrowLaneWidth);
             name = FramePaths.Roads;
             return new NuScenesGround(
                 session,
                 Math.Max(RoadMetres, range) + ObjectRoom,
-                KeptFiles.ReadRoads(session) is { } network ? new NuScenesRoads(network, widths) : null);
+                KeptFiles.ReadRoads(session) is { } network ? new NuScenesRoads(network, widths) : null
+            );
         }
         catch (Exception e) when (e is DatasetFormatException or JsonException)
         {
@@ -72,7 +71,8 @@ internal sealed class NuScenesGround
     /// <param name="isKey">Whether the moment is a sample: those between add nothing to the roads of a network.</param>
     public IEnumerable<Vector2D[]> Near(FrameLabel label, Pose ego, bool isKey)
     {
-        IEnumerable<Vector2D[]> known = _roads is null ? Lanes(label.Lanes?.Boundaries ?? [])
+        IEnumerable<Vector2D[]> known =
+            _roads is null ? Lanes(label.Lanes?.Boundaries ?? [])
             : isKey ? _roads.Near(new Vector2D(ego.Position.X, ego.Position.Y), RoadMetres)
             : [];
         return known.Append(Below(ego));
@@ -83,18 +83,25 @@ internal sealed class NuScenesGround
     {
         int[] indices = [.. boundaries.Select(line => line.Index).Distinct().Order()];
         int inner = indices.Contains(-1) ? -1 : 0;
-        return ((int[][])[[.. indices.Where(index => index >= 0)], [.. indices.Where(index => index <= inner)]])
-            .Where(sides => sides.Length > 1)
-            .Select(sides => (Vector2D[])[.. PointsOf(sides[0]), .. PointsOf(sides[^1]).Reverse()]);
+        return (
+            (int[][])
+                [
+                    [.. indices.Where(index => index >= 0)],
+                    [.. indices.Where(index => index <= inner)],
+                ]
+        ).Where(sides => sides.Length > 1).Select(sides => (Vector2D[])[.. PointsOf(sides[0]), .. PointsOf(sides[^1]).Reverse()]);
 
-        IEnumerable<Vector2D> PointsOf(int index) => boundaries.Where(line => line.Index == index)
-            .SelectMany(line => line.Points).Select(point => new Vector2D(point.World.X, point.World.Y));
+        IEnumerable<Vector2D> PointsOf(int index) =>
+            boundaries
+                .Where(line => line.Index == index)
+                .SelectMany(line => line.Points)
+                .Select(point => new Vector2D(point.World.X, point.World.Y));
     }
 
     private static Vector2D[] Below(Pose ego) =>
-    [
-        .. ((Vector2D[])[new(1, 1), new(1, -1), new(-1, -1), new(-1, 1)])
-            .Select(corner => ego.ToWorld(new Vector3D(corner.Y * Footprint.Y, corner.X * Footprint.X, 0)))
-            .Select(place => new Vector2D(place.X, place.Y)),
-    ];
+        [
+            .. ((Vector2D[])[new(1, 1), new(1, -1), new(-1, -1), new(-1, 1)])
+                .Select(corner => ego.ToWorld(new Vector3D(corner.Y * Footprint.Y, corner.X * Footprint.X, 0)))
+                .Select(place => new Vector2D(place.X, place.Y)),
+        ];
 }

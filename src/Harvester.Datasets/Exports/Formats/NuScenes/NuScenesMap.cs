@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
@@ -28,28 +24,39 @@ internal static class NuScenesMap
     /// <param name="frame">The frame.</param>
     /// <param name="area">The part of the world around it.</param>
     /// <param name="ground">Polygons, metres, world.</param>
-    public static void Add(FrameOutput output, ExportFrame frame, NuScenesArea area, IEnumerable<Vector2D[]> ground) => output.Part(
-        FormattableString.Invariant($"{PartPrefix}{frame.RecordingIndex:D8} {frame.Label.Place ?? 0:D8}"),
-        string.Join(Separator, ground.Select(TextOf).Prepend(area.ToString())));
+    public static void Add(FrameOutput output, ExportFrame frame, NuScenesArea area, IEnumerable<Vector2D[]> ground) =>
+        output.Part(
+            FormattableString.Invariant($"{PartPrefix}{frame.RecordingIndex:D8} {frame.Label.Place ?? 0:D8}"),
+            string.Join(Separator, ground.Select(TextOf).Prepend(area.ToString()))
+        );
 
     /// <summary>The masks of all scenes.</summary>
     /// <param name="parts">The names of all parts.</param>
     /// <param name="hasSample">Whether a session has a sample at a place; others are no scenes.</param>
-    public static IEnumerable<AggregateFile> Files(IEnumerable<string> parts, Func<string, bool> hasSample) => parts
-        .Where(part => part.StartsWith(PartPrefix, StringComparison.Ordinal) && hasSample(part[PartPrefix.Length..]))
-        .Order(StringComparer.Ordinal)
-        .Select((part, scene) => new AggregateFile(
-            PathOf(NuScenesScene.NameOf(scene)), [AggregateSection.Binary(part, WriteMask)]));
+    public static IEnumerable<AggregateFile> Files(IEnumerable<string> parts, Func<string, bool> hasSample) =>
+        parts
+            .Where(part => part.StartsWith(PartPrefix, StringComparison.Ordinal) && hasSample(part[PartPrefix.Length..]))
+            .Order(StringComparer.Ordinal)
+            .Select((part, scene) => new AggregateFile(PathOf(NuScenesScene.NameOf(scene)), [AggregateSection.Binary(part, WriteMask)]));
 
     /// <summary>Writes where each map lies.</summary>
     public static void WriteOffsets(TextWriter writer, IEnumerable<string> lines) =>
-        NuScenesTables.Write(writer, NuScenesScene.All(lines).Select(scene => (Action<Utf8JsonWriter>)(json =>
-        {
-            json.WriteString("log_token", scene.LogToken);
-            json.WriteString("filename", PathOf(scene.Name));
-            json.Numbers("offset", [scene.Area.Offset.X, scene.Area.Offset.Y], 0);
-            json.Numbers("size", [scene.Area.Width, scene.Area.Height], 0);
-        })));
+        NuScenesTables.Write(
+            writer,
+            NuScenesScene
+                .All(lines)
+                .Select(scene =>
+                    (Action<Utf8JsonWriter>)(
+                        json =>
+                        {
+                            json.WriteString("log_token", scene.LogToken);
+                            json.WriteString("filename", PathOf(scene.Name));
+                            json.Numbers("offset", [scene.Area.Offset.X, scene.Area.Offset.Y], 0);
+                            json.Numbers("size", [scene.Area.Width, scene.Area.Height], 0);
+                        }
+                    )
+                )
+        );
 
     private static void WriteMask(Stream stream, IEnumerable<string> lines)
     {

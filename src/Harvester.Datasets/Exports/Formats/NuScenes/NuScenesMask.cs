@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Imaging.Pictures;
@@ -32,11 +28,11 @@ internal sealed class NuScenesMask
     {
         bool fits = Math.Max(area.Width, area.Height) <= MaxSide / PixelsPerMetre;
         _size = fits ? new ImageSize(area.Width * PixelsPerMetre, area.Height * PixelsPerMetre) : new ImageSize(1, 1);
-        _byFirstRow = (fits ? ground : []).Select(polygon => Array.ConvertAll(polygon, InPixels))
+        _byFirstRow = (fits ? ground : [])
+            .Select(polygon => Array.ConvertAll(polygon, InPixels))
             .ToLookup(polygon => Math.Max(0, (int)Math.Ceiling(polygon.Min(corner => corner.Y))));
 
-        Vector2D InPixels(Vector2D corner) =>
-            new((corner.X - area.West) * PixelsPerMetre, (area.North - corner.Y) * PixelsPerMetre);
+        Vector2D InPixels(Vector2D corner) => new((corner.X - area.West) * PixelsPerMetre, (area.North - corner.Y) * PixelsPerMetre);
     }
 
     /// <summary>Writes the mask as PNG, row by row.</summary>

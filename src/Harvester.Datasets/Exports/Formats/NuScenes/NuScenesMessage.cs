@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Datasets.Exports.Formats.NuScenes;
 
 /// <summary>A message of the CAN bus.</summary>

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 
@@ -24,13 +23,15 @@ internal static class NuScenesMessages
     private const int PedalPressed = 2;
     private const int Driving = 7;
 
-    public static NuScenesMessage Pose(NuScenesMoment moment) => Of(
-        moment,
-        ("accel", Vector(moment.Reading.Acceleration)),
-        ("orientation", Quaternion(moment)),
-        ("pos", Vector(moment.Position)),
-        ("rotation_rate", Vector(moment.Reading.RotationRate)),
-        ("vel", Vector(moment.Reading.Velocity)));
+    public static NuScenesMessage Pose(NuScenesMoment moment) =>
+        Of(
+            moment,
+            ("accel", Vector(moment.Reading.Acceleration)),
+            ("orientation", Quaternion(moment)),
+            ("pos", Vector(moment.Position)),
+            ("rotation_rate", Vector(moment.Reading.RotationRate)),
+            ("vel", Vector(moment.Reading.Velocity))
+        );
 
     public static NuScenesMessage Imu(NuScenesMoment moment)
     {
@@ -39,17 +40,20 @@ internal static class NuScenesMessages
             moment,
             ("linear_accel", Vector(moment.Reading.Acceleration + up)),
             ("q", Quaternion(moment)),
-            ("rotation_rate", Vector(moment.Reading.RotationRate)));
+            ("rotation_rate", Vector(moment.Reading.RotationRate))
+        );
     }
 
     public static NuScenesMessage SteeringFeedback(NuScenesMoment moment) =>
         Of(moment, ("value", [moment.Reading.Controls!.Steering * FullLock]));
 
-    public static NuScenesMessage Sensors(NuScenesMoment moment) => Of(
-        moment,
-        ("brake_sensor", [BrakeSensor(moment.Reading.Controls!)]),
-        ("steering_sensor", [SteeringDegrees(moment)]),
-        ("throttle_sensor", [Throttle(moment)]));
+    public static NuScenesMessage Sensors(NuScenesMoment moment) =>
+        Of(
+            moment,
+            ("brake_sensor", [BrakeSensor(moment.Reading.Controls!)]),
+            ("steering_sensor", [SteeringDegrees(moment)]),
+            ("throttle_sensor", [Throttle(moment)])
+        );
 
     public static NuScenesMessage VehicleMonitor(NuScenesMoment moment)
     {
@@ -60,7 +64,14 @@ internal static class NuScenesMessages
             ("available_distance", [null]),
             ("battery_level", [null]),
             ("brake", [controls is null ? null : Math.Round(controls.Brake!.Value * MaxBrakeBar)]),
-            ("brake_switch", [controls is null ? null : controls.Brake > 0 ? PedalPressed : PedalFree]),
+            (
+                "brake_switch",
+                [
+                    controls is null ? null
+                    : controls.Brake > 0 ? PedalPressed
+                    : PedalFree,
+                ]
+            ),
             ("gear_position", [Driving]),
             ("left_signal", [null]),
             ("rear_left_rpm", [rpm]),
@@ -70,7 +81,8 @@ internal static class NuScenesMessages
             ("steering_speed", [null]),
             ("throttle", [Throttle(moment)]),
             ("vehicle_speed", [moment.Reading.Velocity.Length * KilometresPerHour]),
-            ("yaw_rate", [moment.Reading.RotationRate.Z * DegreesPerRadian]));
+            ("yaw_rate", [moment.Reading.RotationRate.Z * DegreesPerRadian])
+        );
     }
 
     public static NuScenesMessage VehicleInfo(NuScenesMoment moment)
@@ -95,7 +107,8 @@ internal static class NuScenesMessages
             ("steer_corrected", [steering]),
             ("steer_offset_can", [0]),
             ("steer_raw", [steering]),
-            ("transversal_accel", [moment.Reading.Acceleration.Y / Gravity]));
+            ("transversal_accel", [moment.Reading.Acceleration.Y / Gravity])
+        );
     }
 
     /// <summary>The range of the sensor in nuScenes is 0.375 to 0.411.</summary>

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
 

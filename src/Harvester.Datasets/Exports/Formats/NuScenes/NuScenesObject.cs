@@ -13,8 +13,7 @@ namespace Harvester.Datasets.Exports.Formats.NuScenes;
 /// <param name="HasRider">Whether somebody sits on it; null if unknown.</param>
 /// <param name="Area">Area of its box in the image, square pixels.</param>
 /// <param name="VisibleArea">The part of the area that nothing hides.</param>
-internal sealed record NuScenesObject(
-    int Id, string Category, string Box, double Speed, bool? HasRider, double Area, double VisibleArea)
+internal sealed record NuScenesObject(int Id, string Category, string Box, double Speed, bool? HasRider, double Area, double VisibleArea)
 {
     /// <summary>Number of LiDAR points inside its box.</summary>
     public int Points { get; init; }
@@ -27,11 +26,18 @@ internal sealed record NuScenesObject(
     private const int PixelDecimals = 3;
 
     /// <summary>The object of a label; null if nuScenes does not annotate it.</summary>
-    public static NuScenesObject? Of(ObjectLabel label) => NuScenesClasses.CategoryOf(label) is { } category
-        ? new NuScenesObject(
-            label.Id, category, BoxOf(label.Box3D), label.Velocity.Length, label.HasRider, label.Box2D.Area,
-            label.Box2D.Area * (1 - (label.OccludedFraction ?? 0)))
-        : null;
+    public static NuScenesObject? Of(ObjectLabel label) =>
+        NuScenesClasses.CategoryOf(label) is { } category
+            ? new NuScenesObject(
+                label.Id,
+                category,
+                BoxOf(label.Box3D),
+                label.Velocity.Length,
+                label.HasRider,
+                label.Box2D.Area,
+                label.Box2D.Area * (1 - (label.OccludedFraction ?? 0))
+            )
+            : null;
 
     /// <summary>Writes the object as a list.</summary>
     public void Write(Utf8JsonWriter json)
@@ -55,27 +61,29 @@ internal sealed record NuScenesObject(
     }
 
     /// <summary>Reads what <see cref="Write"/> wrote.</summary>
-    public static NuScenesObject Read(JsonFields item) => new(
-        item.Integer("id"),
-        item.Text("category"),
-        item.RawText("box"),
-        item.Number("speed"),
-        item.Has("rider") ? item.Boolean("rider") : null,
-        item.Number("area"),
-        item.Number("visible"))
-    {
-        Points = item.Integer("points"),
-        Hits = item.Integer("hits"),
-    };
+    public static NuScenesObject Read(JsonFields item) =>
+        new(
+            item.Integer("id"),
+            item.Text("category"),
+            item.RawText("box"),
+            item.Number("speed"),
+            item.Has("rider") ? item.Boolean("rider") : null,
+            item.Number("area"),
+            item.Number("visible")
+        )
+        {
+            Points = item.Integer("points"),
+            Hits = item.Integer("hits"),
+        };
 
-    private static string BoxOf(Cuboid cuboid) => JsonLine.Of(json =>
-    {
-        Rotation rotation = Rotation.OfBody(cuboid.Axes);
-        json.WriteStartObject();
-        json.Numbers("translation", [cuboid.Centre.X, cuboid.Centre.Y, cuboid.Centre.Z], MetreDecimals);
-        json.Numbers(
-            "size", [2 * cuboid.HalfExtents.X, 2 * cuboid.HalfExtents.Y, 2 * cuboid.HalfExtents.Z], MetreDecimals);
-        json.Numbers("rotation", [rotation.W, rotation.X, rotation.Y, rotation.Z], QuaternionDecimals);
-        json.WriteEndObject();
-    });
+    private static string BoxOf(Cuboid cuboid) =>
+        JsonLine.Of(json =>
+        {
+            Rotation rotation = Rotation.OfBody(cuboid.Axes);
+            json.WriteStartObject();
+            json.Numbers("translation", [cuboid.Centre.X, cuboid.Centre.Y, cuboid.Centre.Z], MetreDecimals);
+            json.Numbers("size", [2 * cuboid.HalfExtents.X, 2 * cuboid.HalfExtents.Y, 2 * cuboid.HalfExtents.Z], MetreDecimals);
+            json.Numbers("rotation", [rotation.W, rotation.X, rotation.Y, rotation.Z], QuaternionDecimals);
+            json.WriteEndObject();
+        });
 }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json;
 
 namespace Harvester.Datasets.Exports.Formats.NuScenes;
@@ -13,15 +10,21 @@ internal static class NuScenesObjectTables
 
     /// <summary>The objects.</summary>
     public static IEnumerable<Action<Utf8JsonWriter>> Instances(NuScenesScene scene) =>
-        Sightings(scene).GroupBy(sighting => sighting.Seen.Object.Id).OrderBy(group => group.Key).Select(group =>
-            (Action<Utf8JsonWriter>)(json =>
-            {
-                json.WriteString("token", scene.InstanceTokenOf(group.Key));
-                json.WriteString("category_token", NuScenesTables.CategoryToken(group.First().Seen.Object.Category));
-                json.WriteNumber("nbr_annotations", group.Count());
-                json.Link("first_annotation_token", scene.AnnotationTokenOf(group.Key, group.First().Moment));
-                json.Link("last_annotation_token", scene.AnnotationTokenOf(group.Key, group.Last().Moment));
-            }));
+        Sightings(scene)
+            .GroupBy(sighting => sighting.Seen.Object.Id)
+            .OrderBy(group => group.Key)
+            .Select(group =>
+                (Action<Utf8JsonWriter>)(
+                    json =>
+                    {
+                        json.WriteString("token", scene.InstanceTokenOf(group.Key));
+                        json.WriteString("category_token", NuScenesTables.CategoryToken(group.First().Seen.Object.Category));
+                        json.WriteNumber("nbr_annotations", group.Count());
+                        json.Link("first_annotation_token", scene.AnnotationTokenOf(group.Key, group.First().Moment));
+                        json.Link("last_annotation_token", scene.AnnotationTokenOf(group.Key, group.Last().Moment));
+                    }
+                )
+            );
 
     /// <summary>The objects at the samples.</summary>
     public static IEnumerable<Action<Utf8JsonWriter>> Annotations(NuScenesScene scene)

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
 
@@ -28,38 +26,40 @@ internal sealed record NuScenesPart(
     NuScenesArea Area,
     string Ego,
     IReadOnlyList<NuScenesSensor> Sensors,
-    IReadOnlyList<NuScenesObject> Objects)
+    IReadOnlyList<NuScenesObject> Objects
+)
 {
     /// <summary>The part as one line.</summary>
-    public override string ToString() => JsonLine.Of(json =>
-    {
-        json.WriteStartObject();
-        json.WriteNumber("recording", Recording);
-        json.WriteNumber("place", Place);
-        json.WriteNumber("moment", Moment);
-        json.WriteBoolean("key", IsKey);
-        json.WriteNumber("timestamp", Timestamp);
-        json.WriteString("split", Split);
-        json.WriteString("description", Description);
-        json.WriteString("area", Area.ToString());
-        json.WritePropertyName("ego");
-        json.WriteRawValue(Ego);
-        json.WriteStartArray("sensors");
-        foreach (NuScenesSensor sensor in Sensors)
+    public override string ToString() =>
+        JsonLine.Of(json =>
         {
-            sensor.Write(json);
-        }
+            json.WriteStartObject();
+            json.WriteNumber("recording", Recording);
+            json.WriteNumber("place", Place);
+            json.WriteNumber("moment", Moment);
+            json.WriteBoolean("key", IsKey);
+            json.WriteNumber("timestamp", Timestamp);
+            json.WriteString("split", Split);
+            json.WriteString("description", Description);
+            json.WriteString("area", Area.ToString());
+            json.WritePropertyName("ego");
+            json.WriteRawValue(Ego);
+            json.WriteStartArray("sensors");
+            foreach (NuScenesSensor sensor in Sensors)
+            {
+                sensor.Write(json);
+            }
 
-        json.WriteEndArray();
-        json.WriteStartArray("objects");
-        foreach (NuScenesObject item in Objects)
-        {
-            item.Write(json);
-        }
+            json.WriteEndArray();
+            json.WriteStartArray("objects");
+            foreach (NuScenesObject item in Objects)
+            {
+                item.Write(json);
+            }
 
-        json.WriteEndArray();
-        json.WriteEndObject();
-    });
+            json.WriteEndArray();
+            json.WriteEndObject();
+        });
 
     /// <summary>Reads a line.</summary>
     public static NuScenesPart Read(string line)
@@ -77,6 +77,7 @@ internal sealed record NuScenesPart(
             NuScenesArea.Parse(part.Text("area")),
             part.RawText("ego"),
             [.. part.List("sensors").Select(NuScenesSensor.Read)],
-            [.. part.List("objects").Select(NuScenesObject.Read)]);
+            [.. part.List("objects").Select(NuScenesObject.Read)]
+        );
     }
 }

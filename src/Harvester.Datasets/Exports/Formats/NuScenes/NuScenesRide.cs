@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
@@ -24,7 +21,12 @@ internal sealed record NuScenesRide(IReadOnlyList<NuScenesMoment> All)
         Vector3D place = sample.Pose.ToWorld(origin);
         List<double> numbers =
         [
-            sample.TimeSeconds, .. Of(sample.Position), .. Of(place), .. Of(sample.Right), .. Of(sample.Forward), .. Of(sample.Velocity),
+            sample.TimeSeconds,
+            .. Of(sample.Position),
+            .. Of(place),
+            .. Of(sample.Right),
+            .. Of(sample.Forward),
+            .. Of(sample.Velocity),
         ];
         if (sample.Motion is { } motion)
         {
@@ -35,8 +37,12 @@ internal sealed record NuScenesRide(IReadOnlyList<NuScenesMoment> All)
             }
         }
 
-        return string.Join(' ', numbers.Select(number => number.ToString("R", CultureInfo.InvariantCulture))
-            .Prepend(timestampOf(sample.TimeSeconds).ToString(CultureInfo.InvariantCulture)));
+        return string.Join(
+            ' ',
+            numbers
+                .Select(number => number.ToString("R", CultureInfo.InvariantCulture))
+                .Prepend(timestampOf(sample.TimeSeconds).ToString(CultureInfo.InvariantCulture))
+        );
     }
 
     /// <summary>Reads the parts of a scene, each an area and rows. Positions are moved into the global frame of the scene.</summary>
@@ -53,8 +59,9 @@ internal sealed record NuScenesRide(IReadOnlyList<NuScenesMoment> All)
             places.Add((long.Parse(words[0], CultureInfo.InvariantCulture), At(row, 4) + offset));
         }
 
-        return new NuScenesRide([.. EgoTrack.Of(samples).Zip(places, (reading, place) =>
-            new NuScenesMoment(place.Timestamp, reading, place.Place))]);
+        return new NuScenesRide([
+            .. EgoTrack.Of(samples).Zip(places, (reading, place) => new NuScenesMoment(place.Timestamp, reading, place.Place)),
+        ]);
     }
 
     /// <summary>The first tick of each period.</summary>
@@ -82,9 +89,15 @@ internal sealed record NuScenesRide(IReadOnlyList<NuScenesMoment> All)
         }
     }
 
-    private static EgoMotion? MotionOf(double[] row) => row.Length <= 16 ? null
+    private static EgoMotion? MotionOf(double[] row) =>
+        row.Length <= 16 ? null
         : row.Length <= 18 ? new EgoMotion(row[16], row[17])
-        : new EgoMotion(row[16], row[17]) { Steering = row[18], Throttle = row[19], Brake = row[20] };
+        : new EgoMotion(row[16], row[17])
+        {
+            Steering = row[18],
+            Throttle = row[19],
+            Brake = row[20],
+        };
 
     private static double[] Of(Vector3D vector) => [vector.X, vector.Y, vector.Z];
 

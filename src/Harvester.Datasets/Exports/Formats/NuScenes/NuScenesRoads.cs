@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
@@ -49,8 +46,10 @@ internal sealed class NuScenesRoads
         for (int link = 0; link < _network.Links.Count; link++)
         {
             RoadCurve curve = _curves.Of(link);
-            if (!RoadContinuations.IsDrivable(_network, _network.Links[link])
-                || Math.Min(Apart(curve.PointAt(0)), Apart(curve.PointAt(1))) > distance + curve.Length)
+            if (
+                !RoadContinuations.IsDrivable(_network, _network.Links[link])
+                || Math.Min(Apart(curve.PointAt(0)), Apart(curve.PointAt(1))) > distance + curve.Length
+            )
             {
                 continue;
             }
@@ -84,7 +83,9 @@ internal sealed class NuScenesRoads
         double far = curve.ParameterAt(to);
         return
         [
-            Ground(curve.PointBeside(near, left)), Ground(curve.PointBeside(near, right)), Ground(curve.PointBeside(far, right)),
+            Ground(curve.PointBeside(near, left)),
+            Ground(curve.PointBeside(near, right)),
+            Ground(curve.PointBeside(far, right)),
             Ground(curve.PointBeside(far, left)),
         ];
     }
@@ -109,8 +110,8 @@ internal sealed class NuScenesRoads
     }
 
     /// <summary>Distance of the right edge of a direction from the line, metres; null without lanes in that direction.</summary>
-    private double? OuterEdge(int link, bool isForward) => _lanes.LanesOf(link, isForward) is { } lanes
-        ? lanes.LeftEdge + (lanes.Section.LaneCount * lanes.Section.LaneWidth) : null;
+    private double? OuterEdge(int link, bool isForward) =>
+        _lanes.LanesOf(link, isForward) is { } lanes ? lanes.LeftEdge + (lanes.Section.LaneCount * lanes.Section.LaneWidth) : null;
 
     /// <summary>A round plate where roads meet, and in a junction the ground between the ends of its roads.</summary>
     private IEnumerable<Vector2D[]> AtNode(int node)
@@ -125,7 +126,9 @@ internal sealed class NuScenesRoads
         double radius = arms.Min(arm => Math.Min(-EdgesOf(arm).Left, EdgesOf(arm).Right));
         yield return
         [
-            .. Enumerable.Range(0, PlateSides).Select(side => Math.SinCos(2 * Math.PI * side / PlateSides))
+            .. Enumerable
+                .Range(0, PlateSides)
+                .Select(side => Math.SinCos(2 * Math.PI * side / PlateSides))
                 .Select(angle => centre + (new Vector2D(angle.Cos, angle.Sin) * radius)),
         ];
         if (JunctionExtents.IsJunction(_network, node))

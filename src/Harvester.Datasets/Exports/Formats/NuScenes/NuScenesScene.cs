@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Datasets.Exports.Formats.NuScenes;
 
 /// <summary>A scene: the moments of a session at one place.</summary>
@@ -70,15 +66,22 @@ internal sealed record NuScenesScene(int Number, IReadOnlyList<NuScenesPart> Fra
     public string PoseTokenOf(string channel, int moment) => NuScenesToken.Of("ego_pose", Number, moment, channel);
 
     /// <summary>The annotated objects of each sample, those of all views once, by ascending id.</summary>
-    public IEnumerable<(int Moment, IReadOnlyList<NuScenesSighting> Objects)> Annotated() => Keys.Select(moment =>
-    {
-        NuScenesPart[] views = [.. Of(moment)];
-        return (moment, (IReadOnlyList<NuScenesSighting>)
-        [
-            .. views.SelectMany(view => view.Objects).GroupBy(item => item.Id).OrderBy(group => group.Key)
-                .Select(NuScenesSighting.Of),
-        ]);
-    });
+    public IEnumerable<(int Moment, IReadOnlyList<NuScenesSighting> Objects)> Annotated() =>
+        Keys.Select(moment =>
+        {
+            NuScenesPart[] views = [.. Of(moment)];
+            return (
+                moment,
+                (IReadOnlyList<NuScenesSighting>)
+                    [
+                        .. views
+                            .SelectMany(view => view.Objects)
+                            .GroupBy(item => item.Id)
+                            .OrderBy(group => group.Key)
+                            .Select(NuScenesSighting.Of),
+                    ]
+            );
+        });
 
     /// <summary>The scenes of parts, which come session by session and place by place; a place without a sample is left out.</summary>
     public static IEnumerable<NuScenesScene> All(IEnumerable<string> lines) =>

@@ -25,7 +25,12 @@ internal sealed record NuScenesSensor(string Channel, string File, int Width, in
     public static NuScenesSensor Of(RigCamera camera, CameraLabel label, string file)
     {
         return new NuScenesSensor(
-            camera.Name, file, label.Width, label.Height, CalibrationOf(camera.Mount, Rotation.OfCamera(InEgo(camera.Mount.Axes)), label));
+            camera.Name,
+            file,
+            label.Width,
+            label.Height,
+            CalibrationOf(camera.Mount, Rotation.OfCamera(InEgo(camera.Mount.Axes)), label)
+        );
     }
 
     /// <summary>The sensor of a LiDAR, whose axes are nuScenes' own: x right, y forward, z up.</summary>
@@ -46,29 +51,30 @@ internal sealed record NuScenesSensor(string Channel, string File, int Width, in
     }
 
     /// <summary>Reads what <see cref="Write"/> wrote.</summary>
-    public static NuScenesSensor Read(JsonFields sensor) => new(
-        sensor.Text("channel"), sensor.Text("file"), sensor.Integer("width"), sensor.Integer("height"), sensor.RawText("calibration"));
+    public static NuScenesSensor Read(JsonFields sensor) =>
+        new(sensor.Text("channel"), sensor.Text("file"), sensor.Integer("width"), sensor.Integer("height"), sensor.RawText("calibration"));
 
     /// <summary>A vector of the vehicle (x right, y forward, z up) in the ego frame of nuScenes: x forward, y left, z up.</summary>
     private static Vector3D InEgo(Vector3D vector) => new(vector.Y, -vector.X, vector.Z);
 
     private static Axes InEgo(Axes axes) => Axes.FromVectors(InEgo(axes.Right), InEgo(axes.Forward), InEgo(axes.Up));
 
-    private static string CalibrationOf(Pose mount, Rotation rotation, CameraLabel? camera) => JsonLine.Of(json =>
-    {
-        Vector3D place = InEgo(mount.Position);
-        json.WriteStartObject();
-        json.Numbers("translation", [place.X, place.Y, place.Z], MetreDecimals);
-        json.Numbers("rotation", [rotation.W, rotation.X, rotation.Y, rotation.Z], QuaternionDecimals);
-        json.WriteStartArray("camera_intrinsic");
-        if (camera is not null)
+    private static string CalibrationOf(Pose mount, Rotation rotation, CameraLabel? camera) =>
+        JsonLine.Of(json =>
         {
-            json.Values([camera.Fx, 0, camera.Cx], PixelDecimals);
-            json.Values([0, camera.Fy, camera.Cy], PixelDecimals);
-            json.Values([0, 0, 1], PixelDecimals);
-        }
+            Vector3D place = InEgo(mount.Position);
+            json.WriteStartObject();
+            json.Numbers("translation", [place.X, place.Y, place.Z], MetreDecimals);
+            json.Numbers("rotation", [rotation.W, rotation.X, rotation.Y, rotation.Z], QuaternionDecimals);
+            json.WriteStartArray("camera_intrinsic");
+            if (camera is not null)
+            {
+                json.Values([camera.Fx, 0, camera.Cx], PixelDecimals);
+                json.Values([0, camera.Fy, camera.Cy], PixelDecimals);
+                json.Values([0, 0, 1], PixelDecimals);
+            }
 
-        json.WriteEndArray();
-        json.WriteEndObject();
-    });
+            json.WriteEndArray();
+            json.WriteEndObject();
+        });
 }

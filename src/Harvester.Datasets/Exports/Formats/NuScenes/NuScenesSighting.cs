@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Datasets.Exports.Formats.NuScenes;
 
 /// <summary>An object at a sample, as all its views show it together.</summary>

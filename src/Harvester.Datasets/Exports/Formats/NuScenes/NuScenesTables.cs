@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
 
@@ -39,12 +35,19 @@ internal static class NuScenesTables
 
     /// <summary>Writes a table: a record per line.</summary>
     public static void Write(TextWriter writer, IEnumerable<Action<Utf8JsonWriter>> records) =>
-        WriteList(writer, records.Select(record => (Action<Utf8JsonWriter>)(json =>
-        {
-            json.WriteStartObject();
-            record(json);
-            json.WriteEndObject();
-        })));
+        WriteList(
+            writer,
+            records.Select(record =>
+                (Action<Utf8JsonWriter>)(
+                    json =>
+                    {
+                        json.WriteStartObject();
+                        record(json);
+                        json.WriteEndObject();
+                    }
+                )
+            )
+        );
 
     /// <summary>Writes a list: a value per line.</summary>
     public static void WriteList(TextWriter writer, IEnumerable<Action<Utf8JsonWriter>> values)
@@ -71,18 +74,20 @@ internal static class NuScenesTables
             splits[name].Add(scene.Name);
         }
 
-        writer.Write(JsonLine.Of(json =>
-        {
-            json.WriteStartObject();
-            foreach ((string name, List<string> scenes) in splits)
+        writer.Write(
+            JsonLine.Of(json =>
             {
-                json.WriteStartArray(name);
-                scenes.ForEach(json.WriteStringValue);
-                json.WriteEndArray();
-            }
+                json.WriteStartObject();
+                foreach ((string name, List<string> scenes) in splits)
+                {
+                    json.WriteStartArray(name);
+                    scenes.ForEach(json.WriteStringValue);
+                    json.WriteEndArray();
+                }
 
-            json.WriteEndObject();
-        }) + "\n");
+                json.WriteEndObject();
+            }) + "\n"
+        );
     }
 
     /// <summary>The name of a split in splits.json.</summary>
@@ -91,62 +96,80 @@ internal static class NuScenesTables
     /// <summary>Writes the link from a record to another one; an empty text at the ends of a chain.</summary>
     public static void Link(this Utf8JsonWriter json, string name, string? token) => json.WriteString(name, token ?? "");
 
-    private static Action<Utf8JsonWriter> Named(string token, string name) => json =>
-    {
-        json.WriteString("token", token);
-        json.WriteString("name", name);
-        json.WriteString("description", "");
-    };
+    private static Action<Utf8JsonWriter> Named(string token, string name) =>
+        json =>
+        {
+            json.WriteString("token", token);
+            json.WriteString("name", name);
+            json.WriteString("description", "");
+        };
 
-    private static Action<Utf8JsonWriter> Visibility(int token, string level) => json =>
-    {
-        json.WriteString("token", Numbers.Text(token));
-        json.WriteString("level", level);
-        json.WriteString("description", "");
-    };
+    private static Action<Utf8JsonWriter> Visibility(int token, string level) =>
+        json =>
+        {
+            json.WriteString("token", Numbers.Text(token));
+            json.WriteString("level", level);
+            json.WriteString("description", "");
+        };
 
-    private static Action<Utf8JsonWriter> Scene(NuScenesScene scene) => json =>
-    {
-        json.WriteString("token", scene.Token);
-        json.WriteString("log_token", scene.LogToken);
-        json.WriteNumber("nbr_samples", scene.Keys.Count);
-        json.Link("first_sample_token", scene.SampleTokenOf(scene.Keys[0]));
-        json.Link("last_sample_token", scene.SampleTokenOf(scene.Keys[^1]));
-        json.WriteString("name", scene.Name);
-        json.WriteString("description", scene.Frames[0].Description);
-    };
+    private static Action<Utf8JsonWriter> Scene(NuScenesScene scene) =>
+        json =>
+        {
+            json.WriteString("token", scene.Token);
+            json.WriteString("log_token", scene.LogToken);
+            json.WriteNumber("nbr_samples", scene.Keys.Count);
+            json.Link("first_sample_token", scene.SampleTokenOf(scene.Keys[0]));
+            json.Link("last_sample_token", scene.SampleTokenOf(scene.Keys[^1]));
+            json.WriteString("name", scene.Name);
+            json.WriteString("description", scene.Frames[0].Description);
+        };
 
     private static IEnumerable<Action<Utf8JsonWriter>> Logs(IEnumerable<NuScenesScene> scenes) =>
-        scenes.Select(scene => (Action<Utf8JsonWriter>)(json =>
-        {
-            string log = NuScenesWriter.LogOf(scene.Recording, scene.Frames[0].Place);
-            json.WriteString("token", scene.LogToken);
-            json.WriteString("logfile", log);
-            json.WriteString("vehicle", "gta");
-            json.WriteString("date_captured", Date);
-            json.WriteString("location", log);
-        }));
+        scenes.Select(scene =>
+            (Action<Utf8JsonWriter>)(
+                json =>
+                {
+                    string log = NuScenesWriter.LogOf(scene.Recording, scene.Frames[0].Place);
+                    json.WriteString("token", scene.LogToken);
+                    json.WriteString("logfile", log);
+                    json.WriteString("vehicle", "gta");
+                    json.WriteString("date_captured", Date);
+                    json.WriteString("location", log);
+                }
+            )
+        );
 
     private static IEnumerable<Action<Utf8JsonWriter>> Maps(IEnumerable<NuScenesScene> scenes) =>
-        scenes.Select(scene => (Action<Utf8JsonWriter>)(json =>
-        {
-            json.WriteString("token", NuScenesToken.Of("map", scene.Number));
-            json.WriteString("category", "semantic_prior");
-            json.WriteString("filename", NuScenesMap.PathOf(scene.Name));
-            json.WriteStartArray("log_tokens");
-            json.WriteStringValue(scene.LogToken);
-            json.WriteEndArray();
-        }));
+        scenes.Select(scene =>
+            (Action<Utf8JsonWriter>)(
+                json =>
+                {
+                    json.WriteString("token", NuScenesToken.Of("map", scene.Number));
+                    json.WriteString("category", "semantic_prior");
+                    json.WriteString("filename", NuScenesMap.PathOf(scene.Name));
+                    json.WriteStartArray("log_tokens");
+                    json.WriteStringValue(scene.LogToken);
+                    json.WriteEndArray();
+                }
+            )
+        );
 
     private static IEnumerable<Action<Utf8JsonWriter>> Sensors(IEnumerable<NuScenesScene> scenes) =>
-        scenes.SelectMany(scene => scene.Frames).SelectMany(frame => frame.Sensors)
-            .Select(sensor => (sensor.Channel, sensor.IsCamera)).Distinct()
-            .Select(sensor => (Action<Utf8JsonWriter>)(json =>
-            {
-                json.WriteString("token", SensorToken(sensor.Channel));
-                json.WriteString("channel", sensor.Channel);
-                json.WriteString("modality", sensor.IsCamera ? "camera" : "lidar");
-            }));
+        scenes
+            .SelectMany(scene => scene.Frames)
+            .SelectMany(frame => frame.Sensors)
+            .Select(sensor => (sensor.Channel, sensor.IsCamera))
+            .Distinct()
+            .Select(sensor =>
+                (Action<Utf8JsonWriter>)(
+                    json =>
+                    {
+                        json.WriteString("token", SensorToken(sensor.Channel));
+                        json.WriteString("channel", sensor.Channel);
+                        json.WriteString("modality", sensor.IsCamera ? "camera" : "lidar");
+                    }
+                )
+            );
 
     private static IEnumerable<Action<Utf8JsonWriter>> Calibrations(IEnumerable<NuScenesScene> scenes)
     {

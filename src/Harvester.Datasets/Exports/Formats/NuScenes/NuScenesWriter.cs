@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Sessions;
@@ -49,7 +45,8 @@ internal sealed class NuScenesWriter : IDatasetWriter
     {
         FrameLabel label = frame.Label;
         Rig rig = frame.Rig ?? SingleCamera(label);
-        RigCamera camera = rig.Cameras.FirstOrDefault(each => each.Name == (label.View ?? FrontCamera))
+        RigCamera camera =
+            rig.Cameras.FirstOrDefault(each => each.Name == (label.View ?? FrontCamera))
             ?? throw frame.Problem($"its view '{label.View}' is no camera of the rig.");
         int moment = label.Moment ?? label.Frame;
         int inScene = (label.PlaceFrame ?? label.Frame) / rig.Cameras.Count;
@@ -60,7 +57,8 @@ internal sealed class NuScenesWriter : IDatasetWriter
         var sensors = new List<NuScenesSensor> { NuScenesSensor.Of(camera, label.Camera, image) };
         foreach (SweepLabel sweep in label.Lidar)
         {
-            RigLidar lidar = rig.Lidars.FirstOrDefault(each => each.Name == sweep.Sensor)
+            RigLidar lidar =
+                rig.Lidars.FirstOrDefault(each => each.Name == sweep.Sensor)
                 ?? throw frame.Problem($"its LiDAR '{sweep.Sensor}' is not in the rig.");
             LidarPoint[] points = frame.ReadPoints(sweep);
             string file = PathOf(frame, isKey, lidar.Name, timestamp, ".pcd.bin");
@@ -75,17 +73,34 @@ internal sealed class NuScenesWriter : IDatasetWriter
         NuScenesScan? scan = isKey ? ScanOf(frame, egoPose) : null;
         NuScenesObject[] objects =
         [
-            .. frame.Objects.Select(item => NuScenesObject.Of(item.Label)).OfType<NuScenesObject>()
+            .. frame
+                .Objects.Select(item => NuScenesObject.Of(item.Label))
+                .OfType<NuScenesObject>()
                 .Select(item => scan?.Count(item) ?? item),
         ];
-        output.Part(FramePart, new NuScenesPart(
-            frame.RecordingIndex, label.Place ?? 0, moment, isKey, timestamp, frame.Split,
-            $"{label.Environment.Weather}, {label.Environment.TimeOfDay:hh\\:mm}", area, egoPose, sensors, objects)
-            .ToString());
+        output.Part(
+            FramePart,
+            new NuScenesPart(
+                frame.RecordingIndex,
+                label.Place ?? 0,
+                moment,
+                isKey,
+                timestamp,
+                frame.Split,
+                $"{label.Environment.Weather}, {label.Environment.TimeOfDay:hh\\:mm}",
+                area,
+                egoPose,
+                sensors,
+                objects
+            ).ToString()
+        );
         bool isFirst = label.Frame % rig.Cameras.Count == 0;
         NuScenesCanBus.Add(
-            output, frame, area,
-            isFirst ? EgoTrack.SamplesOf(label).Select(tick => NuScenesRide.Row(tick, at => TimestampOf(frame, at), rig.Origin)) : []);
+            output,
+            frame,
+            area,
+            isFirst ? EgoTrack.SamplesOf(label).Select(tick => NuScenesRide.Row(tick, at => TimestampOf(frame, at), rig.Origin)) : []
+        );
         NuScenesMap.Add(output, frame, area, isFirst ? ground.Near(label, ego, isKey) : []);
         if (isKey)
         {
@@ -96,16 +111,21 @@ internal sealed class NuScenesWriter : IDatasetWriter
     }
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
-    [
-        .. NuScenesTables.All.Select(table => new AggregateFile(
-            $"{Version}/{table.Key}.json",
-            [AggregateSection.Summary(FramePart, (writer, lines) => NuScenesTables.Write(writer, table.Value(NuScenesScene.All(lines))))])),
-        new AggregateFile($"{Version}/splits.json", [AggregateSection.Summary(FramePart, NuScenesTables.WriteSplits)]),
-        new AggregateFile(
-            $"{Version}/{NuScenesMap.Offsets}.json", [AggregateSection.Summary(FramePart, NuScenesMap.WriteOffsets)]),
-        .. NuScenesCanBus.Files(parts.Keys, place => parts.ContainsKey(KeyPrefix + place)),
-        .. NuScenesMap.Files(parts.Keys, place => parts.ContainsKey(KeyPrefix + place)),
-    ];
+        [
+            .. NuScenesTables.All.Select(table => new AggregateFile(
+                $"{Version}/{table.Key}.json",
+                [
+                    AggregateSection.Summary(
+                        FramePart,
+                        (writer, lines) => NuScenesTables.Write(writer, table.Value(NuScenesScene.All(lines)))
+                    ),
+                ]
+            )),
+            new AggregateFile($"{Version}/splits.json", [AggregateSection.Summary(FramePart, NuScenesTables.WriteSplits)]),
+            new AggregateFile($"{Version}/{NuScenesMap.Offsets}.json", [AggregateSection.Summary(FramePart, NuScenesMap.WriteOffsets)]),
+            .. NuScenesCanBus.Files(parts.Keys, place => parts.ContainsKey(KeyPrefix + place)),
+            .. NuScenesMap.Files(parts.Keys, place => parts.ContainsKey(KeyPrefix + place)),
+        ];
 
     /// <summary>The name of a session at a place as a log.</summary>
     public static string LogOf(int recording, int place) => FormattableString.Invariant($"gta-{recording:D4}-{place:D4}");
@@ -116,8 +136,7 @@ internal sealed class NuScenesWriter : IDatasetWriter
         Start + (SessionStep * frame.RecordingIndex) + (long)Math.Round(timeSeconds * Microseconds);
 
     private static string PathOf(ExportFrame frame, bool isKey, string channel, long timestamp, string extension) =>
-        FormattableString.Invariant(
-            $"{(isKey ? "samples" : "sweeps")}/{channel}/{LogOf(frame)}__{channel}__{timestamp}{extension}");
+        FormattableString.Invariant($"{(isKey ? "samples" : "sweeps")}/{channel}/{LogOf(frame)}__{channel}__{timestamp}{extension}");
 
     private static Pose PoseOf(EgoLabel ego) => new(ego.Position, ego.Axes ?? Axes.FromHeading(ego.HeadingDegrees));
 
@@ -128,8 +147,8 @@ internal sealed class NuScenesWriter : IDatasetWriter
         Pose camera = label.Camera.Pose;
         var mount = new Pose(
             ego.ToLocal(camera.Position),
-            Axes.FromVectors(
-                ego.Axes.ToLocal(camera.Axes.Right), ego.Axes.ToLocal(camera.Axes.Forward), ego.Axes.ToLocal(camera.Axes.Up)));
+            Axes.FromVectors(ego.Axes.ToLocal(camera.Axes.Right), ego.Axes.ToLocal(camera.Axes.Forward), ego.Axes.ToLocal(camera.Axes.Up))
+        );
         var image = new ImageSize(label.Camera.Width, label.Camera.Height);
         var only = new RigCamera(FrontCamera, mount, label.Camera.VerticalFovDegrees, image, Lens.Ideal);
         return new Rig("single", Vector3D.Zero, [only], []);
@@ -139,18 +158,21 @@ internal sealed class NuScenesWriter : IDatasetWriter
         _ground is { } ground && ground.Session == session ? ground : _ground = NuScenesGround.Of(session);
 
     /// <summary>The views of a moment follow each other, so its points are read once.</summary>
-    private NuScenesScan? ScanOf(ExportFrame frame, string ego) => NuScenesScan.NameOf(frame) is not { } name ? null
-        : _scan?.File == name ? _scan : _scan = NuScenesScan.Read(frame, ego);
+    private NuScenesScan? ScanOf(ExportFrame frame, string ego) =>
+        NuScenesScan.NameOf(frame) is not { } name ? null
+        : _scan?.File == name ? _scan
+        : _scan = NuScenesScan.Read(frame, ego);
 
-    private static string EgoOf(Pose pose, Rig rig) => JsonLine.Of(json =>
-    {
-        Vector3D origin = pose.ToWorld(rig.Origin);
-        Rotation rotation = Rotation.OfBody(pose.Axes);
-        json.WriteStartObject();
-        json.Numbers("rotation", [rotation.W, rotation.X, rotation.Y, rotation.Z], QuaternionDecimals);
-        json.Numbers("translation", [origin.X, origin.Y, origin.Z], MetreDecimals);
-        json.WriteEndObject();
-    });
+    private static string EgoOf(Pose pose, Rig rig) =>
+        JsonLine.Of(json =>
+        {
+            Vector3D origin = pose.ToWorld(rig.Origin);
+            Rotation rotation = Rotation.OfBody(pose.Axes);
+            json.WriteStartObject();
+            json.Numbers("rotation", [rotation.W, rotation.X, rotation.Y, rotation.Z], QuaternionDecimals);
+            json.Numbers("translation", [origin.X, origin.Y, origin.Z], MetreDecimals);
+            json.WriteEndObject();
+        });
 
     /// <summary>The ring of each beam: 0 is the lowest.</summary>
     private static float[] RingsOf(RigLidar lidar) =>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Datasets.Exports.Formats.OpenLabel;
 
 /// <summary>The runs of frames in which an object occurs.</summary>
@@ -22,6 +19,8 @@ internal sealed class FrameIntervals
     }
 
     /// <summary>The runs as JSON; both ends belong to a run.</summary>
-    public override string ToString() => "[" + string.Join(
-        ',', _runs.ConvertAll(run => FormattableString.Invariant($"{{\"frame_start\":{run.Start},\"frame_end\":{run.End}}}"))) + "]";
+    public override string ToString() =>
+        "["
+        + string.Join(',', _runs.ConvertAll(run => FormattableString.Invariant($"{{\"frame_start\":{run.Start},\"frame_end\":{run.End}}}")))
+        + "]";
 }

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Exports.Checks;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Sessions;
@@ -34,15 +30,18 @@ internal sealed class OpenLabelCheck
         _images = $"images/{sequence}";
     }
 
-    public static IEnumerable<SessionProblem> Problems(DatasetContent dataset) => dataset.Splits.SelectMany(split =>
-    {
-        string[] sequences = [.. dataset.Folders($"images/{split}").Select(folder => folder["images/".Length..])];
-        return sequences.SelectMany(sequence =>
+    public static IEnumerable<SessionProblem> Problems(DatasetContent dataset) =>
+        dataset.Splits.SelectMany(split =>
         {
-            dataset.Found(split, dataset.Files($"images/{sequence}").Count);
-            return new OpenLabelCheck(dataset, sequence).Problems();
-        }).Concat(LabelFiles.Strays(dataset, $"labels/{split}", sequences.Select(sequence => Path.GetFileName(sequence))));
-    });
+            string[] sequences = [.. dataset.Folders($"images/{split}").Select(folder => folder["images/".Length..])];
+            return sequences
+                .SelectMany(sequence =>
+                {
+                    dataset.Found(split, dataset.Files($"images/{sequence}").Count);
+                    return new OpenLabelCheck(dataset, sequence).Problems();
+                })
+                .Concat(LabelFiles.Strays(dataset, $"labels/{split}", sequences.Select(sequence => Path.GetFileName(sequence))));
+        });
 
     private IEnumerable<SessionProblem> Problems()
     {
@@ -56,7 +55,8 @@ internal sealed class OpenLabelCheck
         string last = "";
         foreach ((int number, string text) in _dataset.Lines(_name))
         {
-            string? problem = last == End ? "a line follows the last."
+            string? problem =
+                last == End ? "a line follows the last."
                 : text == End ? null
                 : text == BetweenFramesAndObjects ? null
                 : problemOf(text);
@@ -65,7 +65,8 @@ internal sealed class OpenLabelCheck
                 yield return new SessionProblem(_name, number, problem);
             }
 
-            problemOf = number == 1 ? FrameProblem
+            problemOf =
+                number == 1 ? FrameProblem
                 : text == BetweenFramesAndObjects ? MiddleProblem
                 : last == BetweenFramesAndObjects ? ObjectProblem
                 : problemOf;
@@ -86,67 +87,93 @@ internal sealed class OpenLabelCheck
         }
     }
 
-    private string? HeadProblem(string text) => FrameLines.ProblemOf(text + End, document =>
-    {
-        JsonFields head = document.Fields("openlabel");
-        JsonFields camera = head.Fields("streams").Fields(OpenLabelStream.Camera).Fields("stream_properties").Fields("intrinsics_pinhole");
-        double[] matrix = camera.Numbers("camera_matrix", 12);
-        _size = camera.Checked(() => new ImageSize(camera.Integer("width_px"), camera.Integer("height_px")));
-        JsonFields systems = head.Fields("coordinate_systems");
-        return head.Fields("metadata").Text("schema_version") != OpenLabelStream.SchemaVersion
-                ? $"schema_version is not {OpenLabelStream.SchemaVersion}."
-            : systems.Fields(OpenLabelStream.World).Text("parent").Length > 0 || systems.Names.Any(system =>
-                system != OpenLabelStream.World && systems.Fields(system).Text("parent") != OpenLabelStream.World)
-                ? $"the coordinate systems are not {OpenLabelStream.World} and others within it."
-            : !(matrix[0] > 0 && matrix[5] > 0) || !matrix.AsSpan(8).SequenceEqual([0, 0, 1, 0])
-                || matrix[1] != 0 || matrix[3] != 0 || matrix[4] != 0 || matrix[7] != 0
-                ? "camera_matrix is not the matrix of a camera."
-            : null;
-    });
-
-    private string? FrameProblem(string text) => FrameLines.ProblemOf("{" + Trimmed(text) + "}", document =>
-    {
-        if (document.Names.ToArray() is not [var key] || key != Numbers.Text(_count))
-        {
-            return $"it is not frame {_count}, which must follow.";
-        }
-
-        _frames.Add(_count++);
-        JsonFields frame = document.Fields(key);
-        string image = frame.Fields("frame_properties").Fields("streams").Fields(OpenLabelStream.Camera).Text("uri");
-        JsonFields objects = frame.Fields("objects");
-        foreach (string id in objects.Names)
-        {
-            if (!int.TryParse(id, out int number) || number < 1)
+    private string? HeadProblem(string text) =>
+        FrameLines.ProblemOf(
+            text + End,
+            document =>
             {
-                return $"'{id}' is not the number of an object.";
+                JsonFields head = document.Fields("openlabel");
+                JsonFields camera = head.Fields("streams")
+                    .Fields(OpenLabelStream.Camera)
+                    .Fields("stream_properties")
+                    .Fields("intrinsics_pinhole");
+                double[] matrix = camera.Numbers("camera_matrix", 12);
+                _size = camera.Checked(() => new ImageSize(camera.Integer("width_px"), camera.Integer("height_px")));
+                JsonFields systems = head.Fields("coordinate_systems");
+                return head.Fields("metadata").Text("schema_version") != OpenLabelStream.SchemaVersion
+                        ? $"schema_version is not {OpenLabelStream.SchemaVersion}."
+                    : systems.Fields(OpenLabelStream.World).Text("parent").Length > 0
+                    || systems.Names.Any(system =>
+                        system != OpenLabelStream.World && systems.Fields(system).Text("parent") != OpenLabelStream.World
+                    )
+                        ? $"the coordinate systems are not {OpenLabelStream.World} and others within it."
+                    : !(matrix[0] > 0 && matrix[5] > 0)
+                    || !matrix.AsSpan(8).SequenceEqual([0, 0, 1, 0])
+                    || matrix[1] != 0
+                    || matrix[3] != 0
+                    || matrix[4] != 0
+                    || matrix[7] != 0
+                        ? "camera_matrix is not the matrix of a camera."
+                    : null;
             }
+        );
 
-            _seen.TryAdd(number, new FrameIntervals());
-            _seen[number].Add(_count - 1);
-        }
+    private string? FrameProblem(string text) =>
+        FrameLines.ProblemOf(
+            "{" + Trimmed(text) + "}",
+            document =>
+            {
+                if (document.Names.ToArray() is not [var key] || key != Numbers.Text(_count))
+                {
+                    return $"it is not frame {_count}, which must follow.";
+                }
 
-        return Path.GetDirectoryName(image)?.Replace('\\', '/') != _images || !_dataset.Has(image) ? $"its image '{image}' is missing."
-            : _dataset.Header(image) is { } header && _size is { } size && header.Size != size
-                ? $"its image is {header.Size.Width} x {header.Size.Height}, not {size.Width} x {size.Height}."
-            : OpenLabelData.TransformProblem(frame.Fields("frame_properties").Fields("transforms"))
-                ?? objects.Names.Select(id => DataProblem(objects.Fields(id), id)).FirstOrDefault(problem => problem is not null);
-    });
+                _frames.Add(_count++);
+                JsonFields frame = document.Fields(key);
+                string image = frame.Fields("frame_properties").Fields("streams").Fields(OpenLabelStream.Camera).Text("uri");
+                JsonFields objects = frame.Fields("objects");
+                foreach (string id in objects.Names)
+                {
+                    if (!int.TryParse(id, out int number) || number < 1)
+                    {
+                        return $"'{id}' is not the number of an object.";
+                    }
+
+                    _seen.TryAdd(number, new FrameIntervals());
+                    _seen[number].Add(_count - 1);
+                }
+
+                return Path.GetDirectoryName(image)?.Replace('\\', '/') != _images || !_dataset.Has(image)
+                        ? $"its image '{image}' is missing."
+                    : _dataset.Header(image) is { } header && _size is { } size && header.Size != size
+                        ? $"its image is {header.Size.Width} x {header.Size.Height}, not {size.Width} x {size.Height}."
+                    : OpenLabelData.TransformProblem(frame.Fields("frame_properties").Fields("transforms"))
+                        ?? objects.Names.Select(id => DataProblem(objects.Fields(id), id)).FirstOrDefault(problem => problem is not null);
+            }
+        );
 
     private string? DataProblem(JsonFields item, string id) =>
         OpenLabelData.Problem(item.Fields("object_data"), _size, _dataset.Options.Boxes) is { } problem ? $"object {id}: {problem}" : null;
 
-    private string? MiddleProblem(string text) => FrameLines.ProblemOf("{" + text + "}}", document =>
-        document.RawText("frame_intervals") != _frames.ToString() ? $"frame_intervals is not {_frames}."
-            : document.Fields("contexts").Names.Any() ? null : "it has no contexts.");
+    private string? MiddleProblem(string text) =>
+        FrameLines.ProblemOf(
+            "{" + text + "}}",
+            document =>
+                document.RawText("frame_intervals") != _frames.ToString() ? $"frame_intervals is not {_frames}."
+                : document.Fields("contexts").Names.Any() ? null
+                : "it has no contexts."
+        );
 
     private string? ObjectProblem(string text) =>
         text.Length == 0 && _seen.Count == 0 ? null : FrameLines.ProblemOf("{" + Trimmed(text) + "}", ListedProblem);
 
     private string? ListedProblem(JsonFields document)
     {
-        if (document.Names.ToArray() is not [var key] || !int.TryParse(key, out int id)
-            || !_seen.TryGetValue(id, out FrameIntervals? frames))
+        if (
+            document.Names.ToArray() is not [var key]
+            || !int.TryParse(key, out int id)
+            || !_seen.TryGetValue(id, out FrameIntervals? frames)
+        )
         {
             return "it is not an object of a frame.";
         }

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
@@ -20,16 +17,20 @@ internal static class OpenLabelData
     private const int MinLineNumbers = 4;
 
     /// <summary>The problem of the transforms of a frame.</summary>
-    public static string? TransformProblem(JsonFields transforms) => transforms.Names.Select(name =>
-    {
-        JsonFields transform = transforms.Fields(name);
-        JsonFields data = transform.Fields("transform_src_to_dst");
-        _ = data.Vector("translation");
-        return transform.Text("dst") != OpenLabelStream.World
-            || transform.Text("src") is not (OpenLabelStream.Ego or OpenLabelStream.Camera)
-                ? $"{name} is not a transform to {OpenLabelStream.World}."
-            : IsUnit(data.Numbers("quaternion", 4)) ? null : $"the quaternion of {name} is not of length 1.";
-    }).FirstOrDefault(problem => problem is not null);
+    public static string? TransformProblem(JsonFields transforms) =>
+        transforms
+            .Names.Select(name =>
+            {
+                JsonFields transform = transforms.Fields(name);
+                JsonFields data = transform.Fields("transform_src_to_dst");
+                _ = data.Vector("translation");
+                return transform.Text("dst") != OpenLabelStream.World
+                    || transform.Text("src") is not (OpenLabelStream.Ego or OpenLabelStream.Camera)
+                        ? $"{name} is not a transform to {OpenLabelStream.World}."
+                    : IsUnit(data.Numbers("quaternion", 4)) ? null
+                    : $"the quaternion of {name} is not of length 1.";
+            })
+            .FirstOrDefault(problem => problem is not null);
 
     /// <summary>The problem of the data of an object.</summary>
     /// <param name="data">The data.</param>
@@ -43,9 +44,13 @@ internal static class OpenLabelData
     private static string? Each(JsonFields data, string kind, Func<JsonFields, string?> problemOf)
     {
         var names = new HashSet<string>(StringComparer.Ordinal);
-        return !data.Has(kind) ? null : data.List(kind).Select(item =>
-            names.Add(item.Text("name")) ? problemOf(item) : $"two items of {kind} have the name '{item.Text("name")}'.")
-            .FirstOrDefault(problem => problem is not null);
+        return !data.Has(kind)
+            ? null
+            : data.List(kind)
+                .Select(item =>
+                    names.Add(item.Text("name")) ? problemOf(item) : $"two items of {kind} have the name '{item.Text("name")}'."
+                )
+                .FirstOrDefault(problem => problem is not null);
     }
 
     private static string? BoxProblem(JsonFields item, ImageSize? size)
@@ -72,12 +77,11 @@ internal static class OpenLabelData
         double[] val = item.Numbers("val");
         return val.Length < MinLineNumbers || val.Length % 2 != 0 ? "a line does not have two points or more."
             : item.Boolean("closed") || item.Text("mode") != "MODE_POLY2D_ABSOLUTE" ? "a line is closed, or its mode is unknown."
-            : size is { } image && val.Chunk(2).Any(point =>
-                !image.Bounds.Contains(new Box2D(point[0], point[1], point[0], point[1]), RoundingPixels))
+            : size is { } image
+            && val.Chunk(2).Any(point => !image.Bounds.Contains(new Box2D(point[0], point[1], point[0], point[1]), RoundingPixels))
                 ? $"a point of a line does not lie in the image of {image.Width} x {image.Height}."
             : null;
     }
 
-    private static bool IsUnit(double[] quaternion) =>
-        Math.Abs(quaternion.Sum(part => part * part) - 1) <= RoundingUnit;
+    private static bool IsUnit(double[] quaternion) => Math.Abs(quaternion.Sum(part => part * part) - 1) <= RoundingUnit;
 }

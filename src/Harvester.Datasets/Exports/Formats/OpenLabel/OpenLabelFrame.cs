@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
@@ -26,31 +23,34 @@ internal static class OpenLabelFrame
     /// <summary>The text of a frame.</summary>
     /// <param name="frame">The frame.</param>
     /// <param name="image">Path of its image.</param>
-    public static string Text(ExportFrame frame, string image) => JsonLine.Of(json =>
-    {
-        FrameLabel label = frame.Label;
-        json.WriteStartObject();
-        WriteProperties(json, label, image);
-        json.WriteStartObject("contexts");
-        json.WriteStartObject("0");
-        json.WriteStartObject("context_data");
-        WriteTexts(
-            json, ("weather", label.Environment.Weather),
-            ("timeOfDay", label.Environment.TimeOfDay.ToString(@"hh\:mm\:ss", CultureInfo.InvariantCulture)));
-        json.WriteEndObject();
-        json.WriteEndObject();
-        json.WriteEndObject();
-        json.WriteStartObject("objects");
-        foreach (ExportObject item in frame.Objects)
+    public static string Text(ExportFrame frame, string image) =>
+        JsonLine.Of(json =>
         {
-            WriteObject(json, item);
-        }
+            FrameLabel label = frame.Label;
+            json.WriteStartObject();
+            WriteProperties(json, label, image);
+            json.WriteStartObject("contexts");
+            json.WriteStartObject("0");
+            json.WriteStartObject("context_data");
+            WriteTexts(
+                json,
+                ("weather", label.Environment.Weather),
+                ("timeOfDay", label.Environment.TimeOfDay.ToString(@"hh\:mm\:ss", CultureInfo.InvariantCulture))
+            );
+            json.WriteEndObject();
+            json.WriteEndObject();
+            json.WriteEndObject();
+            json.WriteStartObject("objects");
+            foreach (ExportObject item in frame.Objects)
+            {
+                WriteObject(json, item);
+            }
 
-        WriteLanes(json, label.Lanes?.Lines ?? []);
-        WriteIgnored(json, frame.Ignored);
-        json.WriteEndObject();
-        json.WriteEndObject();
-    });
+            WriteLanes(json, label.Lanes?.Lines ?? []);
+            WriteIgnored(json, frame.Ignored);
+            json.WriteEndObject();
+            json.WriteEndObject();
+        });
 
     private static void WriteProperties(Utf8JsonWriter json, FrameLabel label, string image)
     {
@@ -84,29 +84,37 @@ internal static class OpenLabelFrame
     private static void WriteObject(Utf8JsonWriter json, ExportObject item)
     {
         ObjectLabel label = item.Label;
-        WriteData(json, label.Id, () =>
-        {
-            json.WriteStartArray("bbox");
-            WriteBox(json, "box", item.Box);
-            json.WriteEndArray();
-            json.WriteStartArray("cuboid");
-            WriteCuboid(json, label);
-            json.WriteEndArray();
-            json.WriteStartArray("vec");
-            json.WriteStartObject();
-            json.WriteString("name", "velocity");
-            json.WriteString("coordinate_system", OpenLabelStream.World);
-            json.Numbers("val", [label.Velocity.X, label.Velocity.Y, label.Velocity.Z], Metres);
-            json.WriteEndObject();
-            json.WriteEndArray();
-            json.WriteStartArray("num");
-            WriteNumber(json, "truncatedFraction", label.TruncatedFraction);
-            WriteNumber(json, "occludedFraction", label.OccludedFraction);
-            json.WriteEndArray();
-            WriteTexts(
-                json, ("model", label.Model), ("name", label.Name), ("mutcd", label.Face?.MutcdCode),
-                ("lightState", label.Face?.Light is { } light ? JsonName.Of(light.State) : null));
-        });
+        WriteData(
+            json,
+            label.Id,
+            () =>
+            {
+                json.WriteStartArray("bbox");
+                WriteBox(json, "box", item.Box);
+                json.WriteEndArray();
+                json.WriteStartArray("cuboid");
+                WriteCuboid(json, label);
+                json.WriteEndArray();
+                json.WriteStartArray("vec");
+                json.WriteStartObject();
+                json.WriteString("name", "velocity");
+                json.WriteString("coordinate_system", OpenLabelStream.World);
+                json.Numbers("val", [label.Velocity.X, label.Velocity.Y, label.Velocity.Z], Metres);
+                json.WriteEndObject();
+                json.WriteEndArray();
+                json.WriteStartArray("num");
+                WriteNumber(json, "truncatedFraction", label.TruncatedFraction);
+                WriteNumber(json, "occludedFraction", label.OccludedFraction);
+                json.WriteEndArray();
+                WriteTexts(
+                    json,
+                    ("model", label.Model),
+                    ("name", label.Name),
+                    ("mutcd", label.Face?.MutcdCode),
+                    ("lightState", label.Face?.Light is { } light ? JsonName.Of(light.State) : null)
+                );
+            }
+        );
     }
 
     /// <summary>Centre, rotation, and the size along the cuboid's own axes: forward, left, up.</summary>
@@ -140,30 +148,36 @@ internal static class OpenLabelFrame
             return;
         }
 
-        WriteData(json, OpenLabelWriter.LaneObject, () =>
-        {
-            json.WriteStartArray("poly2d");
-            for (int i = 0; i < lines.Count; i++)
+        WriteData(
+            json,
+            OpenLabelWriter.LaneObject,
+            () =>
             {
-                json.WriteStartObject();
-                json.WriteString("name", $"line {i}");
-                json.WriteString("coordinate_system", OpenLabelStream.Camera);
-                json.Numbers("val", [.. lines[i].Points.SelectMany(point => new[] { point.Pixel.X, point.Pixel.Y })], Pixels);
-                json.WriteString("mode", "MODE_POLY2D_ABSOLUTE");
-                json.WriteBoolean("closed", false);
-                json.WriteStartObject("attributes");
-                json.WriteStartArray("num");
-                WriteNumber(json, "index", lines[i].Index);
-                json.WriteEndArray();
-                WriteTexts(
-                    json, ("style", lines[i].Paint is { } style ? JsonName.Of(style.Style) : null),
-                    ("colour", lines[i].Paint is { } colour ? JsonName.Of(colour.Colour) : null));
-                json.WriteEndObject();
-                json.WriteEndObject();
-            }
+                json.WriteStartArray("poly2d");
+                for (int i = 0; i < lines.Count; i++)
+                {
+                    json.WriteStartObject();
+                    json.WriteString("name", $"line {i}");
+                    json.WriteString("coordinate_system", OpenLabelStream.Camera);
+                    json.Numbers("val", [.. lines[i].Points.SelectMany(point => new[] { point.Pixel.X, point.Pixel.Y })], Pixels);
+                    json.WriteString("mode", "MODE_POLY2D_ABSOLUTE");
+                    json.WriteBoolean("closed", false);
+                    json.WriteStartObject("attributes");
+                    json.WriteStartArray("num");
+                    WriteNumber(json, "index", lines[i].Index);
+                    json.WriteEndArray();
+                    WriteTexts(
+                        json,
+                        ("style", lines[i].Paint is { } style ? JsonName.Of(style.Style) : null),
+                        ("colour", lines[i].Paint is { } colour ? JsonName.Of(colour.Colour) : null)
+                    );
+                    json.WriteEndObject();
+                    json.WriteEndObject();
+                }
 
-            json.WriteEndArray();
-        });
+                json.WriteEndArray();
+            }
+        );
     }
 
     private static void WriteIgnored(Utf8JsonWriter json, IReadOnlyList<ExportRegion> regions)
@@ -173,16 +187,20 @@ internal static class OpenLabelFrame
             return;
         }
 
-        WriteData(json, OpenLabelWriter.IgnoreObject, () =>
-        {
-            json.WriteStartArray("bbox");
-            for (int i = 0; i < regions.Count; i++)
+        WriteData(
+            json,
+            OpenLabelWriter.IgnoreObject,
+            () =>
             {
-                WriteBox(json, $"region {i}", regions[i].Box);
-            }
+                json.WriteStartArray("bbox");
+                for (int i = 0; i < regions.Count; i++)
+                {
+                    WriteBox(json, $"region {i}", regions[i].Box);
+                }
 
-            json.WriteEndArray();
-        });
+                json.WriteEndArray();
+            }
+        );
     }
 
     private static void WriteData(Utf8JsonWriter json, int id, Action write)

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 
@@ -14,9 +10,11 @@ internal static class OpenLabelObjects
     private const char Separator = '\t';
 
     /// <summary>The objects of a frame as a part.</summary>
-    public static string PartOf(int frame, IEnumerable<(int Id, string Type)> objects) => string.Join(
-        Separator, objects.SelectMany(item => new[] { Numbers.Text(item.Id), JsonSerializer.Serialize(item.Type) })
-            .Prepend(Numbers.Text(frame)));
+    public static string PartOf(int frame, IEnumerable<(int Id, string Type)> objects) =>
+        string.Join(
+            Separator,
+            objects.SelectMany(item => new[] { Numbers.Text(item.Id), JsonSerializer.Serialize(item.Type) }).Prepend(Numbers.Text(frame))
+        );
 
     /// <summary>Writes the end up to the last object.</summary>
     /// <param name="writer">Where to.</param>
@@ -52,10 +50,13 @@ internal static class OpenLabelObjects
     /// <param name="id">Its number.</param>
     /// <param name="type">Its type as JSON.</param>
     /// <param name="frames">The frames in which it occurs.</param>
-    public static string Text(int id, string type, FrameIntervals frames) => FormattableString.Invariant(
-        $"\"{id}\":{{\"name\":\"{id}\",\"type\":{type},\"frame_intervals\":{frames}}}");
+    public static string Text(int id, string type, FrameIntervals frames) =>
+        FormattableString.Invariant($"\"{id}\":{{\"name\":\"{id}\",\"type\":{type},\"frame_intervals\":{frames}}}");
 
-    private static int NumberOf(string word) => int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out int number) ? number
-        : throw new DatasetFormatException(
-            $"A journal of the export has '{word}', which is not the number of an object. Delete the folder and export again.");
+    private static int NumberOf(string word) =>
+        int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out int number)
+            ? number
+            : throw new DatasetFormatException(
+                $"A journal of the export has '{word}', which is not the number of an object. Delete the folder and export again."
+            );
 }

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Harvester.Datasets.Exports.Formats.OpenLabel;
 
 /// <summary>Writes ASAM OpenLABEL: a file per place, and its images. See docs/exports/openlabel.md.</summary>
@@ -39,7 +35,9 @@ internal sealed class OpenLabelWriter : IDatasetWriter
     }
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
-        parts.Keys.Where(part => part.StartsWith(FramesPrefix, StringComparison.Ordinal)).Select(part => part[FramesPrefix.Length..])
+        parts
+            .Keys.Where(part => part.StartsWith(FramesPrefix, StringComparison.Ordinal))
+            .Select(part => part[FramesPrefix.Length..])
             .Select(sequence => new AggregateFile(
                 $"labels/{sequence}.json",
                 [
@@ -50,7 +48,8 @@ internal sealed class OpenLabelWriter : IDatasetWriter
                     AggregateSection.Literal("\n},\n"),
                     AggregateSection.Summary(ObjectsPrefix + sequence, OpenLabelObjects.Write),
                     AggregateSection.Literal("\n}}}\n"),
-                ]));
+                ]
+            ));
 
     /// <summary>The objects of a frame, with their types.</summary>
     private static string ObjectsPart(ExportFrame frame)

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Text;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
@@ -23,12 +19,17 @@ internal static class PointCloudCheck
         return CloudProblems(dataset, kind, files).Concat(Strays(dataset, files));
     }
 
-    private static IEnumerable<SessionProblem> CloudProblems(
-        DatasetContent dataset, PointCloudKind kind, HashSet<string> files)
+    private static IEnumerable<SessionProblem> CloudProblems(DatasetContent dataset, PointCloudKind kind, HashSet<string> files)
     {
         var frames = new HashSet<string>(StringComparer.Ordinal);
-        foreach ((int number, string[] words, SessionProblem? problem) in Rows(
-            dataset, PointCloudWriter.Clouds, PointCloudWriter.CloudColumns, CloudColumns))
+        foreach (
+            (int number, string[] words, SessionProblem? problem) in Rows(
+                dataset,
+                PointCloudWriter.Clouds,
+                PointCloudWriter.CloudColumns,
+                CloudColumns
+            )
+        )
         {
             if ((problem ?? ProblemOf(dataset, kind, number, words)) is { } found)
             {
@@ -45,14 +46,13 @@ internal static class PointCloudCheck
 
     private static SessionProblem? ProblemOf(DatasetContent dataset, PointCloudKind kind, int number, string[] words) =>
         !dataset.Splits.Contains(words[2]) ? new(PointCloudWriter.Clouds, number, $"it has the unknown split '{words[2]}'.")
-            : !int.TryParse(words[7], NumberStyles.None, CultureInfo.InvariantCulture, out int points) || points > LidarFile.MaxPoints
-                ? new(PointCloudWriter.Clouds, number, "its number of points is no number.")
-            : Numbers.Parse(words.Skip(8)) is not { } pose
-                || Math.Abs(pose.Skip(3).Sum(part => part * part) - 1) > RotationTolerance
-                ? new(PointCloudWriter.Clouds, number, "its pose is no position and unit quaternion.")
-            : !dataset.Has(words[0]) ? new(words[0], null, "it is missing.")
-            : FileProblem(dataset, kind, words[0], points) is { } file ? new(words[0], null, file)
-            : null;
+        : !int.TryParse(words[7], NumberStyles.None, CultureInfo.InvariantCulture, out int points) || points > LidarFile.MaxPoints
+            ? new(PointCloudWriter.Clouds, number, "its number of points is no number.")
+        : Numbers.Parse(words.Skip(8)) is not { } pose || Math.Abs(pose.Skip(3).Sum(part => part * part) - 1) > RotationTolerance
+            ? new(PointCloudWriter.Clouds, number, "its pose is no position and unit quaternion.")
+        : !dataset.Has(words[0]) ? new(words[0], null, "it is missing.")
+        : FileProblem(dataset, kind, words[0], points) is { } file ? new(words[0], null, file)
+        : null;
 
     private static string? FileProblem(DatasetContent dataset, PointCloudKind kind, string name, int points)
     {
@@ -63,16 +63,24 @@ internal static class PointCloudCheck
             return $"it does not have {length} bytes, as its {points} points need.";
         }
 
-        return InputFile.ReadAllBytes(dataset.PathOf(name), length).AsSpan(0, header.Length).SequenceEqual(header) ? null
+        return InputFile.ReadAllBytes(dataset.PathOf(name), length).AsSpan(0, header.Length).SequenceEqual(header)
+            ? null
             : $"its header is not that of {points} points.";
     }
 
     private static IEnumerable<SessionProblem> Strays(DatasetContent dataset, HashSet<string> files) =>
-        dataset.Folders(PointCloudWriter.Folder).SelectMany(dataset.Files).Where(name => !files.Contains(name))
+        dataset
+            .Folders(PointCloudWriter.Folder)
+            .SelectMany(dataset.Files)
+            .Where(name => !files.Contains(name))
             .Select(name => new SessionProblem(name, null, $"it is not in {PointCloudWriter.Clouds}."));
 
     private static IEnumerable<(int Number, string[] Words, SessionProblem? Problem)> Rows(
-        DatasetContent dataset, string name, string header, int columns)
+        DatasetContent dataset,
+        string name,
+        string header,
+        int columns
+    )
     {
         bool isFirst = true;
         foreach ((int number, string text) in dataset.Lines(name))
@@ -88,8 +96,13 @@ internal static class PointCloudCheck
             }
             else
             {
-                yield return (number, words, words.Length == columns ? null
-                    : new SessionProblem(name, number, $"it has {words.Length} columns instead of {columns}."));
+                yield return (
+                    number,
+                    words,
+                    words.Length == columns
+                        ? null
+                        : new SessionProblem(name, number, $"it has {words.Length} columns instead of {columns}.")
+                );
             }
         }
 

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
@@ -32,7 +28,8 @@ internal sealed class PointCloudWriter(PointCloudKind kind) : IDatasetWriter
         string time = Numbers.Row(TimeDecimals, frame.Label.TimeSeconds);
         foreach (SweepLabel sweep in frame.Label.Lidar)
         {
-            RigLidar lidar = frame.Rig?.Lidars.FirstOrDefault(each => each.Name == sweep.Sensor)
+            RigLidar lidar =
+                frame.Rig?.Lidars.FirstOrDefault(each => each.Name == sweep.Sensor)
                 ?? throw frame.Problem($"its LiDAR '{sweep.Sensor}' is not in the rig.");
             LidarPoint[] points = frame.ReadPoints(sweep);
             string file = $"{Folder}/{lidar.Name}/{frame.Name}{kind.Extension}";
@@ -45,18 +42,19 @@ internal sealed class PointCloudWriter(PointCloudKind kind) : IDatasetWriter
                 Numbers.Row(MetreDecimals, pose.Position.X, pose.Position.Y, pose.Position.Z),
                 Numbers.Row(QuaternionDecimals, rotation.W, rotation.X, rotation.Y, rotation.Z),
             ];
-            output.Part(CloudPart, FormattableString.Invariant(
-                $"{file},{frame.Index},{frame.Split},{frame.RecordingIndex},{frame.Label.Frame},{time},{lidar.Name},{points.Length},")
-                + string.Join(' ', numbers).Replace(' ', ','));
+            output.Part(
+                CloudPart,
+                FormattableString.Invariant(
+                    $"{file},{frame.Index},{frame.Split},{frame.RecordingIndex},{frame.Label.Frame},{time},{lidar.Name},{points.Length},"
+                ) + string.Join(' ', numbers).Replace(' ', ',')
+            );
         }
 
         return new WrittenObjects(0);
     }
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
-    [
-        new(Clouds, [AggregateSection.Literal(CloudColumns + "\n"), AggregateSection.Lines(CloudPart)]),
-    ];
+        [new(Clouds, [AggregateSection.Literal(CloudColumns + "\n"), AggregateSection.Lines(CloudPart)])];
 
     /// <summary>Writes the points with x forward, y left and z up.</summary>
     private void Write(Stream stream, LidarPoint[] points)

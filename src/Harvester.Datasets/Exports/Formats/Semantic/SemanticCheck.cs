@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Sessions;
@@ -36,8 +32,12 @@ internal static class SemanticCheck
                 }
             }
 
-            foreach (string stray in dataset.Files($"classes/{split}").Concat(dataset.Files($"drivable/{split}"))
-                .Where(file => !known.Contains(Path.GetFileName(file))))
+            foreach (
+                string stray in dataset
+                    .Files($"classes/{split}")
+                    .Concat(dataset.Files($"drivable/{split}"))
+                    .Where(file => !known.Contains(Path.GetFileName(file)))
+            )
             {
                 yield return new SessionProblem(stray, null, "its image is missing.");
             }

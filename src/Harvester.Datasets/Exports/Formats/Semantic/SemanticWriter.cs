@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Json;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging.Pictures;
@@ -22,7 +19,7 @@ internal sealed class SemanticWriter : IDatasetWriter
 
     /// <summary>The colours of the classes, by value.</summary>
     public static IReadOnlyList<(byte Red, byte Green, byte Blue)> Palette { get; } =
-        [.. Enum.GetValues<SemanticClass>().Select(SemanticClasses.ColourOf)];
+    [.. Enum.GetValues<SemanticClass>().Select(SemanticClasses.ColourOf)];
 
     public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
@@ -48,23 +45,24 @@ internal sealed class SemanticWriter : IDatasetWriter
         return mask;
     }
 
-    private static string ClassList() => JsonLine.Of(json =>
-    {
-        json.WriteStartArray();
-        foreach (SemanticClass kind in Enum.GetValues<SemanticClass>())
+    private static string ClassList() =>
+        JsonLine.Of(json =>
         {
-            (byte red, byte green, byte blue) = SemanticClasses.ColourOf(kind);
-            json.WriteStartObject();
-            json.WriteNumber("id", (int)kind);
-            json.WriteString("name", JsonName.Of(kind));
-            json.WriteStartArray("colour");
-            json.WriteNumberValue(red);
-            json.WriteNumberValue(green);
-            json.WriteNumberValue(blue);
-            json.WriteEndArray();
-            json.WriteEndObject();
-        }
+            json.WriteStartArray();
+            foreach (SemanticClass kind in Enum.GetValues<SemanticClass>())
+            {
+                (byte red, byte green, byte blue) = SemanticClasses.ColourOf(kind);
+                json.WriteStartObject();
+                json.WriteNumber("id", (int)kind);
+                json.WriteString("name", JsonName.Of(kind));
+                json.WriteStartArray("colour");
+                json.WriteNumberValue(red);
+                json.WriteNumberValue(green);
+                json.WriteNumberValue(blue);
+                json.WriteEndArray();
+                json.WriteEndObject();
+            }
 
-        json.WriteEndArray();
-    });
+            json.WriteEndArray();
+        });
 }

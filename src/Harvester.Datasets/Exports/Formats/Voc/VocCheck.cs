@@ -1,7 +1,4 @@
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Xml;
 using System.Xml.Linq;
 using Harvester.Datasets.Exports.Checks;
@@ -24,7 +21,8 @@ internal static class VocCheck
         IReadOnlyList<string> images = dataset.Files(Images);
         Dictionary<string, int> frames = images.ToDictionary(image => Path.GetFileNameWithoutExtension(image), _ => 1);
         HashSet<string> classes = [.. new ClassCatalogue(dataset.Options).All.Select(kind => kind.Name)];
-        return images.SelectMany(image => ProblemsOf(dataset, image, classes))
+        return images
+            .SelectMany(image => ProblemsOf(dataset, image, classes))
             .Concat(LabelFiles.Strays(dataset, Annotations, frames.Keys))
             .Concat(SplitLists.Problems(dataset, split => $"ImageSets/Main/{split}.txt", frames))
             .Concat(LabelMapProblems(dataset, classes));
@@ -33,7 +31,8 @@ internal static class VocCheck
     private static IEnumerable<SessionProblem> LabelMapProblems(DatasetContent dataset, HashSet<string> classes)
     {
         HashSet<string> listed = [.. dataset.Lines(VocWriter.LabelMapFile).Select(line => line.Text.Split(':')[0])];
-        return classes.Where(name => !listed.Contains(name))
+        return classes
+            .Where(name => !listed.Contains(name))
             .Select(name => new SessionProblem(VocWriter.LabelMapFile, null, $"the class '{name}' is missing."));
     }
 
@@ -49,9 +48,12 @@ internal static class VocCheck
         {
             using XmlReader reader = XmlReader.Create(new MemoryStream(InputFile.ReadAllBytes(dataset.PathOf(name))));
             XElement annotation = XElement.Load(reader, LoadOptions.SetLineInfo);
-            return [.. FrameProblems(dataset, image, annotation)
-                .Concat(annotation.Elements("object").SelectMany(item => ObjectProblems(item, annotation, classes)))
-                .Select(found => new SessionProblem(name, ((IXmlLineInfo)found.At).LineNumber, found.Message))];
+            return
+            [
+                .. FrameProblems(dataset, image, annotation)
+                    .Concat(annotation.Elements("object").SelectMany(item => ObjectProblems(item, annotation, classes)))
+                    .Select(found => new SessionProblem(name, ((IXmlLineInfo)found.At).LineNumber, found.Message)),
+            ];
         }
         catch (XmlException e)
         {
@@ -87,8 +89,10 @@ internal static class VocCheck
 
         XElement box = item.Element("bndbox") ?? item;
         XElement size = annotation.Element("size") ?? annotation;
-        if (!IsRange(Whole(box, "xmin"), Whole(box, "xmax"), Whole(size, "width"))
-            || !IsRange(Whole(box, "ymin"), Whole(box, "ymax"), Whole(size, "height")))
+        if (
+            !IsRange(Whole(box, "xmin"), Whole(box, "xmax"), Whole(size, "width"))
+            || !IsRange(Whole(box, "ymin"), Whole(box, "ymax"), Whole(size, "height"))
+        )
         {
             yield return (box, "its box does not lie in the image.");
         }

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using System.Text;
 using System.Xml;
 using Harvester.Datasets.Reports.Colours;
@@ -46,8 +42,13 @@ internal sealed class VocWriter(ExportOptions options) : IDatasetWriter
         return new WrittenObjects(frame.Objects.Count, frame.Ignored.Count(region => region.Class is not null));
     }
 
-    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => options.Splits.Splits.Select(split =>
-        new AggregateFile($"ImageSets/Main/{split.Name}.txt", [AggregateSection.Lines(ListPrefix + split.Name)])).Append(LabelMap());
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
+        options
+            .Splits.Splits.Select(split => new AggregateFile(
+                $"ImageSets/Main/{split.Name}.txt",
+                [AggregateSection.Lines(ListPrefix + split.Name)]
+            ))
+            .Append(LabelMap());
 
     /// <summary>The classes with colours, in the format that annotation tools read.</summary>
     private AggregateFile LabelMap()

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Formats.Tar;
-using System.IO;
-using System.Linq;
 using System.Text;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
@@ -62,9 +58,12 @@ internal sealed class SampleArchive(DatasetContent dataset, string name, string 
             sampleBytes += content.Length;
             if (key.Length > MaxKeyLength || keys.Count > MaxSamples || sampleBytes > MaxSampleBytes)
             {
-                yield return new SessionProblem(name, null,
+                yield return new SessionProblem(
+                    name,
+                    null,
                     $"the key of a sample has more than {MaxKeyLength} characters, a sample has more than {MaxSampleBytes} bytes, "
-                    + $"or there are more than {MaxSamples} samples, the limits.");
+                        + $"or there are more than {MaxSamples} samples, the limits."
+                );
                 yield break;
             }
 
@@ -180,11 +179,17 @@ internal sealed class SampleArchive(DatasetContent dataset, string name, string 
         try
         {
             ImageHeader header = ImageHeader.Read(new MemoryStream(content));
-            int? bits = part switch { "mask.png" => MaskBits, "classes.png" => ClassBits, _ => null };
+            int? bits = part switch
+            {
+                "mask.png" => MaskBits,
+                "classes.png" => ClassBits,
+                _ => null,
+            };
             return bits is { } wanted && header.BitsPerPixel != wanted ? $"it has {header.BitsPerPixel} bits per pixel instead of {wanted}."
                 : camera is not null && (header.Size.Width != camera.Width || header.Size.Height != camera.Height)
                     ? $"it is {header.Size.Width} x {header.Size.Height}, but its label says {camera.Width} x {camera.Height}."
-                : bits is not null || part == ImageEnd ? null : "it is not a part of a sample.";
+                : bits is not null || part == ImageEnd ? null
+                : "it is not a part of a sample.";
         }
         catch (DatasetFormatException e)
         {

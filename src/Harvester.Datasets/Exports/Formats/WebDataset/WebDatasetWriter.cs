@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Formats.Tar;
-using System.IO;
-using System.Linq;
 using System.Text;
 using System.Text.Json.Nodes;
 using Harvester.Datasets.Files;
@@ -27,38 +23,53 @@ internal sealed class WebDatasetWriter : IDatasetWriter
     public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
         string archive = $"{frame.Split}-{frame.Index / FramesPerArchive:D6}";
-        output.StagedPart(archive, frame.Name + ".tar", stream =>
-        {
-            using var entries = new MemoryStream();
-            using (var tar = new TarWriter(entries, TarEntryFormat.Ustar, leaveOpen: true))
+        output.StagedPart(
+            archive,
+            frame.Name + ".tar",
+            stream =>
             {
-                Add(tar, frame.Name + frame.ImageExtension, output.ImageBytes(frame));
-                Add(tar, frame.Name + ".json", Encoding.UTF8.GetBytes(LabelOf(frame)));
-                if (frame.MaskPath is { } mask)
+                using var entries = new MemoryStream();
+                using (var tar = new TarWriter(entries, TarEntryFormat.Ustar, leaveOpen: true))
                 {
-                    Add(tar, frame.Name + ".mask.png", InputFile.ReadAllBytes(mask, InputFile.MaxPictureBytes));
+                    Add(tar, frame.Name + frame.ImageExtension, output.ImageBytes(frame));
+                    Add(tar, frame.Name + ".json", Encoding.UTF8.GetBytes(LabelOf(frame)));
+                    if (frame.MaskPath is { } mask)
+                    {
+                        Add(tar, frame.Name + ".mask.png", InputFile.ReadAllBytes(mask, InputFile.MaxPictureBytes));
+                    }
+
+                    if (frame.ClassMapPath is { } classes)
+                    {
+                        Add(tar, frame.Name + ".classes.png", InputFile.ReadAllBytes(classes, InputFile.MaxPictureBytes));
+                    }
                 }
 
-                if (frame.ClassMapPath is { } classes)
-                {
-                    Add(tar, frame.Name + ".classes.png", InputFile.ReadAllBytes(classes, InputFile.MaxPictureBytes));
-                }
+                stream.Write(entries.GetBuffer(), 0, (int)entries.Length - EndLength);
             }
-
-            stream.Write(entries.GetBuffer(), 0, (int)entries.Length - EndLength);
-        });
+        );
         return new WrittenObjects(frame.Objects.Count);
     }
 
     /// <summary>The archives of a split are numbered without gaps, because patterns such as {000000..000009} require it.</summary>
-    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => parts.Keys.GroupBy(SplitOf).SelectMany(split =>
-        split.Select((part, number) => new AggregateFile(
-            $"{split.Key}-{number:D6}.tar", [AggregateSection.Files(part), AggregateSection.Literal(new string('\0', EndLength))])));
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
+        parts
+            .Keys.GroupBy(SplitOf)
+            .SelectMany(split =>
+                split.Select(
+                    (part, number) =>
+                        new AggregateFile(
+                            $"{split.Key}-{number:D6}.tar",
+                            [AggregateSection.Files(part), AggregateSection.Literal(new string('\0', EndLength))]
+                        )
+                )
+            );
 
-    private static string SplitOf(string archive) => archive.LastIndexOf('-') is var end and > 0
-        ? archive[..end]
-        : throw new DatasetFormatException(
-            $"A journal of the export has '{archive}', which is not an archive. Delete the folder and export again.");
+    private static string SplitOf(string archive) =>
+        archive.LastIndexOf('-') is var end and > 0
+            ? archive[..end]
+            : throw new DatasetFormatException(
+                $"A journal of the export has '{archive}', which is not an archive. Delete the folder and export again."
+            );
 
     /// <summary>The line of the session with all decimals, without the objects that are not exported.</summary>
     private static string LabelOf(ExportFrame frame)
@@ -69,10 +80,13 @@ internal sealed class WebDatasetWriter : IDatasetWriter
         return label.ToJsonString();
     }
 
-    private static void Add(TarWriter tar, string name, byte[] content) => tar.WriteEntry(new UstarTarEntry(TarEntryType.RegularFile, name)
-    {
-        ModificationTime = DateTimeOffset.UnixEpoch,
-        Mode = UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.GroupRead | UnixFileMode.OtherRead,
-        DataStream = new MemoryStream(content),
-    });
+    private static void Add(TarWriter tar, string name, byte[] content) =>
+        tar.WriteEntry(
+            new UstarTarEntry(TarEntryType.RegularFile, name)
+            {
+                ModificationTime = DateTimeOffset.UnixEpoch,
+                Mode = UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.GroupRead | UnixFileMode.OtherRead,
+                DataStream = new MemoryStream(content),
+            }
+        );
 }

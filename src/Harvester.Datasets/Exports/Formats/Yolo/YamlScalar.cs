@@ -1,6 +1,3 @@
-using System;
-using System.Linq;
-
 namespace Harvester.Datasets.Exports.Formats.Yolo;
 
 /// <summary>Writes strings as YAML scalars.</summary>
@@ -15,7 +12,9 @@ internal static class YamlScalar
 
     // Numbers and dates begin with a digit or a sign, indicators of the syntax with a punctuation character.
     private static bool IsPlain(string text) =>
-        text.Length > 0 && char.IsAsciiLetter(text[0]) && text[^1] != ' '
+        text.Length > 0
+        && char.IsAsciiLetter(text[0])
+        && text[^1] != ' '
         && text.All(c => char.IsAsciiLetterOrDigit(c) || c is ' ' or '-' or '_')
         && !Reserved.Contains(text, StringComparer.OrdinalIgnoreCase);
 }

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Harvester.Datasets.Exports.Checks;
 using Harvester.Datasets.Sessions;
 
@@ -26,8 +22,10 @@ internal static class YoloCheck
         int exported = new ClassCatalogue(dataset.Options).All.Count;
         int classes = dataset.Lines(DataFile).Count(line => line.Text.StartsWith("  ", StringComparison.Ordinal));
         var stems = new HashSet<string>(StringComparer.Ordinal);
-        return DataProblems(dataset, classes, exported).Concat(
-            dataset.Splits.SelectMany(split => SplitProblems(dataset, split, stems, words => ProblemOf(words, classes, shapeProblem))));
+        return DataProblems(dataset, classes, exported)
+            .Concat(
+                dataset.Splits.SelectMany(split => SplitProblems(dataset, split, stems, words => ProblemOf(words, classes, shapeProblem)))
+            );
     }
 
     private static IEnumerable<SessionProblem> DataProblems(DatasetContent dataset, int classes, int exported)
@@ -52,7 +50,11 @@ internal static class YoloCheck
     }
 
     private static IEnumerable<SessionProblem> SplitProblems(
-        DatasetContent dataset, string split, HashSet<string> stems, Func<string[], string?> problemOf)
+        DatasetContent dataset,
+        string split,
+        HashSet<string> stems,
+        Func<string[], string?> problemOf
+    )
     {
         var own = new List<string>();
         foreach (string image in dataset.Files($"images/{split}"))
@@ -79,10 +81,10 @@ internal static class YoloCheck
 
     private static string? ProblemOf(string[] words, int classes, Func<double[], string?> shapeProblem) =>
         Numbers.Parse(words) is not { } numbers ? "a value is not a number."
-            : !(numbers[0] >= 0 && numbers[0] < classes && numbers[0] == Math.Floor(numbers[0]))
-                ? $"class {words[0]} is not one of the {classes} classes in data.yaml."
-            : numbers.Skip(1).Any(number => number is < 0 or > 1) ? "a coordinate is not 0 to 1."
-            : shapeProblem(numbers[1..]);
+        : !(numbers[0] >= 0 && numbers[0] < classes && numbers[0] == Math.Floor(numbers[0]))
+            ? $"class {words[0]} is not one of the {classes} classes in data.yaml."
+        : numbers.Skip(1).Any(number => number is < 0 or > 1) ? "a coordinate is not 0 to 1."
+        : shapeProblem(numbers[1..]);
 
     private static string? BoxProblem(double[] box)
     {
@@ -91,7 +93,8 @@ internal static class YoloCheck
             return $"a box has {BoxNumbers} numbers, not {box.Length}.";
         }
 
-        return box[2] > 0 && box[3] > 0 && IsInImage(box[0], box[2]) && IsInImage(box[1], box[3]) ? null
+        return box[2] > 0 && box[3] > 0 && IsInImage(box[0], box[2]) && IsInImage(box[1], box[3])
+            ? null
             : "its box does not lie in the image, or has no area.";
     }
 

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Datasets.Masks.Pixels;
 using Harvester.Geometry.Cameras;
 
@@ -32,7 +30,8 @@ internal sealed class YoloSegmentWriter(ExportOptions options) : IDatasetWriter
     private static string Line(DatasetClass kind, InstancePixels pixels)
     {
         ImageSize image = pixels.Map.Image;
-        IEnumerable<string> corners = pixels.Contour()
+        IEnumerable<string> corners = pixels
+            .Contour()
             .Select(corner => Numbers.Row(YoloFiles.Decimals, corner.X / image.Width, corner.Y / image.Height));
         return Numbers.Text(kind.Number) + " " + string.Join(' ', corners);
     }

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
 
@@ -20,9 +18,14 @@ internal sealed class YoloWriter(ExportOptions options) : IDatasetWriter
     private static string Line(ExportObject item, CameraLabel camera)
     {
         Box2D box = item.Box;
-        return Numbers.Text(item.Class.Number) + " " + Numbers.Row(
-            YoloFiles.Decimals,
-            (box.XMin + box.XMax) / 2 / camera.Width, (box.YMin + box.YMax) / 2 / camera.Height, box.Width / camera.Width,
-                box.Height / camera.Height);
+        return Numbers.Text(item.Class.Number)
+            + " "
+            + Numbers.Row(
+                YoloFiles.Decimals,
+                (box.XMin + box.XMax) / 2 / camera.Width,
+                (box.YMin + box.YMax) / 2 / camera.Height,
+                box.Width / camera.Width,
+                box.Height / camera.Height
+            );
     }
 }
