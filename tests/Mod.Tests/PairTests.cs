@@ -74,6 +74,7 @@ public sealed class PairTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Sky_and_objects_are_given_back_after_an_abort_at_any_tick()
     {
         int changed = 0;

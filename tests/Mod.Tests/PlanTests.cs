@@ -82,6 +82,7 @@ public sealed class PlanTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Start_of_a_plan_states_how_long_it_takes_once_measured()
     {
         using var driver = new ScriptDriver(Ini);

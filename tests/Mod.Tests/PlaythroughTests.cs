@@ -8,6 +8,7 @@ public sealed class PlaythroughTests
     [InlineData(1)]
     [InlineData(4)]
     [InlineData(8)]
+    [Trait("Category", "Heavy")]
     public void Every_feature_works_with_bools_of_any_size(int bytes)
     {
         TestGame game;

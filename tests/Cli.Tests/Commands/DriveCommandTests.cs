@@ -7,6 +7,7 @@ public sealed class DriveCommandTests
     [Theory]
     [InlineData("stanley")]
     [InlineData("deepdriving")]
+    [Trait("Category", "Heavy")]
     public void Drive_writes_reproducible_figures_and_report(string controller)
     {
         using TemporaryFolder folder = new();

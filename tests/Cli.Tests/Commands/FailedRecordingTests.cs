@@ -22,6 +22,7 @@ public sealed class FailedRecordingTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [PosixFact]
+    [Trait("Category", "Heavy")]
     public void Drive_up_to_the_fault_is_written_and_can_be_given_again()
     {
         RunOnFullDisk(Recorded);
@@ -38,6 +39,7 @@ public sealed class FailedRecordingTests : IDisposable
     }
 
     [PosixFact]
+    [Trait("Category", "Heavy")]
     public void Drive_made_after_the_fault_is_not_replaced()
     {
         RunOnFullDisk(Recorded);
@@ -49,6 +51,7 @@ public sealed class FailedRecordingTests : IDisposable
     }
 
     [PosixFact]
+    [Trait("Category", "Heavy")]
     public void Former_drive_stays_if_the_recording_fails()
     {
         CliRun.Of(Plain).AssertDone();

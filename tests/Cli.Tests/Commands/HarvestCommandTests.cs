@@ -57,6 +57,7 @@ public sealed class HarvestCommandTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Harvest_with_another_seed_gives_another_drive()
     {
         string other = _folder.PathOf("other");
@@ -118,6 +119,7 @@ public sealed class HarvestCommandTests : IDisposable
     [InlineData("paused.heldCamera", "timeScale")]
     [InlineData("heldCamera,timeScale.restless", "paused")]
     [InlineData("paused.visibility,timeScale.weather", "timeScale")]
+    [Trait("Category", "Heavy")]
     public void Harvest_that_tries_freeze_methods_uses_the_better_one(string quirks, string better)
     {
         CliRun run = Harvest(Session, "--frames", "2", "--freeze", "auto", "--quirks", quirks);
@@ -143,6 +145,7 @@ public sealed class HarvestCommandTests : IDisposable
     [InlineData("32x32")]
     [InlineData("300x32")]
     [InlineData("32x300")]
+    [Trait("Category", "Heavy")]
     public void Harvest_of_the_smallest_images_checks_its_camera(string size)
     {
         CliRun run = CliRun.Of("harvest", "--out", Session, "--size", size, "--frames", "1", "--no-report");

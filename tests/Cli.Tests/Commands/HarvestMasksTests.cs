@@ -33,6 +33,7 @@ public sealed class HarvestMasksTests : IDisposable
     [Theory]
     [InlineData("--masks")]
     [InlineData("--no-report")]
+    [Trait("Category", "Heavy")]
     public void Objects_beyond_the_reach_of_rays_are_ignore_regions(string option)
     {
         Harvest(Session, "--frames", "2", option, "--ray-reach", "20");

@@ -49,6 +49,7 @@ public sealed class HarvestPairsTests(HarvestedPairs harvested) : IClassFixture<
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Resumed_harvest_has_the_bytes_of_a_single_run()
     {
         string torn = _folder.PathOf("torn");

@@ -106,6 +106,7 @@ public sealed class HarvestRefusalTests : IDisposable
         CliRun.Of([command, "--size", size, .. Required(command)]).AssertFailed(ExitCode.Usage, limits);
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Harvest_with_a_view_too_wide_to_check_names_the_options()
     {
         CliRun run = CliRun.Of(

@@ -39,6 +39,7 @@ public sealed class HarvestVarietyTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Labels_tell_what_the_car_does_and_relabelling_keeps_it()
     {
         Harvest("--frames", "6", "--places", "2").AssertDone();

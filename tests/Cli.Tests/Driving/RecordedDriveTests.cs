@@ -11,6 +11,7 @@ public sealed class RecordedDriveTests
     private const double Rounding = 2e-6;
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Recorded_drive_is_a_valid_session_and_repeatable()
     {
         using TemporaryFolder folder = new();
@@ -44,6 +45,7 @@ public sealed class RecordedDriveTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Each_frame_has_the_action_that_moved_the_car_after_it()
     {
         using TemporaryFolder folder = new();
@@ -67,6 +69,7 @@ public sealed class RecordedDriveTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Inertial_sensor_agrees_with_the_speeds_of_the_ticks()
     {
         using TemporaryFolder folder = new();
@@ -89,6 +92,7 @@ public sealed class RecordedDriveTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Disturbed_frames_record_the_undisturbed_answer()
     {
         using TemporaryFolder folder = new();
@@ -114,6 +118,7 @@ public sealed class RecordedDriveTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Drive_over_a_bridge_is_recorded_from_its_frames()
     {
         using TemporaryFolder folder = new();

@@ -28,6 +28,7 @@ public sealed class LockStepTests
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
+    [Trait("Category", "Heavy")]
     public async Task Same_seed_and_actions_give_the_same_bytes(bool isAssisted)
     {
         using Served first = new(isAssisted);

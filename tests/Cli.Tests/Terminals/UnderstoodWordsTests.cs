@@ -15,6 +15,7 @@ public sealed class UnderstoodWordsTests : IDisposable
     [InlineData("--detail", "Full", null)]
     [InlineData("--classes", "Car,PEDESTRIAN", null)]
     [InlineData("--freeze", "TIMESCALE", "timeScale")]
+    [Trait("Category", "Heavy")]
     public void Capitals_do_not_matter_in_a_harvest(string option, string value, string? recorded)
     {
         CliRun.Of("harvest", "--frames", "1", "--size", "80x60", "--no-report", "--out", _folder.PathOf("out"), option, value).AssertDone();

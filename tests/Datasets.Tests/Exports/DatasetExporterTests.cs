@@ -38,6 +38,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
 
     [Theory]
     [MemberData(nameof(Formats))]
+    [Trait("Category", "Heavy")]
     public void Merge_of_shards_gives_the_bytes_of_a_single_run(string format)
     {
         Folder.Export(format, [simulated.OpenFor(format), simulated.OpenFor(format)], TwoSplits, "single");

@@ -23,6 +23,7 @@ public sealed class SemanticExportTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Cityscapes_has_stuff()
     {
         _folder.Export("cityscapes", _session.Open());

@@ -69,6 +69,7 @@ public sealed class TapeTests
 
     [Theory]
     [MemberData(nameof(QuirkCombinations))]
+    [Trait("Category", "Heavy")]
     public void Tape_of_a_game_with_quirks_plays_to_its_end(string quirks) => AssertPlays(Combination[quirks]);
 
     private static void AssertPlays(GameQuirks quirks)

@@ -76,6 +76,7 @@ public sealed class GraphicsSettingsTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Damaged_bytes_are_read_or_refused_in_one_line()
     {
         const int cases = 5_000;

@@ -18,6 +18,7 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     [Theory]
     [InlineData(50, 2)]
     [InlineData(90, 10)]
+    [Trait("Category", "Heavy")]
     public void Step_until_done_finds_an_injected_lens(double fov, double minErrorBefore) => FindInjected(800, 600, fov, minErrorBefore);
 
     [Theory]
@@ -30,6 +31,7 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     [Theory]
     [InlineData(0)]
     [InlineData(3)]
+    [Trait("Category", "Heavy")]
     public void Step_with_picture_lag_and_posts_in_view_finds_a_shifted_lens(int lag) => FindShifted(lag);
 
     [Theory]

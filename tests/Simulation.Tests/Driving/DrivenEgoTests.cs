@@ -33,6 +33,7 @@ public sealed class DrivenEgoTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Stopped_car_stays_and_traffic_stops_behind_without_contact()
     {
         SimulatedGame game = new(

@@ -17,6 +17,7 @@ public sealed class FrameRaysTests
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
+    [Trait("Category", "Heavy")]
     public void Rays_of_every_phase_are_reported_and_bounded(bool masks)
     {
         RayCounts[] all = Harvest(masks, PlentyOfRays);

@@ -21,6 +21,7 @@ public sealed class LabelEvidenceTests(ITestOutputHelper output)
     private const int PlainPixels = 64;
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Every_label_beyond_the_drawing_range_has_a_pixel() => Judge(15, "snow", masks: true);
 
     [Theory]

@@ -32,6 +32,7 @@ public sealed class TrueOcclusionTests(ITestOutputHelper output)
     };
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void True_occlusion_is_that_of_rays_through_all_pixels()
     {
         var game = new SimulatedGame(Town);

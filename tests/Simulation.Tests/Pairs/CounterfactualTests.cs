@@ -15,6 +15,7 @@ public sealed class CounterfactualTests(ITestOutputHelper output)
     private const double MaxAllowed = 0.3;
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Plain_pictures_differ_only_where_the_object_is() => Judge(4, Detail.Plain, "clear,rain", "0,12", "nearest-vehicle");
 
     [Theory]

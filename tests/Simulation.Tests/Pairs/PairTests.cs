@@ -33,6 +33,7 @@ public sealed class PairTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Labels_are_those_of_a_harvest_without_pairs()
     {
         PairHarvest plain = PairHarvest.Of(Town, new PairOptions(), frames: 2);
@@ -69,6 +70,7 @@ public sealed class PairTests
     [InlineData("rain", 18)]
     [InlineData("clear", 0)]
     [InlineData("blizzard", 6)]
+    [Trait("Category", "Heavy")]
     public void Separate_harvest_has_the_same_labels_and_picture(string weather, int hour)
     {
         PairHarvest pairs = PairHarvest.Of(Town, PairHarvest.Options("rain,clear,blizzard", "0,6,18"));
@@ -101,6 +103,7 @@ public sealed class PairTests
     [Theory]
     [InlineData(5)]
     [InlineData(20)]
+    [Trait("Category", "Heavy")]
     public void Sky_that_fades_in_is_waited_for(int ticks)
     {
         PairOptions options = PairHarvest.Options("thunder", "0,12", "nearest-vehicle");
@@ -113,6 +116,7 @@ public sealed class PairTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Sky_that_is_not_waited_for_is_wrong()
     {
         // The fixed wait of a frozen frame, four ticks, shows a sky on its way from noon to midnight.
@@ -143,6 +147,7 @@ public sealed class PairTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Objects_that_are_hidden_late_are_waited_for()
     {
         PairOptions options = PairHarvest.Options("clear,rain", "0,12", "nearest-vehicle,people");

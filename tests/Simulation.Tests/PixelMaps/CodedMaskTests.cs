@@ -108,6 +108,7 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Objects_that_cannot_be_hidden_leave_masks_to_rays()
     {
         var game = new SimulatedGame(Town(61, Detail.Plain, new GameQuirks { UnhideableFraction = 1 }));

@@ -26,6 +26,7 @@ public sealed class ColourProbeTests
     [Theory]
     [InlineData(0.7, "209 and 157")]
     [InlineData(1.3, "176 and 104")]
+    [Trait("Category", "Heavy")]
     public void Washed_out_and_darkened_pictures_are_found(double exponent, string levels) =>
         Assert.Contains(levels, WarningOf(new GameQuirks { PictureExponent = exponent }, ColourState.Changed), StringComparison.Ordinal);
 

@@ -40,6 +40,7 @@ public sealed class DeferredPictureTests
 
     [Theory]
     [MemberData(nameof(Games))]
+    [Trait("Category", "Heavy")]
     public void Deferred_frames_equal_those_rendered_at_once(string quirks)
     {
         List<CapturedFrame> prompt = Harvest(Quirks[quirks], defers: false);

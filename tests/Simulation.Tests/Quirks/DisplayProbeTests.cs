@@ -11,6 +11,7 @@ public sealed class DisplayProbeTests
     public void Game_without_a_display_shows_no_difference() => AssertFinding(new GameQuirks(), DisplayState.NotSeen, null);
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Display_that_can_be_hidden_is_found_with_its_region() =>
         AssertFinding(new GameQuirks { ShowsHud = true }, DisplayState.Hidden, "lower left");
 

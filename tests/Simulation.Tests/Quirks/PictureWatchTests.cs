@@ -10,6 +10,7 @@ public sealed class PictureWatchTests
     private const int Frames = 24;
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Plain_pictures_are_left_in_peace() => Assert.Null(WarningOf(new GameQuirks()));
 
     [Fact]
@@ -17,6 +18,7 @@ public sealed class PictureWatchTests
         Assert.Contains("lower left", WarningOf(new GameQuirks { ShowsHud = true, HudStaysWhileFrozen = true }), StringComparison.Ordinal);
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Display_of_another_program_is_found() =>
         Assert.Contains("upper right", WarningOf(new GameQuirks { ShowsForeignDisplay = true }), StringComparison.Ordinal);
 

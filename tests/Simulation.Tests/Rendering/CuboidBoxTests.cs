@@ -40,6 +40,7 @@ public sealed class CuboidBoxTests
 
     [Theory]
     [MemberData(nameof(Cases))]
+    [Trait("Category", "Heavy")]
     public void Project_agrees_with_the_rendered_silhouette(int seed, string place)
     {
         var random = new Random(seed);

@@ -19,6 +19,7 @@ public sealed class ClassMapTests(ITestOutputHelper output)
     private const double MaxRayFraction = 0.02;
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Classes_from_rays_are_those_of_the_picture() => Judge([17], 2, leastRoadAndSky: 0.95, leastMean: 0.85);
 
     [Theory]

@@ -20,6 +20,7 @@ public sealed class VehicleLightsTests
     [InlineData(7)]
     [InlineData(8)]
     [InlineData(10)]
+    [Trait("Category", "Heavy")]
     public void Brake_lights_follow_the_speeds_of_the_vehicles(int seed)
     {
         // Between these changes of speed, both answers are right: the engine slows a vehicle too, and the lamps stay on for a moment.

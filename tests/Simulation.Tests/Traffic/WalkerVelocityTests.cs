@@ -24,6 +24,7 @@ public sealed class WalkerVelocityTests(ITestOutputHelper output)
     [Theory]
     [InlineData(3)]
     [InlineData(15)]
+    [Trait("Category", "Heavy")]
     public void Velocity_is_displacement_per_tick_time(int seed)
     {
         SimulatedWorld world = new(

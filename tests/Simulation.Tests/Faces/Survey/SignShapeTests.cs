@@ -38,6 +38,7 @@ public sealed class SignShapeTests(ITestOutputHelper output) : IDisposable
 
     [Theory]
     [MemberData(nameof(Signs))]
+    [Trait("Category", "Heavy")]
     public void Survey_finds_the_one_face_of_each_sign_within_2_centimetres(string outline, Facing facing)
     {
         IReadOnlyDictionary<string, Prop> signs = SignShapes.Of(outline, facing);
