@@ -36,7 +36,19 @@ _INDICATOR_HIGH = np.array(
 
 
 class DrivingEnv(Env):
-    """A car in the simulated game, or in GTA V. The same seed and actions give the same observations in the simulated game."""
+    """A car in the simulated game, or in GTA V. The same seed and actions give the same observations in the simulated game.
+
+    | | |
+    |---|---|
+    | action space | `Box([-1, 0, 0], [1, 1, 1], (3,), float32)`: steering, throttle, brake; or the 13 indicators |
+    | observation space | `Dict` of `image`, `Box(0, 255, (210, 280, 3), uint8)`, and `state`, a `Box` of float32; or one of them |
+    | reward | weighted sum of the terms of `Reward` |
+    | terminated | collision, more than a second outside the lanes (`Ending`) |
+    | truncated | 120 s, a minute standing, or the game has put the car elsewhere (`Ending`) |
+    | version | v0, in 0.1.0 |
+
+    docs/gym.md documents the terms, the numbers of the state, seeds and errors.
+    """
 
     metadata = {"render_modes": ["rgb_array"], "render_fps": 10}
 
