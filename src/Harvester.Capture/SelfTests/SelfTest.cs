@@ -54,10 +54,8 @@ public sealed class SelfTest : IDisposable
 
     /// <summary>What it does now, for the screen.</summary>
     public string Progress =>
-        FormattableString.Invariant(
-            $"Self-test {Math.Min(_current + 1, _checks.Length)} of {_checks.Length}: "
-                + $"{_checks[Math.Min(_current, _checks.Length - 1)].Title}"
-        );
+        FormattableString.Invariant($"Self-test {Math.Min(_current + 1, _checks.Length)} of {_checks.Length}: ")
+        + _checks[Math.Min(_current, _checks.Length - 1)].Title;
 
     /// <summary>The results, in the order of <see cref="SelfTestChecks.All"/>; complete at the end.</summary>
     public IReadOnlyList<SelfTestLine> Lines =>

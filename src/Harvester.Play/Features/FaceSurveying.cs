@@ -172,10 +172,8 @@ public sealed class FaceSurveying : ILastingFeature
         int faces = _measured.Open()?.Table.Faces.Count() ?? 0;
         _messages.Tell(
             survey.Fault
-                ?? FormattableString.Invariant(
-                    $"All {_models.Count} models are surveyed: {Counted.Of(faces, "face")}, in {_measured.Path}. They are in "
-                        + $"use from now on."
-                )
+                ?? FormattableString.Invariant($"All {_models.Count} models are surveyed: {Counted.Of(faces, "face")}, in ")
+                    + $"{_measured.Path}. They are in use from now on."
         );
     }
 }

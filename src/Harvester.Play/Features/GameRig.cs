@@ -108,14 +108,9 @@ public static class GameRig
         );
         return other is null
             ? null
-            : FormattableString.Invariant(
-                $"The game's window is {windowAspect:0.###} times as wide as high, but the images of '{other.Name}' are "
-                    + $"{other.Image.Width} x "
-            )
-                + FormattableString.Invariant(
-                    $"{other.Image.Height}: they are stretched, and their horizontal field of view is the window's. Labels "
-                        + $"account for that."
-                );
+            : FormattableString.Invariant($"The game's window is {windowAspect:0.###} times as wide as high, but the images of ")
+                + FormattableString.Invariant($"'{other.Name}' are {other.Image.Width} x {other.Image.Height}: ")
+                + "they are stretched, and their horizontal field of view is the window's. Labels account for that.";
     }
 
     private static string? ProblemOf(HarvestOptions options, Rig rig) =>
