@@ -209,7 +209,7 @@ public sealed class ApplicationTests
         Assert.DoesNotContain("Exit codes", help, StringComparison.Ordinal);
     }
 
-    private static IEnumerable<string> CommandsWithin(string command)
+    internal static IEnumerable<string> CommandsWithin(string command)
     {
         string help = CliRun.Of([.. command.Split(' ', StringSplitOptions.RemoveEmptyEntries), "--help"]).Out;
         int list = help.IndexOf("\nCommands:\n", StringComparison.Ordinal);

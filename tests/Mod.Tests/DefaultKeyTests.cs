@@ -78,20 +78,11 @@ public sealed class DefaultKeyTests
     [Fact]
     public void Default_keys_are_free_in_story_mode()
     {
-        Keys[] defaults = [.. Defaults()];
+        Keys[] defaults = [.. ShippedKeys.All];
 
         Assert.Equal(defaults.Distinct(), defaults);
         Assert.Empty(defaults.Intersect(StoryMode));
         Assert.Empty(defaults.Intersect(OtherPrograms));
         Assert.All([Keys.NumPad0, Keys.I, Keys.O], key => Assert.Contains(key, defaults));
     }
-
-    /// <summary>The keys under [Keys] of the shipped file, which another test compares with the mod's own.</summary>
-    private static IEnumerable<Keys> Defaults() =>
-        File.ReadLines(Path.Combine(BuiltMod.RepositoryRoot, "src", "Harvester.Mod", "GtaDataHarvester.ini"))
-            .SkipWhile(line => line != "[Keys]")
-            .Skip(1)
-            .TakeWhile(line => !line.StartsWith('['))
-            .Where(line => line.Contains('=', StringComparison.Ordinal) && line[0] != ';')
-            .Select(line => Enum.Parse<Keys>(line.Split('=')[1].Trim()));
 }

@@ -157,26 +157,7 @@ public sealed class FaultTests
         int before = driver.Game.Calls.Count;
         for (int repeat = 0; repeat < 30; repeat++)
         {
-            foreach (
-                Keys key in new[]
-                {
-                    Keys.NumPad0,
-                    Keys.I,
-                    Keys.O,
-                    Keys.J,
-                    Keys.K,
-                    Keys.L,
-                    Keys.NumPad1,
-                    Keys.U,
-                    Keys.N,
-                    Keys.Multiply,
-                    Keys.NumPad2,
-                    Keys.NumPad3,
-                    Keys.Y,
-                    Keys.Divide,
-                    Keys.Decimal,
-                }
-            )
+            foreach (Keys key in ShippedKeys.All)
             {
                 driver.Script.RaiseKeyDown(key);
             }

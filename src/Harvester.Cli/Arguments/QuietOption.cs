@@ -6,24 +6,6 @@ namespace Harvester.Cli.Arguments;
 /// <summary>--quiet: omits progress and summaries. Commands whose result is what they print still print it.</summary>
 internal static class QuietOption
 {
-    private static readonly string[] PrintingCommands =
-    [
-        "validate",
-        "doctor",
-        "view",
-        "calibrate",
-        "stats",
-        "project",
-        "boxes",
-        "lanes",
-        "info",
-        "compare",
-        "check",
-        "list",
-        "show",
-        "play",
-    ];
-
     public static Option<bool> Create() =>
         new("--quiet", "-q")
         {
@@ -33,7 +15,7 @@ internal static class QuietOption
 
     /// <summary>The terminal for a command line: without standard output if the command is to be quiet.</summary>
     public static Terminal TerminalFor(ParseResult parsed, Option<bool> quiet, Terminal terminal) =>
-        parsed.GetValue(quiet) && !PrintingCommands.Contains(parsed.CommandResult.Command.Name)
+        parsed.GetValue(quiet) && parsed.CommandResult.Command is not ResultCommand
             ? terminal with
             {
                 Out = TextWriter.Null,

@@ -15,7 +15,7 @@ internal static class BoxesCommand
     public static Command Create(Terminal terminal)
     {
         var scene = new Argument<FileInfo>("SCENE.json") { Description = "JSON file with a camera and cuboids" };
-        var command = new Command("boxes", "Print the boxes and fractions of cuboids for a camera, as JSON.") { scene };
+        var command = new ResultCommand("boxes", "Print the boxes and fractions of cuboids for a camera, as JSON.") { scene };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(parsed =>
         {

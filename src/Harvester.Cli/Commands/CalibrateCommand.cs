@@ -49,7 +49,7 @@ internal static class CalibrateCommand
             "a number greater than 0"
         );
         threshold.DefaultValueFactory = _ => new CalibrationOptions().ThresholdPixels;
-        var command = new Command(
+        var command = new ResultCommand(
             "calibrate",
             "Measure the lens of the simulated game from markers in its images, as the mod does in GTA V."
         )

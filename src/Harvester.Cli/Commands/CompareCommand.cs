@@ -46,7 +46,15 @@ internal static class CompareCommand
             HelpName = "FILE",
         };
         var json = new Option<string?>("--json") { Description = "Also write the figures as JSON", HelpName = "FILE" };
-        var command = new Command("compare", "Compare the distributions of two datasets.") { first, second, kitti, nuScenes, output, json };
+        var command = new ResultCommand("compare", "Compare the distributions of two datasets.")
+        {
+            first,
+            second,
+            kitti,
+            nuScenes,
+            output,
+            json,
+        };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(
             (parsed, cancellation) =>

@@ -27,7 +27,10 @@ internal sealed class DoctorCommand
 
     private Command Build(Terminal terminal)
     {
-        var command = new Command("doctor", "Read the logs of the mod, a session or a self-test, and name the likely cause of a problem.")
+        var command = new ResultCommand(
+            "doctor",
+            "Read the logs of the mod, a session or a self-test, and name the likely cause of a problem."
+        )
         {
             Place,
             AllRuns,

@@ -75,7 +75,7 @@ internal sealed class LanesCommand
 
     private Command Build(Terminal terminal)
     {
-        var command = new Command("lanes", "Print the 13 lane indicators of a car at a position, as JSON.")
+        var command = new ResultCommand("lanes", "Print the 13 lane indicators of a car at a position, as JSON.")
         {
             Roads,
             Position,

@@ -53,7 +53,7 @@ internal static class ProjectCommand
         near.DefaultValueFactory = _ => DefaultNearClip;
         var points = new Option<FileInfo?>("--points") { Description = "File with points [default: standard input]", HelpName = "FILE" };
 
-        var command = new Command("project", "Project points of the world into an image: CSV in, CSV out.")
+        var command = new ResultCommand("project", "Project points of the world into an image: CSV in, CSV out.")
         {
             position,
             rotation,

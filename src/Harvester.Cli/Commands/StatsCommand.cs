@@ -26,7 +26,7 @@ internal static class StatsCommand
     public static Command Create(Terminal terminal)
     {
         var sessions = new Argument<string[]>("SESSION") { Description = "Folders of recorded sessions", Arity = ArgumentArity.OneOrMore };
-        var command = new Command("stats", "Show statistics of sessions.") { sessions };
+        var command = new ResultCommand("stats", "Show statistics of sessions.") { sessions };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(
             (parsed, cancellation) =>

@@ -38,7 +38,12 @@ internal static class ValidateCommand
         folder.Description = "Folder of a session or of an exported dataset";
         var quick = new Option<bool>("--quick") { Description = "Compare pictures with the manifest only, and do not decode them" };
         var schema = new Option<bool>("--schema") { Description = "Also compare a session with the published JSON Schemas" };
-        var command = new Command("validate", "Check a session or an exported dataset and list every problem.") { folder, quick, schema };
+        var command = new ResultCommand("validate", "Check a session or an exported dataset and list every problem.")
+        {
+            folder,
+            quick,
+            schema,
+        };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(
             (parsed, cancellation) =>

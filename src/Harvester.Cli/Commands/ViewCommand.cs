@@ -41,7 +41,7 @@ internal static class ViewCommand
         {
             Description = "Do not open the page in a browser; without a terminal it is not opened either",
         };
-        var command = new Command("view", "Show sessions of any size in a browser.") { sessions, port, noOpen };
+        var command = new ResultCommand("view", "Show sessions of any size in a browser.") { sessions, port, noOpen };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(
             (parsed, cancellation) =>

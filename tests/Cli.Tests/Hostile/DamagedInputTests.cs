@@ -3,6 +3,7 @@ using System.Text;
 using System.Text.Json.Nodes;
 using Harvester.Cli.Terminals;
 using Harvester.Cli.Tests.Commands;
+using Harvester.Datasets.Exports.Formats;
 
 namespace Harvester.Cli.Tests.Hostile;
 
@@ -26,13 +27,7 @@ public sealed class DamagedInputTests(SmallSession session) : IClassFixture<Smal
     public static TheoryData<string> LookUps =>
         ["validate SESSION", "relabel SESSION --no-report --out OUT", "masks import SESSION SESSION/masks", .. Exports];
 
-    private static IEnumerable<string> Exports =>
-        (
-            "csv coco coco-panoptic yolo kitti voc cityscapes webdataset openlane tusimple deepdriving bdd100k motchallenge openlabel "
-            + "nuscenes culane imagefolder"
-        )
-            .Split(' ')
-            .Select(format => $"export SESSION --format {format} --out OUT");
+    private static IEnumerable<string> Exports => DatasetFormats.All.Select(format => $"export SESSION --format {format.Name} --out OUT");
 
     public void Dispose() => _hostile.Dispose();
 

@@ -82,6 +82,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
                 "compare {0}/session {0}/session --out {0}/out.html",
                 Relabel,
                 "masks import {0}/session {0}/maps",
+                "pairs {0}/session --format csv --out {0}/out",
                 .. DatasetFormats.All.Select(format => Export(format.Name)),
             ]
         ),
@@ -166,6 +167,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Dataset("odometry", "kitti-odometry", "poses/00.txt"),
         Dataset("odometry-calibration", "kitti-odometry", "sequences/00/calib.txt"),
         Dataset("clouds", "ply", "clouds.csv"),
+        Dataset("pcd", "pcd", "clouds.csv"),
         Dataset("culane", "culane", "list/train.txt"),
         Dataset("culane-truth", "culane", "list/train_gt.txt"),
         Dataset("imagefolder", "imagefolder", "data/train/metadata.jsonl"),
@@ -174,7 +176,8 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             "plan.json",
             folder => PlanFile.Read(In(folder, "plan.json")),
             "plan check {0}/plan.json",
-            "plan show {0}/plan.json"
+            "plan show {0}/plan.json",
+            "plan resolve {0}/plan.json --out {0}/out.json"
         ),
         new("experiment-rig", "rig.json", folder => PlanFile.Read(In(folder, "plan.json")), "plan check {0}/plan.json"),
         Compared("kitti-compared", "kitti/training/label_2/000000.txt", ComparedKitti.Open, "--kitti {0}/kitti"),
@@ -247,7 +250,14 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             name,
             file,
             folder => RoadImporter.Import(In(folder, file)),
-            [$"roads info {{0}}/{file}", $"roads map {{0}}/{file} --out {{0}}/out.svg", .. more]
+            [
+                $"roads info {{0}}/{file}",
+                $"roads map {{0}}/{file} --out {{0}}/out.svg",
+                $"roads import {{0}}/{file} --out {{0}}/out.csv",
+                $"roads nodes {{0}}/{file} --out {{0}}/out.csv",
+                $"roads compare {{0}}/{file} {{0}}/straight.csv",
+                .. more,
+            ]
         );
 
     private static FuzzKind Picture(string name, string session, string extension, params string[] more)

@@ -24,31 +24,17 @@ internal sealed class SoakPlay
     private const int TicksOfMemory = 1000;
     private const string Prop = "prop_sign_road_03g";
 
-    /// <summary>Every key; those that need another to be of use come after it too.</summary>
+    /// <summary>Every key, one of the player's own, and those that need another to be of use after that one.</summary>
     private static readonly Keys[][] Presses =
     [
-        [Keys.NumPad0],
-        [Keys.I],
-        [Keys.O],
+        .. ShippedKeys.All.Select(key => new[] { key }),
         [Keys.J],
-        [Keys.J],
-        [Keys.K],
-        [Keys.L],
-        [Keys.NumPad1],
-        [Keys.U],
-        [Keys.N],
         [Keys.W],
-        [Keys.NumPad2],
-        [Keys.NumPad3],
-        [Keys.Y],
-        [Keys.Divide],
-        [Keys.Multiply],
         [Keys.O, Keys.J],
         [Keys.O, Keys.N],
         [Keys.O, Keys.I, Keys.NumPad1],
         [Keys.O, Keys.Multiply],
         [Keys.NumPad2, Keys.NumPad2, Keys.Y],
-        [Keys.Decimal],
         [Keys.O, Keys.Decimal],
     ];
 

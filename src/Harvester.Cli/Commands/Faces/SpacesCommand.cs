@@ -38,7 +38,7 @@ internal static class SpacesCommand
     private static Command CreateCheck(Terminal terminal)
     {
         Argument<string> file = TableArgument();
-        var command = new Command("check", "List the invalid rows of a table, with reasons.") { file };
+        var command = new ResultCommand("check", "List the invalid rows of a table, with reasons.") { file };
         HelpWithNotes.AddTo(command, NotesWith(CheckExample));
         command.SetAction(parsed =>
         {
@@ -59,7 +59,7 @@ internal static class SpacesCommand
     private static Command CreateList(Terminal terminal)
     {
         Argument<string> file = TableArgument();
-        var command = new Command("list", "List the faces of a table: model, number, name, size and provenance.") { file };
+        var command = new ResultCommand("list", "List the faces of a table: model, number, name, size and provenance.") { file };
         HelpWithNotes.AddTo(command, NotesWith(ListExample));
         command.SetAction(parsed =>
         {

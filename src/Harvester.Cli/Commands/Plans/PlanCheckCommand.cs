@@ -16,7 +16,7 @@ internal static class PlanCheckCommand
     public static Command Create(Terminal terminal)
     {
         Argument<FileInfo> plan = PlanCommand.PlanArgument();
-        var command = new Command("check", "List every problem of a plan.") { plan };
+        var command = new ResultCommand("check", "List every problem of a plan.") { plan };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, _) => Task.FromResult(Run(terminal, parsed.GetRequiredValue(plan))));
         return command;

@@ -23,7 +23,7 @@ internal sealed class PlanShowCommand
     private Command Build(Terminal terminal)
     {
         Argument<FileInfo> plan = PlanCommand.PlanArgument();
-        var command = new Command("show", "List the trials of a plan and estimate frames, time and size.") { plan };
+        var command = new ResultCommand("show", "List the trials of a plan and estimate frames, time and size.") { plan };
         World.AddTo(command);
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, _) => Task.FromResult(Run(terminal, parsed.GetRequiredValue(plan), World.Parse(parsed))));

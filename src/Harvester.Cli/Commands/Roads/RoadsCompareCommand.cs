@@ -19,7 +19,7 @@ internal static class RoadsCompareCommand
         var first = new Argument<string>("A") { Description = "Road data: a file, a folder or a zip archive" };
         var second = new Argument<string>("B") { Description = "Road data from another source" };
         Option<LanesIn> lanesIn = RoadSourceArgument.LanesIn();
-        var command = new Command("compare", "Match two networks by position and count the one-way links that agree.")
+        var command = new ResultCommand("compare", "Match two networks by position and count the one-way links that agree.")
         {
             first,
             second,

@@ -17,7 +17,7 @@ internal static class RoadsInfoCommand
     {
         Argument<string> from = RoadSourceArgument.Create();
         Option<LanesIn> lanesIn = RoadSourceArgument.LanesIn();
-        var command = new Command("info", "Count the nodes, links, flags and lanes of road data.") { from, lanesIn };
+        var command = new ResultCommand("info", "Count the nodes, links, flags and lanes of road data.") { from, lanesIn };
         HelpWithNotes.AddTo(command, RoadSourceArgument.NotesWith("FROM is", Example));
         command.SetAction(parsed =>
         {

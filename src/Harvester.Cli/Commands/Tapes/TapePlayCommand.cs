@@ -20,7 +20,7 @@ internal static class TapePlayCommand
     public static Command Create(Terminal terminal)
     {
         var file = new Argument<string>("FILE") { Description = "The tape" };
-        var command = new Command("play", "Run the mod's code against a tape and print the first difference.") { file };
+        var command = new ResultCommand("play", "Run the mod's code against a tape and print the first difference.") { file };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed.GetRequiredValue(file), cancellation)));
         return command;
