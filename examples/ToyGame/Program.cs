@@ -1,6 +1,5 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Storage;
-using Harvester.Sessions.Files;
 using ToyGame;
 
 if (args is not [string folder])

@@ -1,5 +1,4 @@
 using Harvester.Capture.Ports;
-using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Imaging;
