@@ -175,7 +175,7 @@ public sealed class HarvesterScript : Script
         {
             Obstacle = DriveObstacle,
         };
-        var overlay = new Overlay(_harvest, game, _messages, new Sight(new GameSight(mount, world)), display)
+        var overlay = new Overlay(_harvest, game, _messages, new OverlayReader(new GameSight(mount, world)), display)
         {
             IsPictureNear = IsPictureNear,
         };
@@ -194,7 +194,7 @@ public sealed class HarvesterScript : Script
         _signs = new FaceSurveying(
             new GameStage(models, rays),
             player.TakesPhotographs ? new SurveyCamera(cameras, screen, () => world.ReadCamera().WindowAspect) : null,
-            SignModels.ToMeasure(_folder.ShippedFaces, player.FurtherModels),
+            SurveyedModels.ToMeasure(_folder.ShippedFaces, player.FurtherModels),
             measured,
             _harvest,
             mount,

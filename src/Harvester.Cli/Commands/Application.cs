@@ -144,7 +144,7 @@ internal static class Application
             return Fail(
                 terminal,
                 ExitCode.InputOutput,
-                $"{e.Message} What was written is whole. Free some space. {HarvestAdvice.OnLowSpace}"
+                $"{e.Message} What was written is whole. Free some space. {OptionAdvice.OnLowSpace}"
             );
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)

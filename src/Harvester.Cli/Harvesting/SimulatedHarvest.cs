@@ -137,15 +137,15 @@ internal sealed class SimulatedHarvest
             writer.FramesWritten,
             session.Status.Discarded,
             clock.Elapsed,
-            writer.IsSpaceLow ? $"{writer.Fault} {HarvestAdvice.OnLowSpace}"
-                : session.Failure is { } failure ? HarvestAdvice.TextOf(failure)
+            writer.IsSpaceLow ? $"{writer.Fault} {OptionAdvice.OnLowSpace}"
+                : session.Failure is { } failure ? OptionAdvice.TextOf(failure)
                 : writer.Fault,
             writer.Fault is not null,
             cancellation.IsCancellationRequested && session.Status.Captured < _plan.Frames
         )
         {
             Resumed = resumed,
-            Warnings = [.. session.Warnings.Select(HarvestAdvice.TextOf)],
+            Warnings = [.. session.Warnings.Select(OptionAdvice.TextOf)],
             Freezing = session.Freezing,
             Masks = session.MaskComparison,
         };

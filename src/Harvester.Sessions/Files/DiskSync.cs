@@ -3,7 +3,6 @@ using Microsoft.Win32.SafeHandles;
 using System.Runtime.InteropServices;
 #endif
 
-
 namespace Harvester.Sessions.Files;
 
 /// <summary>

@@ -22,7 +22,7 @@ internal sealed class FaceFinder(StageProbe probe, StagedModel model)
     public IEnumerable<bool> Run()
     {
         double area = (model.Max.X - model.Min.X) * (model.Max.Z - model.Min.Z);
-        var grid = new DepthGrid(model.Min.X, model.Min.Z, model.Max.X, model.Max.Z, Math.Max(FinestStep, Math.Sqrt(area / MaxRays)));
+        var grid = new ModelDepths(model.Min.X, model.Min.Z, model.Max.X, model.Max.Z, Math.Max(FinestStep, Math.Sqrt(area / MaxRays)));
         foreach (bool ray in grid.Fill(probe))
         {
             yield return ray;
@@ -48,7 +48,7 @@ internal sealed class FaceFinder(StageProbe probe, StagedModel model)
         }
     }
 
-    private static List<(int First, int Last)> Bands(DepthGrid grid, SignPost post)
+    private static List<(int First, int Last)> Bands(ModelDepths grid, SignPost post)
     {
         var bands = new List<(int First, int Last)>();
         double before = 0;

@@ -31,7 +31,7 @@ internal sealed class HeadFinder(StageProbe probe, StagedModel model)
     {
         foreach (Vector3D bone in model.Heads)
         {
-            var grid = new DepthGrid(bone.X - Reach, bone.Z - Reach, bone.X + Reach, bone.Z + Reach, Step);
+            var grid = new ModelDepths(bone.X - Reach, bone.Z - Reach, bone.X + Reach, bone.Z + Reach, Step);
             foreach (bool ray in grid.Fill(probe))
             {
                 yield return ray;
@@ -44,7 +44,7 @@ internal sealed class HeadFinder(StageProbe probe, StagedModel model)
         }
     }
 
-    private MeasuredFace? Measure(DepthGrid grid)
+    private MeasuredFace? Measure(ModelDepths grid)
     {
         int middle = grid.Columns / 2;
         int core = (int)(Core / Step);
@@ -94,7 +94,7 @@ internal sealed class HeadFinder(StageProbe probe, StagedModel model)
         return back;
     }
 
-    private static IEnumerable<(int Column, int Row, double Depth)> Cells(DepthGrid grid) =>
+    private static IEnumerable<(int Column, int Row, double Depth)> Cells(ModelDepths grid) =>
         from row in Enumerable.Range(0, grid.Rows)
         from column in Enumerable.Range(0, grid.Columns)
         where grid[column, row] is not null

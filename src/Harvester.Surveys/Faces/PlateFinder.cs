@@ -6,7 +6,7 @@ namespace Harvester.Surveys.Faces;
 /// Measures the plate of a sign from some of its rows: its direction and its extent. Its post stands behind it, so all of it is visible
 /// from the front, including tips that are narrower than the post.
 /// </summary>
-internal sealed class PlateFinder(StageProbe probe, DepthGrid grid, SignPost post, int first, int last)
+internal sealed class PlateFinder(StageProbe probe, ModelDepths grid, SignPost post, int first, int last)
 {
     /// <summary>Maximum difference between the depths of one plate, metres.</summary>
     private const double SamePlane = 0.02;

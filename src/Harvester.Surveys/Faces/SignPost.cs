@@ -34,7 +34,7 @@ internal sealed class SignPost
     public IEnumerable<int> Columns => Enumerable.Range(0, _columns.Length).Where(HasColumn);
 
     /// <summary>Finds the post; null if no ray hit the model.</summary>
-    public static SignPost? Find(DepthGrid grid)
+    public static SignPost? Find(ModelDepths grid)
     {
         int[] rows = [.. Enumerable.Range(0, grid.Rows).Where(row => grid.Width(row) > 0)];
         if (rows.Length == 0)

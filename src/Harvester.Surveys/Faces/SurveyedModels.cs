@@ -4,7 +4,7 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Surveys.Faces;
 
 /// <summary>The game's models of signs and lights that a survey measures: those of a table, and those whose signs are unnamed.</summary>
-public static class SignModels
+public static class SurveyedModels
 {
     private const string UnnamedModels = """
         prop_bus_stop_sign prop_consign_01a prop_consign_01b prop_consign_01c prop_consign_02a prop_rail_sign01 prop_rail_sign02

@@ -3,14 +3,14 @@ using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Tests.World;
 
-public class RoadCurveTests
+public class StreetCurveTests
 {
     private const double Radius = 60;
 
     [Fact]
     public void Curve_through_nodes_of_a_circle_stays_on_it()
     {
-        RoadCurve curve = QuarterCircle();
+        StreetCurve curve = QuarterCircle();
         for (double distance = 15; distance < curve.Length - 15; distance += 1.7)
         {
             Vector3D place = curve.PositionAt(distance);
@@ -24,7 +24,7 @@ public class RoadCurveTests
     [Fact]
     public void Project_finds_the_station_a_point_was_offset_from()
     {
-        RoadCurve curve = QuarterCircle();
+        StreetCurve curve = QuarterCircle();
         for (double distance = 2; distance < curve.Length - 2; distance += 3.3)
         {
             foreach (double offset in new[] { -12.0, -2.7, 0, 2.7, 12 })
@@ -36,7 +36,7 @@ public class RoadCurveTests
     }
 
     /// <summary>Turns left from east to north about the origin.</summary>
-    private static RoadCurve QuarterCircle() =>
+    private static StreetCurve QuarterCircle() =>
         new([
             .. Enumerable
                 .Range(0, 11)

@@ -7,19 +7,19 @@ namespace Harvester.Sessions.Text;
 /// An object of a JSON file, whose fields are read by name. Every error is a <see cref="FormatException"/> that names the field by its
 /// path, such as cameras[1].width.
 /// </summary>
-internal sealed class JsonFields
+internal sealed class CheckedJson
 {
     private readonly Dictionary<string, object?> _values;
     private readonly string _path;
     private readonly string _kind;
     private readonly HashSet<string> _read = new(StringComparer.Ordinal);
 
-    private JsonFields(Dictionary<string, object?> values, string path, string kind) => (_values, _path, _kind) = (values, path, kind);
+    private CheckedJson(Dictionary<string, object?> values, string path, string kind) => (_values, _path, _kind) = (values, path, kind);
 
     /// <summary>Parses the outermost object of a text.</summary>
     /// <param name="text">The text.</param>
     /// <param name="kind">What the file describes, with an article, for messages.</param>
-    public static JsonFields Parse(string text, string kind)
+    public static CheckedJson Parse(string text, string kind)
     {
         var json = new JsonReader(text);
         object? value = ValueOf(json);
@@ -87,13 +87,13 @@ internal sealed class JsonFields
             : throw Wrong(name, "three numbers: right, forward and up, in metres");
     }
 
-    public JsonFields? Fields(string name) => Has(name) ? Of(Required(name), PathOf(name), _kind) : Skipped<JsonFields?>(name, null);
+    public CheckedJson? Fields(string name) => Has(name) ? Of(Required(name), PathOf(name), _kind) : Skipped<CheckedJson?>(name, null);
 
-    public JsonFields[] List(string name)
+    public CheckedJson[] List(string name)
     {
         if (!Has(name))
         {
-            return Skipped<JsonFields[]>(name, []);
+            return Skipped<CheckedJson[]>(name, []);
         }
 
         return Required(name) is List<object?> list
@@ -119,9 +119,9 @@ internal sealed class JsonFields
     /// <summary>The error that a field is not what it must be.</summary>
     public FormatException Wrong(string name, string wanted) => new($"{PathOf(name)} must be {wanted}.");
 
-    private static JsonFields Of(object? value, string path, string kind) =>
+    private static CheckedJson Of(object? value, string path, string kind) =>
         value is Dictionary<string, object?> values
-            ? new JsonFields(values, path, kind)
+            ? new CheckedJson(values, path, kind)
             : throw new FormatException($"{(path.Length == 0 ? "the file" : path)} must be an object.");
 
     private double Checked(string name, object? value, double minimum, double maximum) =>

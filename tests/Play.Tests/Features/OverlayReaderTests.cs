@@ -5,15 +5,15 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Play.Tests.Features;
 
-public sealed class SightTests
+public sealed class OverlayReaderTests
 {
     private const int Ticks = 60;
     private readonly ScriptedReader _game = new();
-    private readonly Sight _sight;
+    private readonly OverlayReader _sight;
 
-    public SightTests()
+    public OverlayReaderTests()
     {
-        _sight = new Sight(_game);
+        _sight = new OverlayReader(_game);
     }
 
     [Fact]

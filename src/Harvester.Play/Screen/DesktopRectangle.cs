@@ -7,7 +7,7 @@ namespace Harvester.Play.Screen;
 /// <param name="Top">First row.</param>
 /// <param name="Right">The column after the last.</param>
 /// <param name="Bottom">The row after the last.</param>
-internal readonly record struct PixelRectangle(int Left, int Top, int Right, int Bottom)
+internal readonly record struct DesktopRectangle(int Left, int Top, int Right, int Bottom)
 {
     public int Width => Right - Left;
 
@@ -18,8 +18,8 @@ internal readonly record struct PixelRectangle(int Left, int Top, int Right, int
     public long Area => IsEmpty ? 0 : (long)Width * Height;
 
     /// <summary>The intersection of two rectangles; empty if they do not overlap.</summary>
-    public PixelRectangle Intersect(PixelRectangle other) =>
+    public DesktopRectangle Intersect(DesktopRectangle other) =>
         new(Math.Max(Left, other.Left), Math.Max(Top, other.Top), Math.Min(Right, other.Right), Math.Min(Bottom, other.Bottom));
 
-    public bool Overlaps(PixelRectangle other) => !Intersect(other).IsEmpty;
+    public bool Overlaps(DesktopRectangle other) => !Intersect(other).IsEmpty;
 }

@@ -3,7 +3,7 @@ using Harvester.Geometry;
 namespace Harvester.Simulation.Streets;
 
 /// <summary>Finds the roads at a point: a grid on the ground whose cells list the samples of roads that reach into them.</summary>
-internal sealed class RoadIndex
+internal sealed class StreetIndex
 {
     private const double CellSize = 10;
     private const double SampleStep = 4;
@@ -13,7 +13,7 @@ internal sealed class RoadIndex
 
     private readonly Dictionary<(int X, int Y), List<(Road Road, double Distance, Vector3D Point)>> _cells = [];
 
-    public RoadIndex(IReadOnlyList<Road> roads)
+    public StreetIndex(IReadOnlyList<Road> roads)
     {
         foreach (Road road in roads)
         {

@@ -8,7 +8,7 @@ namespace Harvester.Play.Features;
 /// <param name="kind">The entity's kind.</param>
 /// <param name="entity">Its handle.</param>
 /// <param name="number">Number of the entity in order of appearance, so that not all are read in the same tick.</param>
-internal sealed class Sighting(ISightReader reader, EntityKind kind, int entity, int number)
+internal sealed class OverlayEntity(ISightReader reader, EntityKind kind, int entity, int number)
 {
     /// <summary>Maximum number of ticks for which a ped that enters a vehicle keeps its box.</summary>
     private const int TicksOnFoot = 15;

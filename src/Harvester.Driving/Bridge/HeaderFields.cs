@@ -6,11 +6,11 @@ namespace Harvester.Driving.Bridge;
 /// The fields of one flat JSON object, whose values are strings, numbers, booleans, null or arrays of numbers: what clients send.
 /// Anything else is rejected.
 /// </summary>
-internal sealed class JsonFields
+internal sealed class HeaderFields
 {
     private readonly Dictionary<string, object?> _values = new(StringComparer.Ordinal);
 
-    private JsonFields(JsonReader json)
+    private HeaderFields(JsonReader json)
     {
         json.Object(name =>
         {
@@ -25,11 +25,11 @@ internal sealed class JsonFields
     }
 
     /// <exception cref="BridgeException">The text is not such an object.</exception>
-    public static JsonFields Parse(string text)
+    public static HeaderFields Parse(string text)
     {
         try
         {
-            return new JsonFields(new JsonReader(text));
+            return new HeaderFields(new JsonReader(text));
         }
         catch (FormatException e)
         {

@@ -3,7 +3,7 @@ using Harvester.Simulation.Settings;
 namespace Harvester.Simulation.Quirks;
 
 /// <summary>The entities that the harvest hides: some ticks after it has asked, and not those that the game always shows.</summary>
-internal sealed class HiddenEntities(int seed, GameQuirks quirks)
+internal sealed class LateHiding(int seed, GameQuirks quirks)
 {
     /// <summary>A prime, so that neighbouring handles are independent of each other.</summary>
     private const int HandleStep = 7919;

@@ -6,7 +6,7 @@ namespace Harvester.Simulation.Streets;
 /// The smooth line through a road's nodes: cubic Hermite pieces whose tangents at the nodes are those of the parabola through three
 /// neighbours, so position and direction are continuous. Positions on it are given by the distance from its start, metres.
 /// </summary>
-internal sealed class RoadCurve
+internal sealed class StreetCurve
 {
     /// <summary>Number of chords per piece for measuring its length; at 10 m between nodes the chord error is below 0.1 mm.</summary>
     private const int ChordsPerPiece = 16;
@@ -19,7 +19,7 @@ internal sealed class RoadCurve
     /// <param name="nodes">At least two; neighbours must differ.</param>
     /// <param name="startTangent">Unit direction at the start if another road continues smoothly; otherwise null.</param>
     /// <param name="endTangent">Unit direction at the end; otherwise null.</param>
-    public RoadCurve(IReadOnlyList<Vector3D> nodes, Vector3D? startTangent = null, Vector3D? endTangent = null)
+    public StreetCurve(IReadOnlyList<Vector3D> nodes, Vector3D? startTangent = null, Vector3D? endTangent = null)
     {
         Vector3D[] tangents = Tangents(nodes, startTangent, endTangent);
         _pieces = new CurvePiece[nodes.Count - 1];

@@ -8,7 +8,7 @@ namespace Harvester.Capture.Labelling;
 /// Completes a class map from rays with the colours of the picture: outlines between surfaces move to the edges of colours next to them,
 /// and paint that no one reports, such as crossings and stop lines, is found as what is as bright on the road as known paint.
 /// </summary>
-internal static class ClassColours
+internal static class ClassMapColours
 {
     /// <summary>How far an outline drawn between rays may be off, pixels.</summary>
     private const int Reach = 2;

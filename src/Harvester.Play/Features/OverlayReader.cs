@@ -9,7 +9,7 @@ namespace Harvester.Play.Features;
 /// and values that change slowly now and then.
 /// </summary>
 /// <param name="reader">The game.</param>
-public sealed class Sight(ISightReader reader)
+public sealed class OverlayReader(ISightReader reader)
 {
     /// <summary>Interval at which near plane and window shape are read, ticks.</summary>
     private const int TicksOfTheWindow = 30;
@@ -21,7 +21,7 @@ public sealed class Sight(ISightReader reader)
     private const int TicksOfTheLists = 6;
 
     private static readonly EntityKind[] Kinds = [EntityKind.Vehicle, EntityKind.Ped, EntityKind.Prop];
-    private Dictionary<(EntityKind Kind, int Entity), Sighting> _known = [];
+    private Dictionary<(EntityKind Kind, int Entity), OverlayEntity> _known = [];
     private ModelFacts? _egoModel;
     private int _egoVehicle;
     private long _tick;
@@ -81,6 +81,6 @@ public sealed class Sight(ISightReader reader)
             .Distinct()
             .ToDictionary(
                 key => key,
-                key => _known.TryGetValue(key, out Sighting? known) ? known : new Sighting(reader, key.kind, key.entity, _met++)
+                key => _known.TryGetValue(key, out OverlayEntity? known) ? known : new OverlayEntity(reader, key.kind, key.entity, _met++)
             );
 }

@@ -4,7 +4,7 @@ namespace Harvester.Surveys.Faces;
 /// Depths of a model over a grid of rays along its y axis, seen from behind (from -y). Cells are squares; row 0 is the lowest. Between two
 /// rays that hit the same surface, or both hit nothing, no further rays are cast.
 /// </summary>
-internal sealed class DepthGrid
+internal sealed class ModelDepths
 {
     /// <summary>Number of cells between two rays that are always cast.</summary>
     private const int Stride = 4;
@@ -23,7 +23,7 @@ internal sealed class DepthGrid
     private readonly double?[,] _depths;
 
     /// <summary>Creates an empty grid over a rectangle.</summary>
-    public DepthGrid(double left, double bottom, double right, double top, double step)
+    public ModelDepths(double left, double bottom, double right, double top, double step)
     {
         _left = left;
         _bottom = bottom;
