@@ -9,9 +9,8 @@ public sealed class TypeNameTests
     public void No_type_name_stands_twice()
     {
         var places = new Dictionary<string, HashSet<string>>(StringComparer.Ordinal);
-        foreach (object[] row in ProjectReferenceTests.Projects)
+        foreach (string project in ProjectReferenceTests.Projects)
         {
-            string project = (string)row[0];
             using AssemblyDefinition assembly = AssemblyDefinition.ReadAssembly(Repository.AssemblyOf(project));
             foreach (TypeDefinition type in assembly.MainModule.Types.Where(type => IsOf(type, project)))
             {
