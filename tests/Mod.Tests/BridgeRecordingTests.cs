@@ -1,10 +1,10 @@
 using System.Globalization;
 using System.Text.Json;
 using System.Windows.Forms;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Validation;
 using Harvester.Mod.Tests.Games;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Scenes;
 using Harvester.TestSupport;
 

@@ -1,7 +1,6 @@
 using System.CommandLine;
 using System.CommandLine.Completions;
 using System.CommandLine.Parsing;
-using Harvester.Capture.Storage;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Commands.Faces;
 using Harvester.Cli.Commands.Masks;
@@ -12,6 +11,7 @@ using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Cli.Commands;
 

@@ -4,9 +4,9 @@ using Harvester.Cli.Terminals;
 using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Reports;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Sharding;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;

@@ -7,9 +7,9 @@ using Harvester.Datasets.Files;
 using Harvester.Datasets.Relabelling;
 using Harvester.Datasets.Reports;
 using Harvester.Datasets.Roads;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;

@@ -6,7 +6,7 @@ using Harvester.Datasets.Detections;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Predictions;
 using Harvester.Datasets.Reports;
-using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;

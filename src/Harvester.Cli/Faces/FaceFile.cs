@@ -1,5 +1,5 @@
-using Harvester.Datasets.Files;
 using Harvester.Sessions.Faces;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Surveys.Faces;
 
 namespace Harvester.Cli.Faces;

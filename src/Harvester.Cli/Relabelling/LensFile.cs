@@ -1,7 +1,7 @@
 using System.Globalization;
-using Harvester.Datasets.Files;
 using Harvester.Geometry.Cameras;
 using Harvester.Play.Settings;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Cli.Relabelling;
 

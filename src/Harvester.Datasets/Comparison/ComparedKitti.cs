@@ -1,8 +1,8 @@
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Formats.Kitti;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Reports;
 using Harvester.Geometry;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Comparison;
 

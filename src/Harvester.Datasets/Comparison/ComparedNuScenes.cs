@@ -1,8 +1,8 @@
 using System.Text.Json;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Json;
 using Harvester.Datasets.Reports;
 using Harvester.Geometry;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Datasets.Comparison;
 

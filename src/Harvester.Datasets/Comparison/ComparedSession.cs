@@ -1,7 +1,7 @@
 using Harvester.Datasets.Reports;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Datasets.Comparison;
 

@@ -1,6 +1,6 @@
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Images;
 using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Images;
 
 namespace Harvester.Datasets.Comparison;
 

@@ -1,5 +1,5 @@
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Images;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Images;
 
 namespace Harvester.Datasets.Exports;
 

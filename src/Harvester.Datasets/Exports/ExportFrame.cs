@@ -1,13 +1,13 @@
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Images;
 using Harvester.Datasets.Masks.Pixels;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Lidar;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Images;
 using Harvester.Sessions.Rigs;
 using Harvester.Sessions.Scenes;
 

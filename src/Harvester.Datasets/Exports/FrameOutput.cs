@@ -2,6 +2,7 @@ using System.Text;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Exports;
 

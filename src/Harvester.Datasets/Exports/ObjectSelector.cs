@@ -1,6 +1,6 @@
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Exports;

@@ -1,7 +1,7 @@
-using Harvester.Datasets.Files;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Exports;

@@ -1,4 +1,4 @@
-using Harvester.Datasets.Files;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Exports;

@@ -2,9 +2,9 @@ using System.Formats.Tar;
 using System.Globalization;
 using System.Text;
 using System.Text.RegularExpressions;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Pairs;
 

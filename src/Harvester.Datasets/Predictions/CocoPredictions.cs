@@ -2,10 +2,10 @@ using System.Text.Json;
 using Harvester.Datasets.Detections;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Formats.Coco;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Json;
 using Harvester.Datasets.Masks.Pixels;
 using Harvester.Geometry;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Datasets.Predictions;
 

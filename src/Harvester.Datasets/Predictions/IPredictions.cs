@@ -1,6 +1,6 @@
 using Harvester.Datasets.Detections;
 using Harvester.Datasets.Exports;
-using Harvester.Datasets.Files;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Predictions;
 

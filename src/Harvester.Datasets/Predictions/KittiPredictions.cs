@@ -2,8 +2,8 @@ using System.Globalization;
 using Harvester.Datasets.Detections;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Formats.Kitti;
-using Harvester.Datasets.Files;
 using Harvester.Geometry;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Predictions;

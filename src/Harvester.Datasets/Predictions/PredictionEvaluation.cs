@@ -1,8 +1,8 @@
 using Harvester.Datasets.Detections;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Assembly;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Predictions;
 

@@ -1,6 +1,6 @@
 using System.Text.Json;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Json;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Datasets.Predictions;
 

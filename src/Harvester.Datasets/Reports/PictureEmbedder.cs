@@ -1,8 +1,8 @@
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Images;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Jpeg;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Images;
 
 namespace Harvester.Datasets.Reports;
 

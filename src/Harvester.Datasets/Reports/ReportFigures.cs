@@ -1,10 +1,10 @@
 using System.Globalization;
 using System.Text.Json;
-using Harvester.Datasets.Json;
 using Harvester.Datasets.Reports.Colours;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
 using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 

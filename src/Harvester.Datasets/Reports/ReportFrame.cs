@@ -1,11 +1,11 @@
 using System.Globalization;
 using System.Text.Json;
-using Harvester.Datasets.Json;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Reports;

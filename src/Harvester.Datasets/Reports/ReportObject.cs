@@ -1,9 +1,9 @@
 using System.Text.Json;
-using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 

@@ -1,10 +1,10 @@
 using System.Text.Json;
 using Harvester.Datasets.Detections;
-using Harvester.Datasets.Json;
 using Harvester.Datasets.Predictions;
 using Harvester.Datasets.Reports.Colours;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Reports;

@@ -1,10 +1,11 @@
-using Harvester.Datasets.Files;
+using Harvester.Datasets.Derivation;
 using Harvester.Datasets.Predictions;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
 using Harvester.Pages;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Reports;
 

@@ -1,7 +1,7 @@
 using Harvester.Datasets.Exports.Formats.Kitti;
-using Harvester.Datasets.Files;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Statistics;

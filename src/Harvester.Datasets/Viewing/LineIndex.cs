@@ -1,5 +1,5 @@
-using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading.Files;
 using Microsoft.Win32.SafeHandles;
 
 namespace Harvester.Datasets.Viewing;

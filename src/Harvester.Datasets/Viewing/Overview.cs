@@ -1,8 +1,8 @@
 using System.Text.Json;
 using Harvester.Datasets.Reports;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Datasets.Viewing;
 
@@ -54,7 +54,7 @@ internal sealed class Overview(IReadOnlyList<string> views)
     /// <summary>Adds the next frame.</summary>
     /// <param name="label">Its label.</param>
     /// <param name="lineBytes">Length of its line, bytes.</param>
-    /// <exception cref="Files.DatasetFormatException">The label cannot be counted.</exception>
+    /// <exception cref="Harvester.Sessions.Reading.Files.DatasetFormatException">The label cannot be counted.</exception>
     public void Add(FrameLabel label, int lineBytes)
     {
         lock (_lock)

@@ -1,9 +1,9 @@
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Lidar;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Rigs;
 
 namespace Harvester.Datasets.Viewing;

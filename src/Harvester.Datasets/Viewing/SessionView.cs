@@ -1,10 +1,10 @@
 using System.Text;
 using System.Text.Json;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Images;
 using Harvester.Datasets.Reports;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Images;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Viewing;

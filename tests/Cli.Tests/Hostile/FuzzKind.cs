@@ -11,10 +11,8 @@ using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Exports.Formats;
 using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Images;
 using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Sharding;
 using Harvester.Datasets.Statistics;
 using Harvester.Datasets.Validation;
@@ -23,6 +21,9 @@ using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Faces;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Images;
 
 namespace Harvester.Cli.Tests.Hostile;
 

@@ -1,6 +1,5 @@
-using Harvester.Capture.Storage;
 using Harvester.Cli.Terminals;
-using Harvester.TestSupport;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Tests.Terminals;
 

@@ -2,9 +2,10 @@ using Harvester.Datasets.Comparison;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Exports.Formats;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Tests.Exports;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading.Files;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Comparison;
 

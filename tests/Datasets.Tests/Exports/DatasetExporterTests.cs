@@ -4,7 +4,9 @@ using Harvester.Datasets.Exports.Formats;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sharding;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Scenes;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Exports;
 

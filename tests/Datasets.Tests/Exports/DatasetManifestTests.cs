@@ -1,8 +1,9 @@
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Tests.Exports;
 

@@ -1,7 +1,7 @@
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Formats;
 using Harvester.Datasets.Exports.Validation;
-using Harvester.Datasets.Files;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Tests.Exports;
 

@@ -3,7 +3,7 @@ using System.Text.RegularExpressions;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Exports.Validation;
-using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Datasets.Tests.Exports;
 

@@ -1,8 +1,8 @@
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Exports.Formats;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Datasets.Tests.Exports;
 

@@ -1,3 +1,5 @@
+using Harvester.TestSupport;
+
 namespace Harvester.Datasets.Tests.Exports;
 
 /// <summary>Tests that export: a folder for what they write and a session to damage, both gone afterwards.</summary>

@@ -1,9 +1,10 @@
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Sharding;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Tests.Exports;
 

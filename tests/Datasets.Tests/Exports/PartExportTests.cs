@@ -2,8 +2,8 @@ using System.Text.Json;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Exports.Validation;
-using Harvester.Datasets.Images;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Reading.Images;
 
 namespace Harvester.Datasets.Tests.Exports;
 

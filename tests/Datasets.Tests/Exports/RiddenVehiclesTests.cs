@@ -1,10 +1,11 @@
 using Harvester.Datasets.Exports;
-using Harvester.Datasets.Files;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Scenes;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Exports;
 

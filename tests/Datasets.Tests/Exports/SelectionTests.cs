@@ -3,8 +3,8 @@ using System.Text.Json.Nodes;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Exports.Validation;
-using Harvester.Datasets.Files;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Tests.Exports;

@@ -1,7 +1,8 @@
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Assembly;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Exports;
 

@@ -1,7 +1,8 @@
 using System.Text.Json.Nodes;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Predictions;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Scenes;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Predictions;
 

@@ -1,12 +1,13 @@
 using System.Text.Json;
 using System.Text.RegularExpressions;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Images;
 using Harvester.Datasets.Reports;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Jpeg;
 using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Images;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Reports;
 

@@ -1,11 +1,12 @@
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Images;
 using Harvester.Datasets.Reports;
 using Harvester.Datasets.Reports.Colours;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Images;
 using Harvester.Sessions.Scenes;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Reports;
 

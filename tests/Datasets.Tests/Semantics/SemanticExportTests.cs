@@ -1,11 +1,11 @@
 using System.Text.Json.Nodes;
 using Harvester.Datasets.Exports.Validation;
-using Harvester.Datasets.Images;
 using Harvester.Datasets.Tests.Exports;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Images;
 using Harvester.Sessions.Semantics;
 
 namespace Harvester.Datasets.Tests.Semantics;

@@ -1,9 +1,9 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Semantics;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Settings;

@@ -1,7 +1,8 @@
 using System.Text.Json;
 using System.Text.Json.Nodes;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Viewing;
+using Harvester.Sessions.Reading.Files;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Viewing;
 

@@ -2,6 +2,7 @@ using System.CommandLine;
 using Harvester.Cli.Faces;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Text;
 using Harvester.Surveys.Faces;
 

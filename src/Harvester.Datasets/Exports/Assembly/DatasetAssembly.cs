@@ -1,8 +1,9 @@
 using System.Text;
 using System.Text.Json;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Json;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Datasets.Exports.Assembly;
 

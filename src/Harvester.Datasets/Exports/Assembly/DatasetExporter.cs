@@ -1,7 +1,7 @@
-using Harvester.Capture.Storage;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Exports.Assembly;
 

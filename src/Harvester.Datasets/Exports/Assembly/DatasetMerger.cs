@@ -1,8 +1,8 @@
-using Harvester.Capture.Storage;
+using Harvester.Datasets.Derivation;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Sharding;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Exports.Assembly;
 

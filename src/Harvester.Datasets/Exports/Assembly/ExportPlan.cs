@@ -1,12 +1,12 @@
 using System.Security.Cryptography;
 using System.Text.Json;
 using Harvester.Datasets.Exports.Formats;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Json;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Jpeg;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 

@@ -1,5 +1,6 @@
-using Harvester.Datasets.Sessions;
+using Harvester.Datasets.Derivation;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Datasets.Exports.Assembly;
 

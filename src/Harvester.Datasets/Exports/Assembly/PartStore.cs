@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text;
-using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Exports.Assembly;
 

@@ -1,7 +1,8 @@
 using System.Text.Json;
 using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Json;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Datasets.Exports.Validation;
 

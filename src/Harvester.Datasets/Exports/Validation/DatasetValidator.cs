@@ -1,6 +1,7 @@
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Images;
-using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Images;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Exports.Validation;

@@ -1,7 +1,7 @@
-using Harvester.Datasets.Images;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Reading.Images;
 
 namespace Harvester.Datasets.Tests.Exports.Cityscapes;
 

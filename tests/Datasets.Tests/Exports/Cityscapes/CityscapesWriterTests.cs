@@ -1,7 +1,7 @@
 using System.Text.Json;
-using Harvester.Datasets.Images;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Images;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Tests.Exports.Cityscapes;

@@ -1,8 +1,8 @@
 using System.Text.Json;
 using Harvester.Datasets.Exports;
-using Harvester.Datasets.Images;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Images;
 
 namespace Harvester.Datasets.Tests.Exports.Coco;
 

@@ -1,3 +1,5 @@
+using Harvester.TestSupport;
+
 namespace Harvester.Datasets.Tests.Exports.DeepDriving;
 
 public sealed class DeepDrivingCheckTests(SimulatedSession simulated) : CheckTests(simulated, "deepdriving")

@@ -1,6 +1,6 @@
 using System.Globalization;
-using Harvester.Datasets.Images;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Images;
 
 namespace Harvester.Datasets.Tests.Exports.DeepDriving;
 

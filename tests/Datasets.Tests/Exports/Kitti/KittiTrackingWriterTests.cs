@@ -1,6 +1,6 @@
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Validation;
-using Harvester.Datasets.Files;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Tests.Exports.Kitti;
 

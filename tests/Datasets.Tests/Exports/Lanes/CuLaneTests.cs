@@ -1,9 +1,9 @@
 using System.Globalization;
-using Harvester.Datasets.Images;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Images;
 
 namespace Harvester.Datasets.Tests.Exports.Lanes;
 

@@ -2,7 +2,7 @@ using System.Text;
 using System.Text.Json.Nodes;
 using Harvester.Datasets.Exports.Formats.Mcap;
 using Harvester.Datasets.Exports.Validation;
-using Harvester.Datasets.Files;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Tests.Exports.Mcap;
 

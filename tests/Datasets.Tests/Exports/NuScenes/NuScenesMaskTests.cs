@@ -1,7 +1,7 @@
 using Harvester.Datasets.Exports.Formats.NuScenes;
-using Harvester.Datasets.Images;
 using Harvester.Geometry;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Reading.Images;
 
 namespace Harvester.Datasets.Tests.Exports.NuScenes;
 

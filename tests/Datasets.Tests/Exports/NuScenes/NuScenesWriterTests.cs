@@ -1,6 +1,6 @@
 using System.Text.Json.Nodes;
-using Harvester.Datasets.Images;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Reading.Images;
 
 namespace Harvester.Datasets.Tests.Exports.NuScenes;
 

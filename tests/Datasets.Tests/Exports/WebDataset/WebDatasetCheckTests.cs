@@ -1,5 +1,6 @@
 using System.Formats.Tar;
 using System.Text;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Exports.WebDataset;
 

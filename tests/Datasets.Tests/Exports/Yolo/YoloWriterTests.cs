@@ -1,10 +1,10 @@
 using System.Globalization;
 using Harvester.Datasets.Exports;
-using Harvester.Datasets.Images;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Images;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Tests.Exports.Yolo;

@@ -1,10 +1,10 @@
 using System.Text.Json;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Images;
-using Harvester.Datasets.Json;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Images;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Datasets.Exports.Formats.Cityscapes;
 

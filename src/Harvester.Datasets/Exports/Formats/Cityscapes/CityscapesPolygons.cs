@@ -1,8 +1,8 @@
 using System.Text.Json;
-using Harvester.Datasets.Json;
 using Harvester.Datasets.Masks.Pixels;
 using Harvester.Geometry;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Datasets.Exports.Formats.Cityscapes;
 

@@ -1,7 +1,7 @@
-using Harvester.Datasets.Images;
-using Harvester.Datasets.Json;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Images;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Datasets.Exports.Formats.Coco;
 

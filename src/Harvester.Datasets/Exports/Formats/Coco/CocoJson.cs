@@ -1,6 +1,6 @@
 using System.Text.Json;
-using Harvester.Datasets.Json;
 using Harvester.Datasets.Reports.Colours;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Exports.Formats.Coco;

@@ -1,7 +1,7 @@
-using Harvester.Datasets.Json;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Datasets.Exports.Formats.Coco;
 

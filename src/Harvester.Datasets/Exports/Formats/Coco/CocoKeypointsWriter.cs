@@ -1,8 +1,8 @@
 using System.Text.Json;
-using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Exports.Formats.Coco;

@@ -1,9 +1,9 @@
 using System.Text.Json;
-using Harvester.Datasets.Json;
 using Harvester.Datasets.Masks.Pixels;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Semantics;
 
 namespace Harvester.Datasets.Exports.Formats.Coco;

@@ -1,8 +1,8 @@
 using System.Text.Json;
-using Harvester.Datasets.Json;
 using Harvester.Datasets.Masks.Pixels;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Exports.Formats.Coco;

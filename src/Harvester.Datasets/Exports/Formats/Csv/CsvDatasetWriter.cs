@@ -2,9 +2,9 @@ using System.Globalization;
 using System.Text.Json;
 using CsvHelper;
 using CsvHelper.Configuration;
-using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Exports.Formats.Csv;

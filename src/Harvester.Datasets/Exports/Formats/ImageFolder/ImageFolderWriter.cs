@@ -1,6 +1,6 @@
 using System.Text.Json;
-using Harvester.Datasets.Json;
 using Harvester.Geometry;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Datasets.Exports.Formats.ImageFolder;
 

@@ -1,8 +1,8 @@
 using System.Globalization;
 using System.Text.Json;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Json;
-using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Exports.Formats.Jta;

@@ -1,6 +1,6 @@
-using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 

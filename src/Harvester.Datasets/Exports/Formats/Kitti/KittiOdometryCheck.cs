@@ -1,7 +1,7 @@
 using Harvester.Datasets.Exports.Checks;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Lidar;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 

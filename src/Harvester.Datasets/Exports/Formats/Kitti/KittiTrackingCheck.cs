@@ -1,8 +1,8 @@
 using System.Globalization;
 using Harvester.Datasets.Exports.Checks;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 

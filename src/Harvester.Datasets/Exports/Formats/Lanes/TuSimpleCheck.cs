@@ -1,7 +1,7 @@
 using System.Text.Json;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Json;
-using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Datasets.Exports.Formats.Lanes;
 

@@ -1,6 +1,6 @@
-using Harvester.Datasets.Json;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Datasets.Exports.Formats.Lanes;
 

@@ -1,5 +1,5 @@
-using Harvester.Datasets.Files;
 using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Exports.Formats.Mcap;
 

@@ -1,8 +1,8 @@
-using Harvester.Datasets.Images;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Images;
 
 namespace Harvester.Datasets.Exports.Formats.MotChallenge;
 

@@ -1,5 +1,5 @@
 using System.Text.Json;
-using Harvester.Datasets.Json;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Datasets.Exports.Formats.NuScenes;
 

@@ -1,7 +1,7 @@
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Sessions.Lidar;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Datasets.Exports.Formats.NuScenes;
 

@@ -1,5 +1,5 @@
-using Harvester.Datasets.Json;
 using Harvester.Geometry;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Datasets.Exports.Formats.NuScenes;
 

@@ -1,6 +1,6 @@
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Datasets.Exports.Formats.NuScenes;
 

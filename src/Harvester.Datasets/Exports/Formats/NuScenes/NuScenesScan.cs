@@ -1,8 +1,8 @@
 using System.Text.Json;
-using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Lidar;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Rigs;
 
 namespace Harvester.Datasets.Exports.Formats.NuScenes;

@@ -1,7 +1,7 @@
 using System.Text.Json;
-using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Rigs;
 
 namespace Harvester.Datasets.Exports.Formats.NuScenes;

@@ -1,10 +1,10 @@
 using System.Text;
-using Harvester.Datasets.Json;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Lidar;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Rigs;
 
 namespace Harvester.Datasets.Exports.Formats.NuScenes;

@@ -1,9 +1,9 @@
 using System.Globalization;
 using System.Text.Json;
-using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Exports.Formats.OpenLabel;

@@ -1,6 +1,6 @@
 using System.Globalization;
 using System.Text.Json;
-using Harvester.Datasets.Files;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Exports.Formats.OpenLabel;
 

@@ -1,5 +1,5 @@
-using Harvester.Datasets.Json;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Datasets.Exports.Formats.OpenLabel;
 

@@ -1,8 +1,8 @@
 using System.Globalization;
 using System.Text;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Lidar;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Exports.Formats.PointClouds;
 

@@ -1,7 +1,7 @@
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Images;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Images;
 using Harvester.Sessions.Semantics;
 
 namespace Harvester.Datasets.Exports.Formats.Semantic;

@@ -1,6 +1,6 @@
-using Harvester.Datasets.Json;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Semantics;
 using Harvester.Sessions.Text;
 

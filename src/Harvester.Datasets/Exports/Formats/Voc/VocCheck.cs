@@ -2,8 +2,8 @@ using System.Globalization;
 using System.Xml;
 using System.Xml.Linq;
 using Harvester.Datasets.Exports.Checks;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Exports.Formats.Voc;
 

@@ -1,5 +1,5 @@
 using Harvester.Datasets.Exports.Checks;
-using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Datasets.Exports.Formats.Yolo;
 
