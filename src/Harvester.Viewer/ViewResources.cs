@@ -1,5 +1,5 @@
 using System.Globalization;
-using Harvester.Datasets.Viewing;
+using Harvester.Reports.Viewing;
 using Harvester.Sessions.Reading.Files;
 using Microsoft.AspNetCore.Http;
 

@@ -20,6 +20,8 @@ public sealed class MessageTests
     [InlineData("Harvester.Play")]
     [InlineData("Harvester.Mod")]
     [InlineData("Harvester.Datasets")]
+    [InlineData("Harvester.Exports")]
+    [InlineData("Harvester.Reports")]
     [InlineData("Harvester.Evaluation")]
     [InlineData("Harvester.Cli")]
     public void Messages_are_one_line_and_end_as_sentences(string project)

@@ -18,12 +18,16 @@ public sealed class ProjectReferenceTests
         ["Harvester.Mod"] = ["ScriptHookVDotNet3"],
         ["Harvester.Tapes"] = ["Harvester.Play"],
         ["Harvester.Simulation"] = ["Harvester.Capture"],
-        ["Harvester.Datasets"] = ["Harvester.Capture", "Harvester.Pages"],
-        ["Harvester.Viewer"] = ["Harvester.Datasets"],
+        ["Harvester.Datasets"] = ["Harvester.Capture"],
+        ["Harvester.Exports"] = ["Harvester.Datasets"],
+        ["Harvester.Reports"] = ["Harvester.Exports", "Harvester.Pages"],
+        ["Harvester.Viewer"] = ["Harvester.Reports"],
         ["Harvester.Cli"] =
         [
             "Harvester.Simulation",
             "Harvester.Datasets",
+            "Harvester.Exports",
+            "Harvester.Reports",
             "Harvester.Evaluation",
             "Harvester.Pages",
             "Harvester.Play",

@@ -3,7 +3,7 @@ using System.Globalization;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Cli.Viewing;
-using Harvester.Datasets.Viewing;
+using Harvester.Reports.Viewing;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Viewer;

@@ -1,5 +1,5 @@
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Exports.Formats;
+using Harvester.Exports.Formats;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Reading.Images;

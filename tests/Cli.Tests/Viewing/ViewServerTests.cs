@@ -1,5 +1,5 @@
 using System.Net;
-using Harvester.Datasets.Viewing;
+using Harvester.Reports.Viewing;
 using Harvester.Sessions.Reading;
 using Harvester.Viewer;
 

@@ -10,6 +10,7 @@ using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Images;
 using Harvester.Sessions.Semantics;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Semantics;
 

@@ -3,7 +3,7 @@ using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Masks;
-using Harvester.Datasets.Reports;
+using Harvester.Reports.Sessions;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Text;
