@@ -11,10 +11,10 @@ using Harvester.Play.Screen;
 using Harvester.Play.Screen.Windows;
 using Harvester.Play.SelfTests;
 using Harvester.Play.Settings;
+using Harvester.Play.Surveys.Faces;
+using Harvester.Play.Surveys.Roads;
 using Harvester.Play.Tapes;
 using Harvester.Sessions.Scenes;
-using Harvester.Surveys.Faces;
-using Harvester.Surveys.Roads;
 
 namespace Harvester.Mod;
 

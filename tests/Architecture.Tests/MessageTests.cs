@@ -15,7 +15,6 @@ public sealed class MessageTests
     [Theory]
     [InlineData("Harvester.Sessions")]
     [InlineData("Harvester.Capture")]
-    [InlineData("Harvester.Surveys")]
     [InlineData("Harvester.Driving")]
     [InlineData("Harvester.Play")]
     [InlineData("Harvester.Mod")]

@@ -3,9 +3,9 @@ using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Mod.Tests.Games;
+using Harvester.Play.Surveys.Faces;
 using Harvester.Sessions.Faces;
 using Harvester.Simulation.Tests.Faces.Survey;
-using Harvester.Surveys.Faces;
 using Harvester.TestSupport;
 
 namespace Harvester.Mod.Tests;

@@ -5,7 +5,6 @@ using Harvester.Pages;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Text;
-using Harvester.Surveys.Faces;
 
 namespace Harvester.Cli.Faces;
 

@@ -1,8 +1,8 @@
 using System.Globalization;
 using Harvester.Geometry;
+using Harvester.Play.Surveys.Faces;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Scenes;
-using Harvester.Surveys.Faces;
 
 namespace Harvester.Play.Features;
 
