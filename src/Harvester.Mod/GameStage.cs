@@ -3,8 +3,8 @@ using GTA.Native;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
 using Harvester.Play.Features;
+using Harvester.Play.Surveys.Faces;
 using Harvester.Sessions.Scenes;
-using Harvester.Surveys.Faces;
 
 namespace Harvester.Mod;
 

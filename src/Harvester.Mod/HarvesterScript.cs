@@ -11,10 +11,10 @@ using Harvester.Play.Screen;
 using Harvester.Play.Screen.Windows;
 using Harvester.Play.SelfTests;
 using Harvester.Play.Settings;
+using Harvester.Play.Surveys.Faces;
+using Harvester.Play.Surveys.Roads;
 using Harvester.Play.Tapes;
 using Harvester.Sessions.Scenes;
-using Harvester.Surveys.Faces;
-using Harvester.Surveys.Roads;
 
 namespace Harvester.Mod;
 
@@ -175,7 +175,7 @@ public sealed class HarvesterScript : Script
         {
             Obstacle = DriveObstacle,
         };
-        var overlay = new Overlay(_harvest, game, _messages, new Sight(new GameSight(mount, world)), display)
+        var overlay = new Overlay(_harvest, game, _messages, new OverlayReader(new GameSight(mount, world)), display)
         {
             IsPictureNear = IsPictureNear,
         };
@@ -194,7 +194,7 @@ public sealed class HarvesterScript : Script
         _signs = new FaceSurveying(
             new GameStage(models, rays),
             player.TakesPhotographs ? new SurveyCamera(cameras, screen, () => world.ReadCamera().WindowAspect) : null,
-            SignModels.ToMeasure(_folder.ShippedFaces, player.FurtherModels),
+            SurveyedModels.ToMeasure(_folder.ShippedFaces, player.FurtherModels),
             measured,
             _harvest,
             mount,

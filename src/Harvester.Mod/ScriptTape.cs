@@ -1,9 +1,9 @@
 using Harvester.Capture.Ports;
 using Harvester.Play.Features;
 using Harvester.Play.Settings;
+using Harvester.Play.Surveys.Faces;
 using Harvester.Play.Tapes;
 using Harvester.Sessions.Semantics;
-using Harvester.Surveys.Faces;
 
 namespace Harvester.Mod;
 

@@ -3,9 +3,9 @@ using GTA.Hosting;
 using Harvester.Mod;
 using Harvester.Play.Features;
 using Harvester.Play.Settings;
+using Harvester.Play.Surveys.Faces;
 using Harvester.Play.Tapes;
 using Harvester.Sessions.Semantics;
-using Harvester.Surveys.Faces;
 
 namespace Harvester.Tapes;
 

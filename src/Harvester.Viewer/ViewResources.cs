@@ -1,6 +1,6 @@
 using System.Globalization;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Viewing;
+using Harvester.Reports.Viewing;
+using Harvester.Sessions.Reading.Files;
 using Microsoft.AspNetCore.Http;
 
 namespace Harvester.Viewer;

@@ -1,6 +1,6 @@
 using System.Net;
 using System.Security.Cryptography;
-using Harvester.Datasets.Viewing;
+using Harvester.Reports.Viewing;
 using Microsoft.AspNetCore.Builder;
 using Microsoft.AspNetCore.Connections;
 using Microsoft.AspNetCore.Hosting;

@@ -15,11 +15,12 @@ public sealed class MessageTests
     [Theory]
     [InlineData("Harvester.Sessions")]
     [InlineData("Harvester.Capture")]
-    [InlineData("Harvester.Surveys")]
     [InlineData("Harvester.Driving")]
     [InlineData("Harvester.Play")]
     [InlineData("Harvester.Mod")]
     [InlineData("Harvester.Datasets")]
+    [InlineData("Harvester.Exports")]
+    [InlineData("Harvester.Reports")]
     [InlineData("Harvester.Evaluation")]
     [InlineData("Harvester.Cli")]
     public void Messages_are_one_line_and_end_as_sentences(string project)

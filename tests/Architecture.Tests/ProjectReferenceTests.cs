@@ -11,22 +11,24 @@ public sealed class ProjectReferenceTests
         ["Harvester.Sessions"] = ["Harvester.Geometry"],
         ["Harvester.Pages"] = ["Harvester.Sessions"],
         ["Harvester.Capture"] = ["Harvester.Sessions"],
-        ["Harvester.Surveys"] = ["Harvester.Capture"],
         ["Harvester.Driving"] = ["Harvester.Capture"],
         ["Harvester.Evaluation"] = ["Harvester.Driving", "Harvester.Pages"],
-        ["Harvester.Play"] = ["Harvester.Surveys", "Harvester.Driving"],
+        ["Harvester.Play"] = ["Harvester.Driving"],
         ["Harvester.Mod"] = ["ScriptHookVDotNet3"],
         ["Harvester.Tapes"] = ["Harvester.Play"],
         ["Harvester.Simulation"] = ["Harvester.Capture"],
-        ["Harvester.Datasets"] = ["Harvester.Capture", "Harvester.Pages"],
-        ["Harvester.Viewer"] = ["Harvester.Datasets"],
+        ["Harvester.Datasets"] = ["Harvester.Capture", "Harvester.Sessions"],
+        ["Harvester.Exports"] = ["Harvester.Datasets"],
+        ["Harvester.Reports"] = ["Harvester.Exports", "Harvester.Pages"],
+        ["Harvester.Viewer"] = ["Harvester.Reports"],
         ["Harvester.Cli"] =
         [
             "Harvester.Simulation",
             "Harvester.Datasets",
+            "Harvester.Exports",
+            "Harvester.Reports",
             "Harvester.Evaluation",
             "Harvester.Pages",
-            "Harvester.Play",
             "Harvester.Tapes",
             "Harvester.Viewer",
         ],
@@ -56,7 +58,6 @@ public sealed class ProjectReferenceTests
     [InlineData("Harvester.Geometry")]
     [InlineData("Harvester.Sessions")]
     [InlineData("Harvester.Capture")]
-    [InlineData("Harvester.Surveys")]
     [InlineData("Harvester.Driving")]
     [InlineData("Harvester.Play")]
     public void Project_that_loads_into_the_game_has_no_package_there(string project)

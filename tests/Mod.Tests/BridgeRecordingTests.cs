@@ -1,10 +1,10 @@
 using System.Globalization;
 using System.Text.Json;
 using System.Windows.Forms;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Validation;
 using Harvester.Mod.Tests.Games;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Scenes;
 using Harvester.TestSupport;
 
@@ -51,7 +51,7 @@ public sealed class BridgeRecordingTests : ServedGame
         foreach (FrameLabel label in labels)
         {
             byte[] image = File.ReadAllBytes(Path.Combine(Session(driver), label.Image));
-            Assert.Equal(PngDecoder.Decode(sent[label.Drive!.BridgeFrame!.Value]).Samples, PngDecoder.Decode(image).Samples);
+            Assert.Equal(TestPngDecoder.Decode(sent[label.Drive!.BridgeFrame!.Value]).Samples, TestPngDecoder.Decode(image).Samples);
         }
     }
 
@@ -124,7 +124,7 @@ public sealed class BridgeRecordingTests : ServedGame
         foreach (FrameLabel label in labels)
         {
             // TestScreen shows the number of the frame in which it was grabbed; the paused game has shown the same for some frames.
-            byte level = PngDecoder.Decode(File.ReadAllBytes(Path.Combine(Session(driver), label.Image))).Samples[0];
+            byte level = TestPngDecoder.Decode(File.ReadAllBytes(Path.Combine(Session(driver), label.Image))).Samples[0];
             Assert.Equal(1 + ((label.GameFrame + label.LagFrames) % 255), level);
         }
 

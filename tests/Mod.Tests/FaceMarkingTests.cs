@@ -3,9 +3,9 @@ using GTA.Hosting;
 using GTA.Native;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
+using Harvester.Play.Surveys.Faces;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Scenes;
-using Harvester.Surveys.Faces;
 
 namespace Harvester.Mod.Tests;
 

@@ -4,9 +4,9 @@ using GTA.Native;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
 using Harvester.Play.Features;
+using Harvester.Play.Surveys.Faces;
 using Harvester.Sessions.Faces;
 using Harvester.Simulation.Tests.Faces.Survey;
-using Harvester.Surveys.Faces;
 
 namespace Harvester.Mod.Tests;
 

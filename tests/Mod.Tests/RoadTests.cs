@@ -1,7 +1,7 @@
 using System.Windows.Forms;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
-using Harvester.Surveys.Roads;
+using Harvester.Play.Surveys.Roads;
 using Harvester.TestSupport;
 
 namespace Harvester.Mod.Tests;

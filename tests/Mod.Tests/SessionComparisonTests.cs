@@ -3,11 +3,11 @@ using System.Text.RegularExpressions;
 using System.Windows.Forms;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Storage;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Validation;
 using Harvester.Geometry.Cameras;
 using Harvester.Mod.Tests.Games;
 using Harvester.Sessions.Faces;
+using Harvester.Sessions.Reading;
 using Harvester.Simulation.Settings;
 
 namespace Harvester.Mod.Tests;

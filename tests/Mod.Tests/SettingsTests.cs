@@ -1,6 +1,7 @@
 using System.Windows.Forms;
 using Harvester.Play.Features;
 using Harvester.Play.Settings;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Mod.Tests;
 

@@ -3,9 +3,9 @@ using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Mod.Tests.Games;
+using Harvester.Play.Surveys.Faces;
 using Harvester.Sessions.Faces;
 using Harvester.Simulation.Tests.Faces.Survey;
-using Harvester.Surveys.Faces;
 using Harvester.TestSupport;
 
 namespace Harvester.Mod.Tests;
@@ -32,7 +32,7 @@ public sealed class SurveyPhotoTests
         ModelFace face = Assert.Single(new SurveyFolder(folder).Table.Of(Sign));
         foreach (SurveyPhoto photo in SurveyPhoto.ReadAll(folder))
         {
-            PngDecoder picture = PngDecoder.Decode(File.ReadAllBytes(Path.Combine(folder, SurveyPhoto.FolderName, photo.File)));
+            TestPngDecoder picture = TestPngDecoder.Decode(File.ReadAllBytes(Path.Combine(folder, SurveyPhoto.FolderName, photo.File)));
             var size = new ImageSize(picture.Width, picture.Height);
             var camera = new Camera(photo.Camera, new CameraIntrinsics(photo.VerticalFovDegrees, size, size.Aspect, 0.05, Lens.Ideal));
             Box2D drawn = CuboidProjector.Project(camera, face.CuboidAt(new Pose(Vector3D.Zero, Axes.Identity))).Box!.Value;
@@ -48,7 +48,7 @@ public sealed class SurveyPhotoTests
     }
 
     /// <summary>What is white over a row: the plate, and not its post.</summary>
-    private static Box2D WhiteAbove(PngDecoder picture, double row)
+    private static Box2D WhiteAbove(TestPngDecoder picture, double row)
     {
         const int samples = 3;
         (int X, int Y)[] white =

@@ -27,7 +27,7 @@ public sealed class ClassMapPart(InstanceMap map, SemanticsMethod method, int ra
     {
         if (method == SemanticsMethod.Rays)
         {
-            ClassColours.Complete(map, mask, picture);
+            ClassMapColours.Complete(map, mask, picture);
         }
     }
 }

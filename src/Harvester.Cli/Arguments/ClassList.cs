@@ -1,6 +1,6 @@
 using System.CommandLine;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Json;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Cli.Arguments;

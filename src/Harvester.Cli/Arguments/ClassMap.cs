@@ -1,7 +1,7 @@
 using System.CommandLine;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Exports;
-using Harvester.Datasets.Json;
+using Harvester.Exports;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Cli.Arguments;

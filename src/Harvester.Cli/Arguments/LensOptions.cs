@@ -59,7 +59,7 @@ internal sealed class LensOptions
     /// <summary>The lens that a command line describes; by default the ideal lens.</summary>
     /// <exception cref="UsageException">Both a file and numbers are given.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
-    /// <exception cref="Datasets.Files.DatasetFormatException">The file does not describe a lens.</exception>
+    /// <exception cref="Harvester.Sessions.Reading.Files.DatasetFormatException">The file does not describe a lens.</exception>
     public Lens Parse(ParseResult parsed)
     {
         FileInfo? file = parsed.CommandResult.Command.Options.Contains(_file) ? parsed.GetValue(_file) : null;

@@ -3,7 +3,7 @@ using System.CommandLine.Parsing;
 using Harvester.Capture.Labelling;
 using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Files;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Rigs;
 
 namespace Harvester.Cli.Arguments;

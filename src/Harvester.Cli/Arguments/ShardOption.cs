@@ -1,6 +1,6 @@
 using System.CommandLine;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Cli.Arguments;
 

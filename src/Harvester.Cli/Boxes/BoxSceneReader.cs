@@ -1,9 +1,9 @@
 using System.Text.Json;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Cli.Boxes;
 

@@ -1,7 +1,6 @@
 using System.CommandLine;
 using System.CommandLine.Completions;
 using System.CommandLine.Parsing;
-using Harvester.Capture.Storage;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Commands.Faces;
 using Harvester.Cli.Commands.Masks;
@@ -12,6 +11,7 @@ using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Cli.Commands;
 
@@ -144,7 +144,7 @@ internal static class Application
             return Fail(
                 terminal,
                 ExitCode.InputOutput,
-                $"{e.Message} What was written is whole. Free some space. {HarvestAdvice.OnLowSpace}"
+                $"{e.Message} What was written is whole. Free some space. {OptionAdvice.OnLowSpace}"
             );
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)

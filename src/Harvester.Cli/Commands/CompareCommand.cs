@@ -1,9 +1,10 @@
 using System.CommandLine;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Comparison;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
+using Harvester.Reports.Comparison;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Text;
 using Spectre.Console;
 

@@ -5,14 +5,14 @@ using Harvester.Capture.Ports;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Reports;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
+using Harvester.Reports.Sessions;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;

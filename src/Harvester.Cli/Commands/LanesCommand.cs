@@ -2,12 +2,12 @@ using System.CommandLine;
 using System.Text.Json;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Cli.Commands;
 

@@ -1,12 +1,12 @@
 using System.CommandLine;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Reports;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Sharding;
+using Harvester.Exports.Assembly;
+using Harvester.Reports.Sessions;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;

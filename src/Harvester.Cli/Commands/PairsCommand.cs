@@ -2,9 +2,9 @@ using System.CommandLine;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Pairs;
-using Harvester.Datasets.Sessions;
+using Harvester.Exports.Pairs;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;

@@ -2,9 +2,9 @@ using System.CommandLine;
 using System.Globalization;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Files;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;

@@ -5,11 +5,11 @@ using Harvester.Cli.Relabelling;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Relabelling;
-using Harvester.Datasets.Reports;
 using Harvester.Datasets.Roads;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Lanes;
+using Harvester.Reports.Sessions;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;

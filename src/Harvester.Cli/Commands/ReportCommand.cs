@@ -4,9 +4,9 @@ using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Detections;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Predictions;
-using Harvester.Datasets.Reports;
-using Harvester.Datasets.Sessions;
+using Harvester.Exports.Predictions;
+using Harvester.Reports.Sessions;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;

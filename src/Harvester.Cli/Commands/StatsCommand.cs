@@ -2,9 +2,9 @@ using System.CommandLine;
 using System.Globalization;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
 using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 

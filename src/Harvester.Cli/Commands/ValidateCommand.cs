@@ -1,11 +1,11 @@
 using System.CommandLine;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Exports.Validation;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Validation;
+using Harvester.Exports.Validation;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;

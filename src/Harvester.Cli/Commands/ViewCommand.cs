@@ -3,9 +3,9 @@ using System.Globalization;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Cli.Viewing;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
-using Harvester.Datasets.Viewing;
+using Harvester.Reports.Viewing;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Viewer;
 
 namespace Harvester.Cli.Commands;

@@ -1,8 +1,8 @@
-using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sharding;
 using Harvester.Driving.Bridge;
 using Harvester.Evaluation.Scores;
+using Harvester.Exports.Validation;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Driving;

@@ -70,7 +70,7 @@ internal sealed class GameRecording(
             throw new IOException(fault);
         }
 
-        return _recorder.Failure is { } failure ? throw new GameFaultException(HarvestAdvice.TextOf(failure)) : isTaken;
+        return _recorder.Failure is { } failure ? throw new GameFaultException(OptionAdvice.TextOf(failure)) : isTaken;
     }
 
     /// <summary>Records the answer of the watched controller to the newest frame.</summary>

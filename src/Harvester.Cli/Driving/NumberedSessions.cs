@@ -1,8 +1,8 @@
 using System.Globalization;
 using System.Text.RegularExpressions;
 using Harvester.Cli.Terminals;
+using Harvester.Datasets.Derivation;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Driving;

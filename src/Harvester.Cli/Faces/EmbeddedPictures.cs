@@ -1,4 +1,4 @@
-using Harvester.Datasets.Files;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Cli.Faces;
 

@@ -1,6 +1,5 @@
-using Harvester.Datasets.Files;
 using Harvester.Sessions.Faces;
-using Harvester.Surveys.Faces;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Cli.Faces;
 
@@ -13,7 +12,7 @@ internal static class FaceFile
     private const string WholeRow = "row";
 
     /// <summary>The file of a table; for the folder of a survey, the table in it.</summary>
-    public static string TableOf(string path) => Directory.Exists(path) ? Path.Combine(path, SurveyFolder.TableName) : path;
+    public static string TableOf(string path) => Directory.Exists(path) ? Path.Combine(path, FaceTable.FileName) : path;
 
     /// <summary>The valid rows of a table, and the problems of the others.</summary>
     /// <exception cref="IOException">The file cannot be read.</exception>

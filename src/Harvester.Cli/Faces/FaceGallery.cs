@@ -1,8 +1,8 @@
 using System.Globalization;
-using Harvester.Datasets.Files;
 using Harvester.Geometry;
 using Harvester.Pages;
 using Harvester.Sessions.Faces;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 

@@ -1,11 +1,10 @@
-using Harvester.Datasets.Files;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Pages;
 using Harvester.Sessions.Faces;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Text;
-using Harvester.Surveys.Faces;
 
 namespace Harvester.Cli.Faces;
 

@@ -5,7 +5,6 @@ using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Cli.Faces;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry;
@@ -13,6 +12,7 @@ using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Roads;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Game;
@@ -137,15 +137,15 @@ internal sealed class SimulatedHarvest
             writer.FramesWritten,
             session.Status.Discarded,
             clock.Elapsed,
-            writer.IsSpaceLow ? $"{writer.Fault} {HarvestAdvice.OnLowSpace}"
-                : session.Failure is { } failure ? HarvestAdvice.TextOf(failure)
+            writer.IsSpaceLow ? $"{writer.Fault} {OptionAdvice.OnLowSpace}"
+                : session.Failure is { } failure ? OptionAdvice.TextOf(failure)
                 : writer.Fault,
             writer.Fault is not null,
             cancellation.IsCancellationRequested && session.Status.Captured < _plan.Frames
         )
         {
             Resumed = resumed,
-            Warnings = [.. session.Warnings.Select(HarvestAdvice.TextOf)],
+            Warnings = [.. session.Warnings.Select(OptionAdvice.TextOf)],
             Freezing = session.Freezing,
             Masks = session.MaskComparison,
         };

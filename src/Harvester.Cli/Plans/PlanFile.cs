@@ -1,7 +1,7 @@
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Files;
 using Harvester.Sessions.Plans;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Rigs;
 
 namespace Harvester.Cli.Plans;

@@ -1,8 +1,10 @@
 using Harvester.Cli.Terminals;
+using Harvester.Datasets.Derivation;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Plans;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Cli.Plans;
 

@@ -1,7 +1,7 @@
 using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Plans;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Rigs;
 using Harvester.Sessions.Text;
 

@@ -1,7 +1,6 @@
 using System.Globalization;
 using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads;
 using Harvester.Driving.Controllers;
 using Harvester.Geometry;
@@ -9,6 +8,7 @@ using Harvester.Geometry.Roads;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Plans;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Roads;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;

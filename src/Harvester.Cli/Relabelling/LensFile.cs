@@ -1,7 +1,7 @@
 using System.Globalization;
-using Harvester.Datasets.Files;
 using Harvester.Geometry.Cameras;
-using Harvester.Play.Settings;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Relabelling;
 
@@ -10,7 +10,7 @@ namespace Harvester.Cli.Relabelling;
 /// </summary>
 internal static class LensFile
 {
-    private const string Section = $"[{HarvestSettings.LensSection}]";
+    private const string Section = $"[{LensSettings.Section}]";
 
     /// <exception cref="IOException">The file cannot be read.</exception>
     /// <exception cref="DatasetFormatException">A value is missing or out of range.</exception>
@@ -20,10 +20,10 @@ internal static class LensFile
         IniFile ini = IniFile.Read(
             new StringReader(text.Contains(Section, System.StringComparison.OrdinalIgnoreCase) ? text : $"{Section}\n{text}")
         );
-        Lens lens = HarvestSettings.LensOf(ini);
-        foreach (KeyValuePair<string, double> value in HarvestSettings.ValuesOf(lens))
+        Lens lens = LensSettings.Read(ini);
+        foreach (KeyValuePair<string, double> value in LensSettings.ValuesOf(lens))
         {
-            string found = ini.Text(HarvestSettings.LensSection, value.Key, "");
+            string found = ini.Text(LensSettings.Section, value.Key, "");
             if (found.Length == 0)
             {
                 throw new DatasetFormatException($"{path}: {value.Key} is missing. Use a file with the output of harvester calibrate.");

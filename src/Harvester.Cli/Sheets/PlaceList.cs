@@ -1,6 +1,6 @@
 using Harvester.Cli.Arguments;
-using Harvester.Datasets.Files;
 using Harvester.Geometry;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Cli.Sheets;
 

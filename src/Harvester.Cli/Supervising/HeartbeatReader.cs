@@ -1,9 +1,9 @@
 using System.Globalization;
 using System.Text.Json;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Json;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Plans;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Cli.Supervising;
 

@@ -1,8 +1,8 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using Harvester.Cli.Arguments;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Cli.Terminals;
 

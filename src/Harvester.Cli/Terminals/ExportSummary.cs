@@ -1,4 +1,4 @@
-using Harvester.Datasets.Exports.Assembly;
+using Harvester.Exports.Assembly;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Terminals;

@@ -1,5 +1,5 @@
 using System.Runtime.InteropServices;
-using Harvester.Capture.Storage;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Terminals;
 

@@ -1,6 +1,7 @@
+using Harvester.Datasets.Derivation;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Cli.Terminals;
 

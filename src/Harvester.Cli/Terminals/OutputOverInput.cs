@@ -1,6 +1,6 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
-using Harvester.Datasets.Files;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Cli.Terminals;
 

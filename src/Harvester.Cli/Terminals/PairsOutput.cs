@@ -1,5 +1,5 @@
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Pairs;
+using Harvester.Exports.Pairs;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Terminals;

@@ -1,6 +1,7 @@
+using Harvester.Datasets.Derivation;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Cli.Terminals;
 
@@ -32,7 +33,7 @@ internal sealed class SessionOutput : IDisposable
     /// <param name="option">The option that names the folder.</param>
     /// <param name="minFreeBytes">Space that is to stay free on its disk, bytes; 0 watches nothing.</param>
     /// <exception cref="IOException">The folder cannot be written.</exception>
-    /// <exception cref="Harvester.Capture.Storage.LowSpaceException">Less space is free than is to stay free.</exception>
+    /// <exception cref="Harvester.Sessions.Files.LowSpaceException">Less space is free than is to stay free.</exception>
     /// <exception cref="OccupiedFolderException">The folder is in use, or holds something that is not to be replaced.</exception>
     public SessionOutput(
         Terminal terminal,

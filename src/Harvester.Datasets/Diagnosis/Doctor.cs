@@ -1,5 +1,5 @@
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Diagnosis;
 

@@ -1,6 +1,6 @@
 using System.Text.RegularExpressions;
-using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Diagnosis;
 

@@ -1,8 +1,8 @@
 using System.IO.Compression;
 using System.Text.Json;
 using Harvester.Capture.SelfTests;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Json;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Datasets.Diagnosis;
 

@@ -1,4 +1,4 @@
-using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Datasets.Diagnosis;
 

@@ -1,4 +1,5 @@
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Files;
 

@@ -1,8 +1,8 @@
 using System.Globalization;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Images;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Images;
 
 namespace Harvester.Datasets.Masks;
 

@@ -1,9 +1,11 @@
+using Harvester.Datasets.Derivation;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Masks;
 

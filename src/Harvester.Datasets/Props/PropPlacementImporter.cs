@@ -1,7 +1,7 @@
 using System.Text.Json;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Json;
 using Harvester.Geometry;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Props;

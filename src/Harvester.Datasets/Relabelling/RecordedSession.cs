@@ -1,14 +1,14 @@
 using System.Text.Json;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Json;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Semantics;
 

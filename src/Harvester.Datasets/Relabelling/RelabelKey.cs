@@ -1,8 +1,9 @@
 using System.Globalization;
-using Harvester.Datasets.Sessions;
+using Harvester.Datasets.Derivation;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Faces;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Roads;
 
 namespace Harvester.Datasets.Relabelling;

@@ -2,9 +2,9 @@ using System.Globalization;
 using System.Text.Json;
 using System.Text.Json.Nodes;
 using Harvester.Capture.Harvesting;
-using Harvester.Datasets.Json;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 

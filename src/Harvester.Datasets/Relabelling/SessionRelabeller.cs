@@ -1,9 +1,8 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
+using Harvester.Datasets.Derivation;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Images;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Roads;
@@ -11,6 +10,9 @@ using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Images;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Relabelling;

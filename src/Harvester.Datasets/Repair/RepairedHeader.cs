@@ -1,8 +1,8 @@
 using System.Text.Json.Nodes;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Repair;

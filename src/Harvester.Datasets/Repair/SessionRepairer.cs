@@ -1,10 +1,12 @@
 using System.Globalization;
+using Harvester.Datasets.Derivation;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Validation;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Repair;
 

@@ -1,5 +1,5 @@
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads.Sources;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Roads;
 
 namespace Harvester.Datasets.Roads;

@@ -1,11 +1,11 @@
 using System.IO.Compression;
 using System.IO.Enumeration;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads.Ipl;
 using Harvester.Datasets.Roads.JsonDump;
 using Harvester.Datasets.Roads.Scene;
 using Harvester.Datasets.Roads.Sources;
 using Harvester.Datasets.Roads.Ynd;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Roads;
 
 namespace Harvester.Datasets.Roads;

@@ -1,9 +1,11 @@
 using System.Globalization;
 using System.Text.Json;
+using Harvester.Datasets.Derivation;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Json;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Datasets.Sharding;
 

@@ -1,7 +1,7 @@
 using System.Text.Json.Nodes;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Sharding;
 

@@ -1,5 +1,5 @@
-using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Sharding;
 

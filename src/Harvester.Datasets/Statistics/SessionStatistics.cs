@@ -1,7 +1,6 @@
-using Harvester.Datasets.Exports.Formats.Kitti;
-using Harvester.Datasets.Files;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Statistics;
@@ -55,7 +54,7 @@ public sealed class SessionStatistics
     public double LabelsPerFrame => Frames == 0 ? 0 : (double)Labels / Frames;
 
     /// <summary>Number of labels of kinds that KITTI labels too: all but signs, traffic lights and riders of two-wheelers.</summary>
-    public int LabelsAsKitti => _classes.Where(kind => KittiClasses.Has(kind.Key)).Sum(kind => kind.Value.Labels);
+    public int LabelsAsKitti => _classes.Where(kind => KittiScope.Has(kind.Key)).Sum(kind => kind.Value.Labels);
 
     /// <summary>These labels per frame; 0 without frames.</summary>
     public double LabelsAsKittiPerFrame => Frames == 0 ? 0 : (double)LabelsAsKitti / Frames;

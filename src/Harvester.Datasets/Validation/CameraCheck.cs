@@ -1,7 +1,7 @@
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Validation;
 

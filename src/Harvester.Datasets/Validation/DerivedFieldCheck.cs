@@ -1,6 +1,6 @@
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Json;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Validation;

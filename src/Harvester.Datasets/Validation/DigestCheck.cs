@@ -1,6 +1,6 @@
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Validation;
 

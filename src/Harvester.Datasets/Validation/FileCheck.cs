@@ -1,8 +1,8 @@
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Images;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Lidar;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Images;
 
 namespace Harvester.Datasets.Validation;
 

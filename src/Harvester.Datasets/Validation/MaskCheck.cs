@@ -1,10 +1,10 @@
 using Harvester.Datasets.Masks;
 using Harvester.Datasets.Masks.Pixels;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Datasets.Validation;
 

@@ -1,9 +1,9 @@
 using System.Text;
 using System.Text.Json;
 using System.Text.Json.Nodes;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Json;
-using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Json;
 using Json.Schema;
 
 namespace Harvester.Datasets.Validation;

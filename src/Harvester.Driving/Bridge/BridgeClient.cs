@@ -158,7 +158,7 @@ internal sealed class BridgeClient : IDisposable
 
     private void BeIntroduced(string header)
     {
-        JsonFields hello = JsonFields.Parse(header);
+        HeaderFields hello = HeaderFields.Parse(header);
         if (
             hello.Text("type") != BridgeProtocol.HelloType
             || (IsTokenRequired && !(hello.Has("token") && SameToken(hello.Text("token"), _reception.Options.Token!)))

@@ -24,7 +24,7 @@ public static class BridgeProtocol
     /// <exception cref="BridgeException">The header is no hello.</exception>
     public static string? ProblemOfGame(string hello)
     {
-        JsonFields fields = JsonFields.Parse(hello);
+        HeaderFields fields = HeaderFields.Parse(hello);
         if (fields.Text("type") != HelloType)
         {
             throw new BridgeException("the first message of the game must be a hello.");
@@ -38,7 +38,7 @@ public static class BridgeProtocol
 
     /// <summary>Checks the version that a client's hello names.</summary>
     /// <exception cref="BridgeException">It is another one, or missing.</exception>
-    internal static void CheckClient(JsonFields hello)
+    internal static void CheckClient(HeaderFields hello)
     {
         if (!hello.Has("version"))
         {

@@ -18,7 +18,7 @@ public static class ClientMessageParser
     /// <exception cref="BridgeException">The header is not a valid message; the exception says what is wrong.</exception>
     public static ClientMessage Parse(string header)
     {
-        JsonFields fields = JsonFields.Parse(header ?? throw new ArgumentNullException(nameof(header)));
+        HeaderFields fields = HeaderFields.Parse(header ?? throw new ArgumentNullException(nameof(header)));
         string type = fields.Text("type");
         return type switch
         {
@@ -62,11 +62,11 @@ public static class ClientMessageParser
             : throw new BridgeException("the frame must be a whole number, 0 or more.");
     }
 
-    private static long? FrameOf(JsonFields fields) => fields.Has("frame") ? FrameOf(fields.Number("frame")) : null;
+    private static long? FrameOf(HeaderFields fields) => fields.Has("frame") ? FrameOf(fields.Number("frame")) : null;
 
-    private static bool HasPicture(JsonFields fields) => !fields.Has("image") || fields.Boolean("image");
+    private static bool HasPicture(HeaderFields fields) => !fields.Has("image") || fields.Boolean("image");
 
-    private static int SeedOf(JsonFields fields, string name)
+    private static int SeedOf(HeaderFields fields, string name)
     {
         double number = fields.Number(name);
         return number >= 0 && number <= int.MaxValue && Math.Floor(number) == number
@@ -74,7 +74,7 @@ public static class ClientMessageParser
             : throw new BridgeException(FormattableString.Invariant($"field {name} must be a whole number from 0 to {int.MaxValue}."));
     }
 
-    private static Vector3D PositionOf(JsonFields fields)
+    private static Vector3D PositionOf(HeaderFields fields)
     {
         double[] position = fields.Numbers("position", 3);
         return Array.TrueForAll(position, coordinate => Math.Abs(coordinate) <= MaxCoordinate)
@@ -82,7 +82,7 @@ public static class ClientMessageParser
             : throw new BridgeException("field position is out of range.");
     }
 
-    private static double HeadingOf(JsonFields fields)
+    private static double HeadingOf(HeaderFields fields)
     {
         double degrees = fields.Number("headingDegrees");
         return Math.Abs(degrees) <= MaxHeadingDegrees
@@ -90,7 +90,7 @@ public static class ClientMessageParser
             : throw new BridgeException("field headingDegrees must be from -360 to 360.");
     }
 
-    private static string WeatherOf(JsonFields fields)
+    private static string WeatherOf(HeaderFields fields)
     {
         string weather = fields.Text("weather");
         return WeatherNames.IsKnown(weather)
@@ -100,12 +100,12 @@ public static class ClientMessageParser
             );
     }
 
-    private static TimeSpan TimeOf(JsonFields fields) =>
+    private static TimeSpan TimeOf(HeaderFields fields) =>
         TimeSpan.TryParseExact(fields.Text("timeOfDay"), "hh\\:mm", CultureInfo.InvariantCulture, out TimeSpan time)
             ? time
             : throw new BridgeException("field timeOfDay must be a time such as 17:30.");
 
-    private static double SecondsOf(JsonFields fields)
+    private static double SecondsOf(HeaderFields fields)
     {
         double seconds = fields.Number("seconds");
         return seconds > 0 && seconds <= MaxStepSeconds

@@ -170,7 +170,7 @@ public sealed class FolderBridge : IAwaitableBridge
 
     private void TakeCommand(string text)
     {
-        JsonFields command = JsonFields.Parse(text);
+        HeaderFields command = HeaderFields.Parse(text);
         if (command.Text("type") == BridgeProtocol.HelloType)
         {
             if (command.Has("version"))

@@ -78,7 +78,7 @@ public sealed class SocketLink : IBridgeLink
 
         try
         {
-            return FrameOf(JsonFields.Parse(Encoding.UTF8.GetString(newest)));
+            return FrameOf(HeaderFields.Parse(Encoding.UTF8.GetString(newest)));
         }
         catch (BridgeException e)
         {
@@ -112,7 +112,7 @@ public sealed class SocketLink : IBridgeLink
     {
         try
         {
-            CheckError(JsonFields.Parse(header));
+            CheckError(HeaderFields.Parse(header));
             if (BridgeProtocol.ProblemOfGame(header) is { } problem)
             {
                 throw new IOException($"Cannot drive over this bridge: {problem} Use programs of the same version.");
@@ -126,7 +126,7 @@ public sealed class SocketLink : IBridgeLink
         }
     }
 
-    private static void CheckError(JsonFields header)
+    private static void CheckError(HeaderFields header)
     {
         if (header.Text("type") == "error")
         {
@@ -134,7 +134,7 @@ public sealed class SocketLink : IBridgeLink
         }
     }
 
-    private static ClientFrame FrameOf(JsonFields header)
+    private static ClientFrame FrameOf(HeaderFields header)
     {
         CheckError(header);
         double[] torcs = header.Numbers("torcsEquivalent", IndicatorTable.All.Count);

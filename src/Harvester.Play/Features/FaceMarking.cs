@@ -1,9 +1,9 @@
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
+using Harvester.Play.Surveys.Faces;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Scenes;
-using Harvester.Surveys.Faces;
 
 namespace Harvester.Play.Features;
 

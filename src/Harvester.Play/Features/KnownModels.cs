@@ -1,8 +1,8 @@
 using System.Globalization;
 using Harvester.Geometry;
+using Harvester.Play.Surveys.Faces;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Scenes;
-using Harvester.Surveys.Faces;
 
 namespace Harvester.Play.Features;
 
@@ -30,7 +30,7 @@ public sealed class KnownModels(IModels models, FaceTable table)
             {
                 IReadOnlyList<ModelFace> faces = table.Of(hash);
                 return faces.Count == 0
-                    ? SignModels.UnnamedBy(hash) is { } name
+                    ? SurveyedModels.UnnamedBy(hash) is { } name
                         ? (ObjectClass.Sign, name)
                         : (ObjectClass.Other, Hexadecimal(hash))
                     : (faces[0].Class, faces[0].Model.Length > 0 ? faces[0].Model : Hexadecimal(hash));

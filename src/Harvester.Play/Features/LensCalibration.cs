@@ -3,6 +3,7 @@ using Harvester.Capture.Faults;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Play.Settings;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Play.Features;
 
@@ -122,8 +123,8 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
         }
 
         _harvest.Options = _harvest.Options with { Lens = result.Lens };
-        IReadOnlyList<KeyValuePair<string, double>> values = HarvestSettings.ValuesOf(result.Lens);
-        _disk.Add(() => IniEditor.Set(_iniPath, HarvestSettings.LensSection, values));
+        IReadOnlyList<KeyValuePair<string, double>> values = LensSettings.ValuesOf(result.Lens);
+        _disk.Add(() => IniEditor.Set(_iniPath, LensSettings.Section, values));
         _messages.Tell(
             FormattableString.Invariant(
                 $"Calibrated: the error was {result.Before.RmsPixels:0.00} px and is {result.Validation.RmsPixels:0.00} px. "

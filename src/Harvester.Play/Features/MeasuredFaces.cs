@@ -1,6 +1,6 @@
 using Harvester.Capture.Ports;
+using Harvester.Play.Surveys.Faces;
 using Harvester.Sessions.Faces;
-using Harvester.Surveys.Faces;
 
 namespace Harvester.Play.Features;
 

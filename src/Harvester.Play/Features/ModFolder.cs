@@ -1,8 +1,8 @@
-using Harvester.Play.Settings;
+using Harvester.Play.Surveys.Faces;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Rigs;
 using Harvester.Sessions.Semantics;
-using Harvester.Surveys.Faces;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Play.Features;
 

@@ -30,7 +30,7 @@ public sealed class Overlay : IFeature
     private readonly Harvest _harvest;
     private readonly GamePorts _game;
     private readonly PlayerMessages _messages;
-    private readonly Sight _sight;
+    private readonly OverlayReader _sight;
     private readonly IDisplay _display;
     private RoadMatch? _previous;
 
@@ -40,7 +40,7 @@ public sealed class Overlay : IFeature
     /// <param name="messages">Reports why it cannot be switched on.</param>
     /// <param name="sight">Reads the visible entities; if the camera is mounted, lanes are those of its vehicle.</param>
     /// <param name="display">Draws.</param>
-    public Overlay(Harvest harvest, GamePorts game, PlayerMessages messages, Sight sight, IDisplay display)
+    public Overlay(Harvest harvest, GamePorts game, PlayerMessages messages, OverlayReader sight, IDisplay display)
     {
         _harvest = harvest;
         _game = game;

@@ -2,8 +2,8 @@ using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
+using Harvester.Play.Surveys.Roads;
 using Harvester.Sessions.Text;
-using Harvester.Surveys.Roads;
 
 namespace Harvester.Play.Features;
 

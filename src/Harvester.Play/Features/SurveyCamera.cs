@@ -1,8 +1,8 @@
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Play.Surveys.Faces;
 using Harvester.Sessions.Imaging;
-using Harvester.Surveys.Faces;
 
 namespace Harvester.Play.Features;
 

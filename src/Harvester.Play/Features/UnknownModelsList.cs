@@ -2,9 +2,9 @@ using System.Globalization;
 using System.Text;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
+using Harvester.Play.Surveys.Faces;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Text;
-using Harvester.Surveys.Faces;
 
 namespace Harvester.Play.Features;
 

@@ -29,7 +29,7 @@ internal static class AttemptFile
         char[] text = new char[MaxCharacters];
         try
         {
-            JsonFields fields = JsonFields.Parse(new string(text, 0, reader.ReadBlock(text, 0, text.Length)), "an attempt at a trial");
+            CheckedJson fields = CheckedJson.Parse(new string(text, 0, reader.ReadBlock(text, 0, text.Length)), "an attempt at a trial");
             return (fields.Text("trial"), fields.Whole("attempt", 1, int.MaxValue));
         }
         catch (FormatException)

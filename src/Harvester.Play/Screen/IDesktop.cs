@@ -15,5 +15,5 @@ internal interface IDesktop
     /// <param name="area">The rectangle; not empty.</param>
     /// <param name="target">Receives the pixels; of the rectangle's size.</param>
     /// <returns>Whether the desktop could be read: a locked session or a secure desktop cannot be.</returns>
-    bool TryCopy(PixelRectangle area, PixelBuffer target);
+    bool TryCopy(DesktopRectangle area, PixelBuffer target);
 }

@@ -16,7 +16,7 @@ internal sealed record TopLevelWindow(
     bool IsApplication,
     bool IsMinimised,
     bool ShowsNothing,
-    PixelRectangle Bounds,
-    PixelRectangle Client,
+    DesktopRectangle Bounds,
+    DesktopRectangle Client,
     long RestoredArea
 );

@@ -48,7 +48,7 @@ internal static class WindowJudge
     }
 
     /// <summary>Whether the rectangles from <paramref name="next"/> on cover an area completely.</summary>
-    private static bool IsCoveredBy(IReadOnlyList<PixelRectangle> rectangles, int next, PixelRectangle area)
+    private static bool IsCoveredBy(IReadOnlyList<DesktopRectangle> rectangles, int next, DesktopRectangle area)
     {
         if (area.IsEmpty)
         {
@@ -60,7 +60,7 @@ internal static class WindowJudge
             return false;
         }
 
-        PixelRectangle shared = area.Intersect(rectangles[next]);
+        DesktopRectangle shared = area.Intersect(rectangles[next]);
         next++;
         return shared.IsEmpty
             ? IsCoveredBy(rectangles, next, area)

@@ -169,7 +169,7 @@ public sealed class SelfTesting(
             yield return new("MaxPictureLagTicks", lag.ToString(CultureInfo.InvariantCulture));
         }
 
-        foreach (KeyValuePair<string, double> value in test.NeededLens is { } lens ? HarvestSettings.ValuesOf(lens) : [])
+        foreach (KeyValuePair<string, double> value in test.NeededLens is { } lens ? LensSettings.ValuesOf(lens) : [])
         {
             yield return new(value.Key, value.Value.ToString("0.########", CultureInfo.InvariantCulture));
         }
@@ -199,7 +199,7 @@ public sealed class SelfTesting(
 
         if (test.NeededLens is { } lens)
         {
-            IniEditor.Set(iniPath, HarvestSettings.LensSection, HarvestSettings.ValuesOf(lens));
+            IniEditor.Set(iniPath, LensSettings.Section, LensSettings.ValuesOf(lens));
         }
     }
 

@@ -3,6 +3,7 @@ using Harvester.Driving.Bridge;
 using Harvester.Driving.Controllers;
 using Harvester.Driving.Session;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Play.Settings;
 

@@ -7,6 +7,7 @@ using Harvester.Sessions.Imaging.Jpeg;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Semantics;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Play.Settings;
 
@@ -15,17 +16,9 @@ public static class HarvestSettings
 {
     private const string Harvest = HarvestSection;
     private const double BytesPerGigabyte = 1e9;
-    private const string FocalScale = "FocalScale";
-    private const string CentreOffsetX = "CentreOffsetX";
-    private const string CentreOffsetY = "CentreOffsetY";
-    private const string K1 = "K1";
-    private const string K2 = "K2";
 
     /// <summary>Name of the section about harvests.</summary>
     public const string HarvestSection = "Harvest";
-
-    /// <summary>Name of the section with the lens.</summary>
-    public const string LensSection = "Lens";
 
     /// <summary>
     /// Frames per second of game time while the player drives. The game stops for each frame, so that a minute at 10 frames a second takes
@@ -90,24 +83,14 @@ public static class HarvestSettings
             Sync = ini.Choice(Harvest, "Sync", fallback.Sync, "Batch, Always or Never"),
             MinFreeBytes = (long)(ini.Number(Harvest, "MinFree", fallback.MinFreeBytes / BytesPerGigabyte, 0, 1e6) * BytesPerGigabyte),
             QueueCapacity = ini.Whole(Harvest, "Queue", fallback.QueueCapacity, 1, 1000),
-            Lens = LensOf(ini),
-            MaxCalibrationErrorPixels = ini.Number(LensSection, "MaxError", fallback.MaxCalibrationErrorPixels ?? 0, 0, 100)
+            Lens = LensSettings.Read(ini),
+            MaxCalibrationErrorPixels = ini.Number(LensSettings.Section, "MaxError", fallback.MaxCalibrationErrorPixels ?? 0, 0, 100)
                 is > 0
                     and var error
                 ? error
                 : null,
         };
     }
-
-    /// <summary>The values of a lens in a settings file.</summary>
-    public static IReadOnlyList<KeyValuePair<string, double>> ValuesOf(Lens lens) =>
-        [
-            new(FocalScale, lens.FocalScale),
-            new(CentreOffsetX, lens.CentreOffsetX),
-            new(CentreOffsetY, lens.CentreOffsetY),
-            new(K1, lens.K1),
-            new(K2, lens.K2),
-        ];
 
     private static PairOptions PairsOf(IniFile ini)
     {
@@ -140,22 +123,4 @@ public static class HarvestSettings
             FreezeChoice.TimeScale => FreezeMethod.TimeScale,
             _ => null,
         };
-
-    /// <summary>The lens of a settings file; missing and invalid values are those of a pinhole camera.</summary>
-    public static Lens LensOf(IniFile ini)
-    {
-        if (ini is null)
-        {
-            throw new ArgumentNullException(nameof(ini));
-        }
-
-        const double maxShift = 0.5;
-        return new Lens(
-            ini.Number(LensSection, FocalScale, 1, 0.5, 2),
-            ini.Number(LensSection, CentreOffsetX, 0, -maxShift, maxShift),
-            ini.Number(LensSection, CentreOffsetY, 0, -maxShift, maxShift),
-            ini.Number(LensSection, K1, 0, -1, 1),
-            ini.Number(LensSection, K2, 0, -1, 1)
-        );
-    }
 }

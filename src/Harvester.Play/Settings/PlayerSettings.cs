@@ -4,6 +4,7 @@ using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 using Harvester.Play.Tapes;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Play.Settings;
 

@@ -5,6 +5,9 @@ namespace Harvester.Sessions.Faces;
 /// <summary>The faces of all known models.</summary>
 public sealed class FaceTable
 {
+    /// <summary>Name of the file with the faces that a survey measured.</summary>
+    public const string FileName = "spaces.csv";
+
     private static readonly IReadOnlyList<ModelFace> None = [];
     private readonly Dictionary<int, IReadOnlyList<ModelFace>> _byHash;
 

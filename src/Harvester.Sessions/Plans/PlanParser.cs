@@ -19,10 +19,10 @@ public sealed class PlanParser
     private static readonly Regex NameForm = new(@"\A[A-Za-z0-9][A-Za-z0-9-]{0,29}\z", RegexOptions.CultureInvariant);
     private static readonly Regex FileForm = new(@"\A[^/\\:*?""<>|]+(/[^/\\:*?""<>|]+)*\z", RegexOptions.CultureInvariant);
     private static readonly string[] PlaceKinds = ["x", "space", "spread", "path"];
-    private readonly JsonFields _file;
+    private readonly CheckedJson _file;
     private readonly List<string> _problems = [];
 
-    private PlanParser(JsonFields file) => _file = file;
+    private PlanParser(CheckedJson file) => _file = file;
 
     /// <summary>Reads the text of a plan file, with all its problems.</summary>
     public static PlanReading Read(string text)
@@ -34,7 +34,7 @@ public sealed class PlanParser
 
         try
         {
-            var parser = new PlanParser(JsonFields.Parse(text, "a plan"));
+            var parser = new PlanParser(CheckedJson.Parse(text, "a plan"));
             Plan plan = parser.Read();
             return new PlanReading(parser._problems.Count == 0 ? plan : null, parser._problems);
         }
@@ -87,13 +87,13 @@ public sealed class PlanParser
 
     private PlanPlace[] PlacesOf()
     {
-        JsonFields[] places = Items("places");
+        CheckedJson[] places = Items("places");
         PlanPlace[] read = [.. places.Select(place => Whole(place, PlaceOf)).OfType<PlanPlace>()];
         CheckNames("places", read.Select(place => place.Name));
         return read;
     }
 
-    private static PlanPlace PlaceOf(JsonFields place)
+    private static PlanPlace PlaceOf(CheckedJson place)
     {
         const double reach = 20_000;
         string name = NameOf(place);
@@ -144,13 +144,13 @@ public sealed class PlanParser
             return [new PlanCamera("camera", new ImageSize(800, 600), 50, null)];
         }
 
-        JsonFields[] cameras = Items("cameras");
+        CheckedJson[] cameras = Items("cameras");
         PlanCamera[] read = [.. cameras.Select(camera => Whole(camera, CameraOf)).OfType<PlanCamera>()];
         CheckNames("cameras", read.Select(camera => camera.Name));
         return read;
     }
 
-    private static PlanCamera CameraOf(JsonFields camera)
+    private static PlanCamera CameraOf(CheckedJson camera)
     {
         string name = NameOf(camera);
         if (camera.Has("rig"))
@@ -214,7 +214,7 @@ public sealed class PlanParser
         };
 
     /// <summary>Reads an object; null if it has a problem. Its unknown fields are known only if nothing else is wrong.</summary>
-    private T? Whole<T>(JsonFields fields, Func<JsonFields, T> read)
+    private T? Whole<T>(CheckedJson fields, Func<CheckedJson, T> read)
         where T : class
     {
         T? made = Try(() => read(fields), null!);
@@ -226,9 +226,9 @@ public sealed class PlanParser
         return made;
     }
 
-    private JsonFields[] Items(string name)
+    private CheckedJson[] Items(string name)
     {
-        JsonFields[] items = Try(() => _file.List(name), []);
+        CheckedJson[] items = Try(() => _file.List(name), []);
         if (items.Length is 0 or > MaxItems && _problems.All(problem => !problem.StartsWith(name, StringComparison.Ordinal)))
         {
             _problems.Add(FormattableString.Invariant($"{name} must be a list of 1 to {MaxItems} objects."));
@@ -260,7 +260,7 @@ public sealed class PlanParser
                 .Select(group => $"{list} must have names that all differ, in capitals or not; '{group.Key}' occurs twice.")
         );
 
-    private static string NameOf(JsonFields named)
+    private static string NameOf(CheckedJson named)
     {
         string name = named.Text("name");
         return IsName(name)

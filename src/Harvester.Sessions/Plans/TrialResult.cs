@@ -47,7 +47,7 @@ public sealed record TrialResult(string Trial, TrialState State, int Attempt, in
     /// <exception cref="FormatException">The line is something else.</exception>
     public static TrialResult Parse(string line)
     {
-        JsonFields fields = JsonFields.Parse(line, "a plan's status");
+        CheckedJson fields = CheckedJson.Parse(line, "a plan's status");
         var read = new TrialResult(
             fields.Text("trial"),
             States.TryGetValue(fields.Text("state"), out TrialState state) ? state : throw fields.Wrong("state", "done, failed or skipped"),

@@ -49,11 +49,11 @@ public static class RigParser
             throw new ArgumentNullException(nameof(text));
         }
 
-        JsonFields file = JsonFields.Parse(text, "a rig");
+        CheckedJson file = CheckedJson.Parse(text, "a rig");
         string name = NameOf(file);
         Vector3D origin = file.Has("origin") ? file.Vector("origin", MaxOffsetMetres) : Vector3D.Zero;
-        JsonFields[] cameras = file.List("cameras");
-        JsonFields[] lidars = file.List("lidars");
+        CheckedJson[] cameras = file.List("cameras");
+        CheckedJson[] lidars = file.List("lidars");
         file.End();
         if (cameras.Length is 0 or > MaxCameras)
         {
@@ -70,7 +70,7 @@ public static class RigParser
         return new Rig(name, origin, made, [.. lidars.Select(lidar => LidarOf(lidar, names))]);
     }
 
-    private static RigCamera CameraOf(JsonFields camera, HashSet<string> names)
+    private static RigCamera CameraOf(CheckedJson camera, HashSet<string> names)
     {
         var made = new RigCamera(
             UniqueNameOf(camera, names),
@@ -83,7 +83,7 @@ public static class RigParser
         return made;
     }
 
-    private static Lens LensOf(JsonFields? lens)
+    private static Lens LensOf(CheckedJson? lens)
     {
         if (lens is null)
         {
@@ -101,7 +101,7 @@ public static class RigParser
         return made;
     }
 
-    private static RigLidar LidarOf(JsonFields lidar, HashSet<string> names)
+    private static RigLidar LidarOf(CheckedJson lidar, HashSet<string> names)
     {
         string name = UniqueNameOf(lidar, names);
         string? modelName = lidar.Has("model") ? lidar.Text("model") : null;
@@ -145,7 +145,7 @@ public static class RigParser
         return made;
     }
 
-    private static double[] BeamsOf(JsonFields lidar)
+    private static double[] BeamsOf(CheckedJson lidar)
     {
         double[] beams = lidar.Numbers("beamsDegrees", -MaxElevationDegrees, MaxElevationDegrees);
         return beams.Length is 0 or > MaxBeams ? throw lidar.Wrong("beamsDegrees", FormattableString.Invariant($"1 to {MaxBeams} angles"))
@@ -153,7 +153,7 @@ public static class RigParser
             : beams;
     }
 
-    private static Pose MountOf(JsonFields sensor) =>
+    private static Pose MountOf(CheckedJson sensor) =>
         new(
             sensor.Vector("position", MaxOffsetMetres),
             Axes.FromEuler(
@@ -165,7 +165,7 @@ public static class RigParser
             )
         );
 
-    private static string UniqueNameOf(JsonFields sensor, HashSet<string> names)
+    private static string UniqueNameOf(CheckedJson sensor, HashSet<string> names)
     {
         string name = NameOf(sensor);
         return names.Add(name)
@@ -173,7 +173,7 @@ public static class RigParser
             : throw sensor.Wrong("name", $"unlike that of every other sensor, in capitals or not; '{name}' occurs twice");
     }
 
-    private static string NameOf(JsonFields named)
+    private static string NameOf(CheckedJson named)
     {
         string name = named.Text("name");
         return DeviceName.IsMatch(name) ? throw named.Wrong("name", $"another one: Windows reserves '{name}' for a device")

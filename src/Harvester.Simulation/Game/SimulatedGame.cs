@@ -63,7 +63,7 @@ public sealed class SimulatedGame
         _fade = new SkyFade(options.Quirks.SlowSkyTicks);
         Enter(0);
         Freezing = new Freezing(options.Seed, options.Quirks);
-        Hidden = new HiddenEntities(options.Seed, options.Quirks);
+        Hidden = new LateHiding(options.Seed, options.Quirks);
         _vanishing = new Vanishing(options.Seed, options.Quirks.VanishingFraction);
         Layers = new ScreenLayers(options.Quirks);
         Ports = new GamePorts(
@@ -130,7 +130,7 @@ public sealed class SimulatedGame
     internal Freezing Freezing { get; }
 
     /// <summary>The entities that the harvest hides from the pictures.</summary>
-    internal HiddenEntities Hidden { get; }
+    internal LateHiding Hidden { get; }
 
     /// <summary>What lies over the picture.</summary>
     internal ScreenLayers Layers { get; }

@@ -3,7 +3,7 @@ using Harvester.Geometry;
 namespace Harvester.Simulation.Streets;
 
 /// <summary>The asphalt of all roads as it is drawn.</summary>
-internal sealed class Asphalt(RoadIndex index, AsphaltHeights heights)
+internal sealed class Asphalt(StreetIndex index, AsphaltHeights heights)
 {
     /// <summary>Maximum height difference of roads on one level, metres; farther ones are on another bridge.</summary>
     private const double SameLevel = 2.5;

@@ -6,7 +6,7 @@ namespace Harvester.Simulation.Streets;
 /// The height of the asphalt where roads overlap: it runs smoothly from one to the other. Where only one road has its carriageway, the
 /// height is that of the road's line.
 /// </summary>
-internal sealed class AsphaltHeights(RoadIndex index, RoadLevels levels)
+internal sealed class AsphaltHeights(StreetIndex index, RoadLevels levels)
 {
     /// <summary>Maximum height difference of roads on one level, metres; farther ones are on another bridge.</summary>
     private const double SameLevel = 2.5;

@@ -3,7 +3,7 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Simulation.Streets;
 
 /// <summary>A chain of links with one lane layout, from one end node to the next, with the smooth line through their nodes.</summary>
-internal sealed class Road(int index, IReadOnlyList<int> nodes, LaneLayout layout, RoadNodeFlags flags, RoadCurve curve)
+internal sealed class Road(int index, IReadOnlyList<int> nodes, LaneLayout layout, RoadNodeFlags flags, StreetCurve curve)
 {
     /// <summary>The greatest <see cref="Shoulder"/>, metres.</summary>
     public const double WidestShoulder = 2.5;
@@ -21,7 +21,7 @@ internal sealed class Road(int index, IReadOnlyList<int> nodes, LaneLayout layou
     /// <summary>The flags common to all its nodes except the shared ones at its ends.</summary>
     public RoadNodeFlags Flags { get; } = flags;
 
-    public RoadCurve Curve { get; } = curve;
+    public StreetCurve Curve { get; } = curve;
 
     /// <summary>How densely the land around it is built up.</summary>
     public Zone Zone { get; init; } = Zone.Town;

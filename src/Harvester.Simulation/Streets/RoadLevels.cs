@@ -24,7 +24,7 @@ internal sealed class RoadLevels
     private readonly Dictionary<Road, bool[]> _isShared = [];
     private readonly Dictionary<Road, bool[]> _isSuspended = [];
 
-    public RoadLevels(IReadOnlyList<Road> roads, RoadIndex index)
+    public RoadLevels(IReadOnlyList<Road> roads, StreetIndex index)
     {
         foreach (Road road in roads)
         {
@@ -80,7 +80,7 @@ internal sealed class RoadLevels
         return rooms[Math.Max(0, nearest - 1)..Math.Min(rooms.Length, nearest + 2)].Min();
     }
 
-    private static (double Room, bool IsShared) Feel(Road road, double distance, RoadIndex index)
+    private static (double Room, bool IsShared) Feel(Road road, double distance, StreetIndex index)
     {
         CrossSection section = road.Curve.SectionAt(distance);
         double room = double.PositiveInfinity;

@@ -4,7 +4,7 @@ using Harvester.Simulation.Rendering;
 namespace Harvester.Simulation.Streets;
 
 /// <summary>Paints the lines along roads, stop lines and pedestrian crossings.</summary>
-internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintRun> runs, RoadIndex index, Asphalt asphalt, GroundMesh mesh)
+internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintRun> runs, StreetIndex index, Asphalt asphalt, GroundMesh mesh)
 {
     private const double CrossingDepth = 3.2;
 

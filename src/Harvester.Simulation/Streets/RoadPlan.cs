@@ -75,7 +75,7 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
         IReadOnlyList<int> nodes = chain.Nodes;
         IEnumerable<int> ownNodes = nodes.Count > 2 ? nodes.Skip(1).SkipLast(1) : nodes;
         RoadNodeFlags flags = ownNodes.Aggregate(~RoadNodeFlags.None, (common, node) => common & network.Nodes[node].Flags);
-        RoadCurve curve = new(
+        StreetCurve curve = new(
             [.. nodes.Select(node => network.Nodes[node].Position)],
             tangents.TryGetValue((nodes[0], nodes[1]), out Vector3D start) ? start : null,
             tangents.TryGetValue((nodes[^1], nodes[^2]), out Vector3D end) ? -end : null

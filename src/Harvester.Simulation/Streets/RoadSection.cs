@@ -5,7 +5,7 @@ namespace Harvester.Simulation.Streets;
 /// <param name="Left">Its left edge.</param>
 /// <param name="Right">Its right edge.</param>
 /// <param name="Gap">Depth of the ground below the road's line, metres.</param>
-internal readonly record struct RoadSection(double Distance, RoadEdge Left, RoadEdge Right, double Gap)
+internal readonly record struct RoadSection(double Distance, StreetEdge Left, StreetEdge Right, double Gap)
 {
     /// <summary>Depth of the highest ground below it, metres.</summary>
     public double LeastGap => Math.Min(Gap, Math.Min(Left.Gap, Right.Gap));

@@ -7,7 +7,7 @@ namespace Harvester.Simulation.Streets;
 /// Builds what joins a road's edges to the ground: pavements, banks where the ground is near, retaining walls where it is lower, and the
 /// decks of bridges with their parapets, abutments and piers.
 /// </summary>
-internal sealed class RoadSides(RoadIndex index, Terrain terrain, RoadLevels levels, Asphalt asphalt, GroundMesh mesh)
+internal sealed class RoadSides(StreetIndex index, Terrain terrain, RoadLevels levels, Asphalt asphalt, GroundMesh mesh)
 {
     /// <summary>Depth of the ground below an edge up to which grass slopes down to it, metres; deeper ground has a wall.</summary>
     private const double MaxBank = 1.4;
@@ -103,8 +103,8 @@ internal sealed class RoadSides(RoadIndex index, Terrain terrain, RoadLevels lev
     /// <param name="isShared">Whether another road may be on or beside the road.</param>
     private void AddSide(Road road, in RoadSection near, in RoadSection far, int side, double? deck, bool isShared)
     {
-        RoadEdge from = side > 0 ? near.Right : near.Left;
-        RoadEdge to = side > 0 ? far.Right : far.Left;
+        StreetEdge from = side > 0 ? near.Right : near.Left;
+        StreetEdge to = side > 0 ? far.Right : far.Left;
         Vector3D up = Horizontal.Up;
         double height = road.IsStreet ? Walkway.KerbHeight : 0;
         bool isFolded = (to.Edge - from.Edge).Dot(to.Kerb - from.Kerb) <= 0;
@@ -177,7 +177,7 @@ internal sealed class RoadSides(RoadIndex index, Terrain terrain, RoadLevels lev
     }
 
     /// <summary>Where the bank beside an edge enters the ground.</summary>
-    private Vector3D FootOf(RoadEdge edge)
+    private Vector3D FootOf(StreetEdge edge)
     {
         Vector3D foot = edge.Edge + (edge.Outward * BankWidth);
         return foot with { Z = Math.Min(terrain.HeightAt(foot), edge.Edge.Z) - Buried };
@@ -245,14 +245,14 @@ internal sealed class RoadSides(RoadIndex index, Terrain terrain, RoadLevels lev
         double gap = middle - terrain.HeightAt(section.Centre);
         return new RoadSection(distance, EdgeAt(-1), EdgeAt(1), gap);
 
-        RoadEdge EdgeAt(int side)
+        StreetEdge EdgeAt(int side)
         {
             double kerb = side > 0 ? road.RightKerb : road.LeftKerb;
             double beyond = road.IsStreet ? Walkway.Width : 0;
             double height = facets.At(distance, kerb).Z;
             Vector3D edge = section.At(kerb + (side * beyond)) with { Z = height };
             Vector3D outward = section.Right * side;
-            return new RoadEdge(
+            return new StreetEdge(
                 section.At(kerb) with
                 {
                     Z = height,

@@ -6,7 +6,7 @@ namespace Harvester.Simulation.Streets;
 /// <summary>Builds the asphalt and medians of roads, and what is beside and below them.</summary>
 internal sealed class RoadSurfaces(
     RoadPlan plan,
-    RoadIndex index,
+    StreetIndex index,
     Terrain terrain,
     RoadLevels levels,
     Asphalt asphalt,

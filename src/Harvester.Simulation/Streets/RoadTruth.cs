@@ -10,9 +10,9 @@ public sealed class RoadTruth
     /// <summary>Maximum distance of paths through a junction from its carriageways, metres.</summary>
     private const double JunctionMargin = 10;
 
-    private readonly RoadIndex _index;
+    private readonly StreetIndex _index;
 
-    internal RoadTruth(RoadIndex index) => _index = index;
+    internal RoadTruth(StreetIndex index) => _index = index;
 
     /// <summary>Finds a body's position among the lanes.</summary>
     /// <param name="position">A point of it near the ground, metres, world.</param>

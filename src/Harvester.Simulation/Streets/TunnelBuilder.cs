@@ -6,7 +6,7 @@ namespace Harvester.Simulation.Streets;
 /// <summary>
 /// Covers the roads whose nodes are in a tunnel: lined walls, a ceiling with rows of lamps, ground on top, and portals at the ends.
 /// </summary>
-internal sealed class TunnelBuilder(RoadIndex index, Asphalt asphalt, GroundMesh mesh)
+internal sealed class TunnelBuilder(StreetIndex index, Asphalt asphalt, GroundMesh mesh)
 {
     /// <summary>Height of the ceiling above the road, metres; lorries are up to 4.3 m high.</summary>
     private const double CeilingHeight = 5.4;

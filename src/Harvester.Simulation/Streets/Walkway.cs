@@ -33,7 +33,7 @@ internal sealed record Walkway(Road Road, bool OnRight, double From, double To)
     public Vector3D TangentBeyondKerb(double distance, double metres) => Road.Curve.OffsetTangentAt(distance, OffsetBeyondKerb(metres));
 
     /// <summary>Finds the stretches along all streets.</summary>
-    public static List<Walkway> Find(RoadPlan plan, RoadIndex index)
+    public static List<Walkway> Find(RoadPlan plan, StreetIndex index)
     {
         List<Walkway> found = [];
         foreach (Road road in plan.Roads)
@@ -48,7 +48,7 @@ internal sealed record Walkway(Road Road, bool OnRight, double From, double To)
         return found;
     }
 
-    private static void AddSide(List<Walkway> found, Road road, bool onRight, RoadIndex index)
+    private static void AddSide(List<Walkway> found, Road road, bool onRight, StreetIndex index)
     {
         double offset = onRight ? road.RightKerb + (Width / 2) : road.LeftKerb - (Width / 2);
         int steps = (int)Math.Ceiling(road.Length / SampleStep);

@@ -17,7 +17,7 @@ internal sealed class SignalProps(Signals signals, HandleCounter handles)
     public IEnumerable<EntityState> States => _lights.Select(light => light.Prop.State);
 
     /// <summary>Adds a light at the right of each stop line, and one on an arm behind the junction for wide roads.</summary>
-    public void AddAtStopLines(RoadIndex index, ModelCatalogue catalogue)
+    public void AddAtStopLines(StreetIndex index, ModelCatalogue catalogue)
     {
         foreach (Junction junction in signals.Junctions)
         {
@@ -66,7 +66,7 @@ internal sealed class SignalProps(Signals signals, HandleCounter handles)
         : light.Junction is null ? SignalState.Green
         : signals.ColourFor(light.Junction, light.Arm, timeSeconds);
 
-    private void AddAtStopLine(Junction junction, RoadArm arm, RoadIndex index, ModelCatalogue catalogue)
+    private void AddAtStopLine(Junction junction, RoadArm arm, StreetIndex index, ModelCatalogue catalogue)
     {
         TryAdd(junction, arm, arm, isDrivingAway: false, index, catalogue["prop_traffic_03a"]);
         RoadArm opposite = junction.Arms.MinBy(other => other.Outward.Dot(arm.Outward));
@@ -78,7 +78,7 @@ internal sealed class SignalProps(Signals signals, HandleCounter handles)
     }
 
     /// <summary>Adds a light for an arm's traffic to the right of it, on that arm or behind the junction on another.</summary>
-    private void TryAdd(Junction junction, RoadArm arm, RoadArm on, bool isDrivingAway, RoadIndex index, Model model)
+    private void TryAdd(Junction junction, RoadArm arm, RoadArm on, bool isDrivingAway, StreetIndex index, Model model)
     {
         const double besideKerb = 0.8;
         const double step = 1.5;

@@ -55,7 +55,7 @@ internal sealed class Population
     /// <param name="index">The roads.</param>
     /// <param name="busy">A place that is visited, with all classes around it; null if there is none.</param>
     /// <param name="density">Factor on the number of parked vehicles.</param>
-    public List<Prop> Park(IReadOnlyList<Walkway> walkways, RoadIndex index, Vector3D? busy, double density)
+    public List<Prop> Park(IReadOnlyList<Walkway> walkways, StreetIndex index, Vector3D? busy, double density)
     {
         List<Prop> parked = [];
         foreach (Walkway walkway in walkways)
@@ -90,7 +90,7 @@ internal sealed class Population
     /// <param name="busy">The place.</param>
     /// <param name="heightAt">Height of the land at a place, metres.</param>
     /// <param name="density">Factor on the number of vehicles.</param>
-    public List<Prop> Leave(IEnumerable<Road> roads, RoadIndex index, Vector3D busy, Func<Vector3D, double> heightAt, double density)
+    public List<Prop> Leave(IEnumerable<Road> roads, StreetIndex index, Vector3D busy, Func<Vector3D, double> heightAt, double density)
     {
         const double fromLane = 0.4;
         const double level = 0.6;
@@ -220,7 +220,7 @@ internal sealed class Population
         return walkers;
     }
 
-    private void ParkAt(List<Prop> parked, Walkway walkway, double distance, RoadIndex index, Model model)
+    private void ParkAt(List<Prop> parked, Walkway walkway, double distance, StreetIndex index, Model model)
     {
         const double roomAtKerb = 0.05;
         Road road = walkway.Road;

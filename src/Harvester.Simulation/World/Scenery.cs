@@ -20,7 +20,7 @@ internal sealed class Scenery
     private const string YieldSign = "prop_sign_road_02a";
 
     private readonly Random _random;
-    private readonly RoadIndex _index;
+    private readonly StreetIndex _index;
     private readonly Terrain _terrain;
     private readonly ModelCatalogue _catalogue;
     private readonly HandleCounter _handles;

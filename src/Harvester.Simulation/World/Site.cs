@@ -15,7 +15,7 @@ internal sealed class Site
         Network = network;
         Plan = plan;
         Settlement = settlement;
-        Index = new Streets.RoadIndex(plan.Roads);
+        Index = new StreetIndex(plan.Roads);
         Walkways = Walkway.Find(plan, Index);
         RoadLevels levels = new(plan.Roads, Index);
         AsphaltHeights heights = new(Index, levels);
@@ -41,7 +41,7 @@ internal sealed class Site
 
     public RoadPlan Plan { get; }
 
-    public Streets.RoadIndex Index { get; }
+    public StreetIndex Index { get; }
 
     public IReadOnlyList<Walkway> Walkways { get; }
 

@@ -15,9 +15,9 @@ internal sealed class RealFrame
 
     private const byte VehicleBits = 2;
 
-    private readonly PngDecoder _depth = Png("depth.png");
+    private readonly TestPngDecoder _depth = Png("depth.png");
 
-    private readonly PngDecoder _stencil = Png("stencil.png");
+    private readonly TestPngDecoder _stencil = Png("stencil.png");
 
     private RealFrame()
     {
@@ -96,5 +96,6 @@ internal sealed class RealFrame
 
     private static Vector3D Vector(JsonElement numbers) => new(numbers[0].GetDouble(), numbers[1].GetDouble(), numbers[2].GetDouble());
 
-    private static PngDecoder Png(string name) => PngDecoder.Decode(File.ReadAllBytes(RealWorldFactAttribute.PathOf(Folder + name)!));
+    private static TestPngDecoder Png(string name) =>
+        TestPngDecoder.Decode(File.ReadAllBytes(RealWorldFactAttribute.PathOf(Folder + name)!));
 }

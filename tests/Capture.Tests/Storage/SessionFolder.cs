@@ -29,7 +29,7 @@ internal sealed class SessionFolder : IDisposable
             {
                 if (label.GetProperty(kind).GetString() is { } file)
                 {
-                    PngDecoder decoded = PngDecoder.Decode(File.ReadAllBytes(System.IO.Path.Combine(Session, file)));
+                    TestPngDecoder decoded = TestPngDecoder.Decode(File.ReadAllBytes(System.IO.Path.Combine(Session, file)));
                     Assert.Equal(label.GetProperty("camera").GetProperty("width").GetInt32(), decoded.Width);
                 }
             }

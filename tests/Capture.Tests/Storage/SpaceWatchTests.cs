@@ -1,6 +1,7 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Storage;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Files;
 using Harvester.TestSupport;
 
 namespace Harvester.Capture.Tests.Storage;

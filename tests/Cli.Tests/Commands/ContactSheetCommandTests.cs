@@ -196,7 +196,7 @@ public sealed class ContactSheetCommandTests : IDisposable
 
     private (int Width, int Height, byte[] Rgb) Decoded()
     {
-        PngDecoder picture = PngDecoder.Decode(File.ReadAllBytes(_out));
+        TestPngDecoder picture = TestPngDecoder.Decode(File.ReadAllBytes(_out));
         return (picture.Width, picture.Height, picture.Samples);
     }
 

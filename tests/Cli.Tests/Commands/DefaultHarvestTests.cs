@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text.RegularExpressions;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Scenes;
 using Harvester.TestSupport;
 

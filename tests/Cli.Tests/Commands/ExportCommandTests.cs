@@ -1,7 +1,7 @@
 using System.Text.RegularExpressions;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Exports.Assembly;
-using Harvester.Datasets.Exports.Formats;
+using Harvester.Exports.Assembly;
+using Harvester.Exports.Formats;
 
 namespace Harvester.Cli.Tests.Commands;
 

@@ -1,7 +1,7 @@
 using System.Text.Json;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Cli.Tests.Commands;

@@ -1,5 +1,5 @@
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Scenes;
 using Xunit.Abstractions;
 

@@ -1,7 +1,7 @@
 using System.Text.Json;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Cli.Tests.Commands;
 

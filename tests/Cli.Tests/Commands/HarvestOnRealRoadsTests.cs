@@ -1,8 +1,8 @@
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Props;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Scenes;
 using Harvester.TestSupport;
 

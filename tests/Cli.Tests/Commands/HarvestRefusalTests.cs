@@ -1,5 +1,5 @@
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Cli.Tests.Commands;
 

@@ -1,8 +1,8 @@
 using System.Text.Json.Nodes;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Cli.Tests.Commands;

@@ -1,7 +1,7 @@
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Cli.Tests.Commands;
 

@@ -1,8 +1,8 @@
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Exports.Formats;
-using Harvester.Datasets.Images;
+using Harvester.Exports.Formats;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Reading.Images;
 
 namespace Harvester.Cli.Tests.Commands;
 

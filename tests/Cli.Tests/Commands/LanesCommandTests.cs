@@ -1,10 +1,10 @@
 using System.Globalization;
 using System.Text.Json;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Roads;
 
 namespace Harvester.Cli.Tests.Commands;

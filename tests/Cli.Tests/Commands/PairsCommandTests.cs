@@ -1,9 +1,9 @@
 using System.Formats.Tar;
 using Harvester.Cli.Terminals;
 using Harvester.Cli.Tests.Repetition;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Cli.Tests.Commands;
 

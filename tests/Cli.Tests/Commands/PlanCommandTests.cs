@@ -2,7 +2,7 @@ using System.Text.Json.Nodes;
 using Harvester.Cli.Commands.Plans;
 using Harvester.Cli.Terminals;
 using Harvester.Cli.Tests.Repetition;
-using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Reading;
 using Json.Schema;
 
 namespace Harvester.Cli.Tests.Commands;

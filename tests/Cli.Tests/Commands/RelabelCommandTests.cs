@@ -1,8 +1,8 @@
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Roads;
 
 namespace Harvester.Cli.Tests.Commands;

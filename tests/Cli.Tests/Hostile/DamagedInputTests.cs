@@ -3,7 +3,7 @@ using System.Text;
 using System.Text.Json.Nodes;
 using Harvester.Cli.Terminals;
 using Harvester.Cli.Tests.Commands;
-using Harvester.Datasets.Exports.Formats;
+using Harvester.Exports.Formats;
 
 namespace Harvester.Cli.Tests.Hostile;
 

@@ -1,4 +1,4 @@
-using Harvester.Datasets.Exports.Formats;
+using Harvester.Exports.Formats;
 
 namespace Harvester.Cli.Tests.Hostile;
 

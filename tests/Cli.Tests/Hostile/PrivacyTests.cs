@@ -3,7 +3,7 @@ using System.Formats.Tar;
 using System.IO.Compression;
 using Harvester.Cli.Terminals;
 using Harvester.Cli.Tests.Repetition;
-using Harvester.Datasets.Exports.Formats;
+using Harvester.Exports.Formats;
 
 namespace Harvester.Cli.Tests.Hostile;
 

@@ -1,6 +1,6 @@
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Cli.Tests.Repetition;
 

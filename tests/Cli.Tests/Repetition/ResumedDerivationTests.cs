@@ -1,9 +1,10 @@
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Relabelling;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Sharding;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Cli.Tests.Repetition;
 

@@ -1,5 +1,5 @@
-using Harvester.Capture.Storage;
 using Harvester.Cli.Terminals;
+using Harvester.Sessions.Files;
 using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Terminals;

@@ -1,6 +1,6 @@
 using System.Net;
-using Harvester.Datasets.Sessions;
-using Harvester.Datasets.Viewing;
+using Harvester.Reports.Viewing;
+using Harvester.Sessions.Reading;
 using Harvester.Viewer;
 
 namespace Harvester.Cli.Tests.Viewing;

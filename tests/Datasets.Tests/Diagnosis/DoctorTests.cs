@@ -1,5 +1,5 @@
 using Harvester.Datasets.Diagnosis;
-using Harvester.Datasets.Files;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Tests.Diagnosis;
 

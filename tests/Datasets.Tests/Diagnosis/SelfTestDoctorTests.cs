@@ -1,7 +1,7 @@
 using System.IO.Compression;
 using Harvester.Capture.SelfTests;
 using Harvester.Datasets.Diagnosis;
-using Harvester.Datasets.Files;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Tests.Diagnosis;
 

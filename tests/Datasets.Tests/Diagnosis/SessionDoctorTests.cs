@@ -1,5 +1,6 @@
 using System.Text.Json.Nodes;
 using Harvester.Datasets.Diagnosis;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Diagnosis;
 

@@ -1,11 +1,12 @@
 using System.Text.Json.Nodes;
 using Harvester.Datasets.Masks;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Validation;
 using Harvester.Geometry;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Masks;
 

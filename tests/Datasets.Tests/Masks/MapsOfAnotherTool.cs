@@ -1,9 +1,10 @@
 using System.Text.Json.Nodes;
-using Harvester.Datasets.Images;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading.Images;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Masks;
 

@@ -1,12 +1,13 @@
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Masks;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Validation;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Masks;
 

@@ -1,6 +1,6 @@
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Props;
 using Harvester.Geometry;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Scenes;
 using Harvester.TestSupport;
 

@@ -1,6 +1,6 @@
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Datasets.Tests.Relabelling;
 

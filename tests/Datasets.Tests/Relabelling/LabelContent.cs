@@ -1,7 +1,7 @@
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Datasets.Tests.Relabelling;
 

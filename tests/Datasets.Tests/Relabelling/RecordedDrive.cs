@@ -1,11 +1,11 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Faces;
+using Harvester.Sessions.Reading;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Settings;

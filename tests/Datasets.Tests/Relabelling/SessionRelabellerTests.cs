@@ -1,7 +1,4 @@
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Images;
 using Harvester.Datasets.Relabelling;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Sharding;
 using Harvester.Datasets.Validation;
 using Harvester.Geometry;
@@ -10,6 +7,9 @@ using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Images;
 using Harvester.Sessions.Scenes;
 using static Harvester.Datasets.Tests.Relabelling.LabelContent;
 

@@ -1,8 +1,9 @@
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Repair;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Validation;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Tests.Repair;
 

@@ -1,9 +1,9 @@
 using System.IO.Compression;
 using System.Text;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads;
 using Harvester.Datasets.Roads.Sources;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Roads;
 using Harvester.TestSupport;
 

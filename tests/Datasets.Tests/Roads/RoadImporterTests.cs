@@ -1,9 +1,9 @@
 using System.IO.Compression;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads;
 using Harvester.Datasets.Roads.Sources;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Tests.Roads;
 

@@ -1,15 +1,16 @@
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Images;
 using Harvester.Datasets.Relabelling;
 using Harvester.Datasets.Repair;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Sharding;
 using Harvester.Datasets.Validation;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Images;
 using Harvester.Sessions.Semantics;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Semantics;
 

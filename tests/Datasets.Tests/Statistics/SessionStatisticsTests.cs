@@ -1,6 +1,7 @@
 using System.Text.Json.Nodes;
 using Harvester.Datasets.Statistics;
 using Harvester.Sessions.Scenes;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Statistics;
 

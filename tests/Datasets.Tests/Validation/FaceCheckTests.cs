@@ -1,4 +1,5 @@
 using System.Text.Json.Nodes;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Validation;
 

@@ -1,3 +1,5 @@
+using Harvester.TestSupport;
+
 namespace Harvester.Datasets.Tests.Validation;
 
 /// <summary>Images and masks that are gone, damaged, of the wrong kind or not where they may be.</summary>

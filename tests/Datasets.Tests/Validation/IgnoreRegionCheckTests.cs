@@ -3,6 +3,7 @@ using Harvester.Datasets.Validation;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Validation;
 

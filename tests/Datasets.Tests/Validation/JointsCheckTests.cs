@@ -2,6 +2,7 @@ using System.Text.Json.Nodes;
 using Harvester.Datasets.Validation;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Validation;
 

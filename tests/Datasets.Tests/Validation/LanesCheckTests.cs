@@ -1,7 +1,7 @@
-using Harvester.Datasets.Tests.Exports;
 using Harvester.Datasets.Validation;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Validation;
 

@@ -1,5 +1,6 @@
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Validation;
+using Harvester.Sessions.Reading;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Validation;
 

@@ -1,4 +1,5 @@
 using Harvester.Datasets.Validation;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Validation;
 

@@ -1,7 +1,7 @@
-using Harvester.Datasets.Sessions;
-using Harvester.Datasets.Tests.Exports;
 using Harvester.Datasets.Validation;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Validation;
 

@@ -1,6 +1,7 @@
 using System.Text.Json.Nodes;
-using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Validation;
+using Harvester.Sessions.Reading;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Validation;
 

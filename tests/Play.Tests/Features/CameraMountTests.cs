@@ -1,6 +1,7 @@
 using Harvester.Geometry;
 using Harvester.Play.Features;
 using Harvester.Play.Settings;
+using Harvester.Sessions.Text;
 using Harvester.TestSupport;
 
 namespace Harvester.Play.Tests.Features;

@@ -2,7 +2,7 @@ using System.Diagnostics;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
 using Harvester.Play.Features;
-using Harvester.Surveys.Roads;
+using Harvester.Play.Surveys.Roads;
 using Harvester.TestSupport;
 
 namespace Harvester.Play.Tests.Features;

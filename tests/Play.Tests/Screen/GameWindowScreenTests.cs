@@ -45,7 +45,7 @@ public sealed class GameWindowScreenTests : IDisposable
     public void Grab_after_a_resize_is_refused_once()
     {
         Assert.True(_screen.Grab(_buffer).IsGood);
-        _desktop.Client = new PixelRectangle(0, 0, 90, 60);
+        _desktop.Client = new DesktopRectangle(0, 0, 90, 60);
 
         Assert.Equal(GrabRefusals.Resized, _screen.Grab(_buffer).Refusal);
         Assert.True(_screen.Grab(_buffer).IsGood);
@@ -66,7 +66,7 @@ public sealed class GameWindowScreenTests : IDisposable
     public void Grab_of_a_window_moved_between_grabs_succeeds()
     {
         Assert.True(_screen.Grab(_buffer).IsGood);
-        _desktop.Client = new PixelRectangle(0, 0, 80, 60);
+        _desktop.Client = new DesktopRectangle(0, 0, 80, 60);
 
         Assert.True(_screen.Grab(_buffer).IsGood);
         Assert.Equal(0, _buffer.Bytes[0]);

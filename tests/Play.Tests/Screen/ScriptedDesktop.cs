@@ -8,7 +8,7 @@ internal sealed class ScriptedDesktop : IDesktop
 {
     public const int Process = 7;
 
-    public PixelRectangle Client { get; set; } = new(-50, 20, 30, 80);
+    public DesktopRectangle Client { get; set; } = new(-50, 20, 30, 80);
 
     public bool IsMinimised { get; set; }
 
@@ -23,12 +23,12 @@ internal sealed class ScriptedDesktop : IDesktop
     public DesktopView Observe() =>
         new(
             [new TopLevelWindow(1, Process, IsApplication: true, IsMinimised, ShowsNothing: false, Client, Client, Client.Area)],
-            [new PixelRectangle(-1000, 0, 1000, 1000)]
+            [new DesktopRectangle(-1000, 0, 1000, 1000)]
         );
 
     public DisplayFacts FactsOf(long window) => Facts;
 
-    public bool TryCopy(PixelRectangle area, PixelBuffer target)
+    public bool TryCopy(DesktopRectangle area, PixelBuffer target)
     {
         Assert.Equal((area.Width, area.Height), (target.Size.Width, target.Size.Height));
         for (int i = 0; i < target.Bytes.Length; i++)

@@ -5,10 +5,10 @@ namespace Harvester.Play.Tests.Screen;
 
 public sealed class WindowDescriptionTests
 {
-    private static readonly PixelRectangle Left = new(-1920, 0, 0, 1080);
-    private static readonly PixelRectangle Right = new(0, 0, 2560, 1440);
-    private static readonly PixelRectangle Within = new(100, 130, 900, 730);
-    private static readonly PixelRectangle Framed = new(92, 100, 908, 738);
+    private static readonly DesktopRectangle Left = new(-1920, 0, 0, 1080);
+    private static readonly DesktopRectangle Right = new(0, 0, 2560, 1440);
+    private static readonly DesktopRectangle Within = new(100, 130, 900, 730);
+    private static readonly DesktopRectangle Framed = new(92, 100, 908, 738);
 
     public static TheoryData<string, bool> Cases => new() { { "borderless", false }, { "exclusive full screen", true } };
 
@@ -49,7 +49,7 @@ public sealed class WindowDescriptionTests
         Assert.Equal("no window", other.Describe());
     }
 
-    private static string Describe(PixelRectangle bounds, PixelRectangle client, DisplayFacts facts, bool isMinimised = false)
+    private static string Describe(DesktopRectangle bounds, DesktopRectangle client, DisplayFacts facts, bool isMinimised = false)
     {
         var window = new TopLevelWindow(1, 7, IsApplication: true, isMinimised, ShowsNothing: false, bounds, client, client.Area);
         return WindowDescription.Of(new DesktopView([window], [Left, Right]), window, facts);

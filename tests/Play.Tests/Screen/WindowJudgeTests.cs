@@ -6,8 +6,8 @@ public sealed class WindowJudgeTests
 {
     private const int Game = 7;
     private const int Other = 8;
-    private static readonly PixelRectangle Client = new(100, 100, 500, 400);
-    private static readonly PixelRectangle Monitor = new(0, 0, 1920, 1080);
+    private static readonly DesktopRectangle Client = new(100, 100, 500, 400);
+    private static readonly DesktopRectangle Monitor = new(0, 0, 1920, 1080);
 
     [Fact]
     public void Judge_a_window_in_the_open_gives_its_client_area()
@@ -120,12 +120,12 @@ public sealed class WindowJudgeTests
             WindowJudge.Judge(new DesktopView([GameWindow(), Window(2, Other, new(600, 0, 700, 50))], [Monitor]), Game, 2).Window
         );
 
-    private static WindowVerdict Judge(TopLevelWindow[] windows, params PixelRectangle[] monitors) =>
+    private static WindowVerdict Judge(TopLevelWindow[] windows, params DesktopRectangle[] monitors) =>
         WindowJudge.Judge(new DesktopView(windows, monitors.Length == 0 ? [Monitor] : monitors), Game, 0);
 
     private static TopLevelWindow GameWindow() => Window(1, Game, Client);
 
-    private static TopLevelWindow Window(long handle, int process, PixelRectangle area) =>
+    private static TopLevelWindow Window(long handle, int process, DesktopRectangle area) =>
         new(
             handle,
             process,

@@ -3,6 +3,7 @@ using Harvester.Driving.Bridge;
 using Harvester.Driving.Controllers;
 using Harvester.Geometry.Cameras;
 using Harvester.Play.Settings;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Play.Tests.Settings;
 

@@ -6,6 +6,7 @@ using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Semantics;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Play.Tests.Settings;
 

@@ -1,5 +1,6 @@
 using Harvester.Play.Settings;
 using Harvester.Play.Tapes;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Play.Tests.Tapes;
 

@@ -18,7 +18,7 @@ public sealed class PngEncoderTests
         var picture = new PixelBuffer(new ImageSize(width, height));
         new Random(1).NextBytes(picture.Bytes);
 
-        PngDecoder decoded = Encode(new PngEncoder(), picture);
+        TestPngDecoder decoded = Encode(new PngEncoder(), picture);
 
         Assert.Equal((width, height, 8, 2), (decoded.Width, decoded.Height, decoded.Bits, decoded.ColourType));
         Assert.Equal(picture.Bytes, decoded.Samples);
@@ -36,7 +36,7 @@ public sealed class PngEncoderTests
 
         var stream = new MemoryStream();
         new PngEncoder().Write(map, stream);
-        PngDecoder decoded = PngDecoder.Decode(stream.ToArray());
+        TestPngDecoder decoded = TestPngDecoder.Decode(stream.ToArray());
 
         Assert.Equal((3, 2, 16, 0), (decoded.Width, decoded.Height, decoded.Bits, decoded.ColourType));
         Assert.Equal([0, 1, 0, 0, 0x12, 0x34, 0, 0, 0xFF, 0xFF, 0, 0], decoded.Samples);
@@ -66,7 +66,7 @@ public sealed class PngEncoderTests
         Assert.Equal(picture.Bytes, Encode(new PngEncoder(), picture).Samples);
     }
 
-    private static PngDecoder Encode(PngEncoder encoder, PixelBuffer picture) => PngDecoder.Decode(Bytes(encoder, picture));
+    private static TestPngDecoder Encode(PngEncoder encoder, PixelBuffer picture) => TestPngDecoder.Decode(Bytes(encoder, picture));
 
     private static byte[] Bytes(PngEncoder encoder, PixelBuffer picture)
     {

@@ -129,9 +129,8 @@ public sealed class NormalsTests(ITestOutputHelper output)
                 double within = angles.Count(angle => angle < SameFaceDegrees) / (double)compared.Length;
                 output.WriteLine(
                     FormattableString.Invariant(
-                        $"{seed}: median {angles[angles.Length / 2]:0.00} degrees, within 5 degrees {within:0.0000}, of "
-                            + $"{compared.Length} pixels"
-                    )
+                        $"{seed}: median {angles[angles.Length / 2]:0.00} degrees, within 5 degrees {within:0.0000}, "
+                    ) + $"of {compared.Length} pixels"
                 );
 
                 Assert.InRange(angles[angles.Length / 2], 0, 2 * RoundingDegrees);

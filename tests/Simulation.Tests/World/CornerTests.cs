@@ -18,7 +18,7 @@ public class CornerTests
         // Half of the carriageway is 5.4 m, with the strip to park 7.8 m: so far do the roads reach over each other, and 3.5 m are left as
         // room.
         Assert.All(corner.Arms, arm => Assert.Equal(11.3, arm.Trim, 9));
-        var index = new Harvester.Simulation.Streets.RoadIndex(plan.Roads);
+        var index = new StreetIndex(plan.Roads);
         var heights = new AsphaltHeights(index, new RoadLevels(plan.Roads, index));
         Assert.All(new LaneGraph(plan, heights).Paths, AssertNeverTurnsBack);
     }

@@ -2,8 +2,9 @@ using System.CommandLine;
 using Harvester.Cli.Faces;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Text;
-using Harvester.Surveys.Faces;
 
 namespace Harvester.Cli.Commands.Faces;
 

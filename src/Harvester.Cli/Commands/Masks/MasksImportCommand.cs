@@ -3,9 +3,9 @@ using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Masks;
-using Harvester.Datasets.Reports;
-using Harvester.Datasets.Sessions;
+using Harvester.Reports.Sessions;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands.Masks;

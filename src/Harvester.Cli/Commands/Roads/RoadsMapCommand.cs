@@ -4,10 +4,10 @@ using System.IO.Compression;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Roads;
 using Harvester.Datasets.Roads.Sources;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
+using Harvester.Reports.Maps;
 using Harvester.Sessions.Imaging.Pictures;
 
 namespace Harvester.Cli.Commands.Roads;

@@ -1,6 +1,6 @@
 using System.CommandLine;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Files;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Text;
 using Harvester.Tapes;
 

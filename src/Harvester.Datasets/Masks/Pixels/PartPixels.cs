@@ -1,9 +1,9 @@
-using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Datasets.Masks.Pixels;
 

@@ -1,9 +1,9 @@
 using System.Text.Json;
-using Harvester.Datasets.Files;
-using Harvester.Datasets.Json;
 using Harvester.Datasets.Roads.Sources;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Datasets.Roads.JsonDump;
 

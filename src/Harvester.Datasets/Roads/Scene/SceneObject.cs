@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Xml.Linq;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads.Sources;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Roads.Scene;
 

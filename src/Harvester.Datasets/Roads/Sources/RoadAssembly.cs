@@ -1,6 +1,6 @@
 using System.Globalization;
-using Harvester.Datasets.Files;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Roads.Sources;
 

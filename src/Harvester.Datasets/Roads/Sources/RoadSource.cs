@@ -1,5 +1,5 @@
 using System.IO.Compression;
-using Harvester.Datasets.Files;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Roads.Sources;
 

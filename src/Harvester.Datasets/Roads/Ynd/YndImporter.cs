@@ -1,8 +1,8 @@
 using System.Xml.Linq;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads.Sources;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Datasets.Roads.Ynd;
 

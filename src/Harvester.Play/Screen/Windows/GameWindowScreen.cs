@@ -59,7 +59,7 @@ public sealed class GameWindowScreen : IScreen, IGameWindow, IDisposable
     /// <summary>Frees the bitmap into which pixels are copied.</summary>
     public void Dispose() => (_desktop as IDisposable)?.Dispose();
 
-    private GrabResult GrabClient(PixelRectangle client, PixelBuffer target)
+    private GrabResult GrabClient(DesktopRectangle client, PixelBuffer target)
     {
         var size = new ImageSize(client.Width, client.Height);
         bool isResized = _lastSize is { } last && last != size;
@@ -95,7 +95,7 @@ public sealed class GameWindowScreen : IScreen, IGameWindow, IDisposable
         return verdict;
     }
 
-    private string? ChangeSince(PixelRectangle client)
+    private string? ChangeSince(DesktopRectangle client)
     {
         WindowVerdict after = Judge();
         if (after.Refusal is not null || after.Client == client)

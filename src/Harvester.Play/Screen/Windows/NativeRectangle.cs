@@ -11,5 +11,5 @@ internal struct NativeRectangle
     public int Right;
     public int Bottom;
 
-    public readonly PixelRectangle ToPixels() => new(Left, Top, Right, Bottom);
+    public readonly DesktopRectangle ToPixels() => new(Left, Top, Right, Bottom);
 }

@@ -12,7 +12,7 @@ internal static class WindowManager
     public static bool IsCloaked(IntPtr window) => GetWindowAttribute(window, Cloaked, out int cloaked, sizeof(int)) == 0 && cloaked != 0;
 
     /// <summary>The window's visible bounds, without the invisible border for resizing; null if unknown.</summary>
-    public static PixelRectangle? VisibleBounds(IntPtr window) =>
+    public static DesktopRectangle? VisibleBounds(IntPtr window) =>
         GetWindowAttribute(window, ExtendedFrameBounds, out NativeRectangle bounds, Marshal.SizeOf<NativeRectangle>()) == 0
             ? bounds.ToPixels()
             : null;

@@ -19,7 +19,7 @@ internal sealed class WindowReader
         _ = User32.GetWindowThreadProcessId(window, out int processId);
         bool isMinimised = User32.IsIconic(window);
         int style = User32.GetWindowLong(window, User32.ExtendedStyle);
-        PixelRectangle bounds = WindowManager.VisibleBounds(window) ?? frame.ToPixels();
+        DesktopRectangle bounds = WindowManager.VisibleBounds(window) ?? frame.ToPixels();
         return new TopLevelWindow(
             window.ToInt64(),
             processId,
@@ -51,11 +51,11 @@ internal sealed class WindowReader
         return isInvisible || (style & User32.StyleTransparent) != 0;
     }
 
-    private static PixelRectangle ClientOf(IntPtr window)
+    private static DesktopRectangle ClientOf(IntPtr window)
     {
         NativePoint corner = default;
         return User32.GetClientRect(window, out NativeRectangle client) && User32.ClientToScreen(window, ref corner)
-            ? new PixelRectangle(corner.X, corner.Y, corner.X + client.Right, corner.Y + client.Bottom)
+            ? new DesktopRectangle(corner.X, corner.Y, corner.X + client.Right, corner.Y + client.Bottom)
             : default;
     }
 

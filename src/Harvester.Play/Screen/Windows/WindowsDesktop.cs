@@ -12,7 +12,7 @@ internal sealed class WindowsDesktop : IDesktop, IDisposable
     {
         using var pixels = PhysicalPixels.Enter();
         var windows = new List<TopLevelWindow>();
-        var monitors = new List<PixelRectangle>();
+        var monitors = new List<DesktopRectangle>();
         User32.EnumWindows(
             (window, _) =>
             {
@@ -45,7 +45,7 @@ internal sealed class WindowsDesktop : IDesktop, IDisposable
         return new DisplayFacts(MonitorScaling.DpiOf(new IntPtr(window)), isExclusive) { IsHdr = AdvancedColour.IsOnAnyMonitor() };
     }
 
-    public bool TryCopy(PixelRectangle area, PixelBuffer target)
+    public bool TryCopy(DesktopRectangle area, PixelBuffer target)
     {
         using var pixels = PhysicalPixels.Enter();
         if (_bitmap?.Size != target.Size)

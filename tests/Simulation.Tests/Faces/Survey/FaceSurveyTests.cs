@@ -1,8 +1,8 @@
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
+using Harvester.Play.Surveys.Faces;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Scenes;
-using Harvester.Surveys.Faces;
 
 namespace Harvester.Simulation.Tests.Faces.Survey;
 

@@ -1,7 +1,7 @@
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
+using Harvester.Play.Surveys.Faces;
 using Harvester.Simulation.Rendering;
-using Harvester.Surveys.Faces;
 
 namespace Harvester.Simulation.Tests.Faces.Survey;
 

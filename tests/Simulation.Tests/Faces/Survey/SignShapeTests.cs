@@ -1,9 +1,9 @@
 using System.Globalization;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
+using Harvester.Play.Surveys.Faces;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Scenes;
-using Harvester.Surveys.Faces;
 using Xunit.Abstractions;
 
 namespace Harvester.Simulation.Tests.Faces.Survey;

@@ -1,0 +1,252 @@
+using Harvester.Exports.Formats.Bdd100K;
+using Harvester.Exports.Formats.Cityscapes;
+using Harvester.Exports.Formats.Coco;
+using Harvester.Exports.Formats.Csv;
+using Harvester.Exports.Formats.DeepDriving;
+using Harvester.Exports.Formats.ImageFolder;
+using Harvester.Exports.Formats.Jta;
+using Harvester.Exports.Formats.Kitti;
+using Harvester.Exports.Formats.Lanes;
+using Harvester.Exports.Formats.Mcap;
+using Harvester.Exports.Formats.MotChallenge;
+using Harvester.Exports.Formats.NuScenes;
+using Harvester.Exports.Formats.OpenLabel;
+using Harvester.Exports.Formats.PointClouds;
+using Harvester.Exports.Formats.Semantic;
+using Harvester.Exports.Formats.Voc;
+using Harvester.Exports.Formats.WebDataset;
+using Harvester.Exports.Formats.Yolo;
+
+namespace Harvester.Exports.Formats;
+
+/// <summary>The formats that can be exported; each has a page in docs/exports.</summary>
+public static class DatasetFormats
+{
+    /// <summary>All formats, in the order of the help.</summary>
+    public static IReadOnlyList<DatasetFormat> All { get; } =
+    [
+        new("kitti", "KITTI object detection: images, label_2, calib, velodyne, oxts", options => new KittiWriter(options))
+        {
+            NeedsRectilinear = true,
+            UsesMasks = true,
+            HasBoxes = true,
+            HasNames = true,
+            Names = KittiClasses.Types,
+            IncludesRiders = true,
+            HasPoints = true,
+            Check = KittiCheck.Problems,
+        },
+        new("kitti-tracking", "KITTI tracking: a sequence for each place", options => new KittiTrackingWriter(options))
+        {
+            NeedsRectilinear = true,
+            UsesMasks = true,
+            HasBoxes = true,
+            HasNames = true,
+            Names = KittiClasses.Types,
+            KeepsSequences = true,
+            IncludesRiders = true,
+            Check = KittiTrackingCheck.Problems,
+        },
+        new("kitti-odometry", "KITTI odometry: images, points, poses and SemanticKITTI's labels", _ => new KittiOdometryWriter())
+        {
+            NeedsRectilinear = true,
+            KeepsSequences = true,
+            ListsObjects = false,
+            HasPoints = true,
+            Check = KittiOdometryCheck.Problems,
+        },
+        new("coco", "COCO instances", options => new CocoWriter(options))
+        {
+            UsesMasks = true,
+            HasBoxes = true,
+            HasBoxesBeyondImage = true,
+            HasNames = true,
+            HasSubclasses = true,
+            HasParts = true,
+            HasSegmentations = true,
+            Check = CocoCheck.Problems,
+        },
+        new("coco-panoptic", "COCO panoptic segmentation", options => new CocoPanopticWriter(options))
+        {
+            NeedsMasks = true,
+            UsesClassMaps = true,
+            HasNames = true,
+            HasSubclasses = true,
+            HasParts = true,
+            HasPoles = true,
+            Check = CocoPanopticCheck.Problems,
+        },
+        new("coco-keypoints", "COCO keypoints of people", options => new CocoKeypointsWriter(options))
+        {
+            UsesMasks = true,
+            Check = CocoKeypointsCheck.Problems,
+        },
+        new("jta", "JTA's layout of joints: a sequence for each place", _ => new JtaWriter())
+        {
+            NeedsRectilinear = true,
+            KeepsSequences = true,
+            Check = JtaCheck.Problems,
+        },
+        new("yolo", "Ultralytics YOLO, boxes", options => new YoloWriter(options))
+        {
+            UsesMasks = true,
+            HasBoxes = true,
+            HasNames = true,
+            HasSubclasses = true,
+            HasParts = true,
+            Check = YoloCheck.BoxProblems,
+        },
+        new("yolo-segment", "Ultralytics YOLO, outlines", options => new YoloSegmentWriter(options))
+        {
+            NeedsMasks = true,
+            HasNames = true,
+            HasSubclasses = true,
+            HasParts = true,
+            Check = YoloCheck.OutlineProblems,
+        },
+        new("voc", "Pascal VOC", options => new VocWriter(options))
+        {
+            UsesMasks = true,
+            HasBoxes = true,
+            HasNames = true,
+            HasSubclasses = true,
+            HasParts = true,
+            Check = VocCheck.Problems,
+        },
+        new("cityscapes", "Maps of instances and classes in the style of Cityscapes", options => new CityscapesWriter(options))
+        {
+            NeedsMasks = true,
+            UsesClassMaps = true,
+            HasNames = true,
+            Names = CityscapesLabels.ObjectNames,
+            HasParts = true,
+            HasPoles = true,
+            Check = CityscapesCheck.Problems,
+        },
+        new("semantic", "Class maps with a palette, and the drivable area", _ => new SemanticWriter())
+        {
+            NeedsClassMaps = true,
+            Check = SemanticCheck.Problems,
+        },
+        new("bdd100k", "BDD100K detection, tracking and lane markings", options => new Bdd100KWriter(options))
+        {
+            UsesMasks = true,
+            HasBoxes = true,
+            HasNames = true,
+            Names = Bdd100KClasses.Names,
+            HasParts = true,
+            Check = Bdd100KCheck.Problems,
+        },
+        new("motchallenge", "MOTChallenge: a sequence for each place, with MOT17's classes", _ => new MotWriter())
+        {
+            UsesMasks = true,
+            HasBoxes = true,
+            HasBoxesBeyondImage = true,
+            KeepsSequences = true,
+            Check = MotCheck.Problems,
+        },
+        new("openlabel", "ASAM OpenLABEL 1.0: a file for each place", _ => new OpenLabelWriter())
+        {
+            UsesMasks = true,
+            HasBoxes = true,
+            HasBoxesBeyondImage = true,
+            HasNames = true,
+            HasParts = true,
+            KeepsSequences = true,
+            Check = OpenLabelCheck.Problems,
+        },
+        new("nuscenes", "nuScenes: the tables, samples and sweeps of a rig", _ => new NuScenesWriter())
+        {
+            NeedsRectilinear = true,
+            KeepsSequences = true,
+            MinRateHz = NuScenesWriter.MinRateHz,
+            HasPoints = true,
+            IncludesRiders = true,
+            Check = NuScenesCheck.Problems,
+        },
+        new("pcd", "Point clouds of LiDARs, as PCL's PCD files", _ => new PointCloudWriter(PointCloudKind.Pcd))
+        {
+            ListsObjects = false,
+            KeepsImages = false,
+            KeepsSequences = true,
+            HasPoints = true,
+            Check = dataset => PointCloudCheck.Problems(dataset, PointCloudKind.Pcd),
+        },
+        new("ply", "Point clouds of LiDARs, as PLY files", _ => new PointCloudWriter(PointCloudKind.Ply))
+        {
+            ListsObjects = false,
+            KeepsImages = false,
+            KeepsSequences = true,
+            HasPoints = true,
+            Check = dataset => PointCloudCheck.Problems(dataset, PointCloudKind.Ply),
+        },
+        new("deepdriving", "Images of 280 x 210 and DeepDriving's thirteen indicators", options => new DeepDrivingWriter(options))
+        {
+            NeedsLanes = true,
+            KeepsImages = false,
+            Check = DeepDrivingCheck.Problems,
+        },
+        new("tusimple", "TuSimple lanes", options => new TuSimpleWriter(options))
+        {
+            NeedsLanes = true,
+            LeavesOutUnknownLanes = true,
+            HasLaneSelection = true,
+            Check = TuSimpleCheck.Problems,
+        },
+        new("culane", "CULane lanes", options => new CuLaneWriter(options))
+        {
+            NeedsLanes = true,
+            LeavesOutUnknownLanes = true,
+            Check = CuLaneCheck.Problems,
+            SplitNames = CuLaneWriter.ListsOf,
+        },
+        new("openlane", "OpenLane 3D lane lines", _ => new OpenLaneWriter())
+        {
+            NeedsLanes = true,
+            LeavesOutUnknownLanes = true,
+            Check = OpenLaneCheck.Problems,
+        },
+        new("webdataset", "Tar archives for streaming readers", _ => new WebDatasetWriter())
+        {
+            UsesMasks = true,
+            KeepsUndetermined = true,
+            HasParts = true,
+            DefaultParts = PartSelection.All,
+            KeepsImages = false,
+            Check = WebDatasetCheck.Problems,
+            Card = new("webdataset", WebDatasetWriter.ArchivesOf),
+        },
+        new("imagefolder", "Folders of images with metadata.jsonl, as Hugging Face reads them", options => new ImageFolderWriter(options))
+        {
+            UsesMasks = true,
+            HasBoxes = true,
+            HasNames = true,
+            HasSubclasses = true,
+            HasParts = true,
+            Check = ImageFolderCheck.Problems,
+            Card = new("imagefolder", split => $"data/{split}/**"),
+        },
+        new("mcap", "MCAP recordings with Foxglove's messages: a file for each place", _ => new McapWriter())
+        {
+            UsesMasks = true,
+            HasBoxes = true,
+            HasBoxesBeyondImage = true,
+            HasParts = true,
+            KeepsImages = false,
+            KeepsSequences = true,
+            Check = McapCheck.Problems,
+        },
+        new("csv", "Flat tables of frames and objects", options => new CsvDatasetWriter(options))
+        {
+            KeepsUndetermined = true,
+            HasNames = true,
+            HasParts = true,
+            DefaultParts = PartSelection.All,
+            Check = CsvDatasetCheck.Problems,
+        },
+    ];
+
+    /// <summary>The format of a name; null if there is none.</summary>
+    public static DatasetFormat? Find(string name) =>
+        All.FirstOrDefault(format => string.Equals(format.Name, name, StringComparison.OrdinalIgnoreCase));
+}

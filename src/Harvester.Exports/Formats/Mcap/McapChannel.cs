@@ -1,0 +1,42 @@
+namespace Harvester.Exports.Formats.Mcap;
+
+/// <summary>A channel of an MCAP file.</summary>
+/// <param name="Id">Its number, from 1; that of its schema is the number of the schema in the file.</param>
+/// <param name="Topic">Its name.</param>
+/// <param name="Schema">Full name of the protobuf message.</param>
+internal sealed record McapChannel(int Id, string Topic, string Schema)
+{
+    public static McapChannel Image { get; } = new(1, "/camera/image", "foxglove.CompressedImage");
+
+    public static McapChannel Calibration { get; } = new(2, "/camera/calibration", "foxglove.CameraCalibration");
+
+    public static McapChannel Transforms { get; } = new(3, "/tf", "foxglove.FrameTransforms");
+
+    public static McapChannel Objects { get; } = new(4, "/objects", "foxglove.SceneUpdate");
+
+    public static McapChannel Lanes { get; } = new(5, "/lanes", "foxglove.SceneUpdate");
+
+    public static McapChannel Annotations { get; } = new(6, "/camera/annotations", "foxglove.ImageAnnotations");
+
+    public static McapChannel Indicators { get; } = new(7, "/indicators", IndicatorMessage.SchemaName);
+
+    public static McapChannel Action { get; } = new(8, "/drive/action", DriveMessages.ActionSchema);
+
+    public static McapChannel AnsweredIndicators { get; } = new(9, "/drive/indicators", IndicatorMessage.SchemaName);
+
+    public static McapChannel Tick { get; } = new(10, "/drive/tick", DriveMessages.TickSchema);
+
+    public static McapChannel Imu { get; } = new(11, "/imu", DriveMessages.ImuSchema);
+
+    /// <summary>The channels of every file, by number.</summary>
+    public static McapChannel[] OfSessions { get; } = [Image, Calibration, Transforms, Objects, Lanes, Annotations, Indicators];
+
+    /// <summary>The further channels of a file with a recorded drive, by number.</summary>
+    public static McapChannel[] OfDrives { get; } = [Action, AnsweredIndicators, Tick, Imu];
+
+    /// <summary>All channels, by number.</summary>
+    public static McapChannel[] All { get; } = [.. OfSessions, .. OfDrives];
+
+    /// <summary>Whether a channel, by its number, is one of a recorded drive.</summary>
+    public static bool IsOfDrive(int id) => id >= Action.Id;
+}

@@ -1,0 +1,79 @@
+using System.Text.Json;
+using Harvester.Geometry;
+using Harvester.Sessions.Reading.Json;
+
+namespace Harvester.Exports.Formats.NuScenes;
+
+/// <summary>The map masks, one for each scene, and the file that says where they lie in the world.</summary>
+internal static class NuScenesMap
+{
+    /// <summary>Name of the file, in the folder of the tables, with the offset of each map.</summary>
+    public const string Offsets = "map_offset";
+
+    private const string PartPrefix = "map ";
+    private const char Separator = ';';
+
+    /// <summary>Polygons are kept to a centimetre, a tenth of a pixel.</summary>
+    private const int Decimals = 2;
+
+    /// <summary>Path of the mask of a scene.</summary>
+    public static string PathOf(string scene) => $"maps/{scene}.png";
+
+    /// <summary>Adds the ground that a frame knows of.</summary>
+    /// <param name="output">Takes the part.</param>
+    /// <param name="frame">The frame.</param>
+    /// <param name="area">The part of the world around it.</param>
+    /// <param name="ground">Polygons, metres, world.</param>
+    public static void Add(FrameOutput output, ExportFrame frame, NuScenesArea area, IEnumerable<Vector2D[]> ground) =>
+        output.Part(
+            FormattableString.Invariant($"{PartPrefix}{frame.RecordingIndex:D8} {frame.Label.Place ?? 0:D8}"),
+            string.Join(Separator, ground.Select(TextOf).Prepend(area.ToString()))
+        );
+
+    /// <summary>The masks of all scenes.</summary>
+    /// <param name="parts">The names of all parts.</param>
+    /// <param name="hasSample">Whether a session has a sample at a place; others are no scenes.</param>
+    public static IEnumerable<AggregateFile> Files(IEnumerable<string> parts, Func<string, bool> hasSample) =>
+        parts
+            .Where(part => part.StartsWith(PartPrefix, StringComparison.Ordinal) && hasSample(part[PartPrefix.Length..]))
+            .Order(StringComparer.Ordinal)
+            .Select((part, scene) => new AggregateFile(PathOf(NuScenesScene.NameOf(scene)), [AggregateSection.Binary(part, WriteMask)]));
+
+    /// <summary>Writes where each map lies.</summary>
+    public static void WriteOffsets(TextWriter writer, IEnumerable<string> lines) =>
+        NuScenesTables.Write(
+            writer,
+            NuScenesScene
+                .All(lines)
+                .Select(scene =>
+                    (Action<Utf8JsonWriter>)(
+                        json =>
+                        {
+                            json.WriteString("log_token", scene.LogToken);
+                            json.WriteString("filename", PathOf(scene.Name));
+                            json.Numbers("offset", [scene.Area.Offset.X, scene.Area.Offset.Y], 0);
+                            json.Numbers("size", [scene.Area.Width, scene.Area.Height], 0);
+                        }
+                    )
+                )
+        );
+
+    private static void WriteMask(Stream stream, IEnumerable<string> lines)
+    {
+        var areas = new List<NuScenesArea>();
+        var ground = new HashSet<string>(StringComparer.Ordinal);
+        foreach (string[] items in lines.Select(line => line.Split(Separator)))
+        {
+            areas.Add(NuScenesArea.Parse(items[0]));
+            ground.UnionWith(items.Skip(1));
+        }
+
+        new NuScenesMask(NuScenesArea.Of(areas), ground.Select(PolygonOf)).Write(stream);
+    }
+
+    private static string TextOf(Vector2D[] polygon) =>
+        Numbers.Row(Decimals, [.. polygon.SelectMany(corner => (double[])[corner.X, corner.Y])]);
+
+    private static Vector2D[] PolygonOf(string text) =>
+        [.. Numbers.Parse(text.Split(' '))!.Chunk(2).Select(corner => new Vector2D(corner[0], corner[1]))];
+}

@@ -1,0 +1,193 @@
+using System.Text;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Lidar;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Json;
+using Harvester.Sessions.Rigs;
+
+namespace Harvester.Exports.Formats.NuScenes;
+
+/// <summary>Writes nuScenes: samples and sweeps of every sensor of a rig, and the thirteen tables. See docs/exports/nuscenes.md.</summary>
+internal sealed class NuScenesWriter : IDatasetWriter
+{
+    /// <summary>Name of the version, which is the folder of the tables.</summary>
+    public const string Version = "v1.0-gta";
+
+    /// <summary>Samples per second, as in nuScenes.</summary>
+    private const double KeyRateHz = 2;
+
+    /// <summary>nuScenes' devkit takes no velocity from samples that are more than 1.5 s apart: box_velocity gives NaN.</summary>
+    public const double MinRateHz = 1 / 1.5;
+
+    private const string FramePart = "frame";
+    private const string KeyPrefix = "key ";
+
+    /// <summary>The channel of the single camera of a session without a rig.</summary>
+    private const string FrontCamera = "CAM_FRONT";
+
+    /// <summary>The first of January 2020, microseconds: a fixed time, because sessions have none.</summary>
+    private const long Start = 1_577_836_800_000_000;
+
+    /// <summary>Time between the starts of two sessions, microseconds: longer than any session.</summary>
+    private const long SessionStep = 1_000_000_000_000;
+
+    private const double Microseconds = 1e6;
+    private const int MetreDecimals = 4;
+    private const int QuaternionDecimals = 9;
+    private const float MaxIntensity = 255;
+
+    private NuScenesGround? _ground;
+    private NuScenesScan? _scan;
+
+    public WrittenObjects Write(ExportFrame frame, FrameOutput output)
+    {
+        FrameLabel label = frame.Label;
+        Rig rig = frame.Rig ?? SingleCamera(label);
+        RigCamera camera =
+            rig.Cameras.FirstOrDefault(each => each.Name == (label.View ?? FrontCamera))
+            ?? throw frame.Problem($"its view '{label.View}' is no camera of the rig.");
+        int moment = label.Moment ?? label.Frame;
+        int inScene = (label.PlaceFrame ?? label.Frame) / rig.Cameras.Count;
+        bool isKey = inScene % Math.Max(1, (int)Math.Round(frame.RateHz / KeyRateHz)) == 0;
+        long timestamp = TimestampOf(frame, label.TimeSeconds);
+        string image = PathOf(frame, isKey, camera.Name, timestamp, frame.ImageExtension);
+        output.Image(image, frame);
+        var sensors = new List<NuScenesSensor> { NuScenesSensor.Of(camera, label.Camera, image) };
+        foreach (SweepLabel sweep in label.Lidar)
+        {
+            RigLidar lidar =
+                rig.Lidars.FirstOrDefault(each => each.Name == sweep.Sensor)
+                ?? throw frame.Problem($"its LiDAR '{sweep.Sensor}' is not in the rig.");
+            LidarPoint[] points = frame.ReadPoints(sweep);
+            string file = PathOf(frame, isKey, lidar.Name, timestamp, ".pcd.bin");
+            output.File(file, stream => WritePoints(stream, points, RingsOf(lidar)));
+            sensors.Add(NuScenesSensor.Of(lidar, file));
+        }
+
+        NuScenesGround ground = GroundOf(frame.Session);
+        Pose ego = PoseOf(label.Ego);
+        NuScenesArea area = NuScenesArea.Around(ego.Position, ground.MarginMetres);
+        string egoPose = EgoOf(ego, rig);
+        NuScenesScan? scan = isKey ? ScanOf(frame, egoPose) : null;
+        NuScenesObject[] objects =
+        [
+            .. frame
+                .Objects.Select(item => NuScenesObject.Of(item.Label))
+                .OfType<NuScenesObject>()
+                .Select(item => scan?.Count(item) ?? item),
+        ];
+        output.Part(
+            FramePart,
+            new NuScenesPart(
+                frame.RecordingIndex,
+                label.Place ?? 0,
+                moment,
+                isKey,
+                timestamp,
+                frame.Split,
+                $"{label.Environment.Weather}, {label.Environment.TimeOfDay:hh\\:mm}",
+                area,
+                egoPose,
+                sensors,
+                objects
+            ).ToString()
+        );
+        bool isFirst = label.Frame % rig.Cameras.Count == 0;
+        NuScenesCanBus.Add(
+            output,
+            frame,
+            area,
+            isFirst ? EgoTrack.SamplesOf(label).Select(tick => NuScenesRide.Row(tick, at => TimestampOf(frame, at), rig.Origin)) : []
+        );
+        NuScenesMap.Add(output, frame, area, isFirst ? ground.Near(label, ego, isKey) : []);
+        if (isKey)
+        {
+            output.Part(FormattableString.Invariant($"{KeyPrefix}{frame.RecordingIndex:D8} {label.Place ?? 0:D8}"), "");
+        }
+
+        return new WrittenObjects(isKey ? objects.Length : 0);
+    }
+
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
+        [
+            .. NuScenesTables.All.Select(table => new AggregateFile(
+                $"{Version}/{table.Key}.json",
+                [
+                    AggregateSection.Summary(
+                        FramePart,
+                        (writer, lines) => NuScenesTables.Write(writer, table.Value(NuScenesScene.All(lines)))
+                    ),
+                ]
+            )),
+            new AggregateFile($"{Version}/splits.json", [AggregateSection.Summary(FramePart, NuScenesTables.WriteSplits)]),
+            new AggregateFile($"{Version}/{NuScenesMap.Offsets}.json", [AggregateSection.Summary(FramePart, NuScenesMap.WriteOffsets)]),
+            .. NuScenesCanBus.Files(parts.Keys, place => parts.ContainsKey(KeyPrefix + place)),
+            .. NuScenesMap.Files(parts.Keys, place => parts.ContainsKey(KeyPrefix + place)),
+        ];
+
+    /// <summary>The name of a session at a place as a log.</summary>
+    public static string LogOf(int recording, int place) => FormattableString.Invariant($"gta-{recording:D4}-{place:D4}");
+
+    private static string LogOf(ExportFrame frame) => LogOf(frame.RecordingIndex, frame.Label.Place ?? 0);
+
+    private static long TimestampOf(ExportFrame frame, double timeSeconds) =>
+        Start + (SessionStep * frame.RecordingIndex) + (long)Math.Round(timeSeconds * Microseconds);
+
+    private static string PathOf(ExportFrame frame, bool isKey, string channel, long timestamp, string extension) =>
+        FormattableString.Invariant($"{(isKey ? "samples" : "sweeps")}/{channel}/{LogOf(frame)}__{channel}__{timestamp}{extension}");
+
+    private static Pose PoseOf(EgoLabel ego) => new(ego.Position, ego.Axes ?? Axes.FromHeading(ego.HeadingDegrees));
+
+    /// <summary>The camera of a session without a rig, as one whose mount follows from the poses of car and camera.</summary>
+    private static Rig SingleCamera(FrameLabel label)
+    {
+        Pose ego = PoseOf(label.Ego);
+        Pose camera = label.Camera.Pose;
+        var mount = new Pose(
+            ego.ToLocal(camera.Position),
+            Axes.FromVectors(ego.Axes.ToLocal(camera.Axes.Right), ego.Axes.ToLocal(camera.Axes.Forward), ego.Axes.ToLocal(camera.Axes.Up))
+        );
+        var image = new ImageSize(label.Camera.Width, label.Camera.Height);
+        var only = new RigCamera(FrontCamera, mount, label.Camera.VerticalFovDegrees, image, Lens.Ideal);
+        return new Rig("single", Vector3D.Zero, [only], []);
+    }
+
+    private NuScenesGround GroundOf(SessionReader session) =>
+        _ground is { } ground && ground.Session == session ? ground : _ground = NuScenesGround.Of(session);
+
+    /// <summary>The views of a moment follow each other, so its points are read once.</summary>
+    private NuScenesScan? ScanOf(ExportFrame frame, string ego) =>
+        NuScenesScan.NameOf(frame) is not { } name ? null
+        : _scan?.File == name ? _scan
+        : _scan = NuScenesScan.Read(frame, ego);
+
+    private static string EgoOf(Pose pose, Rig rig) =>
+        JsonLine.Of(json =>
+        {
+            Vector3D origin = pose.ToWorld(rig.Origin);
+            Rotation rotation = Rotation.OfBody(pose.Axes);
+            json.WriteStartObject();
+            json.Numbers("rotation", [rotation.W, rotation.X, rotation.Y, rotation.Z], QuaternionDecimals);
+            json.Numbers("translation", [origin.X, origin.Y, origin.Z], MetreDecimals);
+            json.WriteEndObject();
+        });
+
+    /// <summary>The ring of each beam: 0 is the lowest.</summary>
+    private static float[] RingsOf(RigLidar lidar) =>
+        [.. lidar.BeamsDegrees.Select(beam => (float)lidar.BeamsDegrees.Count(other => other < beam))];
+
+    private static void WritePoints(Stream stream, LidarPoint[] points, float[] rings)
+    {
+        using var writer = new BinaryWriter(stream, Encoding.UTF8, leaveOpen: true);
+        foreach (LidarPoint point in points)
+        {
+            writer.Write(point.X);
+            writer.Write(point.Y);
+            writer.Write(point.Z);
+            writer.Write(point.Intensity * MaxIntensity);
+            writer.Write(rings[Math.Min(point.Beam, rings.Length - 1)]);
+        }
+    }
+}

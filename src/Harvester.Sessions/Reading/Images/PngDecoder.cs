@@ -1,0 +1,176 @@
+using System.Buffers.Binary;
+using System.IO.Compression;
+using System.Numerics;
+using System.Runtime.InteropServices;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Reading.Files;
+
+namespace Harvester.Sessions.Reading.Images;
+
+/// <summary>
+/// Reads PNG images (ISO/IEC 15948) of the kinds in sessions and datasets, without interlacing: 8-bit RGB, and greyscale with 16 or 8 bits.
+/// </summary>
+public static class PngDecoder
+{
+    private const int SignatureLength = 8;
+    private const int HeaderLength = 33;
+    private const int BitDepthAt = 24;
+    private const byte ColourTypeGrey = 0;
+    private const byte ColourTypeRgb = 2;
+    private const byte ColourTypePalette = 3;
+    private const int BytesPerGreyPixel = 2;
+
+    /// <summary>Reads an image. Chunk checksums are not verified; the compressed data has its own.</summary>
+    /// <exception cref="DatasetFormatException">The file is not such an image, or is damaged; the message refers to the file as
+    /// "it".</exception>
+    /// <exception cref="IOException">The file cannot be read.</exception>
+    public static PixelBuffer ReadRgb(string path)
+    {
+        ImageSize size = ImageHeader.Read(path).Size;
+        var picture = new PixelBuffer(size);
+        Read(path, 8, ColourTypeRgb, "an 8-bit colour", size, PixelBuffer.BytesPerPixel, picture.Bytes);
+        return picture;
+    }
+
+    /// <summary>Reads an instance mask.</summary>
+    /// <exception cref="DatasetFormatException">The file is not such an image, or is damaged; the message refers to the file as
+    /// "it".</exception>
+    /// <exception cref="IOException">The file cannot be read.</exception>
+    public static InstanceMap ReadInstanceMap(string path)
+    {
+        ImageSize size = ImageHeader.Read(path).Size;
+        byte[] bytes = new byte[size.PixelCount * BytesPerGreyPixel];
+        Read(path, 16, ColourTypeGrey, "a 16-bit greyscale", size, BytesPerGreyPixel, bytes);
+        var map = new InstanceMap(size);
+        ReadOnlySpan<ushort> numbers = MemoryMarshal.Cast<byte, ushort>(bytes);
+        if (BitConverter.IsLittleEndian)
+        {
+            BinaryPrimitives.ReverseEndianness(numbers, map.Ids);
+        }
+        else
+        {
+            numbers.CopyTo(map.Ids);
+        }
+
+        return map;
+    }
+
+    /// <summary>Reads an 8-bit label map, grey or with a palette.</summary>
+    /// <exception cref="DatasetFormatException">The file is not such an image, or is damaged; the message refers to the file as
+    /// "it".</exception>
+    /// <exception cref="IOException">The file cannot be read.</exception>
+    public static InstanceMap ReadLabelMap(string path)
+    {
+        ImageSize size = ImageHeader.Read(path).Size;
+        byte[] bytes = new byte[size.PixelCount];
+        Read(path, 8, ColourTypeGrey, "an 8-bit grey", size, 1, bytes);
+        var map = new InstanceMap(size);
+        for (int i = 0; i < bytes.Length; i++)
+        {
+            map.Ids[i] = bytes[i];
+        }
+
+        return map;
+    }
+
+    private static void Read(string path, byte bitDepth, byte colourType, string kind, ImageSize size, int bytesPerPixel, byte[] pixels)
+    {
+        using FileStream file = InputFile.OpenRead(path);
+        Span<byte> header = stackalloc byte[HeaderLength];
+        file.ReadExactly(header);
+        if (header[BitDepthAt] != bitDepth || !IsOf(header[BitDepthAt + 1], colourType) || header[BitDepthAt + 4] != 0)
+        {
+            throw new DatasetFormatException($"it is not {kind} PNG without interlacing.");
+        }
+
+        file.Position = SignatureLength;
+        try
+        {
+            using var rows = new ZLibStream(new PngData(file), CompressionMode.Decompress);
+            ReadRows(rows, pixels, size, bytesPerPixel);
+        }
+        catch (Exception e) when (e is InvalidDataException or EndOfStreamException)
+        {
+            throw new DatasetFormatException("its pixels are damaged.", e);
+        }
+    }
+
+    /// <summary>The numbers of a palette are read like those of a grey image.</summary>
+    private static bool IsOf(byte found, byte wanted) => found == wanted || (wanted == ColourTypeGrey && found == ColourTypePalette);
+
+    private static void ReadRows(ZLibStream rows, byte[] pixels, ImageSize size, int bytesPerPixel)
+    {
+        int stride = size.Width * bytesPerPixel;
+        byte[] above = new byte[stride];
+        for (int row = 0; row < size.Height; row++)
+        {
+            int filter = rows.ReadByte();
+            Span<byte> current = pixels.AsSpan(row * stride, stride);
+            rows.ReadExactly(current);
+            Unfilter(filter, current, above, bytesPerPixel);
+            current.CopyTo(above);
+        }
+    }
+
+    private static void Unfilter(int filter, Span<byte> current, ReadOnlySpan<byte> above, int pixel)
+    {
+        switch (filter)
+        {
+            case 0:
+                break;
+            case 1:
+                for (int i = pixel; i < current.Length; i++)
+                {
+                    current[i] += current[i - pixel];
+                }
+
+                break;
+            case 2:
+                AddAbove(current, above);
+                break;
+            case 3:
+                for (int i = 0; i < current.Length; i++)
+                {
+                    current[i] += (byte)(((i >= pixel ? current[i - pixel] : 0) + above[i]) / 2);
+                }
+
+                break;
+            case 4:
+                for (int i = 0; i < current.Length; i++)
+                {
+                    current[i] += i >= pixel ? (byte)Paeth(current[i - pixel], above[i], above[i - pixel]) : above[i];
+                }
+
+                break;
+            default:
+                throw new InvalidDataException($"PNG has no filter {filter}.");
+        }
+    }
+
+    private static void AddAbove(Span<byte> current, ReadOnlySpan<byte> above)
+    {
+        int i = 0;
+        for (; i <= current.Length - Vector<byte>.Count; i += Vector<byte>.Count)
+        {
+            (new Vector<byte>(current[i..]) + new Vector<byte>(above[i..])).CopyTo(current[i..]);
+        }
+
+        for (; i < current.Length; i++)
+        {
+            current[i] += above[i];
+        }
+    }
+
+    private static int Paeth(int left, int above, int upperLeft)
+    {
+        int estimate = left + above - upperLeft;
+        int toLeft = Math.Abs(estimate - left);
+        int toAbove = Math.Abs(estimate - above);
+        int toUpperLeft = Math.Abs(estimate - upperLeft);
+        return toLeft <= toAbove && toLeft <= toUpperLeft ? left
+            : toAbove <= toUpperLeft ? above
+            : upperLeft;
+    }
+}

@@ -1,5 +1,0 @@
-namespace Harvester.Datasets.Tests.Exports;
-
-/// <summary>The tests that share one harvest.</summary>
-[CollectionDefinition(SimulatedSession.Collection)]
-public sealed class SimulatedSessionGroup : ICollectionFixture<SimulatedSession>;

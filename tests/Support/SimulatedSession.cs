@@ -1,0 +1,70 @@
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Ports;
+using Harvester.Capture.Storage;
+using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Semantics;
+using Harvester.Simulation.Game;
+using Harvester.Simulation.Settings;
+
+namespace Harvester.TestSupport;
+
+/// <summary>A small harvest of the simulated game with masks and lanes, made once for all tests of exports.</summary>
+public sealed class SimulatedSession : IDisposable
+{
+    public const string Collection = "Simulated session";
+    public const int Frames = 7;
+
+    private readonly Lazy<string> _withClassMaps = new(() => Harvest(SemanticsMethod.Exact));
+
+    public string Folder { get; } = Harvest(null);
+
+    public SessionReader Open() => new(Folder);
+
+    /// <summary>Opens the same session with class maps.</summary>
+    public SessionReader OpenWithClassMaps() => new(_withClassMaps.Value);
+
+    public void Dispose()
+    {
+        Directory.Delete(Folder, recursive: true);
+        if (_withClassMaps.IsValueCreated)
+        {
+            Directory.Delete(_withClassMaps.Value, recursive: true);
+        }
+    }
+
+    private static string Harvest(SemanticsMethod? semantics)
+    {
+        string folder = Directory.CreateTempSubdirectory("harvester-test-").FullName;
+        var game = new SimulatedGame(new SimulationOptions { Seed = 8, WindowAspect = 4.0 / 3 });
+        using var writer = new SessionWriter(
+            folder,
+            new SessionOrigin
+            {
+                Game = "simulation",
+                Tool = "test",
+                Seed = 8,
+            }
+        );
+        var options = new HarvestOptions
+        {
+            Image = new ImageSize(200, 150),
+            MaxFrames = Frames,
+            RateHz = 2,
+            RangeMetres = 80,
+            Masks = true,
+            Semantics = semantics,
+        };
+        using var session = new HarvestSession(options, game.Ports with { Roads = new FixedRoads(game.Roads, "simulation") }, writer);
+        do
+        {
+            writer.WaitForRoom();
+            game.Tick(1.0 / 60);
+            session.Step();
+        } while (!session.Status.IsOver);
+        session.Stop();
+        writer.Dispose();
+        Assert.Null(session.Fault ?? writer.Fault);
+        return folder;
+    }
+}
