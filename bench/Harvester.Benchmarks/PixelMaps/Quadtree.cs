@@ -7,7 +7,7 @@ namespace Harvester.Benchmarks.PixelMaps;
 /// </summary>
 internal static class Quadtree
 {
-    public static InstanceMap Map(SampledImage image, int cellSize, int leastSize)
+    public static InstanceMap Map(SampledImage image, int cellSize, int minSize)
     {
         var map = new InstanceMap(image.Size);
         for (int top = 0; top < image.Size.Height; top += cellSize)
@@ -17,7 +17,7 @@ internal static class Quadtree
                 Fill(
                     image,
                     map,
-                    leastSize,
+                    minSize,
                     left,
                     top,
                     Math.Min(left + cellSize, image.Size.Width - 1),
@@ -29,7 +29,7 @@ internal static class Quadtree
         return map;
     }
 
-    private static void Fill(SampledImage image, InstanceMap map, int leastSize, int left, int top, int right, int bottom)
+    private static void Fill(SampledImage image, InstanceMap map, int minSize, int left, int top, int right, int bottom)
     {
         int number = image[left, top];
         bool isUniform =
@@ -39,7 +39,7 @@ internal static class Quadtree
             && image.Seeds.All(seed =>
                 seed.Column < left || seed.Column > right || seed.Row < top || seed.Row > bottom || image[seed.Column, seed.Row] == number
             );
-        if (isUniform || (right - left <= leastSize && bottom - top <= leastSize))
+        if (isUniform || (right - left <= minSize && bottom - top <= minSize))
         {
             for (int row = top; row <= bottom; row++)
             {
@@ -58,9 +58,9 @@ internal static class Quadtree
 
         int x = (left + right) / 2;
         int y = (top + bottom) / 2;
-        Fill(image, map, leastSize, left, top, Math.Max(x, left), Math.Max(y, top));
-        Fill(image, map, leastSize, x, top, right, y);
-        Fill(image, map, leastSize, left, y, x, bottom);
-        Fill(image, map, leastSize, x, y, right, bottom);
+        Fill(image, map, minSize, left, top, Math.Max(x, left), Math.Max(y, top));
+        Fill(image, map, minSize, x, top, right, y);
+        Fill(image, map, minSize, left, y, x, bottom);
+        Fill(image, map, minSize, x, y, right, bottom);
     }
 }

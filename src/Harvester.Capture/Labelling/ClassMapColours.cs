@@ -26,11 +26,11 @@ internal static class ClassMapColours
     private const double RoadRank = 0.25;
 
     /// <summary>Paint is at least so much brighter than the road: a factor and grey levels.</summary>
-    private const double LeastBrightness = 1.25;
-    private const double LeastStep = 12;
+    private const double MinBrightness = 1.25;
+    private const double MinStep = 12;
 
     /// <summary>Fewer pixels of known paint do not show how bright paint is.</summary>
-    private const int LeastKnown = 30;
+    private const int MinKnown = 30;
 
     /// <summary>Completes the map.</summary>
     public static void Complete(InstanceMap map, InstanceMap? mask, PixelBuffer picture)
@@ -139,7 +139,7 @@ internal static class ClassMapColours
                 if (
                     before[at] == (ushort)SemanticClass.Road
                     && roads.Near(column, row) is { } road
-                    && RoadBrightness.Of(picture.Bytes, at) > Math.Max((road * LeastBrightness) + LeastStep, road * factor)
+                    && RoadBrightness.Of(picture.Bytes, at) > Math.Max((road * MinBrightness) + MinStep, road * factor)
                     && IsOnRoad(before, mask, map, at)
                 )
                 {
@@ -164,7 +164,7 @@ internal static class ClassMapColours
             }
         }
 
-        if (factors.Count < LeastKnown)
+        if (factors.Count < MinKnown)
         {
             return null;
         }

@@ -18,7 +18,7 @@ internal sealed class RoadBrightness
     private const int Step = 2;
 
     /// <summary>With fewer pixels of road around it, a block has no brightness.</summary>
-    private const int LeastPixels = 40;
+    private const int MinPixels = 40;
 
     private readonly int _side;
     private readonly int _across;
@@ -68,7 +68,7 @@ internal sealed class RoadBrightness
             }
 
             around.Sort();
-            _levels[block] = around.Count >= LeastPixels ? around[(int)(rank * (around.Count - 1))] : null;
+            _levels[block] = around.Count >= MinPixels ? around[(int)(rank * (around.Count - 1))] : null;
         }
     }
 

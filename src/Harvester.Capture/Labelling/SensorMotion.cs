@@ -12,7 +12,7 @@ namespace Harvester.Capture.Labelling;
 internal sealed class SensorMotion(EgoState ego, Pose mount)
 {
     /// <summary>A turn of less than this within the time is a straight line, radians.</summary>
-    private const double LeastTurn = 1e-9;
+    private const double MinTurn = 1e-9;
 
     private readonly double _yawRate = ego.Motion?.YawRate ?? 0;
 
@@ -24,7 +24,7 @@ internal sealed class SensorMotion(EgoState ego, Pose mount)
         (double sine, double cosine) = (Math.Sin(turn), Math.Cos(turn));
         Vector3D velocity = ego.Velocity;
         Vector3D way = velocity * seconds;
-        if (Math.Abs(turn) > LeastTurn)
+        if (Math.Abs(turn) > MinTurn)
         {
             // The integral of the turning velocity: sin(wt)/w along it, and (1 - cos(wt))/w to its left.
             double ahead = sine / _yawRate;

@@ -11,25 +11,25 @@ internal sealed class VarietyOptions
 {
     private const int UsualPlaces = 10;
     private const int UsualFramesOfPlace = 10;
-    private const int MostPlaces = 10_000;
-    private const double MostWander = 3;
-    private const double MostLaneChanges = 5;
-    private const double MostTraffic = 4;
-    private const double MostPedestrians = 5;
-    private const double MostParked = 2.5;
+    private const int MaxPlaces = 10_000;
+    private const double MaxWander = 3;
+    private const double MaxLaneChanges = 5;
+    private const double MaxTraffic = 4;
+    private const double MaxPedestrians = 5;
+    private const double MaxParked = 2.5;
 
-    private readonly Option<double> _wander = Factor("--wander", "how far and how often the car leaves the middle of its lane", MostWander);
-    private readonly Option<double> _laneChanges = Factor("--lane-changes", "the number of lane changes and overtakings", MostLaneChanges);
-    private readonly Option<double> _traffic = Factor("--traffic", "the number of moving vehicles", MostTraffic);
-    private readonly Option<double> _pedestrians = Factor("--pedestrians", "the number of people on foot", MostPedestrians);
-    private readonly Option<double> _parked = Factor("--parked", "the number of parked vehicles", MostParked);
+    private readonly Option<double> _wander = Factor("--wander", "how far and how often the car leaves the middle of its lane", MaxWander);
+    private readonly Option<double> _laneChanges = Factor("--lane-changes", "the number of lane changes and overtakings", MaxLaneChanges);
+    private readonly Option<double> _traffic = Factor("--traffic", "the number of moving vehicles", MaxTraffic);
+    private readonly Option<double> _pedestrians = Factor("--pedestrians", "the number of people on foot", MaxPedestrians);
+    private readonly Option<double> _parked = Factor("--parked", "the number of parked vehicles", MaxParked);
 
     private readonly Option<int?> _places = ValueParsers.Optional<int>(
         "--places",
         "N",
         "Number of places to visit, all over the road network [default: 10; fewer for less than 100 frames; 1 with --near]",
-        text => ValueParsers.Number(text) is >= 1 and <= MostPlaces and var places && places == Math.Floor(places) ? (int)places : null,
-        $"a whole number from 1 to {MostPlaces}"
+        text => ValueParsers.Number(text) is >= 1 and <= MaxPlaces and var places && places == Math.Floor(places) ? (int)places : null,
+        $"a whole number from 1 to {MaxPlaces}"
     );
 
     /// <summary>Adds the options to a command.</summary>

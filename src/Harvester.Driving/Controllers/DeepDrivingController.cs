@@ -34,7 +34,7 @@ public sealed class DeepDrivingController : IAimingController
 
     private readonly RoadAhead? _road;
     private readonly double _lockShare;
-    private readonly double _mostSpeed;
+    private readonly double _maxSpeed;
     private readonly double _vehicleAllowance;
     private readonly Queue<double> _steerings = new(new double[TrendLength]);
     private readonly LaneClearance _left = new();
@@ -56,7 +56,7 @@ public sealed class DeepDrivingController : IAimingController
         double maxSpeed = MaxSpeed
     )
     {
-        _mostSpeed = maxSpeed;
+        _maxSpeed = maxSpeed;
         _lockShare = SteeringLockRadians / steeringLockRadians;
         _vehicleAllowance = vehicleAllowanceMetres;
     }
@@ -100,10 +100,10 @@ public sealed class DeepDrivingController : IAimingController
         return Controls(steering, state, isBlocked ? SpeedBehind(ahead) : double.PositiveInfinity);
     }
 
-    private DrivingControls Controls(double steering, DrivingState state, double mostBehind)
+    private DrivingControls Controls(double steering, DrivingState state, double maxBehind)
     {
         double desired = state.IsFast ? MaxSpeed : Math.Max(10, MaxSpeed - (4.5 * Math.Abs(_steerings.Sum())));
-        double wanted = Math.Min(Math.Min(desired, _mostSpeed), mostBehind);
+        double wanted = Math.Min(Math.Min(desired, _maxSpeed), maxBehind);
         Target = new DriveTarget(wanted, null);
         double error = wanted - state.SpeedMetresPerSecond;
         double cut = Math.Max(-1, Math.Min(1, steering));

@@ -4,7 +4,7 @@ namespace Harvester.Geometry.ClassMaps;
 internal sealed class ClassCellMapper(ClassSamples samples)
 {
     /// <summary>Cells of at most this side are not divided further, pixels.</summary>
-    private const int LeastSide = 3;
+    private const int MinSide = 3;
 
     /// <summary>Cells of at most this side need no rays that confirm their outline, pixels.</summary>
     private const int SureSide = 4;
@@ -48,7 +48,7 @@ internal sealed class ClassCellMapper(ClassSamples samples)
             isSettled &= outline is { } line && (cell.Side <= SureSide || IsConfirmed(cell, line));
         }
 
-        return isSettled || cell.Side <= LeastSide ? [] : Parts(cell);
+        return isSettled || cell.Side <= MinSide ? [] : Parts(cell);
     }
 
     private static IEnumerable<ClassCell> Parts(ClassCell cell)

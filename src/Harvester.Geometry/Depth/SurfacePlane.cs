@@ -8,7 +8,7 @@ namespace Harvester.Geometry.Depth;
 public readonly record struct SurfacePlane(Vector3D Normal)
 {
     /// <summary>Cosine of the angle of incidence below which a plane is seen too much from its edge to be extended.</summary>
-    private const double LeastCosine = 0.01;
+    private const double MinCosine = 0.01;
 
     /// <summary>
     /// The plane of a surface that was hit. Without a usable normal it is the plane at right angles to the line from the eye.
@@ -18,7 +18,7 @@ public readonly record struct SurfacePlane(Vector3D Normal)
     public static SurfacePlane Of(Vector3D point, Vector3D normal)
     {
         double along = normal.Dot(point);
-        return Math.Abs(along) > LeastCosine * point.Length
+        return Math.Abs(along) > MinCosine * point.Length
             ? new SurfacePlane(normal / along)
             : new SurfacePlane(point / point.LengthSquared);
     }

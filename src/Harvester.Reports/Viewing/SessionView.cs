@@ -16,7 +16,7 @@ namespace Harvester.Reports.Viewing;
 public sealed class SessionView : IDisposable
 {
     private const long BytesPerStep = 64 << 20;
-    private const int MostViews = 64;
+    private const int MaxViews = 64;
 
     private static readonly TimeSpan Pause = TimeSpan.FromMilliseconds(500);
 
@@ -195,7 +195,7 @@ public sealed class SessionView : IDisposable
     /// <summary>The LiDARs of a frame's moment, which are in the line of its first view.</summary>
     private IReadOnlyList<SweepLabel> SweepsOf(int index, FrameLabel label)
     {
-        for (int before = index - 1; label.Lidar.Count == 0 && before >= 0 && index - before < MostViews; before--)
+        for (int before = index - 1; label.Lidar.Count == 0 && before >= 0 && index - before < MaxViews; before--)
         {
             FrameLabel other = LabelAt(before);
             if (label.Moment is null || other.Moment != label.Moment)

@@ -23,8 +23,8 @@ internal sealed class GroundLook
     private const float PatchDarkness = 0.16f;
 
     /// <summary>How much lighter old asphalt is than new asphalt, at least and at most.</summary>
-    private const float LeastBleaching = 0.08f;
-    private const float MostBleaching = 0.42f;
+    private const float MinBleaching = 0.08f;
+    private const float MaxBleaching = 0.42f;
 
     /// <summary>How much darker asphalt is where wheels run.</summary>
     private const float TrackDarkness = 0.16f;
@@ -74,7 +74,7 @@ internal sealed class GroundLook
         {
             age = _ages.At(place.X, place.Y);
             Vector256<float> clear = Wide.Fraction(Vector256.Create(1.5f) - (distance * Vector256.Create(1.5f / PatchReachMetres)));
-            grain += Vector256.Create(LeastBleaching) + (Vector256.Create(MostBleaching - LeastBleaching) * age);
+            grain += Vector256.Create(MinBleaching) + (Vector256.Create(MaxBleaching - MinBleaching) * age);
             grain -=
                 Vector256.Create(PatchDarkness)
                 * clear

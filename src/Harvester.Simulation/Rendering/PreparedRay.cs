@@ -27,7 +27,7 @@ internal readonly struct PreparedRay
     private const float RelativeShift = 1f / (1 << 23);
 
     /// <summary>The same for an origin of 0; times <see cref="MaxReciprocal"/>, it is farther than any scene.</summary>
-    private const float LeastShift = 1e-20f;
+    private const float MinShift = 1e-20f;
 
     private readonly Axis _x;
     private readonly Axis _y;
@@ -76,7 +76,7 @@ internal readonly struct PreparedRay
         {
             bool backwards = direction < 0;
             float single = (float)origin;
-            float shift = (MathF.Abs(single) * RelativeShift) + LeastShift;
+            float shift = (MathF.Abs(single) * RelativeShift) + MinShift;
             _forEntry = Vector256.Create(backwards ? single - shift : single + shift);
             _forExit = Vector256.Create(backwards ? single + shift : single - shift);
             double reciprocal = 1 / direction;

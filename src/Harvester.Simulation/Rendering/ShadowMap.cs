@@ -18,7 +18,7 @@ internal sealed class ShadowMap(int size)
     /// <summary>
     /// So many sets of hidden static entities have their heights kept, for pictures of one moment with and without objects.
     /// </summary>
-    private const int MostKept = 4;
+    private const int MaxKept = 4;
 
     private readonly List<FixedHeights> _kept = [];
     private readonly float[] _heights = new float[size * size];
@@ -93,7 +93,7 @@ internal sealed class ShadowMap(int size)
         FixedHeights? found = _kept.Find(kept => kept.Hidden.SetEquals(hidden));
         if (found is null)
         {
-            found = _kept.Find(static kept => kept.Drawn.IsEmpty) ?? (_kept.Count < MostKept ? new FixedHeights(size) : _kept[0]);
+            found = _kept.Find(static kept => kept.Drawn.IsEmpty) ?? (_kept.Count < MaxKept ? new FixedHeights(size) : _kept[0]);
             found.Hidden = hidden;
             found.Drawn.Clear();
         }

@@ -8,8 +8,8 @@ namespace Harvester.Simulation.Streets;
 internal readonly record struct RoadSection(double Distance, StreetEdge Left, StreetEdge Right, double Gap)
 {
     /// <summary>Depth of the highest ground below it, metres.</summary>
-    public double LeastGap => Math.Min(Gap, Math.Min(Left.Gap, Right.Gap));
+    public double MinGap => Math.Min(Gap, Math.Min(Left.Gap, Right.Gap));
 
     /// <summary>Depth of the lowest ground below it, metres.</summary>
-    public double MostGap => Math.Max(Gap, Math.Max(Left.Gap, Right.Gap));
+    public double MaxGap => Math.Max(Gap, Math.Max(Left.Gap, Right.Gap));
 }

@@ -47,7 +47,7 @@ internal sealed class RoadSides(StreetIndex index, Terrain terrain, RoadLevels l
         {
             RoadSection far = SectionAt(road, stations[i]);
             double middle = (near.Distance + far.Distance) / 2;
-            bool isOpen = IsOpen(road, middle, Math.Min(near.LeastGap, far.LeastGap));
+            bool isOpen = IsOpen(road, middle, Math.Min(near.MinGap, far.MinGap));
             double thickness = isOpen ? ThicknessAt(road, middle) : 0;
             bool isShared = levels.IsShared(road, near.Distance, far.Distance);
             AddSide(road, near, far, 1, isOpen ? thickness : null, isShared);
@@ -89,8 +89,8 @@ internal sealed class RoadSides(StreetIndex index, Terrain terrain, RoadLevels l
     public void AddEnd(RoadArm arm) => AddAcross(SectionAt(arm.Road, arm.DistanceAt(0)));
 
     /// <summary>Whether the road is on a bridge: there is nothing between its deck and the ground but piers.</summary>
-    private bool IsOpen(Road road, double distance, double leastGap) =>
-        leastGap > MaxWall || (leastGap > OnLevel && levels.IsSuspended(road, distance));
+    private bool IsOpen(Road road, double distance, double minGap) =>
+        minGap > MaxWall || (minGap > OnLevel && levels.IsSuspended(road, distance));
 
     private double ThicknessAt(Road road, double distance) =>
         Math.Clamp(levels.RoomBelow(road, distance) - ClearHeight, ThinnestDeck, DeckThickness);
@@ -188,7 +188,7 @@ internal sealed class RoadSides(StreetIndex index, Terrain terrain, RoadLevels l
     {
         const double belowAsphalt = 0.05;
         Vector3D high = Horizontal.Up * -belowAsphalt;
-        Vector3D low = Horizontal.Up * -(section.MostGap + Buried);
+        Vector3D low = Horizontal.Up * -(section.MaxGap + Buried);
         mesh.AddQuad(
             section.Left.Edge + high,
             section.Right.Edge + high,

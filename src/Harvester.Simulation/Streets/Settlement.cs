@@ -26,7 +26,7 @@ internal sealed class Settlement
     private const double VillageDensity = 17;
 
     /// <summary>Total length of roads below which a network does not show where its town ends, metres; it is all town.</summary>
-    private const double LeastNetwork = 50_000;
+    private const double MinNetwork = 50_000;
 
     /// <summary>Radii of the centre and of the town that is generated, metres from its middle.</summary>
     private const double GeneratedCentre = 200;
@@ -69,7 +69,7 @@ internal sealed class Settlement
             metres[cell] = metres.GetValueOrDefault(cell) + length;
         }
 
-        return total < LeastNetwork ? Everywhere : new Settlement(new Densities(metres, CellOf(centre)).ZoneAt);
+        return total < MinNetwork ? Everywhere : new Settlement(new Densities(metres, CellOf(centre)).ZoneAt);
     }
 
     /// <summary>The zone of a place.</summary>

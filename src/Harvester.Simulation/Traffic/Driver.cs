@@ -52,16 +52,16 @@ internal static class Driver
                 : road is { IsUnpaved: true } ? UnpavedFactor
                 : 1
             );
-        double leastSquared = double.PositiveInfinity;
+        double minSquared = double.PositiveInfinity;
         for (double ahead = 0; ahead <= BendLookAhead; ahead += BendStep)
         {
             (LanePath path, double distance) = vehicle.PlaceAhead(ahead);
             double bend = path.Line.BendAt(distance);
             double slowestSquared = SidewaysAcceleration / Math.Max(bend, 1e-6);
-            leastSquared = Math.Min(leastSquared, slowestSquared + (ComfortableBraking * ahead));
+            minSquared = Math.Min(minSquared, slowestSquared + (ComfortableBraking * ahead));
         }
 
-        return Math.Min(desired, Math.Sqrt(leastSquared));
+        return Math.Min(desired, Math.Sqrt(minSquared));
     }
 
     /// <summary>The vehicle ahead on its route: the gap to it, metres, infinite without one, and its speed.</summary>

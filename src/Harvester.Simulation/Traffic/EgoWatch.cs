@@ -17,7 +17,7 @@ internal sealed class EgoWatch(Vehicle ego, EgoCar car, TrafficFlow traffic, IRe
     private const double StandingSpeed = 0.3;
 
     /// <summary>A pedestrian who walks against a slower car was not run over, m/s.</summary>
-    private const double LeastSpeedAgainstPerson = 0.5;
+    private const double MinSpeedAgainstPerson = 0.5;
     private const double PersonRange = 8;
 
     private readonly int[] _collisions = new int[3];
@@ -76,7 +76,7 @@ internal sealed class EgoWatch(Vehicle ego, EgoCar car, TrafficFlow traffic, IRe
         _before = ego.Pose.Position;
         Touch(EgoContact.Vehicle, traffic.TouchesVehicle());
         Touch(EgoContact.Parked, traffic.TouchesObstacle());
-        Touch(EgoContact.Pedestrian, Math.Max(ego.Speed, _speedBefore) > LeastSpeedAgainstPerson && TouchesPerson());
+        Touch(EgoContact.Pedestrian, Math.Max(ego.Speed, _speedBefore) > MinSpeedAgainstPerson && TouchesPerson());
         _speedBefore = ego.Speed;
         FollowPath(timeSeconds);
     }

@@ -5,7 +5,7 @@ namespace Harvester.Simulation.Traffic;
 /// <summary>What a driver sees before it changes lanes: the lanes beside its own, and the gaps in them.</summary>
 internal sealed class LaneTravel(LaneGraph lanes)
 {
-    private const double LeastGap = 7;
+    private const double MinGap = 7;
     private const double SecondsAhead = 1.2;
     private const double SecondsBehind = 2;
 
@@ -34,7 +34,7 @@ internal sealed class LaneTravel(LaneGraph lanes)
         double ahead = other.DistanceOn(lane) - own;
         double speed = other.SpeedOn(lane);
         return ahead >= 0
-            ? ahead - other.RearOverhang - vehicle.FrontOverhang > LeastGap + (SecondsAhead * System.Math.Max(0, vehicle.Speed - speed))
-            : -ahead - other.FrontOverhang - vehicle.RearOverhang > LeastGap + (SecondsBehind * System.Math.Max(0, speed - vehicle.Speed));
+            ? ahead - other.RearOverhang - vehicle.FrontOverhang > MinGap + (SecondsAhead * System.Math.Max(0, vehicle.Speed - speed))
+            : -ahead - other.FrontOverhang - vehicle.RearOverhang > MinGap + (SecondsBehind * System.Math.Max(0, speed - vehicle.Speed));
     }
 }

@@ -17,7 +17,7 @@ internal sealed class Population
     private const double FromKerb = 1.15;
 
     /// <summary>How far the ends of a parked body may reach into the lane in a bend, beyond its middle, metres.</summary>
-    private const double MostIntoLane = 1;
+    private const double MaxIntoLane = 1;
 
     /// <summary>Around a place that is visited, metres, there are more vehicles and people: most labels are of what is near.</summary>
     private const double NearEgo = 100;
@@ -249,7 +249,7 @@ internal sealed class Population
         bool IsFree(double end)
         {
             double bend = (road.Curve.PositionAt(Math.Clamp(end, 0, road.Length)) - middle).Dot(right);
-            return (onRight ? bend : -bend) <= MostIntoLane;
+            return (onRight ? bend : -bend) <= MaxIntoLane;
         }
     }
 

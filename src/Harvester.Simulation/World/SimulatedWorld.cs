@@ -25,7 +25,7 @@ internal sealed class SimulatedWorld
     private const double SecondsToMarking = 1.5;
 
     /// <summary>After so long the ego need not drift: it may wait at a light or follow a lane too narrow for it.</summary>
-    private const double MostSecondsToDrift = 25;
+    private const double MaxSecondsToDrift = 25;
 
     private readonly List<Prop> _entities;
     private readonly List<Vehicle> _vehicles;
@@ -133,14 +133,14 @@ internal sealed class SimulatedWorld
         ]);
         if (options.IsWarm)
         {
-            const double leastSeconds = 5;
+            const double minSeconds = 5;
             const double moreSeconds = 10;
             BuildTrees();
-            Advance(leastSeconds + (moreSeconds * new Random(seed).NextDouble()));
+            Advance(minSeconds + (moreSeconds * new Random(seed).NextDouble()));
             if (place % 2 == 1)
             {
                 Car.Prompt(place % 4 == 1 ? -1 : 1);
-                for (double waited = 0; Car.IsPrompted && waited < MostSecondsToDrift; waited += MaxTick)
+                for (double waited = 0; Car.IsPrompted && waited < MaxSecondsToDrift; waited += MaxTick)
                 {
                     Advance(MaxTick);
                 }
@@ -306,18 +306,18 @@ internal sealed class SimulatedWorld
     public List<LightSource> LightsNear(Vector3D eye)
     {
         const double range = 120;
-        const int mostLamps = 14;
-        const int mostVehicles = 8;
+        const int maxLamps = 14;
+        const int maxVehicles = 8;
         const double lampAhead = 2;
         IEnumerable<LightSource> lamps = _lamps
             .Where(lamp => (lamp - eye).Length < range)
             .OrderBy(lamp => (lamp - eye).LengthSquared)
-            .Take(mostLamps)
+            .Take(maxLamps)
             .Select(LightSource.StreetLamp);
         IEnumerable<LightSource> headlights = Vehicles
             .Where(vehicle => (vehicle.Pose.Position - eye).Length < range)
             .OrderBy(vehicle => (vehicle.Pose.Position - eye).LengthSquared)
-            .Take(mostVehicles)
+            .Take(maxVehicles)
             .Select(vehicle => LightSource.Headlights(vehicle.Pose.ToWorld(new Vector3D(0, lampAhead, 0)), vehicle.Pose.Axes.Forward));
         return [.. lamps, .. headlights];
     }

@@ -10,10 +10,10 @@ namespace Harvester.Cli.Tests.Commands;
 /// <summary>The figures required of a harvest with the defaults, as harvester stats reports them.</summary>
 public sealed partial class DefaultHarvestTests
 {
-    private const double LeastActivePercent = 5;
-    private const double LeastDeviationMetres = 0.5;
-    private const double LeastAngleRadians = 0.2;
-    private const double MostSmallPercent = 50;
+    private const double MinActivePercent = 5;
+    private const double MinDeviationMetres = 0.5;
+    private const double MinAngleRadians = 0.2;
+    private const double MaxSmallPercent = 50;
     private const int SeedWithRoomForLaneChanges = 1;
 
     [Theory]
@@ -59,13 +59,13 @@ public sealed partial class DefaultHarvestTests
 
         double[] active = [.. ActiveShare().Matches(stats).Select(match => Number(match.Groups[1].Value))];
         Assert.Equal(13, active.Length);
-        Assert.True(active.Min() >= LeastActivePercent, stats);
-        Assert.InRange(Number(Deviation().Match(stats).Groups[1].Value), LeastDeviationMetres, 10);
-        Assert.InRange(Number(SmallShare().Match(stats).Groups[1].Value), 0, MostSmallPercent);
+        Assert.True(active.Min() >= MinActivePercent, stats);
+        Assert.InRange(Number(Deviation().Match(stats).Groups[1].Value), MinDeviationMetres, 10);
+        Assert.InRange(Number(SmallShare().Match(stats).Groups[1].Value), 0, MaxSmallPercent);
         Assert.Contains("classes without labels: none\n", stats, StringComparison.Ordinal);
 
         FrameLabel[] labels = [.. new SessionReader(session).ReadLabels()];
-        Assert.Contains(labels, label => Math.Abs(label.Lanes!.Indicators.Angle.Value) >= LeastAngleRadians);
+        Assert.Contains(labels, label => Math.Abs(label.Lanes!.Indicators.Angle.Value) >= MinAngleRadians);
         Assert.Equal(10, labels.Select(label => label.Place).Distinct().Count());
         return labels;
     }

@@ -60,10 +60,10 @@ public sealed class HarvestFactorTests(ITestOutputHelper output)
         );
     }
 
-    private void AssertGrowth(string option, double[] measured, double mostWithout)
+    private void AssertGrowth(string option, double[] measured, double maxWithout)
     {
         output.WriteLine($"{option} none, default, most: {string.Join(", ", measured.Select(value => value.ToString("F3")))}");
-        Assert.InRange(measured[0], 0, mostWithout);
+        Assert.InRange(measured[0], 0, maxWithout);
         Assert.True(measured[1] > measured[0], "The default has no more than none.");
         Assert.True(measured[2] > Growth * measured[1], "The greatest factor has hardly more than the default.");
     }

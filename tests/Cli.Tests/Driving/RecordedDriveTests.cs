@@ -135,10 +135,10 @@ public sealed class RecordedDriveTests
     [Theory]
     [InlineData("stanley", 10)]
     [InlineData("deepdriving", 20)]
-    public void Controller_tells_what_it_aims_at(string controller, double mostSpeed)
+    public void Controller_tells_what_it_aims_at(string controller, double maxSpeed)
     {
         using TemporaryFolder folder = new();
-        Drive(folder, "drive", "--distance", "60", "--controller", controller, "--traffic", "0", "--speed", $"{mostSpeed}");
+        Drive(folder, "drive", "--distance", "60", "--controller", controller, "--traffic", "0", "--speed", $"{maxSpeed}");
         JsonElement[] lines = Lines(folder.PathOf("drive-session"));
 
         Assert.All(
@@ -147,8 +147,8 @@ public sealed class RecordedDriveTests
                 Assert.Equal(Driver(line) != "controller", line.GetProperty("drive").GetProperty("target").ValueKind == JsonValueKind.Null)
         );
         JsonElement[] driven = [.. lines.Where(line => Driver(line) == "controller")];
-        Assert.All(driven, line => Assert.InRange(Number(Target(line), "speed"), 0.1, mostSpeed));
-        Assert.Contains(driven, line => Number(Target(line), "speed") > 0.9 * mostSpeed);
+        Assert.All(driven, line => Assert.InRange(Number(Target(line), "speed"), 0.1, maxSpeed));
+        Assert.Contains(driven, line => Number(Target(line), "speed") > 0.9 * maxSpeed);
 
         // The car keeps to the middle of its lane within a few decimetres, and the line to steer to is that middle.
         JsonElement[] aimed = [.. driven.Where(line => Target(line).GetProperty("rightMetres").ValueKind == JsonValueKind.Number)];

@@ -89,11 +89,11 @@ public sealed class TenKilometresTests
         return DriveFigures.Of(drives.Samples);
     }
 
-    private static void AssertClean(DriveFigures figures, int mostDepartures = 0)
+    private static void AssertClean(DriveFigures figures, int maxDepartures = 0)
     {
         string all = string.Join("; ", figures.Rows().Select(row => $"{row.Name}: {row.Value}"));
         Assert.True(figures.JudgedMetres >= Demanded, all);
-        Assert.InRange(figures.LaneDepartures, 0, mostDepartures);
+        Assert.InRange(figures.LaneDepartures, 0, maxDepartures);
         Assert.True(figures is { Collisions: 0, CollisionsOfOwnDriver: 0, CollisionsOfOwnDriverInJunctions: 0 }, all);
     }
 }

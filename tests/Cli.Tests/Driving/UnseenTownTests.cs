@@ -12,7 +12,7 @@ public sealed class UnseenTownTests
     /// <summary>
     /// Limit for noisy indicators: published are far fewer departures per kilometre; in three kilometres, a single one is about 0.4.
     /// </summary>
-    private const double MostDeparturesPerKilometre = 1;
+    private const double MaxDeparturesPerKilometre = 1;
 
     private static readonly int[] NumbersOfJobs = [1, 3];
 
@@ -27,7 +27,7 @@ public sealed class UnseenTownTests
 
         EventRate departures = Assert.Single(summary.Rates, rate => rate.Name == "lane departures");
         Assert.True(departures.Kilometres > 1.5, $"Only {departures.Kilometres} km were judged.");
-        Assert.InRange(departures.PerKilometre!.Value, 0, MostDeparturesPerKilometre);
+        Assert.InRange(departures.PerKilometre!.Value, 0, MaxDeparturesPerKilometre);
         Assert.All(["red lights", "stop signs"], name => Assert.Equal(0, Assert.Single(summary.Rates, rate => rate.Name == name).Events));
     }
 

@@ -22,7 +22,7 @@ public sealed class GuideTests
     private const string Origin = "The mod in the simulated game that tests it; not GTA V.";
     private const int Seed = 12;
     private const int TicksUntilSomethingDrives = 60;
-    private const int LeastRectanglesOfABox = 4;
+    private const int MinRectanglesOfABox = 4;
     private static readonly ImageSize Window = new(800, 600);
 
     private readonly HashSet<string> _shown = [];
@@ -50,7 +50,7 @@ public sealed class GuideTests
         UntilMessage(driver, "The camera is mounted");
         driver.Press(Keys.L);
         driver.Tick(TicksUntilSomethingDrives);
-        Assert.True(driver.Game.Drawn.Count > LeastRectanglesOfABox);
+        Assert.True(driver.Game.Drawn.Count > MinRectanglesOfABox);
         Assert.True(driver.Game.Drawn.Select(rectangle => rectangle.Colour).Distinct().Count() > 1);
         Draw(driver, scene, "2-boxes");
         driver.Press(Keys.L);

@@ -70,11 +70,11 @@ public sealed class TapeRecorderTests : IDisposable
     private TapeEntry[] RecordUntilItEnds(TapeOptions options, out long length)
     {
         const int callsOfATick = 1000;
-        const int mostTicks = 10_000;
+        const int maxTicks = 10_000;
         var random = new Random(7);
         using (var recorder = new TapeRecorder(options, _clock, _told.Add))
         {
-            for (int tick = 0; recorder.IsOn && tick < mostTicks; tick++)
+            for (int tick = 0; recorder.IsOn && tick < maxTicks; tick++)
             {
                 recorder.BeginEvent(null);
                 for (int i = 0; i < callsOfATick; i++)

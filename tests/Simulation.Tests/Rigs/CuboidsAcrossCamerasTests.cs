@@ -18,16 +18,16 @@ public sealed class CuboidsAcrossCamerasTests(ITestOutputHelper output)
     private const double Pixels = 1;
 
     /// <summary>The default options: a labelled object has a box of at least 16 square pixels with sides of at least 2.</summary>
-    private const int LeastPixels = 16;
-    private const int LeastSide = 2;
+    private const int MinPixels = 16;
+    private const int MinSide = 2;
 
     /// <summary>
     /// An object is labelled if a ray has met it. If a tenth of its box shows it, some of the rays through the box meet it.
     /// </summary>
-    private const double LeastShareShown = 0.1;
+    private const double MinShareShown = 0.1;
 
     /// <summary>Fewer cases would prove little.</summary>
-    private const int LeastCompared = 20;
+    private const int MinCompared = 20;
 
     [Fact]
     [Trait("Category", "Heavy")]
@@ -54,7 +54,7 @@ public sealed class CuboidsAcrossCamerasTests(ITestOutputHelper output)
         }
 
         output.WriteLine(FormattableString.Invariant($"{compared} cuboids, {sensitive} sensitive, at worst {worst:0.000} px"));
-        Assert.InRange(compared, LeastCompared, int.MaxValue);
+        Assert.InRange(compared, MinCompared, int.MaxValue);
         Assert.InRange(sensitive, compared / 2, compared);
         Assert.InRange(worst, 0, Pixels);
     }
@@ -79,7 +79,7 @@ public sealed class CuboidsAcrossCamerasTests(ITestOutputHelper output)
                     absent++;
                     Assert.False(labelled.ContainsKey(handle), which);
                 }
-                else if (shown >= LeastPixels && Math.Min(width, height) >= LeastSide && shown >= LeastShareShown * BoxArea(camera, cuboid))
+                else if (shown >= MinPixels && Math.Min(width, height) >= MinSide && shown >= MinShareShown * BoxArea(camera, cuboid))
                 {
                     required++;
                     Assert.True(labelled.ContainsKey(handle), which);
@@ -92,8 +92,8 @@ public sealed class CuboidsAcrossCamerasTests(ITestOutputHelper output)
         }
 
         output.WriteLine(FormattableString.Invariant($"{required} must be labelled, {absent} must not, {open} may be"));
-        Assert.InRange(required, LeastCompared, int.MaxValue);
-        Assert.InRange(absent, LeastCompared, int.MaxValue);
+        Assert.InRange(required, MinCompared, int.MaxValue);
+        Assert.InRange(absent, MinCompared, int.MaxValue);
         Assert.InRange(open, 0, required);
     }
 

@@ -13,7 +13,7 @@ public sealed class RigViewTests
     private const int RowsOfRounding = 1;
 
     /// <summary>One camera may see the upper end of an object beside a nearer one that hides it from the other.</summary>
-    private const double LeastShare = 0.8;
+    private const double MinShare = 0.8;
 
     private const int Seed = 3;
 
@@ -63,7 +63,7 @@ public sealed class RigViewTests
         int[] both = [.. left.Keys.Intersect(right.Keys)];
         Assert.NotEmpty(both);
         int same = both.Count(handle => Math.Abs(left[handle].Top - right[handle].Top) <= RowsOfRounding);
-        Assert.InRange(same, both.Length * LeastShare, both.Length);
+        Assert.InRange(same, both.Length * MinShare, both.Length);
     }
 
     private static RenderTarget Draw(RigHarvest moment, Rig rig, RigCamera camera)

@@ -14,27 +14,27 @@ namespace Harvester.Simulation.Tests.Semantics;
 public sealed class ClassMapTests(ITestOutputHelper output)
 {
     /// <summary>Classes with fewer pixels in all pictures together are not judged: 1 pixel in 10,000.</summary>
-    private const double LeastShare = 1e-4;
+    private const double MinShare = 1e-4;
 
     private const double MaxRayFraction = 0.02;
 
     [Fact]
     [Trait("Category", "Heavy")]
-    public void Classes_from_rays_are_those_of_the_picture() => Judge([17], 2, leastRoadAndSky: 0.95, leastMean: 0.85);
+    public void Classes_from_rays_are_those_of_the_picture() => Judge([17], 2, minRoadAndSky: 0.95, minMean: 0.85);
 
     [Theory]
     [Trait("Category", "Heavy")]
     [InlineData(301)]
     [InlineData(401)]
     public void Classes_from_rays_are_those_of_the_picture_in_20_frames(int seed) =>
-        Judge([seed, seed + 1, seed + 2, seed + 3], 5, leastRoadAndSky: 0.95, leastMean: 0.85);
+        Judge([seed, seed + 1, seed + 2, seed + 3], 5, minRoadAndSky: 0.95, minMean: 0.85);
 
-    private void Judge(int[] seeds, int frames, double leastRoadAndSky, double leastMean)
+    private void Judge(int[] seeds, int frames, double minRoadAndSky, double minMean)
     {
         long[] both = new long[SemanticClasses.Greatest + 1];
         long[] either = new long[both.Length];
         long[] shown = new long[both.Length];
-        double mostRays = 0;
+        double maxRays = 0;
         var options = new HarvestOptions
         {
             Image = new ImageSize(800, 600),
@@ -76,7 +76,7 @@ public sealed class ClassMapTests(ITestOutputHelper output)
                     }
 
                     double fraction = (double)frame.Label.ClassMap!.RaysCast / options.Image.PixelCount;
-                    mostRays = Math.Max(mostRays, fraction);
+                    maxRays = Math.Max(maxRays, fraction);
                     output.WriteLine(
                         $"seed {seed}, frame {frame.Label.Frame}: {fraction:P3} of the pixels as rays, mask {frame.Label.Rays!.Map}"
                     );
@@ -92,17 +92,17 @@ public sealed class ClassMapTests(ITestOutputHelper output)
             {
                 double iou = (double)both[value] / either[value];
                 output.WriteLine($"{(SemanticClass)value}: IoU {iou:F4}, {(double)shown[value] / all:P3} of the pixels");
-                if (shown[value] >= LeastShare * all)
+                if (shown[value] >= MinShare * all)
                 {
                     ious[(SemanticClass)value] = iou;
                 }
             }
         }
 
-        output.WriteLine($"mean IoU {ious.Values.Average():F4}; rays at most {mostRays:P3}");
-        Assert.True(mostRays <= MaxRayFraction, $"rays {mostRays:P3}");
-        Assert.True(ious[SemanticClass.Road] >= leastRoadAndSky, $"road {ious[SemanticClass.Road]:F4}");
-        Assert.True(ious[SemanticClass.Sky] >= leastRoadAndSky, $"sky {ious[SemanticClass.Sky]:F4}");
-        Assert.True(ious.Values.Average() >= leastMean, $"mean {ious.Values.Average():F4}");
+        output.WriteLine($"mean IoU {ious.Values.Average():F4}; rays at most {maxRays:P3}");
+        Assert.True(maxRays <= MaxRayFraction, $"rays {maxRays:P3}");
+        Assert.True(ious[SemanticClass.Road] >= minRoadAndSky, $"road {ious[SemanticClass.Road]:F4}");
+        Assert.True(ious[SemanticClass.Sky] >= minRoadAndSky, $"sky {ious[SemanticClass.Sky]:F4}");
+        Assert.True(ious.Values.Average() >= minMean, $"mean {ious.Values.Average():F4}");
     }
 }

@@ -56,7 +56,7 @@ public class TrafficTests
     [InlineData(8)]
     public void Tick_few_vehicles_get_stuck_in_two_minutes(int seed)
     {
-        const double mostOfAll = 0.1;
+        const double maxOfAll = 0.1;
         const double jumpMetres = 30;
         SimulatedWorld world = new(new SimulationOptions { Seed = seed });
         Vector3D[] before = [.. world.Vehicles.Select(vehicle => vehicle.Pose.Position)];
@@ -74,7 +74,7 @@ public class TrafficTests
             }
         }
 
-        Assert.True(stuck < mostOfAll * before.Length, $"{stuck} of {before.Length} vehicles got stuck.");
+        Assert.True(stuck < maxOfAll * before.Length, $"{stuck} of {before.Length} vehicles got stuck.");
     }
 
     private static void AssertApart(IReadOnlyList<Vehicle> vehicles)

@@ -90,12 +90,12 @@ public sealed class PopulationTests
     [Fact]
     public void Parked_vehicles_leave_the_lane_of_a_sharp_bend_free()
     {
-        const double mostIntoLane = 1;
+        const double maxIntoLane = 1;
         const double roundness = 0.15; // The road is a polygon; the curve through its corners is not quite a circle.
         double[] reaches = [.. Enumerable.Range(1, 20).SelectMany(ReachesOnRing)];
 
         Assert.True(reaches.Length > 20, $"{reaches.Length} vehicles on the inside of a ring");
-        Assert.InRange(reaches.Max(), mostIntoLane / 4, mostIntoLane + roundness);
+        Assert.InRange(reaches.Max(), maxIntoLane / 4, maxIntoLane + roundness);
     }
 
     [Fact]

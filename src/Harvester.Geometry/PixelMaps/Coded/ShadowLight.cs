@@ -3,13 +3,13 @@ namespace Harvester.Geometry.PixelMaps.Coded;
 /// <summary>
 /// What shadows in a frame look like. In a full shadow only the light of the sky is left, which is a fraction A of all light, channel by
 /// channel; less of it where the object also covers part of the sky. At the border some of the sun's light, B = 1 - A, remains. So a shaded
-/// pixel has the colour behind it times a·A + s·B, with a from <see cref="LeastSky"/> to 1 and s from 0 to 1. A is found where something
+/// pixel has the colour behind it times a·A + s·B, with a from <see cref="MinSky"/> to 1 and s from 0 to 1. A is found where something
 /// outside all silhouettes changes with an object.
 /// </summary>
 internal sealed class ShadowLight
 {
     /// <summary>Fraction of the sky's light that is left at least.</summary>
-    private const double LeastSky = 0.3;
+    private const double MinSky = 0.3;
 
     /// <summary>Deviation of shadows from this model, as a fraction of the light.</summary>
     private const double Slack = 0.02;
@@ -82,7 +82,7 @@ internal sealed class ShadowLight
         double determinant = (aa * bb) - (ab * ab);
         double sun = determinant > 1e-9 * aa * bb ? ((aa * by) - (ab * ay)) / determinant : 0;
         sun = Math.Max(0, Math.Min(1, sun));
-        double sky = Math.Max(LeastSky, Math.Min(1, (ay - (sun * ab)) / Math.Max(1e-9, aa)));
+        double sky = Math.Max(MinSky, Math.Min(1, (ay - (sun * ab)) / Math.Max(1e-9, aa)));
         sun = Math.Max(0, Math.Min(1, (by - (sky * ab)) / Math.Max(1e-9, bb)));
         Vector3D rest = shaded - (basisSky * sky) - (basisSun * sun);
         return InSurface - (Dot(rest, rest, weight) / 2);

@@ -11,7 +11,7 @@ internal sealed class MatteEdges(ScreenMatte matte, ScreenView view, ScreenColou
     private const int Rounds = 2;
 
     /// <summary>A larger share than this is the screen's pixel; so little more than half that noise does not decide.</summary>
-    private const double MostShare = 0.505;
+    private const double MaxShare = 0.505;
 
     /// <summary>The object's colour is looked for over this many rows and columns on each side.</summary>
     private const int Reach = 2;
@@ -34,7 +34,7 @@ internal sealed class MatteEdges(ScreenMatte matte, ScreenView view, ScreenColou
             {
                 for (int x = 0; x < matte.Width; x++)
                 {
-                    if (matte.At(x, y) == MatteState.Object && !IsInside(x, y) && ShareAt(x, y) > MostShare)
+                    if (matte.At(x, y) == MatteState.Object && !IsInside(x, y) && ShareAt(x, y) > MaxShare)
                     {
                         trimmed.Add((y * matte.Width) + x);
                     }

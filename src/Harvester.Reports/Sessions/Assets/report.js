@@ -172,7 +172,7 @@ async function begin() {
   if (state.frame) drawAll();
 }
 
-const redrawGrowth = 1.2; // What depends on all frames is drawn anew for so many more, so that a page that still reads stays responsive.
+const redrawGrowth = 1.2; // What depends on all frames is drawn again only after this growth, so that a page that still reads stays responsive.
 let drawnKnown = 0;
 
 /** Takes over that more frames are known. */
