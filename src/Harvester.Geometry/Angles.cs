@@ -23,6 +23,8 @@ public static class Angles
     /// <exception cref="ArgumentOutOfRangeException">The angle is not finite.</exception>
     public static double WrapHeadingDegrees(double degrees)
     {
+        // The remainder has the sign of the dividend. Adding 360 to a tiny negative one rounds to 360, which is 0; adding 0.0 turns -0 into
+        // 0.
         double wrapped = Guard.Finite(degrees, nameof(degrees)) % 360;
         wrapped = wrapped < 0 ? wrapped + 360 : wrapped;
         return wrapped >= 360 ? 0 : wrapped + 0.0;

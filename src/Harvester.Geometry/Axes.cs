@@ -77,6 +77,7 @@ public readonly record struct Axes
             return new Axes(right, forward, up);
         }
 
+        // Gram-Schmidt: forward is kept, right is made square to it, up follows from both.
         Vector3D unitForward = forward.Normalized();
         Vector3D unitRight = (right - (unitForward * right.Dot(unitForward))).Normalized();
         return new Axes(unitRight, unitForward, unitRight.Cross(unitForward));

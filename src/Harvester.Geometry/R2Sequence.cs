@@ -6,9 +6,9 @@ namespace Harvester.Geometry;
 /// </summary>
 internal static class R2Sequence
 {
-    /// <summary>The first power.</summary>
+    /// <summary>Step along the first axis: the inverse of the plastic number.</summary>
     public const double First = 0.7548776662466927;
 
-    /// <summary>The second power.</summary>
+    /// <summary>Step along the second axis: the square of the first step.</summary>
     public const double Second = 0.5698402909980532;
 }

@@ -19,7 +19,7 @@ public readonly record struct Vector2D(double X, double Y)
     /// <summary>A vector scaled by a factor.</summary>
     public static Vector2D operator *(Vector2D a, double factor) => new(a.X * factor, a.Y * factor);
 
-    /// <summary>Inner product.</summary>
+    /// <summary>Inner product: x·x' + y·y'.</summary>
     public double Dot(Vector2D other) => (X * other.X) + (Y * other.Y);
 
     /// <summary>

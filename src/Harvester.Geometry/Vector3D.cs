@@ -9,7 +9,7 @@ namespace Harvester.Geometry;
 /// <param name="Z">Third component.</param>
 public readonly record struct Vector3D(double X, double Y, double Z)
 {
-    /// <summary>The origin.</summary>
+    /// <summary>The vector (0, 0, 0).</summary>
     public static Vector3D Zero => default;
 
     /// <summary>Whether all components are finite.</summary>
@@ -39,7 +39,7 @@ public readonly record struct Vector3D(double X, double Y, double Z)
     /// <summary>A vector divided by a number.</summary>
     public static Vector3D operator /(Vector3D a, double divisor) => new(a.X / divisor, a.Y / divisor, a.Z / divisor);
 
-    /// <summary>Inner product.</summary>
+    /// <summary>Inner product: x·x' + y·y' + z·z'.</summary>
     public double Dot(Vector3D other) => (X * other.X) + (Y * other.Y) + (Z * other.Z);
 
     /// <summary>Cross product, right-handed.</summary>

@@ -36,7 +36,7 @@ internal sealed class MarkerDetector
         _isDone = new bool[with.Size.PixelCount];
     }
 
-    /// <summary>Finds the balls.</summary>
+    /// <summary>Finds the balls in the difference of two pictures.</summary>
     /// <param name="without">The image without them.</param>
     /// <param name="with">The image with them, of the same size.</param>
     /// <param name="radiusPixels">Approximate radius of a ball, pixels.</param>
@@ -146,6 +146,8 @@ internal sealed class MarkerDetector
             {
                 double covered = Covered((y * _width) + x, colour);
                 area += covered;
+
+                // The centre is the mean of the pixels' centres, weighted by how much of each the ball covers.
                 moment += new Vector2D(x + 0.5, y + 0.5) * covered;
             }
         }
@@ -162,6 +164,8 @@ internal sealed class MarkerDetector
         }
 
         Vector3D before = Colour(_without, pixel);
+
+        // A pixel covered by the fraction f has the colour before + f·(ball - before); least squares give f.
         Vector3D whole = colour - before;
         double square = whole.LengthSquared;
         return square > 0 ? Math.Max(0, Math.Min(1, (Colour(_with, pixel) - before).Dot(whole) / square)) : 0;

@@ -32,7 +32,7 @@ internal static class ClassMapColours
     /// <summary>Fewer pixels of known paint do not show how bright paint is.</summary>
     private const int MinKnown = 30;
 
-    /// <summary>Completes the map.</summary>
+    /// <summary>Moves outlines to the edges of colours near them, then finds paint on roads.</summary>
     public static void Complete(InstanceMap map, InstanceMap? mask, PixelBuffer picture)
     {
         MoveOutlines(map, mask, picture);
@@ -120,6 +120,7 @@ internal static class ClassMapColours
 
         int pixel = (place.Row * map.Image.Width) + place.Column;
         return
+            // The pixel changes sides if the colours can be distinguished and its own is clearly nearer to the other one.
             ownColour.SquaredTo(otherColour) >= MinContrast
             && otherColour.SquaredTo(picture.Bytes, pixel) < Clearly * ownColour.SquaredTo(picture.Bytes, pixel)
             ? other
@@ -170,6 +171,8 @@ internal static class ClassMapColours
         }
 
         factors.Sort();
+
+        // The third quartile of known paint: much of it is worn, or drawn beside where it is by a pixel.
         return (1 + factors[factors.Count * 3 / 4]) / 2;
     }
 

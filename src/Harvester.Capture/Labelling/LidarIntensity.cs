@@ -9,6 +9,7 @@ namespace Harvester.Capture.Labelling;
 /// </summary>
 internal static class LidarIntensity
 {
+    /// <summary>Reflectivity of what has no entry in the table.</summary>
     private const double Usual = 0.3;
 
     /// <summary>The intensity of a return, 0 to 1.</summary>

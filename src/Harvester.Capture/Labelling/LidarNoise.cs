@@ -34,6 +34,8 @@ internal sealed class LidarNoise(RigLidar lidar, long gameFrame)
     private double Next()
     {
         _state = unchecked(_state + 0x9E3779B97F4A7C15);
+
+        // 53 bits, the precision of a double, times 2^-53.
         return (Mixed(_state) >> 11) * (1.0 / (1UL << 53));
     }
 

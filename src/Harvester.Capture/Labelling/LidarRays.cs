@@ -66,6 +66,8 @@ internal sealed class LidarRays
         LidarReturn? nearest = First(ray, reach, handle => !Array.Exists(_moving, entity => entity.Handle == handle));
         foreach (EntityState entity in _moving)
         {
+            // The game stands still at the moment, so instead of the object, moved back by velocity · time, the ray's origin is moved the
+            // other way.
             Vector3D way = entity.Velocity * TimeOf(column);
             if (
                 IsNear(ray, entity, way, nearest?.Hit.Distance ?? reach)
@@ -88,6 +90,8 @@ internal sealed class LidarRays
     {
         double radius = Math.Max(entity.ModelMin.Length, entity.ModelMax.Length);
         Vector3D centre = entity.Pose.Position + way - ray.Origin;
+
+        // The ray passes the object's sphere: |centre|² - (centre · direction)² ≤ radius², ahead of the origin and before the distance.
         double along = centre.Dot(ray.Direction);
         return along > -radius && along - radius < distance && centre.LengthSquared - (along * along) <= radius * radius;
     }

@@ -153,6 +153,8 @@ internal sealed class LidarScanner(RigLidar lidar, Pose mount, LabellingOptions 
     {
         for (int column = 0; column < lidar.Columns; column++)
         {
+            // Azimuth from -180°, straight behind, clockwise as seen from above; direction = (cos e sin a, cos e cos a, sin e): right,
+            // forward, up.
             double azimuth = (2 * Math.PI * column / lidar.Columns) - Math.PI;
             foreach (double degrees in lidar.BeamsDegrees)
             {

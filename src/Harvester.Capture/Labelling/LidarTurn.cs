@@ -12,7 +12,7 @@ namespace Harvester.Capture.Labelling;
 /// </summary>
 internal sealed class LidarTurn
 {
-    /// <summary>The first cells: columns and beams between their corners.</summary>
+    /// <summary>The first cells: columns and beams between their corners. Columns are many times as dense as beams.</summary>
     private const int FirstColumns = 24;
     private const int FirstBeams = 4;
 
@@ -38,6 +38,8 @@ internal sealed class LidarTurn
     public LidarTurn(RigLidar lidar, LidarRays rays)
     {
         (_lidar, _rays) = (lidar, rays);
+
+        // Rows of the grid are beams by elevation, whatever their order in the sensor, so that neighbouring rows see neighbouring places.
         _beams = [.. Enumerable.Range(0, lidar.BeamsDegrees.Count).OrderBy(beam => lidar.BeamsDegrees[beam])];
         _grid = new DepthGrid(new ImageSize(lidar.Columns, _beams.Length), (column, row) => rays.LineOf(column, _beams[row]))
         {
@@ -68,7 +70,12 @@ internal sealed class LidarTurn
             }
             else if (map.Metres[at] is > 0 and < double.PositiveInfinity && _returns.TryGetValue(map.Sources[at], out LidarReturn source))
             {
-                returns[column, _beams[row]] = source with { Hit = source.Hit with { Distance = map.Metres[at] }, IsInterpolated = true };
+                // What was hit is that of the sample whose surface gives the depth; only the distance is new.
+                returns[column, _beams[row]] = source with
+                {
+                    Hit = source.Hit with { Distance = map.Metres[at] },
+                    IsInterpolated = true,
+                };
             }
         }
 
@@ -79,6 +86,7 @@ internal sealed class LidarTurn
     private static int FirstRaysOf(RigLidar lidar) =>
         CornersOf(lidar.Columns, FirstColumns) * CornersOf(lidar.BeamsDegrees.Count, FirstBeams);
 
+    // Cells of a side over n places: ⌈(n - 1) / side⌉ = (n - 2) / side + 1 of them, with one corner more.
     private static int CornersOf(int places, int side) => ((places - 2) / side) + 2;
 
     private DepthSample Sample(int column, int row)
@@ -89,6 +97,8 @@ internal sealed class LidarTurn
         }
 
         _returns[_grid.At(column, row)] = met;
+
+        // All planes are in the frame of the sensor at the end of its turn, so that samples of moving sensors agree.
         Vector3D point = _grid.LineOf(column, row).At(met.Hit.Distance);
         return new DepthSample(met.Hit.Distance, SurfacePlane.Of(point, _rays.Sensor.Axes.ToLocal(met.Normal)), met.Hit.Entity, 0);
     }

@@ -67,6 +67,7 @@ internal sealed class RoadBrightness
                 }
             }
 
+            // The value of the given rank: paint is the brightest part of the road and does not change it.
             around.Sort();
             _levels[block] = around.Count >= MinPixels ? around[(int)(rank * (around.Count - 1))] : null;
         }

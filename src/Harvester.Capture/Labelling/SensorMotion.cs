@@ -16,7 +16,7 @@ internal sealed class SensorMotion(EgoState ego, Pose mount)
 
     private readonly double _yawRate = ego.Motion?.YawRate ?? 0;
 
-    /// <summary>The sensor's pose.</summary>
+    /// <summary>The sensor's pose in the world at a time near the moment.</summary>
     /// <param name="seconds">Time since the moment, seconds; negative before it.</param>
     public Pose At(double seconds)
     {
@@ -26,7 +26,7 @@ internal sealed class SensorMotion(EgoState ego, Pose mount)
         Vector3D way = velocity * seconds;
         if (Math.Abs(turn) > MinTurn)
         {
-            // The integral of the turning velocity: sin(wt)/w along it, and (1 - cos(wt))/w to its left.
+            // The integral of the turning velocity: sin(ωt) / ω along it, and (1 - cos(ωt)) / ω to its left.
             double ahead = sine / _yawRate;
             double left = (1 - cosine) / _yawRate;
             way = new Vector3D(

@@ -59,7 +59,7 @@ internal sealed class SelfTestContext(HarvestOptions options, GamePorts game)
         }
     }
 
-    /// <summary>Grabs a picture.</summary>
+    /// <summary>Grabs the picture that the game shows now.</summary>
     /// <exception cref="SelfTestException">The picture cannot be used.</exception>
     public PixelBuffer Grab()
     {

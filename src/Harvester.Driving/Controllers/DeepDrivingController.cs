@@ -86,6 +86,9 @@ public sealed class DeepDrivingController : IAimingController
         double ahead = at.DistMM.Value - _vehicleAllowance;
         bool isBlocked = _manoeuvre == LaneManoeuvre.Keep && ahead < BlockedWithinMetres && !TryChangeLane(at);
         double damping = Steer(at, out double centre);
+
+        // The published law: the angle between road and car minus the distance of the line in road widths, as a fraction of the full lock,
+        // divided by a damping that depends on the manoeuvre.
         double angle = _road?.At(0).Angle ?? at.Angle.Value;
         double steering = (angle - (centre / RoadWidth)) / SteeringLockRadians / damping;
         if (_manoeuvre == LaneManoeuvre.Keep && damping > 1 && steering > 0.1)
@@ -102,6 +105,8 @@ public sealed class DeepDrivingController : IAimingController
 
     private DrivingControls Controls(double steering, DrivingState state, double maxBehind)
     {
+        // The more it has steered in the last half second, the slower, from 20 m/s down to 10 m/s; 10 m/s and 4.5 are the published
+        // constants.
         double desired = state.IsFast ? MaxSpeed : Math.Max(10, MaxSpeed - (4.5 * Math.Abs(_steerings.Sum())));
         double wanted = Math.Min(Math.Min(desired, _maxSpeed), maxBehind);
         Target = new DriveTarget(wanted, null);
@@ -116,7 +121,10 @@ public sealed class DeepDrivingController : IAimingController
         return error >= 0 ? new DrivingControls(onWheel, 0.2 * (error + 1), 0) : new DrivingControls(onWheel, 0, 0.1 * -error);
     }
 
-    /// <summary>The speed behind a vehicle at a distance: 0 at 5 m, 15 m/s at 15 m.</summary>
+    /// <summary>
+    /// The speed behind a vehicle at a distance by the optimal-velocity model, v = v_max (1 - e^(-c d / v_max - d0)) with the published c =
+    /// 2.772 and d0 = -0.693: 0 at 5 m, 15 m/s at 15 m.
+    /// </summary>
     private static double SpeedBehind(double distance)
     {
         const double c = 2.772;
@@ -149,6 +157,8 @@ public sealed class DeepDrivingController : IAimingController
     /// <summary>Finds the line to steer towards, metres to the right of the car, and the damping.</summary>
     private double Steer(LaneIndicators at, out double centre)
     {
+        // The middle between two markings is the mean of the distances to both: of the car's lane, and of the lanes on either side of a
+        // marking that the car is on.
         bool isInLane = at.ToMarkingMR.Value - at.ToMarkingML.Value < MaxLaneWidth;
         bool isOnLeftMarking = at.ToMarkingL.Value > -5 && at.ToMarkingM.Value < 1.5;
         bool isOnRightMarking = at.ToMarkingR.Value < 5 && at.ToMarkingM.Value < 1.5;

@@ -55,6 +55,8 @@ public sealed class EmergencyBrake : IAimingController
             return controls;
         }
 
+        // Deceleration from v to v' over the way that is left: (v² - v'²) / (2 · way). Without any left, at least twice the comfortable
+        // one.
         double way = gap - StandingDistance;
         double needed =
             way <= 0

@@ -39,6 +39,9 @@ internal sealed class LaneTarget
     private double InLane(LaneIndicators at)
     {
         double own = (at.ToMarkingML.Value + at.ToMarkingMR.Value) / 2;
+
+        // While the own lane's centre has not jumped by half a lane, the car is still in the lane it leaves, and the target is the lane
+        // beside it.
         if (_boundFor < 0 && at.ToMarkingLL.IsValid && own > _lastLaneCentre - LaneWidth(at) / 2)
         {
             _lastLaneCentre = own;

@@ -8,6 +8,7 @@ namespace Harvester.Driving.Controllers;
 /// <param name="speedOfNewcomers">Assumed speed of a vehicle that has just come into sight, m/s; null for the car's own speed.</param>
 internal sealed class LeaderEstimate(double? speedOfNewcomers = null)
 {
+    /// <summary>Weight of a measured distance against the predicted one (the alpha of an alpha-beta filter).</summary>
     private const double GapWeight = 0.35;
 
     /// <summary>
@@ -57,12 +58,13 @@ internal sealed class LeaderEstimate(double? speedOfNewcomers = null)
         _framesWithout = 0;
         if (Gap is { } gap && Math.Abs(distance - gap) < OtherVehicle)
         {
+            // An alpha-beta filter: predict by the relative speed, then correct gap and speed by parts of the residual.
             double predicted = gap + ((Speed - ownSpeed) * seconds);
             double residual = distance - predicted;
             double weight = GapWeightAtRest + ((GapWeight - GapWeightAtRest) * Math.Min(1, ownSpeed / FullWeightSpeed));
             Gap = predicted + (weight * residual);
 
-            // The weight of the speed that fits that of the gap, without overshoot (Benedict and Bordner).
+            // The weight of the speed that fits that of the gap, without overshoot: β = α² / (2 - α) (Benedict and Bordner 1962).
             Speed = Math.Max(0, Speed + (weight * weight / (2 - weight) * residual / seconds));
         }
         else

@@ -10,17 +10,33 @@ namespace Harvester.Driving.Controllers;
 /// </summary>
 public sealed class PathFollower
 {
+    /// <summary>The path is driven when less than this is left of it, metres.</summary>
     private const double ReachedMetres = 3;
+
+    /// <summary>The point steered to is this far ahead at least, metres, and otherwise where the car is after this time, seconds.</summary>
     private const double MinAheadMetres = 5;
     private const double AheadSeconds = 0.8;
+
+    /// <summary>Length of the path in which the nearest point is looked for, metres.</summary>
     private const double SearchMetres = 30;
 
     /// <summary>Acceleration across the car that bends may cause, m/s².</summary>
     private const double MaxAcross = 3;
+
+    /// <summary>Deceleration before obstacles, m/s².</summary>
     private const double Braking = 3;
+
+    /// <summary>Acceleration per missing speed, 1/s.</summary>
     private const double SpeedGain = 1;
+
+    /// <summary>Half the width of the way that must be free, metres: that of a wide car and some room.</summary>
     private const double HalfWidth = 1.6;
+
+    /// <summary>Distance at which it stops before an obstacle, metres from its middle.</summary>
     private const double StandOff = 3;
+
+    /// <summary>Minimum curvature by which the speed in bends is divided, 1/m; it limits no speed.</summary>
+    private const double MinBend = 1e-6;
     private readonly CarTraits _car = new();
     private readonly Vector2D[] _points;
     private readonly double[] _distances;
@@ -72,10 +88,14 @@ public sealed class PathFollower
         Vector2D target = At(_along + ahead) - place;
         double forward = target.Dot(new Vector2D(pose.Axes.Forward.X, pose.Axes.Forward.Y));
         double left = -target.Dot(new Vector2D(pose.Axes.Right.X, pose.Axes.Right.Y));
+
+        // Pure pursuit: the circle through the car, along its heading, and the target has the curvature 2 · left / distance².
         double curvature = 2 * left / Math.Max(1, target.Dot(target));
         double wheel =
             forward < 0 ? Math.Sign(left) * _car.SteeringLockRadians : Math.Atan(_car.Wheelbase * curvature * _car.UndersteerAt(speed));
-        double wanted = Math.Min(_speed, Math.Sqrt(MaxAcross / Math.Max(1e-6, Math.Abs(curvature))));
+
+        // v² κ ≤ MaxAcross.
+        double wanted = Math.Min(_speed, Math.Sqrt(MaxAcross / Math.Max(MinBend, Math.Abs(curvature))));
         wanted = Math.Min(wanted, SpeedBefore(FreeMetres(pose, near)));
         double acceleration = SpeedGain * (wanted - speed);
         return new DrivingControls(
@@ -85,6 +105,7 @@ public sealed class PathFollower
         );
     }
 
+    // v² = 2 · braking · way.
     private static double SpeedBefore(double metres) => Math.Sqrt(2 * Braking * Math.Max(0, metres - StandOff));
 
     /// <summary>How far the way straight ahead is free, metres from the car's middle.</summary>

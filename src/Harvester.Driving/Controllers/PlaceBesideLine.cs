@@ -40,6 +40,7 @@ internal sealed class PlaceBesideLine
     /// </summary>
     public double BendOfLane(double curvature) => curvature / WayByLine(curvature, _laneRightOfLine);
 
+    // A circle of radius 1 / κ about a point to the left, driven on at the distance d to the right of it, is longer by 1 + κ d.
     private static double WayByLine(double curvature, double rightOfLine) =>
         Math.Max(MinOfLine, Math.Min(MaxOfLine, 1 + (curvature * rightOfLine)));
 }

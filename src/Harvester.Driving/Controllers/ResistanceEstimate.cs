@@ -30,6 +30,7 @@ internal sealed class ResistanceEstimate
         double asked = inForce ?? _asked;
         if (_speed is { } before && asked > 0)
         {
+            // Resistance = acceleration asked for minus acceleration seen; the filter follows a fall faster than a rise.
             double missing = asked - ((speed - before) / seconds);
             Value = Math.Max(0, Math.Min(Largest, Value + ((missing > Value ? Rise : Fall) * (missing - Value))));
         }

@@ -68,6 +68,7 @@ internal sealed class RoadAhead(double lookAheadMetres, double periodSeconds, Ca
     /// <summary>Curvature of the car's path, while the wheels turn towards the requested angle.</summary>
     private double CurvatureOfCar(double speed)
     {
+        // The wheels turn towards the requested angle at a limited rate; the curvature is that of their mean angle in the period.
         double most = car.SteeringRate * periodSeconds;
         double before = _wheelAngle;
         double wanted = Math.Max(-car.SteeringLockRadians, Math.Min(car.SteeringLockRadians, RequestedWheelAngle));

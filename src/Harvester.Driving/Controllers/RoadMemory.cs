@@ -17,6 +17,7 @@ internal sealed class RoadMemory(double lookAheadMetres)
     /// <summary>Added to the variance of the positions, m²: too few of them show no bend.</summary>
     private const double SpreadOfNone = 2;
 
+    /// <summary>Distance between the positions of the assumed road at the start, metres.</summary>
     private const double SeedStep = 1;
 
     private readonly double _lookAheadMetres =
@@ -60,6 +61,7 @@ internal sealed class RoadMemory(double lookAheadMetres)
             (double Station, double Heading, int Frames) place = _seen[last];
             _seen[last] = place with
             {
+                // Running mean over the frames at this position.
                 Heading = ((place.Heading * place.Frames) + heading) / (place.Frames + 1),
                 Frames = place.Frames + 1,
             };
@@ -97,6 +99,9 @@ internal sealed class RoadMemory(double lookAheadMetres)
 
         meanStation /= count;
         meanHeading /= count;
+
+        // Regression of the heading over the station: its slope is the curvature, Σ(s - s̄)(h - h̄) / Σ(s - s̄)², drawn towards 0 by the
+        // constant in the denominator.
         double spread = SpreadOfNone;
         double common = 0;
         foreach ((double place, double heading, _) in _seen)

@@ -12,6 +12,7 @@ namespace Harvester.Driving.Controllers;
 /// </summary>
 public sealed class StanleyController : IAimingController
 {
+    /// <summary>Number of frames for which the neighbouring lane must have been free: 3 s at 0.1 s.</summary>
     private const int FramesToClear = 30;
 
     /// <summary>
@@ -24,7 +25,32 @@ public sealed class StanleyController : IAimingController
 
     /// <summary>Wanted deceleration from which the resistance no longer reduces the braking, m/s².</summary>
     private const double FullyBrakes = 1;
+
+    /// <summary>Distance between the points ahead at which the bend limits the speed, metres.</summary>
     private const double BendStep = 2;
+
+    /// <summary>
+    /// A vehicle nearer than this blocks the lane at any speed, metres: at low speed the distance by time would be less than what cars keep
+    /// to each other when they stand.
+    /// </summary>
+    private const double MinBlockedWithin = 20;
+
+    /// <summary>From this fraction of the cruise speed on, the vehicle ahead does not hold the car up.</summary>
+    private const double HardlyHeldUp = 0.9;
+
+    /// <summary>Exponent of the free acceleration, δ = 4 in Treiber, Hennecke and Helbing (2000).</summary>
+    private const double FreeExponent = 4;
+
+    /// <summary>Deceleration per speed over the wanted one, 1/s. The free term of the model would brake with the fourth power.</summary>
+    private const double ExcessGain = 2;
+
+    /// <summary>
+    /// Minimum of the gap in the interaction term, metres: the estimate may be 0 or less, and the pedals are limited anyway.
+    /// </summary>
+    private const double MinGap = 0.5;
+
+    /// <summary>Minimum curvature by which the speed in bends is divided, 1/m: a radius of 1,000 km, which limits no speed.</summary>
+    private const double MinBend = 1e-6;
     private readonly StanleyOptions _options;
     private readonly LaneTarget _lane = new();
     private readonly LaneClearance _left = new();
@@ -74,6 +100,8 @@ public sealed class StanleyController : IAimingController
             ? (pedals.Throttle * _options.Car.FullThrottle) - (pedals.Brake * _options.Car.FullBraking)
             : null;
         _resistance.Observe(state.SpeedMetresPerSecond, _options.PeriodSeconds, inForce);
+
+        // 1 while accelerating, falling linearly to 0 at a deceleration of FullyBrakes: the resistance helps to brake.
         double share = Math.Max(0, Math.Min(1, 1 + (acceleration / FullyBrakes)));
         double asked = Math.Min(_options.Car.FullThrottle, acceleration + (share * _resistance.Value));
         _resistance.Ask(asked);
@@ -85,6 +113,9 @@ public sealed class StanleyController : IAimingController
         // If the car points to the right of the road, it moves to the right, and the middle of the lane moves to its left.
         double? predicted = _centre - (speed * _options.PeriodSeconds * Math.Sin(_road.At(0).Angle));
         double? measured = _lane.Centre(at);
+
+        // First-order filter: predicted + weight · (measured - predicted). A difference of more than half a lane is another lane, not
+        // noise.
         double laneWidth = at.ToMarkingMR.Value - at.ToMarkingML.Value;
         bool jumped = measured is { } there && predicted is { } expected && Math.Abs(there - expected) > laneWidth / 2;
         _centre =
@@ -94,12 +125,12 @@ public sealed class StanleyController : IAimingController
     private void ConsiderLaneChange(DrivingState state)
     {
         LaneIndicators at = state.Indicators;
-        double blockedWithin = Math.Max(20, state.SpeedMetresPerSecond * _options.BlockedWithinSeconds);
+        double blockedWithin = Math.Max(MinBlockedWithin, state.SpeedMetresPerSecond * _options.BlockedWithinSeconds);
         if (
             _lane.BoundFor != 0
             || !(_leader.Gap < blockedWithin)
             || state.SpeedMetresPerSecond < SlowestToChange
-            || state.SpeedMetresPerSecond > 0.9 * _options.CruiseSpeed
+            || state.SpeedMetresPerSecond > HardlyHeldUp * _options.CruiseSpeed
         )
         {
             return;
@@ -120,6 +151,9 @@ public sealed class StanleyController : IAimingController
     private double WheelAngle(double speed)
     {
         double angle = _road.At(0).Angle;
+
+        // Stanley's law (Hoffmann, Tomlin, Montemerlo and Thrun 2007): heading error + atan(k e / (k_soft + v)) + wheel angle for the bend.
+        // The middle of the lane to the right of the car, e > 0, turns the wheels to the right, which is negative.
         double error = Math.Max(-_options.MaxLateralError, Math.Min(_options.MaxLateralError, _centre ?? 0));
         double lateral = Math.Atan2(-_options.LateralGain * error, speed + _options.SofteningSpeed);
         lateral = Math.Max(-_options.MaxLateralAngle, Math.Min(_options.MaxLateralAngle, lateral));
@@ -131,15 +165,18 @@ public sealed class StanleyController : IAimingController
     {
         double speed = state.SpeedMetresPerSecond;
         double wanted = TargetSpeed(state);
+
+        // a (1 - (v / v0)^4) up to the wanted speed; above it, braking in proportion to the excess.
         double free =
             speed <= wanted
-                ? _options.Acceleration * (1 - Math.Pow(speed / wanted, 4))
-                : -Math.Min(_options.Car.FullBraking, 2 * (speed - wanted));
+                ? _options.Acceleration * (1 - Math.Pow(speed / wanted, FreeExponent))
+                : -Math.Min(_options.Car.FullBraking, ExcessGain * (speed - wanted));
         if (_leader.Gap is { } gap)
         {
+            // s* = s0 + max(0, v T + v Δv / (2 √(a b))), and the interaction is a (s* / s)².
             double closing = speed * (speed - _leader.Speed) / (2 * Math.Sqrt(_options.Acceleration * _options.Braking));
             double kept = _options.StandingDistance + Math.Max(0, (speed * _options.TimeGap) + closing);
-            double share = kept / Math.Max(0.5, gap);
+            double share = kept / Math.Max(MinGap, gap);
             free -= _options.Acceleration * share * share;
         }
 
@@ -152,7 +189,8 @@ public sealed class StanleyController : IAimingController
         double wanted = state.IsFast ? _options.CruiseSpeed : _options.CautiousSpeed;
         for (double ahead = 0; ahead <= _options.LookAheadMetres; ahead += BendStep)
         {
-            double bend = Math.Max(1e-6, Math.Abs(_road.At(ahead).Curvature));
+            // In the bend v² κ ≤ lateral acceleration; at a distance s before it, v² = a_lat / κ + 2 b s.
+            double bend = Math.Max(MinBend, Math.Abs(_road.At(ahead).Curvature));
             wanted = Math.Min(wanted, Math.Sqrt((_options.LateralAcceleration / bend) + (2 * _options.Braking * ahead)));
         }
 

@@ -12,7 +12,7 @@ public sealed record Cuboid
     /// <summary>Number of edges of a cuboid.</summary>
     internal const int EdgeCount = 12;
 
-    /// <summary>Creates a cuboid.</summary>
+    /// <summary>Creates a cuboid from its centre, half extents and axes.</summary>
     /// <param name="centre">Its centre in the world, metres.</param>
     /// <param name="halfExtents">Half of its size along right, forward and up, metres; each 0 or more (a plate has one 0).</param>
     /// <param name="axes">Its orientation.</param>
@@ -60,7 +60,7 @@ public sealed record Cuboid
     /// <summary>Half of the size along right, forward and up, metres.</summary>
     public Vector3D HalfExtents { get; }
 
-    /// <summary>Orientation.</summary>
+    /// <summary>Orientation: the directions of right, forward and up in the world.</summary>
     public Axes Axes { get; }
 
     /// <summary>
@@ -129,6 +129,7 @@ public sealed record Cuboid
 
     private static bool Slab(double origin, double direction, double half, ref double entry, ref double exit)
     {
+        // A ray parallel to a pair of faces never crosses them: it is between them throughout, or it misses.
         if (direction == 0)
         {
             return Math.Abs(origin) <= half;

@@ -61,6 +61,8 @@ public static class CuboidProjector
         }
 
         SetOutline(buffers, camera);
+
+        // A camera inside the cuboid sees it everywhere; the outline of the part in front of it need not reach the image's corners.
         if (isAround)
         {
             outline.Add(new Vector2D(image.XMin, image.YMin));
@@ -78,6 +80,7 @@ public static class CuboidProjector
             inImage.SetClipped(outline, image, buffers.Hull);
         }
 
+        // Truncated fraction = 1 - area in the image / area of the whole outline.
         double area = outline.Area();
         double areaInImage = inImage.Area();
 
@@ -171,6 +174,8 @@ public static class CuboidProjector
 
     private static Vector3D AtNearPlane(Vector3D front, Vector3D behind, double near)
     {
+        // Depth falls linearly along the edge: front + t·(behind - front) is at the near plane for t = (front.Y - near) / (front.Y -
+        // behind.Y).
         Vector3D crossing = front + ((behind - front) * ((front.Y - near) / (front.Y - behind.Y)));
         return crossing with { Y = near };
     }

@@ -53,10 +53,12 @@ internal static class DistortedOutline
         Vector2D nearest = from - (along * first);
         for (double place = first; place < first + length || place == first; place += Stride(place, radius))
         {
+            // place runs along the side's line from its point nearest to the axis.
             Vector2D point = nearest + (along * place);
             outline.Add(camera.PixelOf(new Vector3D(point.X, 1, -point.Y)));
         }
     }
 
+    // Pieces of equal length in the image; outside, where only the side's course matters, half of the distance from it.
     private static double Stride(double place, double radius) => Math.Max(radius / PiecesToCorner, (Math.Abs(place) - radius) / 2);
 }

@@ -64,6 +64,7 @@ internal sealed class PointBuffer
             return;
         }
 
+        // The lower chain from left to right, then the upper one back; each chain's last point begins the next and is dropped.
         for (int i = 0; i < points.Count; i++)
         {
             AddToChain(points[i], 0);
@@ -85,6 +86,7 @@ internal sealed class PointBuffer
         for (int i = 0; i < Count; i++)
         {
             // Relative to the first corner, so that polygons far from the origin keep their precision.
+            // Shoelace formula: twice the area is the sum of the cross products of neighbouring corners.
             doubled += (_points[i] - _points[0]).Cross(_points[(i + 1) % Count] - _points[0]);
         }
 
@@ -150,6 +152,7 @@ internal sealed class PointBuffer
                 Add(current);
             }
 
+            // The distance changes linearly from a to b along the side and is 0 at the fraction a / (a - b).
             if ((a > 0 && b < 0) || (a < 0 && b > 0))
             {
                 Add(current + ((next - current) * (a / (a - b))));
@@ -186,6 +189,7 @@ internal sealed class PointBuffer
 
     private void AddToChain(Vector2D point, int start)
     {
+        // The chain turns left everywhere: a last corner where it turns right or goes straight on is no corner of the hull.
         while (Count >= start + 2 && (_points[Count - 1] - _points[Count - 2]).Cross(point - _points[Count - 1]) <= 0)
         {
             Count--;

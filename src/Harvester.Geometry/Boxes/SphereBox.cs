@@ -49,6 +49,8 @@ public static class SphereBox
     /// <summary>The slopes of the two lines through the origin that touch a circle.</summary>
     private static (double Low, double High) Tangents(double aside, double depth, double radius)
     {
+        // Seen in the plane of one image axis, the sphere is a circle at the angle direction and distance d; tangents through the eye are
+        // asin(radius / d) to either side of it.
         double direction = Math.Atan2(aside, depth);
         double half = Math.Asin(radius / Math.Sqrt((aside * aside) + (depth * depth)));
         return (Math.Tan(direction - half), Math.Tan(direction + half));

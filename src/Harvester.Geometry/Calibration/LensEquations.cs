@@ -30,6 +30,7 @@ internal sealed class LensEquations(CameraIntrinsics ideal)
 
     private static double[] Row(double focal, double offsetX, double offsetY, Vector2D point)
     {
+        // Derivatives of the pixel by s, ox, oy, s·k1 and s·k2.
         double q = point.Dot(point);
         return [focal, offsetX, offsetY, focal * q, focal * q * q];
     }

@@ -41,6 +41,7 @@ public sealed class MarkerPlan
             throw new ArgumentException("A grid of markers has at least 2 columns, 2 rows and a depth.");
         }
 
+        // Three radii: half of one for the displacement, and two and a half for the ball and the room around it.
         double margin = 3 * Guard.Positive(radiusPixels, nameof(radiusPixels));
         double stepX = (camera.Image.Width - (2 * margin)) / (columns - 1);
         double stepY = (camera.Image.Height - (2 * margin)) / (rows - 1);

@@ -8,6 +8,7 @@ namespace Harvester.Geometry.Calibration;
 /// </summary>
 public static class MisfitFinder
 {
+    /// <summary>Minimum fraction of the squared distances that a cause must explain to be named.</summary>
     private const double MinExplained = 0.5;
 
     private delegate Vector2D Pattern(Vector2D point, double depth);
@@ -16,8 +17,11 @@ public static class MisfitFinder
     // point.
     private static readonly (Misfit Cause, Pattern[] Patterns)[] Causes =
     [
+        // A wrong aspect ratio: x grows with x alone.
         (Misfit.Stretch, [static (point, _) => new Vector2D(point.X, 0)]),
+        // A small roll φ turns (x, y) by φ (-y, x).
         (Misfit.CameraRoll, [static (point, _) => new Vector2D(-point.Y, point.X)]),
+        // With the camera off by (a, b, c) to the right, down and ahead, a point moves by (-a + c x, -b + c y) / depth.
         (
             Misfit.CameraPosition,
             [
@@ -29,7 +33,7 @@ public static class MisfitFinder
         (
             Misfit.LensShape,
             [
-                // Brown's third radial term and the two tangential terms.
+                // Brown's third radial term, k3 r⁶ (x, y), and his tangential ones, p1 (2xy, r² + 2y²) and p2 (r² + 2x², 2xy).
                 static (point, _) => point * Math.Pow(point.Dot(point), 3),
                 static (point, _) => new Vector2D(2 * point.X * point.Y, point.Dot(point) + (2 * point.Y * point.Y)),
                 static (point, _) => new Vector2D(point.Dot(point) + (2 * point.X * point.X), 2 * point.X * point.Y),
@@ -37,7 +41,7 @@ public static class MisfitFinder
         ),
     ];
 
-    /// <summary>The likely cause.</summary>
+    /// <summary>The cause whose pattern explains most of the distances between sightings and projections.</summary>
     /// <param name="camera">The camera with the fitted lens.</param>
     /// <param name="sightings">The sightings used for the fit, and further ones if there are any.</param>
     /// <exception cref="ArgumentException">A point lies nearer than the near plane.</exception>
@@ -46,6 +50,8 @@ public static class MisfitFinder
         Guard.NotNull(camera, nameof(camera));
         Guard.NotNull(sightings, nameof(sightings));
         Residual[] residuals = [.. sightings.Select(sighting => Residual.Of(camera, sighting))];
+
+        // Without a pattern the lens parameters are fitted again, so that all causes start from the same sum.
         double all = LeftBy([], camera, residuals);
         (Misfit cause, double left) = Causes
             .Select(cause => (cause.Cause, Left: LeftBy(cause.Patterns, camera, residuals)))

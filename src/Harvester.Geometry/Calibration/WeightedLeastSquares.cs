@@ -27,6 +27,7 @@ internal sealed class WeightedLeastSquares
     {
         for (int i = 0; i < _count; i++)
         {
+            // Normal equations: Σ w·row·rowᵀ · p = Σ w·row·target; only the lower triangle is kept.
             _right[i] += weight * row[i] * target;
             for (int j = 0; j <= i; j++)
             {
@@ -43,6 +44,7 @@ internal sealed class WeightedLeastSquares
             return null;
         }
 
+        // With S the scales and L the factor, S·N·S = L·Lᵀ: solve L·y = S·right, then Lᵀ·z = y; the solution is S·z.
         var scaled = new double[_count];
         for (int i = 0; i < _count; i++)
         {
@@ -71,6 +73,7 @@ internal sealed class WeightedLeastSquares
     /// <summary>After <see cref="Solve"/>: the variance of row · p if each target has variance 1.</summary>
     public double VarianceOf(double[] row)
     {
+        // rowᵀ·N⁻¹·row = |L⁻¹·S·row|².
         var scaled = new double[_count];
         for (int i = 0; i < _count; i++)
         {
@@ -99,6 +102,7 @@ internal sealed class WeightedLeastSquares
             _scale[i] = 1 / Math.Sqrt(_normal[i, i]);
             for (int j = 0; j <= i; j++)
             {
+                // Cholesky, row by row: L[i,j] = (A[i,j] - Σ L[i,k]·L[j,k]) / L[j,j], and the root of the rest on the diagonal.
                 double rest = _normal[i, j] * _scale[i] * _scale[j];
                 for (int k = 0; k < j; k++)
                 {

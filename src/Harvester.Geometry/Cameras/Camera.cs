@@ -6,7 +6,7 @@ namespace Harvester.Geometry.Cameras;
 /// </summary>
 public sealed record Camera
 {
-    /// <summary>Creates a camera.</summary>
+    /// <summary>Creates a camera with intrinsics at a pose.</summary>
     /// <param name="pose">Position and orientation in the world.</param>
     /// <param name="intrinsics">How directions map to pixels.</param>
     /// <exception cref="System.ArgumentOutOfRangeException">The position is not finite.</exception>

@@ -5,7 +5,7 @@ namespace Harvester.Geometry.Cameras;
 /// </summary>
 public readonly record struct ImageSize
 {
-    /// <summary>Creates a size.</summary>
+    /// <summary>Creates the size of an image.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A side is less than 1 or more than 65,535.</exception>
     public ImageSize(int width, int height)
     {
@@ -24,10 +24,10 @@ public readonly record struct ImageSize
         Height = height;
     }
 
-    /// <summary>Width in pixels.</summary>
+    /// <summary>Width, pixels; at least 1.</summary>
     public int Width { get; }
 
-    /// <summary>Height in pixels.</summary>
+    /// <summary>Height, pixels; at least 1.</summary>
     public int Height { get; }
 
     /// <summary>Width divided by height, as if pixels were square.</summary>

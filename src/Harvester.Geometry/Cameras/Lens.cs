@@ -45,10 +45,10 @@ public readonly record struct Lens
     /// <summary>Shift of the principal point downward, as a fraction of the image's height.</summary>
     public double CentreOffsetY { get; }
 
-    /// <summary>Coefficient of r².</summary>
+    /// <summary>Coefficient of r², no unit; negative is barrel distortion.</summary>
     public double K1 { get; }
 
-    /// <summary>Coefficient of r⁴.</summary>
+    /// <summary>Coefficient of r⁴, no unit.</summary>
     public double K2 { get; }
 
     /// <summary>Whether straight lines stay straight.</summary>

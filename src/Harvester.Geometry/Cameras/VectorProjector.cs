@@ -29,6 +29,8 @@ internal static class VectorProjector
         for (; done <= world.Length - Lanes; done += Lanes)
         {
             (Vector256<double> x, Vector256<double> y, Vector256<double> z) = Coordinates(from.Slice(done * DoublesPerPoint));
+
+            // A number minus itself is 0, except for infinity and NaN, for which it is NaN and equal to nothing.
             if (!Vector256.EqualsAll((x - x) + (y - y) + (z - z), Vector256<double>.Zero))
             {
                 break;
@@ -46,6 +48,8 @@ internal static class VectorProjector
         Vector256<double> a = Vector256.Create(points);
         Vector256<double> b = Vector256.Create(points.Slice(Lanes));
         Vector256<double> c = Vector256.Create(points.Slice(2 * Lanes));
+
+        // In memory: a = x0 y0 z0 x1, b = y1 z1 x2 y2, c = z2 x3 y3 z3. Halves are joined first, then elements are picked from each half.
         Vector256<double> xy = Avx.Permute2x128(a, b, 0x30);
         Vector256<double> zx = Avx.Permute2x128(a, c, 0x21);
         Vector256<double> yz = Avx.Permute2x128(b, c, 0x30);

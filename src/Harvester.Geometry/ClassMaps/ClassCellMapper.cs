@@ -9,7 +9,7 @@ internal sealed class ClassCellMapper(ClassSamples samples)
     /// <summary>Cells of at most this side need no rays that confirm their outline, pixels.</summary>
     private const int SureSide = 4;
 
-    /// <summary>Distance of the rays that confirm an outline from it, pixels.</summary>
+    /// <summary>Distance of the rays that confirm an outline from it, pixels: more than the ½ to which its ends are known.</summary>
     private const double ConfirmDistance = 1.2;
 
     /// <summary>Samples a cell and draws it.</summary>
@@ -41,6 +41,8 @@ internal sealed class ClassCellMapper(ClassSamples samples)
         }
 
         bool isUniform = corners.TrueForAll(corner => corner.Class == corners[0].Class);
+
+        // Where other labels cover part of the cell, an outline may end unseen behind them, so no straight line is assumed.
         Outline? outline = isUniform || isCovered ? null : OutlineIn(corners);
         bool isSettled = Draw(cell, corners, outline);
         if (!isUniform)
@@ -134,6 +136,8 @@ internal sealed class ClassCellMapper(ClassSamples samples)
             int middle = (low + high) / 2;
             int column = from.Column + (alongX * middle);
             int row = from.Row + (alongY * middle);
+
+            // Bisection keeps the first class at low and the second at high; a third class, or a covered pixel, ends the search.
             byte found = samples.IsGiven(column, row) ? (byte)0 : samples.At(column, row);
             if (found == from.Class)
             {
@@ -149,6 +153,7 @@ internal sealed class ClassCellMapper(ClassSamples samples)
             }
         }
 
+        // The change lies between two neighbouring pixel centres.
         double at = low + 0.5;
         return new Vector2D(from.Column + (alongX * at), from.Row + (alongY * at));
     }
@@ -188,6 +193,8 @@ internal sealed class ClassCellMapper(ClassSamples samples)
     private bool IsConfirmed(ClassCell cell, Outline line)
     {
         Vector2D along = line.To - line.From;
+
+        // Vector of length ConfirmDistance at right angles to the outline.
         Vector2D across = new Vector2D(-along.Y, along.X) * (ConfirmDistance / Math.Max(along.Length, double.Epsilon));
         Vector2D middle = (line.From + line.To) * 0.5;
         return IsAsDrawn(middle + across) && IsAsDrawn(middle + (across * -1));

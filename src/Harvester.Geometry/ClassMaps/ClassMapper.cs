@@ -118,6 +118,8 @@ public sealed class ClassMapper
         {
             for (int i = 0; i < map.Ids.Length; i++)
             {
+                // Pixels that nothing was drawn at, which only a spent budget leaves, take the last class before them, and those before the
+                // first class take that one.
                 int at = pass == 0 ? i : map.Ids.Length - 1 - i;
                 byte drawn = _samples[at % map.Image.Width, at / map.Image.Width];
                 last = drawn != 0 ? drawn : last;
@@ -167,6 +169,8 @@ public sealed class ClassMapper
         {
             int across = column / FirstSide;
             int down = row / FirstSide;
+
+            // A pixel on the border of first cells belongs to up to four.
             foreach ((int x, int y) in new[] { (across, down), (across - 1, down), (across, down - 1), (across - 1, down - 1) })
             {
                 int number = (y * _across) + x;

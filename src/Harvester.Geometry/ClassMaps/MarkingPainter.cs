@@ -23,7 +23,7 @@ public sealed class MarkingPainter(Camera camera, InstanceMap map, ushort road, 
 
     private readonly Dictionary<int, byte> _covered = [];
 
-    /// <summary>Draws lines.</summary>
+    /// <summary>Draws the painted pieces of lines at their width.</summary>
     /// <param name="lines">The lines, whose points are on the road.</param>
     /// <param name="endMetres">How far paint continues beyond its last point before a gap, metres: half the points' distance.</param>
     public void Paint(IEnumerable<PaintedLine> lines, double endMetres)
@@ -44,6 +44,8 @@ public sealed class MarkingPainter(Camera camera, InstanceMap map, ushort road, 
                 Vector3D along = step.Normalized();
                 Vector3D from = i > 0 && !line.Points[i - 1].IsPainted ? a.World - (along * endMetres) : a.World;
                 Vector3D to = i + 2 < line.Points.Count && !line.Points[i + 2].IsPainted ? b.World + (along * endMetres) : b.World;
+
+                // Each piece of paint is a quadrilateral on the road: half of the width to either side of its line.
                 Vector3D right = along.Cross(new Vector3D(0, 0, 1)).Normalized();
                 if (isDouble)
                 {
@@ -108,6 +110,7 @@ public sealed class MarkingPainter(Camera camera, InstanceMap map, ushort road, 
         int inside = 0;
         for (int place = 0; place < Places * Places; place++)
         {
+            // Centres of a grid of Places x Places within the pixel.
             var at = new Vector2D(column + (((place % Places) + 0.5) / Places), row + (((place / Places) + 0.5) / Places));
             inside += IsInside(corners, at) ? 1 : 0;
         }
@@ -126,6 +129,7 @@ public sealed class MarkingPainter(Camera camera, InstanceMap map, ushort road, 
         int negative = 0;
         for (int i = 0; i < corners.Length; i++)
         {
+            // Inside a convex quadrilateral all cross products of side and place have one sign, whichever way round it is.
             double side = (corners[(i + 1) % corners.Length] - corners[i]).Cross(place - corners[i]);
             positive += side > 0 ? 1 : 0;
             negative += side < 0 ? 1 : 0;

@@ -11,7 +11,10 @@ internal sealed class CellSurfaces
     /// <summary>Planes that meet in an edge predict the depths of the corners to this fraction.</summary>
     private const double EdgeTolerance = 0.002;
 
-    /// <summary>A plane that would give more than this multiple of its sample's depth, or less than its inverse, is not extended.</summary>
+    /// <summary>
+    /// A plane that would give more than this multiple of its sample's depth, or less than its inverse, is not extended: seen at a grazing
+    /// angle, small errors of its normal grow without bound.
+    /// </summary>
     private const double MaxExtension = 3;
 
     private readonly Corner[] _corners = new Corner[4];
@@ -28,7 +31,7 @@ internal sealed class CellSurfaces
         /// <summary>Unknown: each place shows what the nearest corner shows.</summary>
         Unknown,
 
-        /// <summary>They are one.</summary>
+        /// <summary>All corners show one surface.</summary>
         None,
 
         /// <summary>Each place shows the nearest plane, as where a wall stands on the ground.</summary>
@@ -38,7 +41,7 @@ internal sealed class CellSurfaces
         Outer,
     }
 
-    /// <summary>Begins a cell.</summary>
+    /// <summary>Discards the corners of the cell before.</summary>
     public void Begin(DepthCell cell) => (_cell, _count, _residual, _isOneEntity, _hasMiss) = (cell, 0, 0, true, false);
 
     /// <summary>Adds a corner of the region.</summary>
@@ -72,10 +75,14 @@ internal sealed class CellSurfaces
                     return;
                 }
 
+                // Depth of sample i divided by the depth at which plane j would be seen there: above 1, plane j lies in front of the
+                // sample; below 1, behind it.
                 double relative = _corners[j].Sample.Surface.InverseAt(_corners[i].Line) * _corners[i].Sample.Depth;
                 (nearest, farthest) = (Math.Max(nearest, relative), Math.Min(farthest, relative));
             }
 
+            // If no plane is in front of any sample, each shows the nearest plane; if none is behind, the farthest. If both hold, all
+            // planes agree.
             isInner &= nearest < 1 + EdgeTolerance;
             isOuter &= farthest > 1 - EdgeTolerance;
             deviation = Math.Max(deviation, Math.Max(nearest - 1, 1 - farthest));
@@ -108,6 +115,8 @@ internal sealed class CellSurfaces
         (double least, double greatest) = (double.PositiveInfinity, 0);
         for (int i = 0; i < _count; i++)
         {
+            // Bilinear weights. Inverse depth is linear in the image along a plane (1 / depth = normal · direction), so it is what is
+            // averaged.
             int number = _corners[i].Number;
             double weight = ((number & 1) == 0 ? 1 - right : right) * (number < 2 ? 1 - down : down);
             (nearest, heaviest) = weight > heaviest ? (i, weight) : (nearest, heaviest);
@@ -133,6 +142,9 @@ internal sealed class CellSurfaces
             Edge.Outer => least,
             _ => own,
         };
+
+        // The error is the spread of what the surfaces could give here, and at least what neighbouring planes failed to predict. Next to a
+        // place without a hit nothing is certain: the whole depth.
         double depth = 1 / chosen;
         double error = Math.Max(Math.Max(Math.Abs((1 / least) - depth), Math.Abs((1 / greatest) - depth)), _residual * depth);
         return (depth, _hasMiss ? Math.Max(error, depth) : error, SourceOf(chosen, line, nearest));

@@ -8,7 +8,7 @@ namespace Harvester.Geometry.Depth;
 /// </summary>
 internal sealed class DepthCompletion(DepthGrid grid, IReadOnlyDictionary<int, DepthSample> samples)
 {
-    /// <summary>The error of a depth that only a sample elsewhere in the region supports, as a fraction of it.</summary>
+    /// <summary>The error of a depth that only a sample elsewhere in the region supports, as a fraction of it; an estimate.</summary>
     private const double ErrorOfDistantSample = 0.05;
 
     private readonly DepthMap _map = new(grid.Size);
@@ -24,6 +24,8 @@ internal sealed class DepthCompletion(DepthGrid grid, IReadOnlyDictionary<int, D
 
         foreach (DepthCell cell in cells)
         {
+            // How far the planes of neighbouring hits of one entity fail to predict a sample is its residual, the largest over all its
+            // cells.
             FindResiduals(cell);
         }
 
@@ -32,6 +34,7 @@ internal sealed class DepthCompletion(DepthGrid grid, IReadOnlyDictionary<int, D
             Fill(cell);
         }
 
+        // Samples stand as they are, over what their cells predict for them.
         foreach (KeyValuePair<int, DepthSample> sample in samples)
         {
             if (grid.RegionAt(sample.Key) == sample.Value.Region)
@@ -122,6 +125,9 @@ internal sealed class DepthCompletion(DepthGrid grid, IReadOnlyDictionary<int, D
         }
 
         int width = grid.Size.Width;
+
+        // Breadth-first from all samples at once: each place is reached first from the sample of its region that is nearest along rows and
+        // columns.
         while (queue.Count > 0)
         {
             int at = queue.Dequeue();
@@ -145,6 +151,9 @@ internal sealed class DepthCompletion(DepthGrid grid, IReadOnlyDictionary<int, D
             if (double.IsNaN(_map.Metres[at]))
             {
                 DepthSample sample = samples[origin[from] - 1];
+
+                // The sample's plane is extended to the place; the error is what this changes, or the fraction for distant samples if that
+                // is more.
                 double depth = sample.IsHit ? 1 / CellSurfaces.InverseOf(sample, grid.LineAt(at)) : sample.Depth;
                 double error = sample.IsHit ? Math.Max(Math.Abs(depth - sample.Depth), ErrorOfDistantSample * depth) : 0;
                 Set(at, depth, error, origin[from] - 1);

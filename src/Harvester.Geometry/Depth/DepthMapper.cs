@@ -126,6 +126,7 @@ public sealed class DepthMapper
             return;
         }
 
+        // The set is ordered upwards, so the heaviest cell comes first; equal weights go in the order in which they were found.
         _order.Add((-weight, _divisible.Count));
         _divisible.Add(cell);
     }

@@ -3,7 +3,7 @@ namespace Harvester.Geometry.Depth;
 /// <summary>The numbers of depth maps, as in KITTI: a 256th of a metre; 0 for no depth.</summary>
 public static class DepthUnits
 {
-    /// <summary>Units per metre.</summary>
+    /// <summary>Units per metre: a unit is 3.9 mm.</summary>
     public const double PerMetre = 256;
 
     /// <summary>The greatest depth that a map can hold, metres.</summary>

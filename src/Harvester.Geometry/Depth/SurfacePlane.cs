@@ -17,6 +17,8 @@ public readonly record struct SurfacePlane(Vector3D Normal)
     /// <param name="normal">Unit normal of the surface in the same frame, to either side; zero if unknown.</param>
     public static SurfacePlane Of(Vector3D point, Vector3D normal)
     {
+        // n · p = n · point for all p of the surface; dividing by n · point gives Normal · p = 1. The plane across the line of sight has n
+        // = point / |point|, and so Normal = point / |point|².
         double along = normal.Dot(point);
         return Math.Abs(along) > MinCosine * point.Length
             ? new SurfacePlane(normal / along)
@@ -26,6 +28,8 @@ public readonly record struct SurfacePlane(Vector3D Normal)
     /// <summary>The inverse of the depth at which a line of sight meets the plane; 0 or less if it does not.</summary>
     public double InverseAt(SightLine line)
     {
+        // Normal · (origin + t·direction) = 1 gives 1 / t = Normal · direction / (1 - Normal · origin). With 1 - Normal · origin ≤ 0 the
+        // origin lies on or behind the plane.
         double ahead = 1 - Normal.Dot(line.Origin);
         return ahead > 0 ? Normal.Dot(line.Direction) / ahead : 0;
     }

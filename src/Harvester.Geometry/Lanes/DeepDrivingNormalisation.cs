@@ -6,6 +6,10 @@ namespace Harvester.Geometry.Lanes;
 /// </summary>
 public static class DeepDrivingNormalisation
 {
+    // y = 0.1 + 0.8 (x - min) / (max - min), with the slope and the intercept rounded as in the loss layer, and the ranges of its comments:
+    // toMarking_L [-7, -2.5], M [-2, 3.5], R [2.5, 7], LL [-9.5, -4], ML [-5.5, -0.5], MR [0.5, 5.5], RR [4, 9.5]. A distance to a vehicle
+    // of 75 m, which stands for none, gives 0.91; the angle is not shifted to 0.1 and is the only value that is clamped.
+
     /// <summary>Angle in radians; clamped to [0, 1].</summary>
     public static double Angle(double value) => Math.Max(0, Math.Min(1, (value / 1.1) + 0.5));
 

@@ -5,7 +5,7 @@ namespace Harvester.Geometry.Lanes;
 /// <param name="IsValid">Whether the indicator's system (in lane or on marking) is active here and what it measures exists.</param>
 public readonly record struct Indicator(double Value, bool IsValid)
 {
-    /// <summary>A valid value.</summary>
+    /// <summary>An active indicator with a value.</summary>
     public static Indicator Of(double value) => new(value, true);
 
     /// <summary>The value of an inactive indicator.</summary>

@@ -11,11 +11,13 @@ public static class IndicatorCalculator
     /// <summary>Maximum distance of a vehicle that counts, metres: the thesis's range, and the value if there is no vehicle.</summary>
     public const double VehicleRange = 70;
 
+    // Metres for lanes 4 m wide: the car is in its lane up to 1.5 m from the centre, and on a marking from 1 m or 1.2 m of it, so that both
+    // systems of indicators are valid together for 0.5 m or 0.7 m. IndicatorCalculatorTests holds both borders.
     private const double InLaneReach = 1.5;
     private const double MarkingReachOfThreeLanes = 1.0;
     private const double MarkingReachOfFewerLanes = 1.2;
 
-    /// <summary>Computes the indicators.</summary>
+    /// <summary>Computes the thirteen indicators of one moment; those that do not apply are inactive.</summary>
     /// <param name="angle">Heading of the road minus that of the car, radians.</param>
     /// <param name="offset">The car's position across the road, metres to the right of the left edge of the leftmost lane.</param>
     /// <param name="section">The lanes of the car's direction.</param>
@@ -42,6 +44,7 @@ public static class IndicatorCalculator
             return indicators;
         }
 
+        // The car is in its lane while its distance from the lane's centre, scaled to a lane of 4 m, is at most InLaneReach.
         double fromCentre = offset - ((lane + 0.5) * section.LaneWidth);
         if (Math.Abs(fromCentre) * section.TorcsScale > InLaneReach)
         {
@@ -69,6 +72,7 @@ public static class IndicatorCalculator
         IReadOnlyList<VehicleAhead> vehicles
     )
     {
+        // The nearest marking k, 0 at the left edge of the road, and the car's distance from it, scaled to a lane of 4 m.
         int marking = (int)Math.Max(0, Math.Min(section.LaneCount, Math.Round(offset / section.LaneWidth)));
         double toTheRight = (offset - (marking * section.LaneWidth)) * section.TorcsScale;
         double reach = section.LaneCount >= 3 ? MarkingReachOfThreeLanes : MarkingReachOfFewerLanes;
@@ -91,6 +95,7 @@ public static class IndicatorCalculator
         };
     }
 
+    // Distances to markings are positive to the right.
     private static Indicator ToMarking(int marking, double offset, LaneSection section) =>
         Indicator.Of((marking * section.LaneWidth) - offset);
 

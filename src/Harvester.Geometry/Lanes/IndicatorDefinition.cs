@@ -26,7 +26,7 @@ public sealed class IndicatorDefinition
         _normalise = normalise;
     }
 
-    /// <summary>What it measures.</summary>
+    /// <summary>What it measures: an angle, or a distance to a marking or a vehicle.</summary>
     public IndicatorQuantity Quantity { get; }
 
     /// <summary>The marking or lane it belongs to: L, M and R on a marking; LL, ML, MM, MR and RR in a lane; empty for the angle.</summary>

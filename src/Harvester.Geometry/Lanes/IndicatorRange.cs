@@ -6,6 +6,6 @@ namespace Harvester.Geometry.Lanes;
 /// <param name="InactiveValue">The value while inactive.</param>
 public readonly record struct IndicatorRange(double Min, double Max, double InactiveValue)
 {
-    /// <summary>The inactive indicator.</summary>
+    /// <summary>The indicator that stands for no value.</summary>
     public Indicator Inactive => Indicator.Inactive(InactiveValue);
 }

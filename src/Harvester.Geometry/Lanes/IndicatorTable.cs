@@ -86,7 +86,7 @@ public static class IndicatorTable
         Vehicle("RR", at => at.DistRR, (at, value) => at with { DistRR = value }),
     ];
 
-    /// <summary>Number of indicators.</summary>
+    /// <summary>Number of indicators: thirteen.</summary>
     public static int Count => All.Count;
 
     /// <summary>The position of an indicator in the order, from 0.</summary>

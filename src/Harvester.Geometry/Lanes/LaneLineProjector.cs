@@ -19,10 +19,10 @@ public static class LaneLineProjector
     /// <summary>The same tolerance as a fraction of the distance, for rays at a grazing angle.</summary>
     private const double SurfaceToleranceFraction = 0.05;
 
-    /// <summary>Bisections of a piece of 0.5 m to 2 m: to about 1e-6 m.</summary>
+    /// <summary>Bisections of a piece of 0.5 m to 2 m, to 2 m / 2^22 = 0.5 µm.</summary>
     private const int Halvings = 22;
 
-    /// <summary>Projects a line.</summary>
+    /// <summary>Projects a line as far as it lies in the image.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="line">The line.</param>
     /// <param name="ignoredEntity">Handle of an entity that hides nothing, such as the car that carries the camera; <see
@@ -108,6 +108,9 @@ public static class LaneLineProjector
     {
         Vector3D toPoint = (isOnRoad ? point + new Vector3D(0, 0, AboveRoad) : point) - eye;
         double distance = toPoint.Length;
+
+        // The ray ends short of the point, by the height above the paint or by the tolerance of a boundary: a hit before that hides the
+        // point.
         double clear = distance - (isOnRoad ? AboveRoad : Math.Max(SurfaceTolerance, SurfaceToleranceFraction * distance));
         return clear > 0 && rays.Cast(new Ray(eye, toPoint), clear, ignoredEntity) is not null;
     }

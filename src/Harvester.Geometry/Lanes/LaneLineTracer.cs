@@ -8,10 +8,12 @@ public static class LaneLineTracer
 {
     /// <summary>Distance of points near the camera, metres: keeps a line within a pixel of the curve from 5 m on.</summary>
     private const double NearStep = 0.5;
+
+    /// <summary>Distance of points beyond <see cref="NearReach"/>, metres.</summary>
     private const double FarStep = 2;
     private const double NearReach = 20;
 
-    /// <summary>Traces the boundaries.</summary>
+    /// <summary>Traces the boundaries between two stations, each as runs of points.</summary>
     /// <param name="stretch">The road.</param>
     /// <param name="carOffset">The car's position, metres to the right of the centre line.</param>
     /// <param name="from">First station, metres along the road from the car.</param>

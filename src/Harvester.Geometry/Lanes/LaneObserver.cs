@@ -9,11 +9,14 @@ namespace Harvester.Geometry.Lanes;
 /// </summary>
 public sealed class LaneObserver
 {
+    /// <summary>Length of road that decides whether it is straight ahead, and how far apart its direction is compared, metres.</summary>
     private const double StraightMetres = 60;
-    private const double BehindMetres = 10;
     private const double SampleMetres = 5;
 
-    /// <summary>A road that turns by less than this over 60 m is straight, radians.</summary>
+    /// <summary>How far behind the car its road is followed, metres.</summary>
+    private const double BehindMetres = 10;
+
+    /// <summary>A road that turns by less than this over 60 m is straight, radians: a radius of at least 60 / 0.05 = 1,200 m.</summary>
     private const double StraightTurn = 0.05;
 
     private readonly RoadCurves _curves;
@@ -170,6 +173,7 @@ public sealed class LaneObserver
                         lane.Lane,
                         lane.IsOncoming,
                         place.Station,
+                        // Gap from bumper to bumper: the distance of the centres minus half of both lengths.
                         place.Station - ((length + vehicle.Length) / 2)
                     )
                 );
@@ -184,6 +188,8 @@ public sealed class LaneObserver
     {
         StretchPiece piece = place.Piece;
         Vector2D road = piece.DirectionAt(piece.ParameterAt(place.Station));
+
+        // A vehicle belongs to the direction that it faces, less than 90° from the road's.
         bool drivesAlong = Math.Abs(AngleOf(road, headingDegrees)) < Math.PI / 2;
         if (drivesAlong)
         {

@@ -21,6 +21,7 @@ internal sealed class LineRuns
     /// <summary>Ends the runs of all other numbers; a single point does not make a line.</summary>
     public void EndAllBut(IEnumerable<int> going)
     {
+        // Copied first, because runs are removed on the way.
         foreach (int index in _open.Keys.Except(going).ToList())
         {
             if (_open[index].Points.Count > 1)

@@ -20,7 +20,7 @@ public readonly record struct LookAhead
     /// <summary>Ten metres, as in the thesis.</summary>
     public static LookAhead Thesis { get; } = OfMetres(10);
 
-    /// <summary>A fixed distance.</summary>
+    /// <summary>A fixed distance, metres, whatever the speed.</summary>
     /// <exception cref="ArgumentOutOfRangeException">Not finite or negative.</exception>
     public static LookAhead OfMetres(double metres) => new(NotNegative(metres, nameof(metres)), 0);
 

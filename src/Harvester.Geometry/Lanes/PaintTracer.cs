@@ -53,9 +53,12 @@ public static class PaintTracer
         for (int i = 0; i < located.Count; i++)
         {
             (LinePoint point, StretchPlace? place) = located[i];
+
+            // Direction of the paint at a point: the difference of its neighbours, one-sided at the ends.
             Vector3D along = located[Math.Min(i + 1, located.Count - 1)].Point.World - located[Math.Max(i - 1, 0)].Point.World;
             if (place is { } there && there.Station >= from && there.Station <= to && BoundaryAt(there, along) is { } index)
             {
+                // Paint that changes to another boundary, leaves the stretch or turns away ends its line; what follows begins a new one.
                 runs.EndAllBut([index]);
                 runs.Add(index, there.Offset < carOffset, point);
             }
@@ -89,6 +92,8 @@ public static class PaintTracer
     {
         Vector2D road = place.Piece.DirectionAt(place.Piece.ParameterAt(place.Station));
         var paint = new Vector2D(along.X, along.Y);
+
+        // |cos| of the angle between road and paint, without dividing by the paint's length.
         if (Math.Abs(road.Dot(paint)) < MinAlong * paint.Length)
         {
             return null;

@@ -118,6 +118,8 @@ public sealed class RoadStretch
                 continue;
             }
 
+            // The nearest link wins whose line has the point at its side: not beyond an end by more than the tolerance, and at about its
+            // height.
             double parameter = piece.Curve.ClosestParameter(place);
             Vector3D onLine = piece.Curve.PointAt(parameter);
             Vector2D direction = piece.DirectionAt(parameter);

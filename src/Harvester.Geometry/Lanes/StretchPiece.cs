@@ -68,6 +68,8 @@ public sealed record StretchPiece(
 
         if (Oncoming is { } oncoming)
         {
+            // Offsets of the other direction have the opposite sign. Without a median its left edge is the boundary 0 already; the others
+            // count down from -2, and a median's far edge is -1.
             bool hasMedian = LeftEdge + oncoming.LeftEdge > NoMedian;
             for (int i = hasMedian ? 0 : 1; i <= oncoming.Section.LaneCount; i++)
             {

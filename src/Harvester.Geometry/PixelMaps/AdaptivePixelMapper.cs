@@ -14,7 +14,10 @@ public sealed class AdaptivePixelMapper
     /// <summary>Number of searches for parts that the map misses; what one search finds shows the next where to look closer.</summary>
     private const int FragmentSearches = 2;
 
-    /// <summary>Number of times that cells at the ends of objects are divided: from a first cell down to the pixel.</summary>
+    /// <summary>
+    /// Number of searches: after those for missed parts and for the ends of objects, five that divide cells at these ends, from the usual
+    /// first cell of 32 = 2^5 pixels down to the pixel.
+    /// </summary>
     private const int MaxSearches = FragmentSearches + 1 + 5;
 
     private readonly Camera _camera;
@@ -247,6 +250,8 @@ public sealed class AdaptivePixelMapper
 
         _searches++;
         InstanceMap map = Paint();
+
+        // First missed parts, with the visible pixels counted in the map, which changes the weights of all cells.
         if (_searches <= FragmentSearches)
         {
             int[] counts = PixelCounts(map);
@@ -257,12 +262,14 @@ public sealed class AdaptivePixelMapper
             return true;
         }
 
+        // Then the sides of the objects' boxes.
         if (_searches == FragmentSearches + 1)
         {
             _places = _extents.Places(map).GetEnumerator();
             return true;
         }
 
+        // Last, cells at sides that no ray has confirmed are divided down to the pixel, a level each time.
         return _settled.Reopen(_extents.UncertainPixels(map));
     }
 

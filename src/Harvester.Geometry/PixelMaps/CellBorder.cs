@@ -57,6 +57,8 @@ internal sealed class CellBorder
         }
 
         int step = 0;
+
+        // The walk is clockwise from the upper left corner; each other corner belongs to the side that ends in it.
         for (int column = cell.Left; column <= cell.Right; column++)
         {
             Read(step++, column, cell.Top);
@@ -181,6 +183,7 @@ internal sealed class CellBorder
         {
             int middle = (low + high) / 2;
             var place = new SubpixelPoint(
+                // The step from one pixel centre to the next is divided into eighths: three halvings at most.
                 (column * PixelSamples.Fine) + ((nextColumn - column) * middle),
                 (row * PixelSamples.Fine) + ((nextRow - row) * middle)
             );
@@ -214,11 +217,13 @@ internal sealed class CellBorder
 
             if (_numbers[step] != _numbers[Wrapped(known, length)])
             {
+                // The change lies between two known pixels: bisection, about log2 of their distance in rays.
                 if (i - known > 1)
                 {
                     return (known + i) / 2;
                 }
 
+                // Next to a change an assumption is no longer safe.
                 if (IsAssumed(step) || IsAssumed(known))
                 {
                     return IsAssumed(step) ? step : known;
@@ -294,6 +299,7 @@ internal sealed class CellBorder
                 continue;
             }
 
+            // Each unknown pixel between two known ones takes the number of the nearer, the earlier if both are equally near.
             for (int k = previous + 1; k < i; k++)
             {
                 _numbers[Wrapped(k, length)] = _numbers[Wrapped(k - previous <= i - k ? previous : i, length)];

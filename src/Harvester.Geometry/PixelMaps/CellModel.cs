@@ -35,6 +35,8 @@ internal sealed class CellModel
                 end++;
             }
 
+            // A cap is what one chord cuts off between two runs of the front's number. Two numbers in it are divided by a line from the
+            // change between them to the middle of the chord; three would need more lines than the border shows.
             int inCap = end - begin;
             if (inCap > 2)
             {
@@ -111,6 +113,8 @@ internal sealed class CellModel
         }
 
         Vector2D middle = (from + to) * 0.5;
+
+        // One pixel off the line on either side: the nearest pixels that must differ if the line is right.
         var normal = new Vector2D(-line.Y / length, line.X / length);
         foreach (double side in new[] { -1.0, 1.0 })
         {

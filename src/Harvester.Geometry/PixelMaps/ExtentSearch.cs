@@ -142,6 +142,8 @@ internal sealed class ExtentSearch(IReadOnlyList<TargetView> views, PixelSamples
                 if (!IsHiddenByObject(view, map, pixel.Column, pixel.Row))
                 {
                     yield return pixel;
+
+                    // Distances of 4, 8, 16, ... pixels, and the whole room last, so that a gap is bridged in a logarithm of it.
                     away = (away < room && Spread * away > room ? room : Spread * away) - 1;
                 }
             }

@@ -43,6 +43,9 @@ internal sealed class FragmentSearch(
         foreach (TargetView view in views)
         {
             SilhouetteSpans spans = view.Spans;
+
+            // Density of points, per pixel: a missed part of unsearchedFraction of the object's visible pixels has one point in it on
+            // average, 1 / (fraction · visible).
             double open = 1 / (unsearchedFraction * Math.Max(view.CountedPixels, OpenFraction * spans.PixelCount));
             double hidden = 1 / (HiddenRarity * unsearchedFraction * Math.Max(view.CountedPixels, HiddenFraction * spans.PixelCount));
             double inside = GapDensity / (unsearchedFraction * view.CountedPixels);
@@ -53,6 +56,7 @@ internal sealed class FragmentSearch(
                 (int first, int last) = spans.Row(row);
                 for (int column = first; column <= last; column++)
                 {
+                    // The pixels of rank below d are scattered evenly and make up the fraction d of all.
                     double rank = _rank.Of(column, row);
                     if (rank < densest && samples.IsUnsampled(column, row) && rank < Density(column, row))
                     {

@@ -62,6 +62,8 @@ public sealed class MapOcclusionEstimator
             met += probe.Meets(column, row) ? 1 : 0;
         }
 
+        // Of the silhouette's other pixels, the share met / cast shows the object once nothing is in front: hidden = others · met / cast.
+        // The fraction is hidden / (visible + hidden).
         double hidden = cast == 0 ? 0 : (double)others * met / cast;
         return visible + hidden > 0
             ? new OcclusionEstimate(hidden / (visible + hidden), visible, cast, OcclusionMethod.PixelMap) { Sight = sight }

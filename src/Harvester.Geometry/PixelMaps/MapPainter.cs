@@ -92,6 +92,7 @@ internal sealed class MapPainter(Camera camera, PixelSamples samples, CellExamin
             PaintInside(cell, width);
         }
 
+        // A cell of one number, the most frequent kind, is kept as the number alone.
         int same = 1;
         while (same < count && _numbers[same] == _numbers[0])
         {
@@ -115,6 +116,8 @@ internal sealed class MapPainter(Camera camera, PixelSamples samples, CellExamin
         {
             for (int column = cell.Left + 1; column < cell.Right; column++)
             {
+                // A sample first; then the outlines that agree with all samples; without them, as when the work was stopped early, the
+                // nearest corner.
                 int known = samples.Number(column, row);
                 _numbers[((row - cell.Top) * width) + column - cell.Left] =
                     known != PixelSamples.Unknown ? (ushort)known

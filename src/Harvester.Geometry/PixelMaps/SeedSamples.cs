@@ -74,6 +74,7 @@ internal sealed class SeedSamples(Camera camera, IReadOnlyList<TargetView> views
     // The number that all coarser corners around a corner share, and the greatest of their distances; null if they differ.
     private (int Number, float Farthest)? Around(int c, int r, int stride)
     {
+        // A corner of this stride lies on the grid of twice the stride (0) or halfway between its corners (stride), in each direction.
         int aside = c / stride % 2 * stride;
         int above = r / stride % 2 * stride;
         bool isCoarsest = stride == CoarsestStride;

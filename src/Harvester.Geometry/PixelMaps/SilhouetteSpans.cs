@@ -86,6 +86,8 @@ internal sealed class SilhouetteSpans
             Vector2D b = silhouette[(i + 1) % silhouette.Count];
             double da = across(a) - at;
             double db = across(b) - at;
+
+            // The line of pixel centres crosses the sides of a convex outline twice. A corner on the line counts to one side only.
             if ((da <= 0) == (db <= 0))
             {
                 continue;
@@ -96,6 +98,7 @@ internal sealed class SilhouetteSpans
             high = Math.Max(high, crossing);
         }
 
+        // Pixel i is covered if low ≤ i + ½ < high, so outlines that share a side share no pixel.
         return high < low ? (0, -1) : ((int)Math.Max(first, Math.Ceiling(low - 0.5)), (int)Math.Min(last, Math.Ceiling(high - 0.5) - 1));
     }
 }

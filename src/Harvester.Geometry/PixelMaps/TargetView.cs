@@ -16,6 +16,9 @@ internal sealed class TargetView
 
     private const int Seeds = 2;
 
+    /// <summary>Rays added to those that met the object, for visible parts that no ray happened to hit; one is added to all rays.</summary>
+    private const double UnseenHits = 0.3;
+
     public TargetView(MapTarget target, SilhouetteSpans spans)
     {
         Target = target;
@@ -70,8 +73,8 @@ internal sealed class TargetView
             }
         }
 
-        // A third of a ray is added for visible parts that no ray happened to hit.
-        SetVisible(Spans.PixelCount * (met + 0.3) / (asked + 1));
+        // The posterior mean of the visible fraction with a prior of one ray, of which 0.3 met the object.
+        SetVisible(Spans.PixelCount * (met + UnseenHits) / (asked + 1));
     }
 
     public void SetVisible(double pixels) => CountedPixels = pixels >= SmallPixels ? pixels : Math.Max(TinyPixels, SmallAllowance * pixels);

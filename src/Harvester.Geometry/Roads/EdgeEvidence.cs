@@ -45,6 +45,9 @@ internal static class EdgeEvidence
         foreach (RoadEdge edge in edges)
         {
             Vector3D apart = edge.Point - (edge.IsAtStart ? start : end);
+
+            // The point's distance across the road, positive to the right; what remains must be small beside it. Written so that a
+            // coordinate that is no number fails.
             double offset = apart.Dot(right);
             if (!((apart - (right * offset)).Length <= MaxSlant * Math.Abs(offset)))
             {
@@ -58,6 +61,7 @@ internal static class EdgeEvidence
             onLeft += offset > 0 ? 0 : 1;
         }
 
+        // All points agree on a plausible width, and both sides of the road are proven by several points.
         bool isProven =
             onRight >= MinAnswers && onLeft >= MinAnswers && least > MinLaneWidth && most < MaxLaneWidth && most - least <= MaxDisagreement;
         return isProven ? (least + most) / 2 : null;

@@ -11,7 +11,8 @@ public sealed class JunctionExtents
     private const double CornerRoom = 1.5;
 
     /// <summary>
-    /// Maximum extent of a junction, metres. It limits roads that part at so small an angle that their edges never cross.
+    /// Maximum distance from a junction's node to where edges cross, metres. It limits roads that part at so small an angle that their
+    /// edges cross far away or never.
     /// </summary>
     private const double MaxReach = 30;
 
@@ -43,12 +44,14 @@ public sealed class JunctionExtents
             List<int> roads = [.. arms.Where(arm => !IsCrossover(arm))];
             if (IsJunction(_network, node, roads.Count))
             {
+                // Along each road the junction extends to the last corner with another one.
                 foreach (int road in roads)
                 {
                     Cover(node, road, Reach(node, road, roads));
                 }
             }
 
+            // A crossover is a junction from end to end.
             foreach (int tie in arms.Except(roads))
             {
                 Cover(node, tie, _curves.Of(tie).Length);
@@ -100,6 +103,7 @@ public sealed class JunctionExtents
         return _curves.Of(link).Length <= MaxCrossoverLength
             && DirectionThrough(road.From, link) is { } here
             && DirectionThrough(road.To, link) is { } there
+            // Parallel either way: |sin| of the angle between both roads is small for 0° and for 180°.
             && Math.Abs(here.Cross(there)) < Math.Sin(MergingAngle);
     }
 
@@ -130,6 +134,8 @@ public sealed class JunctionExtents
         while (true)
         {
             bool leavesForward = _network.Links[link].From == node;
+
+            // What is left of the reach after this link's length goes on along its continuation.
             double[] covered = leavesForward ? _fromStart : _fromEnd;
             covered[link] = Math.Max(covered[link], reach);
             reach -= _curves.Of(link).Length;
@@ -154,6 +160,8 @@ public sealed class JunctionExtents
         foreach (int other in arms)
         {
             Vector2D beside = Outward(node, other);
+
+            // Angle from this road to the other, positive to the left. Roads that merge and roads that go straight on have no corner.
             double angle = Math.Atan2(along.Cross(beside), along.Dot(beside));
             bool isMerging = Math.Abs(angle) < MergingAngle && goesOn;
             if (other == link || isMerging || Math.Abs(angle) > Math.PI - MergingAngle)
@@ -161,9 +169,13 @@ public sealed class JunctionExtents
                 continue;
             }
 
+            // The edges that face each other meet: this road's on the side of the other, and the other's on the opposite side as seen along
+            // it.
             bool isOnLeft = angle > 0;
             double sine = Math.Sin(Math.Abs(angle));
             double corner = Edge(node, other, onLeft: !isOnLeft) + (Edge(node, link, isOnLeft) * Math.Cos(angle));
+
+            // corner / sin t, cut off at MaxReach without dividing by a sine near 0.
             reach = Math.Max(reach, CornerRoom + (corner < MaxReach * sine ? corner / sine : MaxReach));
         }
 
@@ -173,6 +185,7 @@ public sealed class JunctionExtents
     /// <summary>Whether a road continues through a node with its lanes; the lanes of a road that merges end there instead.</summary>
     private bool GoesOn(int node, int link)
     {
+        // Both links in the direction through the node, so that forward means the same for both.
         RoadLink road = _network.Links[link].To == node ? _network.Links[link] : _network.Links[link].Reversed();
         int next = Next(node, link);
         if (next == RoadContinuations.None)

@@ -12,7 +12,7 @@ public sealed class LaneModel
     private readonly double _narrowLaneWidth;
     private readonly Dictionary<int, double> _calibrated = [];
 
-    /// <summary>Creates a model.</summary>
+    /// <summary>Creates the model of a network's lane widths.</summary>
     /// <param name="network">The roads.</param>
     /// <param name="laneWidth">Width of the lanes of an ordinary road, metres; greater than 0.</param>
     /// <param name="narrowLaneWidth">Width of the lanes of a narrow road, metres; greater than 0.</param>

@@ -11,7 +11,7 @@ public readonly record struct LaneSection
     /// <summary>The lane width of TORCS, metres, for which the indicators' thresholds and ranges are published.</summary>
     public const double TorcsLaneWidth = 4.0;
 
-    /// <summary>Creates a section.</summary>
+    /// <summary>Creates a section of equally wide lanes.</summary>
     /// <param name="laneCount">Lanes of this direction; at least 1.</param>
     /// <param name="laneWidth">Width of each, metres; greater than 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">Fewer than 1 lane, or a width that is not positive.</exception>

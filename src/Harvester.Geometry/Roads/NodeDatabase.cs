@@ -14,7 +14,7 @@ public sealed class NodeDatabase
     private readonly RoadCurves _curves;
     private readonly LaneModel _lanes;
 
-    /// <summary>Creates the database.</summary>
+    /// <summary>Creates the database from the centre lines and lane widths of a network.</summary>
     /// <param name="curves">The centre lines.</param>
     /// <param name="lanes">The widths of the lanes.</param>
     public NodeDatabase(RoadCurves curves, LaneModel lanes)

@@ -16,10 +16,10 @@ public sealed class RoadContinuations
         | RoadNodeFlags.PedestrianAssisted
         | RoadNodeFlags.Water;
 
-    /// <summary>If only two links meet, a sharper bend than this is a U-turn, radians.</summary>
+    /// <summary>If only two links meet, a sharper bend than this is a U-turn, radians: 115 degrees.</summary>
     private const double MaxBend = 2.0;
 
-    /// <summary>If more than two meet, a sharper bend than this is a turn into another road, radians.</summary>
+    /// <summary>If more than two meet, a sharper bend than this is a turn into another road, radians: 40 degrees.</summary>
     private const double MaxBendAtJunction = 0.7;
 
     /// <summary>The penalty of a change of lanes when pairs compete, as an angle, radians.</summary>
@@ -86,6 +86,7 @@ public sealed class RoadContinuations
             }
         }
 
+        // Greedy matching: the cheapest pair first, each link once; ties go by index.
         pairs.Sort();
         foreach ((_, int a, int b) in pairs)
         {
@@ -117,6 +118,8 @@ public sealed class RoadContinuations
     {
         Vector3D a = _network.Nodes[into.To].Position - _network.Nodes[into.From].Position;
         Vector3D b = _network.Nodes[onwards.To].Position - _network.Nodes[onwards.From].Position;
+
+        // The angle between both chords from cross and dot product.
         return Math.Abs(Math.Atan2((a.X * b.Y) - (a.Y * b.X), (a.X * b.X) + (a.Y * b.Y)));
     }
 }

@@ -15,6 +15,9 @@ public sealed class RoadCurve
     /// <summary>Relative error bound of the numerical arc length and of the point in its middle.</summary>
     private const double ArcTolerance = 0.01;
 
+    /// <summary>A Newton step of the parameter below this ends the search: 0.1 µm on a link of 100 m.</summary>
+    private const double MinStep = 1e-9;
+
     private readonly Vector2D _start;
     private readonly Vector2D _end;
     private readonly Vector2D _startTangent;
@@ -82,6 +85,7 @@ public sealed class RoadCurve
     {
         Vector2D velocity = VelocityAt(parameter);
         double speed = velocity.Length;
+        // κ = (p' × p'') / |p'|³.
         return speed > 0 ? velocity.Cross(AccelerationAt(parameter)) / (speed * speed * speed) : 0;
     }
 
@@ -106,6 +110,8 @@ public sealed class RoadCurve
         }
 
         double from = _stations[piece - 1];
+
+        // Linear within the piece, then one Newton step: the arc length grows by the speed |p'| per unit of the parameter.
         double parameter = (piece - 1 + ((station - from) / (_stations[piece] - from))) / Pieces;
         double speed = VelocityAt(parameter).Length;
         double miss = station - from - LengthBetween((piece - 1) / (double)Pieces, parameter);
@@ -139,6 +145,7 @@ public sealed class RoadCurve
                 bestSquare = apartSquare;
             }
 
+            // Minimises f(t) = |p(t) - place|² / 2 by Newton's method: f' = (p - place) · p', f'' = |p'|² + (p - place) · p''.
             Vector2D velocity = VelocityAt(parameter);
             double slope = apart.Dot(velocity);
             double speedSquare = velocity.Dot(velocity);
@@ -146,7 +153,7 @@ public sealed class RoadCurve
 
             // Where the distance is not convex because of the bend, the squared speed alone gives a safe step.
             double next = Clamp(parameter - (slope / (bend > 0 ? bend : Math.Max(speedSquare, double.Epsilon))));
-            if (Math.Abs(next - parameter) < 1e-9)
+            if (Math.Abs(next - parameter) < MinStep)
             {
                 break;
             }
@@ -177,6 +184,7 @@ public sealed class RoadCurve
 
     internal Vector2D GroundAt(double t)
     {
+        // Hermite basis with s = 1 - t: s²(1 + 2t), t·s², t²(3 - 2t) and -t²·s.
         double s = 1 - t;
         return (_start * (s * s * (1 + (2 * t))))
             + (_startTangent * (t * s * s))

@@ -21,7 +21,7 @@ public sealed class RoadCurves
         }
     }
 
-    /// <summary>The network.</summary>
+    /// <summary>The network whose links the curves follow.</summary>
     public RoadNetwork Network { get; }
 
     /// <summary>The links that continue each other.</summary>
@@ -61,11 +61,13 @@ public sealed class RoadCurves
         Vector2D otherChord = Ground(Network.Nodes[far].Position - Network.Nodes[node].Position);
         otherChord = before ? otherChord * -1 : otherChord;
 
-        // The tangent turns away from each chord by half its arc, so the shorter chord has the greater weight.
+        // On a circle the tangent makes half of each chord's arc α with it, and chords are as long as sin(α / 2). The sum of unit chords,
+        // each times the other's length, has exactly this direction.
         Vector2D sum = (Unit(chord) * otherChord.Length) + (Unit(otherChord) * chord.Length);
         return sum.Length > 0 ? Unit(sum) : null;
     }
 
+    // A circular arc makes the same angle with its chord at both ends, on opposite sides: d' = 2 (d · axis) axis - d.
     private static Vector2D Mirrored(Vector2D direction, Vector2D axis) => (axis * (2 * direction.Dot(axis))) - direction;
 
     private static Vector2D Ground(Vector3D vector) => new(vector.X, vector.Y);

@@ -6,6 +6,9 @@ namespace Harvester.Geometry.Roads;
 /// </summary>
 public sealed class RoadIndex
 {
+    /// <summary>
+    /// Minimum side of a cell, metres, about the reach of a road, and maximum number of cells along a side, to bound memory.
+    /// </summary>
     private const double MinCell = 16;
     private const int MaxCellsPerSide = 2048;
 
@@ -104,6 +107,7 @@ public sealed class RoadIndex
             ForCells(box, cell => starts[cell + 1]++);
         }
 
+        // Counting sort: counts per cell become the index at which each cell's links start.
         for (int i = 1; i < starts.Length; i++)
         {
             starts[i] += starts[i - 1];

@@ -28,7 +28,7 @@ public sealed class RoadMatcher
     private readonly double _headingDeviation;
     private readonly double _largestHeadingError;
 
-    /// <summary>Creates a matcher.</summary>
+    /// <summary>Creates a matcher; its index is built once.</summary>
     /// <param name="curves">The centre lines.</param>
     /// <param name="lanes">How wide the lanes are.</param>
     /// <param name="options">Deviations and costs; null for the defaults.</param>
@@ -131,6 +131,8 @@ public sealed class RoadMatcher
         }
 
         double parameter = curve.ClosestParameter(place);
+
+        // In units of its deviation, as the other misfits below.
         double height = (position.Z - curve.HeightAt(parameter)) / _options.HeightDeviation;
         if (Math.Abs(height) * _options.HeightDeviation > _options.MaxHeightDifference)
         {
@@ -141,6 +143,8 @@ public sealed class RoadMatcher
         Vector2D along = curve.DirectionAt(parameter);
         bool isForward = along.Dot(forward) >= 0;
         along = isForward ? along : along * -1;
+
+        // Angle from the car's heading to the road's, positive to the left; the offset to the right of the line is -(along × apart).
         double headingError = Math.Atan2(forward.Cross(along), forward.Dot(along));
         double right = -along.Cross(apart);
         double overshoot = parameter is 0 or 1 ? along.Dot(apart) * (isForward ? 1 : -1) : 0;
@@ -165,8 +169,11 @@ public sealed class RoadMatcher
             return null;
         }
 
+        // 0 in the middle of a lane, 1 at its edge and outside the lanes.
         double withinLane = offset / there.Section.LaneWidth;
         double fromMiddle = outside > 0 ? 1 : Math.Abs(withinLane - Math.Floor(withinLane) - 0.5) * 2;
+
+        // -2 ln of the likelihood of independent normal misfits, up to a constant: the sum of squared misfits in units of their deviations.
         double cost =
             Math.Min(Square(outside / _options.LateralDeviation), MaxCostOfBeside)
             + Square(headingError / _headingDeviation)
@@ -207,6 +214,8 @@ public sealed class RoadMatcher
 
         RoadLink old = _network.Links[left.Link];
         int way = left.IsForward ? old.To : old.From;
+
+        // The node at which the road followed before is left: a link that begins there costs half.
         bool leadsThere = (isForward ? road.From : road.To) == way;
         return slip + (leadsThere ? _options.CostOfLeaving / 2 : _options.CostOfLeaving);
     }
@@ -245,6 +254,8 @@ public sealed class RoadMatcher
 
     private RoadMatch Result(RoadCandidate found, RoadCandidate? runnerUp, double crossing)
     {
+        // Posterior probability of the best candidate with equal priors: e^(-c/2) divided by the sum of it for the best, the runner-up and
+        // a road missing from the data.
         double unknown = Math.Exp((found.Cost - _options.CostOfUnknownRoad) / 2);
         double other = runnerUp is { } second ? Math.Exp((found.Cost - second.Cost) / 2) : 0;
         double confidence = 1 / (1 + unknown + other);

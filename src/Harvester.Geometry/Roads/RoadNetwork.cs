@@ -5,7 +5,7 @@ public sealed class RoadNetwork
 {
     private readonly int[][] _linksOfNode;
 
-    /// <summary>Creates a network.</summary>
+    /// <summary>Creates a network of nodes, links and reported edges.</summary>
     /// <param name="nodes">The nodes.</param>
     /// <param name="links">The links between them.</param>
     /// <param name="edges">The reported points on edges of the links; null if there are none.</param>

@@ -42,6 +42,7 @@ internal sealed class CuboidProbe(Vector3D eye, Cuboid cuboid, int entity, int i
         Vector3D half = cuboid.HalfExtents;
         for (int i = 0; i < count; i++)
         {
+            // Point i of the sequence is ½ + i·step modulo 1 on each axis, mapped from [0, 1) to [-1, 1).
             var within = new Vector3D(half.X * Signed(i * StepX), half.Y * Signed(i * StepY), half.Z * Signed(i * StepZ));
             yield return new Ray(eye, cuboid.Centre + cuboid.Axes.ToWorld(within) - eye);
         }

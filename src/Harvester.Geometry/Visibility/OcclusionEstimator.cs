@@ -23,7 +23,7 @@ public sealed class OcclusionEstimator
 
     private readonly int _samples;
 
-    /// <summary>Creates an estimator.</summary>
+    /// <summary>Creates an estimator that takes a number of samples per object.</summary>
     /// <param name="samples">Number of pixels of the silhouette to sample; at least 1. The standard error is about 0.5 / √samples at
     /// worst.</param>
     /// <exception cref="ArgumentOutOfRangeException">Fewer than 1 sample.</exception>
@@ -133,6 +133,9 @@ public sealed class OcclusionEstimator
 
             onCuboid++;
             cast++;
+
+            // A ray that ends behind the cuboid meets the object, something in front of the cuboid, something else inside it, or nothing.
+            // Only the second kind is hidden for certain, and may or may not be on the object.
             RayHit? first = rays.Cast(ray, span.Exit + CuboidProbe.Margin, ignoredEntity);
             if (first is { } hit && hit.Entity == entity)
             {
@@ -163,6 +166,7 @@ public sealed class OcclusionEstimator
         int onObject = visible + hidden;
         if (onObject > 0)
         {
+            // fraction = hidden / (visible + hidden), over the samples that are on the object.
             yield return new OcclusionEstimate((double)hidden / onObject, onObject, cast, OcclusionMethod.Rays)
             {
                 Sight = visible > 0 ? Sight.Seen : Sight.Unseen,
@@ -174,10 +178,12 @@ public sealed class OcclusionEstimator
         }
         else if (stopped == onCuboid)
         {
+            // Nothing is visible at all, and second rays met nothing: the object is hidden as far as its cuboid shows.
             yield return new OcclusionEstimate(1, onCuboid, cast, OcclusionMethod.CuboidRays) { Sight = Sight.Unseen };
         }
         else
         {
+            // Rays pass through the cuboid without meeting the object: is it elsewhere in the cuboid, or do rays not meet it at all?
             Sight? sight = null;
             foreach (Sight? found in SightFinder.FindUnhit(probe))
             {

@@ -8,6 +8,7 @@ namespace Harvester.Geometry.Visibility;
 /// </summary>
 internal static class SilhouetteSamples
 {
+    /// <summary>The root of x³ = x + 1 (Roberts, The unreasonable effectiveness of quasirandom sequences, 2018).</summary>
     private const double PlasticNumber = 1.32471795724474602596;
 
     /// <summary>Number of points of the sequence tried for each sample wanted, before a thin silhouette is given up.</summary>
@@ -26,6 +27,7 @@ internal static class SilhouetteSamples
         int found = 0;
         for (int i = 1; i <= count * TriesPerSample && found < count && tried.Count < pixels; i++)
         {
+            // Point i of the sequence, ½ + i·step modulo 1, scaled to the box and moved to the centre of its pixel.
             double x = Math.Floor(box.XMin + (box.Width * Fraction(0.5 + (i * stepX)))) + 0.5;
             double y = Math.Floor(box.YMin + (box.Height * Fraction(0.5 + (i * stepY)))) + 0.5;
             var centre = new Vector2D(x, y);

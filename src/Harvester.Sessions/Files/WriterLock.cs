@@ -104,7 +104,7 @@ public sealed class WriterLock : IDisposable
         }
     }
 
-    /// <summary>Releases the folder.</summary>
+    /// <summary>Releases the folder for other writers.</summary>
     public void Dispose()
     {
         if (_file is not null)

@@ -67,6 +67,8 @@ internal sealed class ScaleAxis
     /// </summary>
     private void Interpolate(int i, long source, long target)
     {
+        // In units of 1 / (2 · target) source pixels, so that everything is a whole number. Before the first and after the last centre the
+        // border pixel is repeated.
         long position = (((2L * i) + 1) * source) - target;
         long first = position < 0 ? -1 : position / (2 * target);
         if (first < 0 || first >= source - 1)
@@ -78,6 +80,8 @@ internal sealed class ScaleAxis
         }
 
         long beyond = position - (first * 2 * target);
+
+        // The fraction on the way to the next centre, rounded to Bits bits.
         int second = (int)(((beyond * One) + target) / (2 * target));
         _starts[i] = (int)first;
         _counts[i] = 2;

@@ -15,7 +15,7 @@ namespace Harvester.Sessions.Labels;
 /// <param name="Runs">Lengths of the runs, pixels; their sum is the area of the box.</param>
 public sealed record AmodalMask(int Left, int Top, int Width, int Height, IReadOnlyList<int> Runs)
 {
-    /// <summary>The box, pixels.</summary>
+    /// <summary>The box around the mask, pixels from the image's upper left corner.</summary>
     public Box2D Box => new(Left, Top, Left + Width, Top + Height);
 
     /// <summary>The runs of a map with at least one pixel.</summary>

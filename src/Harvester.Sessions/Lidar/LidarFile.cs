@@ -13,7 +13,7 @@ public static class LidarFile
 
     private const byte Interpolated = 1;
 
-    /// <summary>Writes points.</summary>
+    /// <summary>Writes the points of a sweep, a record of 24 bytes each.</summary>
     public static void Write(Stream stream, IReadOnlyList<LidarPoint> points)
     {
         _ = points ?? throw new ArgumentNullException(nameof(points));

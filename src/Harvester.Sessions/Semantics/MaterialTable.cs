@@ -27,7 +27,7 @@ public sealed class MaterialTable
     /// <summary>Number of materials.</summary>
     public int Count => _classes.Count;
 
-    /// <summary>Reads a table.</summary>
+    /// <summary>Reads a table of materials and their classes.</summary>
     /// <param name="reader">Its text.</param>
     /// <exception cref="FormatException">A row is invalid; the message names line and column.</exception>
     /// <exception cref="IOException">The text cannot be read.</exception>

@@ -6,10 +6,6 @@ namespace Harvester.Simulation.Models;
 /// <summary>The vehicles of the embedded list.</summary>
 internal static class VehicleModels
 {
-    private static readonly Rgb FireRed = new(176, 22, 20);
-    private static readonly Rgb PoliceBlack = new(24, 24, 28);
-    private static readonly Rgb PrisonGrey = new(176, 180, 178);
-
     public static IEnumerable<Model> All() => VehicleRow.ReadAll().Select(Build);
 
     private static Model Build(VehicleRow row) =>
@@ -36,9 +32,7 @@ internal static class VehicleModels
     private static Rgb[] ColoursOf(VehicleRow row) =>
         row switch
         {
-            { Model: "firetruk" } => [FireRed],
-            { Model: "pbus" } => [PrisonGrey],
-            _ when row.Model.StartsWith("police", StringComparison.Ordinal) => [PoliceBlack],
+            { Paint: { } paint } => [paint],
             { Shape: VehicleShape.Motorcycle or VehicleShape.Chopper or VehicleShape.Bicycle } => VehiclePaint.Cycles,
             { Class: ObjectClass.Car } => VehiclePaint.Cars,
             _ => VehiclePaint.Lorries,

@@ -20,15 +20,7 @@ internal static class VehicleParts
         AddWheel(builder, new(frame.X(1 - insetFraction), y, frame.Min.Z), -1, radius, breadth);
     }
 
-    /// <summary>Adds a pane slightly outside a flat face.</summary>
-    /// <param name="builder">Receives it.</param>
-    /// <param name="outward">A direction on the outer side of the face.</param>
-    /// <param name="a">Its corners in order.</param>
-    /// <param name="b">The second.</param>
-    /// <param name="c">The third.</param>
-    /// <param name="d">The last.</param>
-    /// <param name="colour">Its colour.</param>
-    /// <param name="surface">Its surface.</param>
+    /// <summary>Adds a pane with four corners in order, slightly outside a flat face: on the side to which a direction points.</summary>
     public static void AddPane(
         MeshBuilder builder,
         Vector3D outward,

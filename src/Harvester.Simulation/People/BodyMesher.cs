@@ -4,7 +4,10 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.People;
 
-/// <summary>Makes the mesh of a body around its joints.</summary>
+/// <summary>
+/// Makes the mesh of a body around its joints. Rings are given by fractions of the body's height; those of the trunk are scaled by the
+/// girth, and those of limbs by its square root, so that a limb's cross section grows in proportion to the girth.
+/// </summary>
 /// <param name="person">Build and clothes.</param>
 /// <param name="pose">The joints.</param>
 /// <param name="builderOf">The mesh that a part is added to; the same for all, unless parts must be distinguishable.</param>
@@ -41,6 +44,7 @@ internal sealed class BodyMesher(Person person, BodyPose pose, Func<BodyPart, Me
 
     private void AddTrunk()
     {
+        // The trunk grows with the girth g: half widths as (1 + g) / 2, half depths as g.
         double wide = 0.5 * _height * (1 + person.Girth);
         double deep = _height * person.Girth;
         Vector3D hips = (_joints[Joint.RightHip] + _joints[Joint.LeftHip]) * 0.5;

@@ -37,6 +37,7 @@ internal static class BandRasteriser
         int offset = row * width;
         for (; column <= right - MinColumnsAtOnce && column <= width - Vector256<float>.Count; column += Vector256<float>.Count)
         {
+            // Eight columns at a time: nearness is linear along the row, start + step · column.
             Vector256<double> low = Vector256.Create((double)column) + Vector256.Create(0.0, 1, 2, 3);
             Vector256<double> high = Vector256.Create((double)column) + Vector256.Create(4.0, 5, 6, 7);
             Vector256<float> own = Vector256.Narrow(Vector256.Create(start) + (low * step), Vector256.Create(start) + (high * step));

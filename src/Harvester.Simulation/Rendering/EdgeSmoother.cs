@@ -132,6 +132,7 @@ internal sealed class EdgeSmoother(View view, ScreenTriangles triangles, int[] i
             return ifNowhere;
         }
 
+        // An edge function is linear, so it is 0 at the fraction start / (start - end) of the way; the first edge that is left counts.
         Vector256<double> exits = Vector256.ConditionalSelect(isLeft, start / (start - end), Vector256<double>.One);
         Vector128<double> first = Vector128.MinNative(exits.GetLower(), exits.GetUpper());
         return Math.Min(first[0], first[1]);

@@ -21,6 +21,8 @@ internal readonly struct EdgeTriple
         Vector256<double> fromY = Vector256.Create(a[1], b[1], c[1], a[1]);
         Vector256<double> toX = Vector256.Create(b[0], c[0], a[0], b[0]);
         Vector256<double> toY = Vector256.Create(b[1], c[1], a[1], b[1]);
+
+        // Cross product of the edge and the way from its start: X = from.y - to.y, Y = to.x - from.x, W = from × to.
         _x = fromY - toY;
         _y = toX - fromX;
         _w = (fromX * toY) - (fromY * toX);
@@ -49,6 +51,7 @@ internal readonly struct EdgeTriple
             return (left, left);
         }
 
+        // The edge is at 0 where x = -(Y y + W) / X; the first column whose centre is not left of it is ⌈x - ½⌉.
         Vector256<double> crossings = Vector256.Ceiling((-atZero / _x) - Vector256.Create(0.5));
         Vector256<double> lefts = Vector256.ConditionalSelect(growsRightward, crossings, Vector256.Create((double)left));
         Vector256<double> rights = Vector256.ConditionalSelect(growsLeftward, crossings, Vector256.Create((double)right));

@@ -97,6 +97,7 @@ internal sealed class HierarchyBuilder
 
     private int BestSplit(HierarchyNode node, Func<int, int> bin)
     {
+        // The items and their box, bin by bin.
         Array.Fill(_binBounds, Bounds.Empty);
         Array.Clear(_binCounts);
         for (int i = node.First; i < node.First + node.Count; i++)
@@ -106,6 +107,7 @@ internal sealed class HierarchyBuilder
             _binCounts[own]++;
         }
 
+        // Area times count of everything from each bin on, swept from the right.
         Bounds right = Bounds.Empty;
         int rightCount = 0;
         for (int i = BinCount - 1; i > 0; i--)
@@ -123,6 +125,9 @@ internal sealed class HierarchyBuilder
         {
             left = left.With(_binBounds[i - 1]);
             leftCount += _binCounts[i - 1];
+
+            // Surface area heuristic: a ray that meets the node meets a part with a probability in proportion to its area, and tests its
+            // items then: A_left n_left + A_right n_right.
             double cost = (left.HalfArea * leftCount) + _costFromRight[i];
             if (cost < bestCost && leftCount > 0 && leftCount < node.Count)
             {

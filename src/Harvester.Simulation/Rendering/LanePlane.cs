@@ -33,6 +33,7 @@ internal readonly struct LanePlane
             return;
         }
 
+        // The offset in lanes is linear over the triangle: Cramer's rule for its slopes to the east and to the north.
         double b = lanes.B - lanes.A;
         double c = lanes.C - lanes.A;
         double east = ((b * ac.Y) - (c * ab.Y)) / area;
@@ -53,6 +54,8 @@ internal readonly struct LanePlane
             (place.X * Vector256.Create(_perMetre.X)) + (place.Y * Vector256.Create(_perMetre.Y)) + Vector256.Create(_perMetre.Z)
         );
         Vector256<float> lanes = across - Vector256.Create(_inner);
+
+        // Distance from the middle of the lane, in widths of a lane, then from the nearer wheel track, in half widths of it.
         Vector256<float> fromMiddle = Vector256.Abs(lanes - Vector256.Floor(lanes) - Vector256.Create(0.5f));
         Vector256<float> fromTrack = Vector256.Abs(fromMiddle - Vector256.Create(TrackAt)) * Vector256.Create(1 / HalfTrack);
         Vector256<float> isOnLane = Vector256.GreaterThan(lanes, Wide.Zero) & Vector256.LessThan(across, Vector256.Create(_outer));

@@ -82,6 +82,7 @@ internal sealed class LightMap
             return new PixelRectangle(0, 0, camera.Width, camera.Height);
         }
 
+        // The box around the sphere, projected at its nearest and its farthest depth, contains the sphere's image.
         double left = Math.Min((centre.X - range) / nearest, (centre.X - range) / farthest);
         double right = Math.Max((centre.X + range) / nearest, (centre.X + range) / farthest);
         double low = Math.Min((centre.Z - range) / nearest, (centre.Z - range) / farthest);
@@ -108,6 +109,8 @@ internal sealed class LightMap
         {
             WideVector towards = WideVector.Of(_place) - place;
             Vector256<float> distance = Vector256.Sqrt(towards.Dot(towards));
+
+            // Strength (1 - distance / range)², 0 from the range on; it is weaker near the lamp, within the nearest distance.
             Vector256<float> fade = Wide.One - (distance * Vector256.Create(1 / _range));
             Vector256<float> isLit = Vector256.GreaterThan(fade, Wide.Zero) & Vector256.GreaterThan(distance, Wide.Zero);
             if (isLit == Wide.Zero)

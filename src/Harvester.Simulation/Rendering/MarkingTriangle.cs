@@ -77,6 +77,8 @@ internal readonly struct MarkingTriangle
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public double CoverageAt(double x, double y)
     {
+        // Each edge leaves the fraction of the pixel that lies on its inner side, its distance from the centre plus ½. What three edges
+        // leave out adds up: 1 - Σ (1 - inside), and the fourth edge leaves 1.
         Vector256<double> inside = (_x * x) + (_y * y) + _w + Vector256.Create(Reach);
         inside = Vector256.MinNative(Vector256.MaxNative(inside, Vector256<double>.Zero), Vector256<double>.One);
         return Math.Max(0, Vector256.Sum(inside) - 3);

@@ -48,6 +48,7 @@ internal static class NearClipper
         }
     }
 
+    // w is linear along the edge: near is at the fraction (w_visible - near) / (w_visible - w_hidden).
     private static Vector256<double> Crossing(Vector256<double> visible, Vector256<double> hidden, double near) =>
         visible + ((hidden - visible) * ((visible[DepthElement] - near) / (visible[DepthElement] - hidden[DepthElement])));
 

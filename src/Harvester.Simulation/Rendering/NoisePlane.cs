@@ -38,6 +38,9 @@ internal readonly struct NoisePlane
         Vector256<float> below = Vector256.Floor(y);
         Vector256<float> u = Smooth(x - left);
         Vector256<float> v = Smooth(y - below);
+
+        // Value noise: a hash of each of the four corners of the cell, blended bilinearly with smooth weights 3t² - 2t³. The primes are
+        // those of xxHash.
         Vector256<uint> column = (Vector256.ConvertToInt32Native(left).AsUInt32() + Vector256.Create(_cellX)) * PrimeX;
         Vector256<uint> row = (Vector256.ConvertToInt32Native(below).AsUInt32() + Vector256.Create(_cellY)) * PrimeY;
         Vector256<uint> nextColumn = column + Vector256.Create(PrimeX);

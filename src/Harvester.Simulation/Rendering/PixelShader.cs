@@ -17,6 +17,14 @@ internal sealed class PixelShader
 
     /// <summary>From this amount of snow on, the ground is covered wherever it lies level.</summary>
     private const float FullSnow = 0.75f;
+
+    /// <summary>Haze at the horizon: the fog of this many metres.</summary>
+    private const float HazeMetres = 45;
+
+    /// <summary>Share of the sky's light on an upright wall, and how much more or less a surface gets that faces up or down.</summary>
+    private const float SkyFromLevel = 0.8f;
+    private const float SkyByTilt = 0.2f;
+
     private static readonly Vector3 Snow = new(0.95f, 0.96f, 1);
 
     private readonly Lighting _lighting;
@@ -55,7 +63,7 @@ internal sealed class PixelShader
         _night = (float)_lighting.NightFraction;
         _rain = (float)_lighting.RainFraction;
         _fog = (float)_lighting.FogDensity;
-        _haze = Math.Min(1, _fog * 45);
+        _haze = Math.Min(1, _fog * HazeMetres);
     }
 
     /// <summary>Works out depths, directions and air of a row.</summary>
@@ -69,6 +77,8 @@ internal sealed class PixelShader
         {
             Vector256<float> depth = Vector256.Create(_near) / Vector256.Create(row.Depths, column);
             depth.CopyTo(row.Depths, column);
+
+            // Beer and Lambert's law: e^(-density · distance) of the light comes through.
             Wide.Exp(Vector256.Create(-_fog) * depth * Vector256.Create(row.Stretch, column)).CopyTo(row.Through, column);
         }
     }
@@ -116,7 +126,9 @@ internal sealed class PixelShader
         Vector3 normal = triangle.Normal;
         float lying = SnowOn(surface, normal);
         Vector3 colour = Sky.ToLight(triangle.Colour);
-        Vector3 fromSky = _ambient * (0.8f + (0.2f * normal.Z));
+
+        // Lambert: the sun's light times the cosine of its angle of incidence, and the sky's.
+        Vector3 fromSky = _ambient * (SkyFromLevel + (SkyByTilt * normal.Z));
         float facing = Math.Max(0, Vector3.Dot(normal, _sun));
         WideVector light = WideVector.Of(fromSky + (_sunColour * facing));
         WideVector own = WideVector.Of(Vector3.Lerp(colour, Snow, lying));
@@ -171,6 +183,8 @@ internal sealed class PixelShader
                 ),
                 _ => lit,
             };
+
+            // What the air does not let through has the colour of the horizon.
             row.Write(column, horizon.Towards(shown, Vector256.Create(row.Through, column)));
         }
     }
@@ -215,7 +229,10 @@ internal sealed class PixelShader
             : light + WideVector.Of(_sunColour * facing);
     }
 
-    /// <summary>Mixes in the mirrored sky, more of it at a grazing angle (Schlick's approximation).</summary>
+    /// <summary>
+    /// Mixes in the mirrored sky, more of it at a grazing angle: F0 + (1 - F0) / 2 · (1 - cos)⁴, after Schlick's F0 + (1 - F0) (1 - cos)⁵
+    /// (1994).
+    /// </summary>
     private WideVector Mirrored(in WideVector lit, PixelRow row, int column, Vector3 normal, float straightOn)
     {
         WideVector direction = _directions.At(row, column);
@@ -224,6 +241,8 @@ internal sealed class PixelShader
         Vector256<float> away = Wide.One - Wide.Fraction(-towards);
         away *= away;
         Vector256<float> share = Vector256.Create(straightOn) + (Vector256.Create(0.5f - (straightOn / 2)) * away * away);
+
+        // Vertical component of the mirrored direction, d - 2 (d · n) n.
         Vector256<float> height = (direction.Z * shrink) - (towards * Vector256.Create(2 * normal.Z));
         return lit.Towards(_sky.GradientAt(height), share);
     }

@@ -5,6 +5,9 @@ internal static class Precipitation
 {
     private const double DropsPerPixel = 0.0022;
     private const double FlakesPerPixel = 0.0030;
+
+    /// <summary>Sizes of drops and flakes are given in pixels of an image of this height.</summary>
+    private const double ReferenceHeight = 600;
     private static readonly Rgb Drop = new(200, 208, 218);
     private static readonly Rgb Flake = new(250, 250, 255);
 
@@ -17,7 +20,7 @@ internal static class Precipitation
         {
             double x = random.NextDouble() * target.Width;
             double y = random.NextDouble() * target.Height;
-            double length = (8 + (random.NextDouble() * 22)) * target.Height / 600;
+            double length = (8 + (random.NextDouble() * 22)) * target.Height / ReferenceHeight;
             double strength = 0.10 + (random.NextDouble() * 0.16);
             for (int step = 0; step < length; step++)
             {
@@ -29,7 +32,7 @@ internal static class Precipitation
         {
             double x = random.NextDouble() * target.Width;
             double y = random.NextDouble() * target.Height;
-            double radius = (0.5 + (random.NextDouble() * random.NextDouble() * 2.2)) * target.Height / 600;
+            double radius = (0.5 + (random.NextDouble() * random.NextDouble() * 2.2)) * target.Height / ReferenceHeight;
             DrawDot(target, x, y, radius, Flake.Scaled(brightness));
         }
     }

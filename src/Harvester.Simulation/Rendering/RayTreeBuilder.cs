@@ -58,6 +58,7 @@ internal sealed class RayTreeBuilder(BoundingVolumeHierarchy hierarchy)
                 break;
             }
 
+            // The greatest box is the likeliest to be hit, so opening it saves the most tests of a node of its own.
             int child = hierarchy.Nodes[chosen[greatest]].Child;
             chosen[greatest] = child;
             chosen[count++] = child + 1;

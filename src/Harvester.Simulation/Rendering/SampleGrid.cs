@@ -7,6 +7,8 @@ namespace Harvester.Simulation.Rendering;
 internal sealed class SampleGrid
 {
     private const double MinSlope = 0.1;
+
+    /// <summary>Radius up to which the slope is examined: 89.1 degrees from the axis.</summary>
     private const double MaxRadius = 64;
     private readonly RenderLens _lens;
     private readonly double _end;
@@ -82,6 +84,7 @@ internal sealed class SampleGrid
         double radius = Math.Min(shown, _end);
         for (int step = 0; step < 20; step++)
         {
+            // Newton's method for r·factor(r) = shown.
             double next = radius - (((radius * FactorAt(radius)) - shown) / (radius <= _end ? SlopeAt(radius) : MinSlope));
             if (Math.Abs(next - radius) <= 1e-13 * shown)
             {

@@ -11,6 +11,7 @@ namespace Harvester.Simulation.Rendering;
 /// </summary>
 internal sealed class SceneShadows
 {
+    /// <summary>Two maps of this many texels a side: 128 m of fine ones and 819 m of coarse ones, metres each.</summary>
     private const int Texels = 1024;
     private const double NearTexel = 0.125;
     private const double FarTexel = 0.8;
@@ -103,6 +104,7 @@ internal sealed class SceneShadows
     /// <param name="normal">Unit normal of the surface, towards the camera.</param>
     public Vector256<float> SkyAt(in WideVector place, Vector3 normal) => _sky.At(place, normal);
 
+    // Tangent of the angle of incidence, √(1 - cos²) / cos: how much the height towards the sun changes over a texel.
     private static float SlopeOf(float facing) => Math.Min(MaxSlope, MathF.Sqrt(Math.Max(0, 1 - (facing * facing))) / facing);
 
     private WideVector InNear(in WideVector place, Vector3 normal, float slope) =>

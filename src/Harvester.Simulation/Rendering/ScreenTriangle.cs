@@ -36,6 +36,9 @@ internal readonly struct ScreenTriangle
     )
     {
         Edges = doubleArea >= 0 ? new EdgeTriple(a, b, c) : new EdgeTriple(b, a, c);
+
+        // near / depth is linear in the image over a plane. Cramer's rule for its two slopes from the differences along two sides; the
+        // determinant is twice the area.
         Vector256<double> ab = b - a;
         Vector256<double> ac = c - a;
         _slopeX = ((ab[2] * ac[1]) - (ac[2] * ab[1])) / doubleArea;

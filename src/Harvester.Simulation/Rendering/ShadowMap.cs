@@ -172,6 +172,7 @@ internal sealed class ShadowMap(int size)
             near[lane + (3 * Lanes)] = Unsafe.Add(ref texel, size + 1);
         }
 
+        // Bilinear weights of the four texels' verdicts, not of their heights: a soft edge one texel wide (percentage closer filtering).
         Vector256<float> toRight = x - column;
         Vector256<float> toLeft = Wide.One - toRight;
         Vector256<float> upward = y - row;
@@ -232,6 +233,7 @@ internal sealed class ShadowMap(int size)
     /// <summary>Whether a box, and a texel around it, reaches into a tile.</summary>
     private bool Reaches(in Bounds bounds, in ClipTransform toMap, ShadowTiles tiles)
     {
+        // The box around a turned box: its half sides add up by magnitude.
         Vector3D half = (bounds.Max - bounds.Min) * 0.5;
         Vector256<double> centre = toMap.Apply(bounds.Min + half);
         Vector256<double> reach =

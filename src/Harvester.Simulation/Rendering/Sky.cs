@@ -108,13 +108,18 @@ internal sealed class Sky
     /// <summary>A flat layer of cloud: the farther towards the horizon, the smaller it looks, until haze hides it.</summary>
     private WideVector Clouded(in WideVector colour, in WideVector direction)
     {
+        // The line of sight meets a level layer at unit height at direction / height.
         Vector256<float> height = Vector256.MaxNative(direction.Z, Vector256.Create(MinCloudHeight));
         Vector256<float> x = direction.X / height;
         Vector256<float> y = direction.Y / height;
+
+        // Three octaves of noise, whose weights add up to 1.
         Vector256<float> thickness =
             (Large.At(x, y) * Vector256.Create(0.6f))
             + (Middle.At(x, y) * Vector256.Create(0.28f))
             + (Small.At(x, y) * Vector256.Create(0.12f));
+
+        // Cloud where the noise exceeds a threshold that falls with the cover, with an edge a quarter wide, and none close to the horizon.
         Vector256<float> cover =
             Wide.Fraction((thickness + Vector256.Create((_clouds * 0.62f) - 0.72f)) * Vector256.Create(4f))
             * Wide.Fraction((height - Vector256.Create(MinCloudHeight)) * Vector256.Create(6f));

@@ -66,6 +66,8 @@ internal sealed class SkyView
         foreach (int tap in Taps)
         {
             Vector256<float> height = Read(_map.Heights, texels, tap) - inMap.Z;
+
+            // Each tap takes 1 / (1 + (h / HalfHeight)²) of its fifth of the sky, h being the height of what is above it.
             Vector256<float> ratio = height * Vector256.Create(1 / HalfHeight);
             Vector256<float> share = Vector256.MaxNative(Wide.One / (Wide.One + (ratio * ratio)), Vector256.Create(MinTaken));
             taken += share & Vector256.GreaterThan(height, Wide.Zero);

@@ -22,6 +22,9 @@ public static class SunPosition
     public static Vector3D DirectionAt(int dayOfYear, TimeSpan timeOfDay)
     {
         double declination = Angles.ToRadians(AxialTiltDegrees) * Math.Sin(2 * Math.PI * (dayOfYear - Equinox) / DaysOfYear);
+
+        // The sun turns by 15° an hour, by 0 at noon. East, north and up of declination δ, hour angle h and latitude φ: -cos δ sin h; sin δ
+        // cos φ - cos δ cos h sin φ; sin δ sin φ + cos δ cos h cos φ.
         double hourAngle = (timeOfDay.TotalHours - 12) * Math.PI / 12;
         double latitude = Angles.ToRadians(LatitudeDegrees);
         return new Vector3D(

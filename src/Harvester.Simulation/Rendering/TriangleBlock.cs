@@ -35,6 +35,9 @@ internal readonly struct TriangleBlock
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Shorten(in QuadVector origin, in QuadVector direction, ref double limit)
     {
+        // Solves origin + t·direction = a + u·ab + v·ac by Cramer's rule (Möller and Trumbore 1997): with p = direction × ac and
+        // q = (origin - a) × ab, the determinant is ab · p, u = (origin - a) · p, v = direction · q and t = ac · q, each over the
+        // determinant.
         QuadVector p = direction.Cross(_ac);
         Vector256<double> determinant = _ab.Dot(p);
         QuadVector fromA = origin - _a;

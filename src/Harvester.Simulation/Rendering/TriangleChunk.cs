@@ -186,6 +186,7 @@ internal sealed class TriangleChunk
 
     private static Vector3 NormalTowards(Vector3D eye, Pose pose, in MeshTriangle triangle)
     {
+        // The normal is the cross product of two sides, turned towards the eye.
         Vector3D across = pose.Axes.ToWorld((triangle.B - triangle.A).Cross(triangle.C - triangle.A));
         double sign = across.Dot(eye - pose.ToWorld(triangle.A)) < 0 ? -1 : 1;
         double length = across.Length;

@@ -37,6 +37,8 @@ internal sealed class View
     /// <summary>Writes the sides of the view in the frame that a matrix to clip space starts from.</summary>
     public void WriteSides(in Matrix4 toClip, Span<Plane> sides)
     {
+        // In clip space a point is inside where left · w ≤ x ≤ right · w, top · w ≤ y ≤ bottom · w and w ≥ near; each is a plane in the
+        // frame from which the matrix starts.
         sides[4] = Side(toClip.Row3, new Vector4(0, 0, 0, -Camera.NearClip));
         sides[3] = Side(toClip.Row3 * _bottom, toClip.Row1 * -1);
         sides[2] = Side(toClip.Row1, toClip.Row3 * -_top);

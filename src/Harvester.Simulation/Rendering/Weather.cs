@@ -47,11 +47,18 @@ public static class Weather
 
         Vector3D towardsSun = SunPosition.DirectionAt(dayOfYear, timeOfDay);
         double height = towardsSun.Z;
+
+        // All by the sine of the sun's height: full day from 14° above the horizon, none 6° below it; lamps and stars from 4° above to 10°
+        // below; the sky dark from 3° above to 12° below.
         double day = Math.Clamp((height + 0.1) / 0.35, 0, 1);
         double dark = 1 - Math.Clamp((height + NightHeight + 0.02) / 0.25, 0, 1);
         double night = 1 - Math.Clamp((height + NightHeight) / 0.25, 0, 1);
+
+        // Warm light of a low sun: most at the horizon, none from 24° on.
         double low = day * (1 - Math.Clamp(height / 0.4, 0, 1));
         double direct = 1 - (0.85 * clouds);
+
+        // Colours of dusk: most just below the horizon, over 9° to either side. Clouds take most of the direct light.
         double dusk = Math.Max(0, 1 - (Math.Abs(height + 0.02) / 0.16)) * direct;
         Rgb horizon = new Rgb(188, 210, 230)
             .Towards(new(206, 176, 160), low * 0.8 * direct)

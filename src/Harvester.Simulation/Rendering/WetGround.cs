@@ -66,7 +66,11 @@ internal sealed class WetGround(View view, ScreenTriangles triangles, int[] ids,
 
         double depth = view.NearClip / nearness[first];
         double below = (top + 0.5 - _horizon) * depth;
+
+        // The ray goes down by below while it goes forward by depth · focal length: the cosine of its angle with the vertical.
         double cosine = below / Math.Sqrt((below * below) + (depth * view.Camera.FocalY * depth * view.Camera.FocalY));
+
+        // Schlick's approximation of Fresnel's reflection, F0 + (1 - F0) (1 - cos)⁵, times how wet the place is.
         double share =
             wetness
             * (Straight + ((1 - Straight) * Math.Pow(1 - Math.Clamp(cosine, 0, 1), 5)))
@@ -97,6 +101,8 @@ internal sealed class WetGround(View view, ScreenTriangles triangles, int[] ids,
     {
         for (int other = row - SearchStep; other > 0; other -= SearchStep)
         {
+            // Level ground at the other pixel's depth is seen at horizon + below / depth; its mirror image lies as far below the foot as
+            // the object above it: row = 2 · foot - other.
             double foot = _horizon + (below * nearness[(other * width) + column] / view.NearClip);
             if (foot <= row + 1 && other <= (2 * foot) - row)
             {

@@ -7,6 +7,7 @@ namespace Harvester.Simulation.Rendering;
 internal static class Wide
 {
     private const float Log2E = 1.44269504f;
+    private const float Ln2 = 0.69314718f;
 
     /// <summary>Below this power of two single precision has no full accuracy.</summary>
     private const float MinPower = -126;
@@ -26,11 +27,12 @@ internal static class Wide
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<float> Exp(Vector256<float> power)
     {
+        // e^x = 2^(x log2 e) = 2^whole · e^(rest), where the whole power of two goes into the exponent of the number.
         Vector256<float> ofTwo = Vector256.MaxNative(power * Vector256.Create(Log2E), Vector256.Create(MinPower));
         Vector256<float> whole = Vector256.Floor(ofTwo);
-        Vector256<float> rest = (ofTwo - whole) * Vector256.Create(0.69314718f);
+        Vector256<float> rest = (ofTwo - whole) * Vector256.Create(Ln2);
 
-        // The series of e^rest for rest below ln 2; the first term left out is below 1.6e-5 / 7.
+        // The series of e^rest for rest below ln 2; the first term left out, rest⁷ / 5040, is below 1.6e-5 where e^rest is nearly 2.
         Vector256<float> series =
             One
             + (

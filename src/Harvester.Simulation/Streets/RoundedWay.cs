@@ -29,12 +29,16 @@ internal static class RoundedWay
         Vector3D outOf = (after - corner).Normalized();
         double turn = Horizontal.Turn(into, outOf);
         double room = 0.48 * Math.Min((corner - before).Length, (after - corner).Length);
+
+        // A circle of radius r touches both sides at r tan(turn / 2) from the corner; if there is not so much room, its radius is smaller.
         double cut = Math.Min(radius * Math.Tan(Math.Abs(turn) / 2), room);
         double actualRadius = cut / Math.Tan(Math.Abs(turn) / 2);
         Vector3D start = corner - (into * cut);
         AddStraight(points, start);
         Vector3D toCentre = Horizontal.RightOf(into) * (turn > 0 ? -actualRadius : actualRadius);
         Vector3D centre = start + toCentre;
+
+        // Enough pieces that none turns or reaches farther than allowed.
         int steps = Math.Max(1, (int)Math.Ceiling(Math.Max(Math.Abs(turn) / MaxTurnOfStep, actualRadius * Math.Abs(turn) / MaxStep)));
         for (int i = 1; i <= steps; i++)
         {

@@ -70,6 +70,8 @@ internal sealed class StreetCurve
         int chord = ChordAt(distance);
         (_, Vector3D derivative, Vector3D second) = At(Parameter(distance));
         Vector3D along = derivative / (ChordsPerPiece * (_distances[chord + 1] - _distances[chord]));
+
+        // At an offset r to the right of a line of curvature κ, positive to the left, a step along the line is 1 + κ r times as long.
         double outside = 1 + (Curvature(derivative, second) * rightOffset);
         return new Vector3D(along.X * outside, along.Y * outside, along.Z);
     }
@@ -88,6 +90,9 @@ internal sealed class StreetCurve
             double along = (offset.X * tangent.X) + (offset.Y * tangent.Y);
             double lateral = (offset.Y * tangent.X) - (offset.X * tangent.Y);
             double horizontal = (tangent.X * tangent.X) + (tangent.Y * tangent.Y);
+
+            // Newton's method: at the lateral offset y the foot moves by 1 / (1 - κ y) of a step along; the bound keeps steps finite near
+            // the centre of curvature.
             double slope = Math.Max(0.2, horizontal - (Curvature(first, second) * lateral));
             double next = Math.Clamp(distance + (along / slope), 0, Length);
             if (Math.Abs(next - distance) < 1e-10)
@@ -111,6 +116,8 @@ internal sealed class StreetCurve
             Vector3D after = nodes[i + 1] - nodes[i];
             double lengthBefore = before.Length;
             double lengthAfter = after.Length;
+
+            // The unit chords, each weighted by the other's length over the sum: on a circle exactly the tangent, whatever the spacing.
             tangents[i] = ((before * (lengthAfter / lengthBefore)) + (after * (lengthBefore / lengthAfter))) / (lengthBefore + lengthAfter);
         }
 
@@ -128,11 +135,13 @@ internal sealed class StreetCurve
     }
 
     /// <summary>The end tangent that makes the last piece a parabola.</summary>
+    // 2c - d, the mirror image of d about the chord c for small angles, where d · c is nearly 1.
     private static Vector3D Mirrored(Vector3D chordDirection, Vector3D inner) => ((chordDirection * 2) - inner.Normalized()).Normalized();
 
     /// <summary>Curvature on the ground, 1/m, from the first and second derivative.</summary>
     private static double Curvature(Vector3D first, Vector3D second)
     {
+        // κ = (p' × p'') / |p'|³ on the ground.
         double speedSquared = (first.X * first.X) + (first.Y * first.Y);
         return ((first.X * second.Y) - (first.Y * second.X)) / (speedSquared * Math.Sqrt(speedSquared));
     }

@@ -93,6 +93,7 @@ internal sealed class Terrain
             }
         }
 
+        // Heights spread from the roads: each cell takes that of the nearest known one.
         while (open.TryDequeue(out (int X, int Y) cell))
         {
             foreach ((int x, int y) in new[] { (cell.X - 1, cell.Y), (cell.X + 1, cell.Y), (cell.X, cell.Y - 1), (cell.X, cell.Y + 1) })
@@ -105,6 +106,7 @@ internal sealed class Terrain
             }
         }
 
+        // Relaxation towards Laplace's equation: each unknown height becomes the mean of its neighbours, so slopes even out between roads.
         for (int round = 0; round < SmoothingRounds; round++)
         {
             for (int i = 0; i < columns; i++)
@@ -138,6 +140,8 @@ internal sealed class Terrain
             {
                 int x = Math.Min(i / split, _grid.Columns - 1);
                 int y = Math.Min(j / split, _grid.Rows - 1);
+
+                // Bilinear interpolation within a cell.
                 double u = ((double)i / split) - x;
                 double v = ((double)j / split) - y;
                 _grid[i, j] =

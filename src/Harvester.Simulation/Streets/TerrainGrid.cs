@@ -97,6 +97,8 @@ internal sealed class TerrainGrid
         double u = (x * scale) - i;
         double v = (y * scale) - j;
         (i, j) = (i * size, j * size);
+
+        // Linear interpolation in the triangle of the cell that contains the place; the diagonal u = v divides it.
         double near = _heights[i, j];
         double far = _heights[i + size, j + size];
         double beside = u > v ? _heights[i + size, j] : _heights[i, j + size];

@@ -183,7 +183,10 @@ internal sealed class EgoManoeuvres(Vehicle ego, LaneTravel lanes, int seed, dou
         }
     }
 
-    /// <summary>An Ornstein-Uhlenbeck process.</summary>
+    /// <summary>
+    /// An Ornstein-Uhlenbeck process, dx = -x dt / τ + σ √(2 dt / τ) n, with the standard deviation σ and the time constant τ; n is normal
+    /// by Box and Muller's transform.
+    /// </summary>
     private void Wander(double seconds)
     {
         double noise = Math.Sqrt(-2 * Math.Log(1 - _random.NextDouble())) * Math.Cos(2 * Math.PI * _random.NextDouble());
@@ -301,6 +304,8 @@ internal sealed class EgoManoeuvres(Vehicle ego, LaneTravel lanes, int seed, dou
         const double steepest = 0.25;
         double fastest = Math.Min(_rate, steepest * ego.Speed);
         double missing = _goal - Offset;
+
+        // As fast as it can still be stopped at the goal, v² = 2 a · way, and no faster than the limit.
         double wanted = Math.Sign(missing) * Math.Min(fastest, Math.Sqrt(2 * SidewaysAcceleration * Math.Abs(missing)));
         _sideways += Math.Clamp(wanted - _sideways, -SidewaysAcceleration * seconds, SidewaysAcceleration * seconds);
         _sideways = Math.Clamp(_sideways, -fastest, fastest);

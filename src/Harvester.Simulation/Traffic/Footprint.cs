@@ -37,6 +37,7 @@ internal readonly record struct Footprint(Vector3D Centre, Vector3D Forward, dou
 
     private double Reach(Vector3D axis)
     {
+        // Half the length of the rectangle's shadow on the axis; two rectangles are apart if their shadows on the direction of a side are.
         double along = Math.Abs((Forward.X * axis.X) + (Forward.Y * axis.Y));
         double across = Math.Abs((Forward.Y * axis.X) - (Forward.X * axis.Y));
         return (along * HalfLength) + (across * HalfWidth);

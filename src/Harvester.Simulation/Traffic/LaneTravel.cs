@@ -5,6 +5,7 @@ namespace Harvester.Simulation.Traffic;
 /// <summary>What a driver sees before it changes lanes: the lanes beside its own, and the gaps in them.</summary>
 internal sealed class LaneTravel(LaneGraph lanes)
 {
+    /// <summary>Minimum gap to a vehicle of equal speed, metres, and the time by which a difference in speed counts, seconds.</summary>
     private const double MinGap = 7;
     private const double SecondsAhead = 1.2;
     private const double SecondsBehind = 2;

@@ -10,6 +10,7 @@ namespace Harvester.Simulation.Traffic;
 /// </summary>
 internal static class OwnDriver
 {
+    /// <summary>The point aimed at is ahead by this, metres, and by the way of this time, seconds.</summary>
     private const double MinAimDistance = 3;
     private const double AimSeconds = 0.5;
 
@@ -26,8 +27,13 @@ internal static class OwnDriver
         Vector2D toTarget = new Vector2D(target.X, target.Y) - car.RearAxle;
         double sideways = car.Forward.Cross(toTarget);
         double ratio = car.Speed / limits.CharacteristicSpeed;
+
+        // The circle through the rear axle, along the heading, and the target: curvature = 2 · left / distance². Wheels turn farther by the
+        // understeer of CarState.
         double curvature = 2 * sideways / Math.Max(toTarget.Dot(toTarget), 1);
         double wheelAngle = Math.Atan(curvature * limits.Wheelbase * (1 + (ratio * ratio)));
+
+        // The pedals also make up for air, rolling and slope, as CarState takes them off.
         double uphill = CarState.Gravity * ego.Pose.Axes.Forward.Z;
         double asked = acceleration + (limits.Drag * car.Speed * car.Speed) + limits.RollingResistance + uphill;
         return new DrivingControls(

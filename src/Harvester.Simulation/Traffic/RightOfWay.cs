@@ -10,12 +10,17 @@ namespace Harvester.Simulation.Traffic;
 /// </summary>
 internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccupation occupation)
 {
+    /// <summary>A driver asks for a way where it would have to brake like this for the line, m/s², and this many metres earlier.</summary>
     private const double BrakingForStop = 2;
     private const double AskEarlier = 8;
+
+    /// <summary>Room that a vehicle keeps behind the junction besides its length, metres.</summary>
     private const double RoomBehind = 2;
 
     /// <summary>A driver who would have to brake harder than this for a light that is no longer green drives on, m/s².</summary>
     private const double HardestForLight = 4;
+
+    /// <summary>Below this speed a vehicle stands, m/s.</summary>
     private const double StandingSpeed = 0.1;
 
     /// <summary>Metres between a vehicle's front and the line within which it has stopped at the line.</summary>
@@ -45,12 +50,16 @@ internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccup
     {
         double distance = vehicle.Path.Length - vehicle.Distance;
         NoteStop(vehicle, distance - vehicle.FrontOverhang);
+
+        // Stopping distance v² / (2 b) of the front, and some metres so that a way is granted before the driver brakes.
         double range = (vehicle.Speed * vehicle.Speed / (2 * BrakingForStop)) + AskEarlier + vehicle.FrontOverhang;
         for (int i = 1; i < vehicle.Route.Count && distance < range; i++)
         {
             LanePath way = vehicle.Route[i];
             if (way.Junction is not null)
             {
+                // A grant ends when the light leaves green while the vehicle can still stop; then it asks again, and is refused at the red
+                // light.
                 if (vehicle.Granted.Contains(way) && MustStopForLight(vehicle, i, distance, timeSeconds))
                 {
                     TakeBack(vehicle, i);
@@ -72,6 +81,7 @@ internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccup
     {
         for (int i = vehicle.Granted.Count - 1; i >= 0; i--)
         {
+            // The way has left the route when the origin is past it; the rear is past it after the rear overhang.
             if (!vehicle.Route.Contains(vehicle.Granted[i]) && vehicle.Distance > vehicle.RearOverhang)
             {
                 Release(vehicle, i);
@@ -93,6 +103,8 @@ internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccup
     private static void NoteStop(Vehicle vehicle, double metresToLine)
     {
         bool standsAtLine = vehicle.Speed < StandingSpeed && metresToLine < StopRange && vehicle.Path.Road is not null;
+
+        // A stop at a line counts until the vehicle has left its lane.
         vehicle.StoppedOn = standsAtLine || vehicle.StoppedOn == vehicle.Path ? vehicle.Path : null;
     }
 
@@ -105,6 +117,7 @@ internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccup
         LanePath lane = vehicle.Route[index - 1];
         return lane.Length >= NeededRoom(vehicle)
             && control.LightFor(lane, vehicle.Route[index].Junction!, timeSeconds) is SignalState.Amber or SignalState.Red
+            // The way to the line is longer than the braking distance v² / (2 · HardestForLight).
             && distance - vehicle.FrontOverhang > vehicle.Speed * vehicle.Speed / (2 * HardestForLight);
     }
 
@@ -134,9 +147,13 @@ internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccup
     /// <summary>Grants the way through a junction, with those that it has to be granted with, if all of them are free.</summary>
     private bool MayEnter(Vehicle vehicle, int index, double timeSeconds)
     {
+        // A way is granted together with all that follow up to the first road that has room: granted singly, vehicles could block each
+        // other in short roads for good.
         List<LanePath> ways = WaysToRoom(vehicle, index);
         LanePath lane = ways[0].Previous[0];
         LanePath exit = ways[^1].Next[0];
+
+        // The claim of the last tick ends; it is made again below if the vehicle still has to wait.
         ReleaseClaim(vehicle);
         if (
             control.LightFor(lane, ways[0].Junction!, timeSeconds) is SignalState.Amber or SignalState.Red
@@ -147,6 +164,8 @@ internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccup
             return false;
         }
 
+        // Free means that no vehicle has been granted a conflicting way, unless it is held up there, and nobody who has waited longer
+        // claims one.
         if (ways.TrueForAll(way => IsFree(vehicle, way)))
         {
             ways.ForEach(way => Grant(vehicle, way));
@@ -167,6 +186,8 @@ internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccup
     {
         List<LanePath> ways = [vehicle.Route[index]];
         double needed = NeededRoom(vehicle);
+
+        // Routes alternate between ways through junctions and roads, so index + 1 is a road and index + 2 the next way.
         for (int i = index + 1; i + 1 < vehicle.Route.Count && vehicle.Route[i].Length < needed; i += 2)
         {
             ways.Add(vehicle.Route[i + 1]);
@@ -228,15 +249,18 @@ internal sealed class RightOfWay(LaneGraph lanes, LaneControl control, LaneOccup
         double needed = NeededRoom(vehicle);
         if (_bound.TryGetValue(exit, out List<Vehicle>? bound))
         {
+            // Vehicles on their way to the lane will stand in it before this one, each with its room.
             needed += bound.Where(other => other != vehicle && other.Path != exit).Sum(other => other.Length + RoomBehind);
         }
 
         Vehicle? last = occupation.On(exit).Where(other => other != vehicle).MinBy(other => other.DistanceOn(exit));
         if (last is null)
         {
+            // An empty lane that is shorter than what is needed still takes a single vehicle; otherwise it could never be entered.
             return exit.Length >= needed || bound is not { Count: > 0 };
         }
 
+        // Room up to where the rear of the last vehicle will have come to rest if it brakes, v² / (2 · BrakingOfOthers) farther on.
         double speed = last.SpeedOn(exit);
         return last.DistanceOn(exit) - last.RearOverhang + (speed * speed / (2 * BrakingOfOthers)) > needed;
     }

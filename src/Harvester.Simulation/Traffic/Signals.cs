@@ -11,8 +11,14 @@ internal sealed class Signals
 
     /// <summary>Long enough for a car at 20 m/s that can no longer stop at 4 m/s² to pass the line.</summary>
     private const double AmberSeconds = 3;
-    private const double PhaseSeconds = GreenSeconds + AmberSeconds + 1;
+
+    /// <summary>Time in which all lights are red, so that the junction empties.</summary>
+    private const double ClearanceSeconds = 1;
+    private const double PhaseSeconds = GreenSeconds + AmberSeconds + ClearanceSeconds;
     private const double CycleSeconds = 2 * PhaseSeconds;
+
+    /// <summary>Seconds by which the cycles of successive junctions differ, so that not all lights change at once.</summary>
+    private const double OffsetSeconds = 7.3;
 
     private readonly Dictionary<Junction, double> _offsets = [];
 
@@ -20,7 +26,7 @@ internal sealed class Signals
     {
         foreach (Junction junction in plan.Junctions.Where(junction => IsSignalled(junction, network)))
         {
-            _offsets[junction] = junction.Node * 7.3 % CycleSeconds;
+            _offsets[junction] = junction.Node * OffsetSeconds % CycleSeconds;
         }
     }
 
@@ -37,6 +43,7 @@ internal sealed class Signals
             return SignalState.Green;
         }
 
+        // Arms within 45° of the line of the first arm are the one road, the others the crossing one.
         double cosine = arm.Outward.Dot(junction.Arms[0].Outward);
         double phaseStart = Math.Abs(cosine) > Math.Sqrt(0.5) ? 0 : PhaseSeconds;
         double time = (timeSeconds + offset - phaseStart + CycleSeconds) % CycleSeconds;

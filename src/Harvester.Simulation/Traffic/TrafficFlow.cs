@@ -9,11 +9,16 @@ internal sealed class TrafficFlow
     /// <summary>Minimum distance between two bodies, metres.</summary>
     public const double Clearance = 0.15;
 
+    /// <summary>Way beyond its next step that must be free before a vehicle moves, metres.</summary>
     private const double LookAhead = 1;
 
     /// <summary>Of an ego that is held by its brakes, also on a steep road, m/s².</summary>
     private const double HoldingAcceleration = -4;
+
+    /// <summary>A vehicle that has stood for this long is placed elsewhere: longer than a cycle of the lights, seconds.</summary>
     private const double StuckSeconds = 40;
+
+    /// <summary>If the ego has stood for this long, those who stand as long within these metres of it are placed elsewhere.</summary>
     private const double EgoPatienceSeconds = 12;
     private const double EgoSurroundings = 30;
 
@@ -152,6 +157,7 @@ internal sealed class TrafficFlow
 
     private static (double Metres, double Speed) Step(Vehicle vehicle, double acceleration, double seconds)
     {
+        // Constant acceleration within the step: way = (v + v') / 2 · t.
         double speed = Math.Max(0, vehicle.Speed + (acceleration * seconds));
         return ((vehicle.Speed + speed) / 2 * seconds, speed);
     }

@@ -13,7 +13,16 @@ namespace Harvester.Simulation.Traffic;
 /// </summary>
 internal sealed class Walker
 {
+    /// <summary>
+    /// At the end of a pavement with a street ahead, a pedestrian who cannot cross turns back with this probability in each span of this
+    /// time, seconds: after 6 s on average.
+    /// </summary>
     private const double TurnSeconds = 0.6;
+    private const double TurnProbability = 0.1;
+
+    /// <summary>Distance of the pedestrians' lines from the kerb, metres: from the first on, over a width of the second.</summary>
+    private const double MinBeyondKerb = 0.4;
+    private const double WidthBeyondKerb = 2.2;
 
     /// <summary>Shares of those who do not walk: on a usual street, some wait and a few rest.</summary>
     private const double StandingShare = 0.16;
@@ -42,7 +51,7 @@ internal sealed class Walker
         _walkway = walkway;
         _distance = walkway.From + (_random.NextDouble() * walkway.Length);
         _direction = _random.Next(2) == 0 ? 1 : -1;
-        _beyondKerb = 0.4 + (2.2 * _random.NextDouble());
+        _beyondKerb = MinBeyondKerb + (WidthBeyondKerb * _random.NextDouble());
         WalkingSpeed = model.Pace * (1 + (PaceSpread * ((2 * _random.NextDouble()) - 1)));
         Walked = model.StrideMetres * _random.NextDouble();
         double activity = _random.NextDouble();
@@ -138,7 +147,7 @@ internal sealed class Walker
             _opposite = opposite;
             _crossed = 0;
         }
-        else if (opposite is null || _random.NextDouble() < seconds / TurnSeconds * 0.1)
+        else if (opposite is null || _random.NextDouble() < seconds / TurnSeconds * TurnProbability)
         {
             _direction = -_direction;
         }

@@ -12,12 +12,16 @@ public sealed class CodedMaskDecoder : IMaskDecoder
     /// <summary>Step between the rows and columns outside all silhouettes that are searched for shadows.</summary>
     private const int ShadowStep = 4;
 
-    /// <summary>A shadow falls within this many times the size of the box of its object, and pixels.</summary>
+    /// <summary>
+    /// A shadow falls within this many times the size of the box of its object, and pixels. A sun 34° above the horizon casts shadows 1.5
+    /// times as long as the object is high.
+    /// </summary>
     private const double ShadowReach = 1.5;
     private const double ShadowPixels = 30;
 
     /// <summary>
-    /// A pixel whose second best explanation costs less than this more is undetermined, unless its neighbours agree with it.
+    /// A pixel whose second best explanation costs less than this more is undetermined, unless its neighbours agree with it. Costs are
+    /// -2 ln(likelihood), so the best one is e^(6 / 2) = 20 times as likely as the second.
     /// </summary>
     private const double ClearMargin = 6;
     private const int AgreeingNeighbours = 1;
@@ -88,12 +92,15 @@ public sealed class CodedMaskDecoder : IMaskDecoder
     {
         List<int> candidates = [];
         List<int> casters = [];
+
+        // First the light of shadows is learnt where only a shadow can change a pixel: outside all silhouettes, near an object.
         for (int row = 0; row < _image.Height; row += ShadowStep)
         {
             FindShadows(row, candidates, casters);
             yield return true;
         }
 
+        // Then each pixel is explained by itself.
         _light.Solve();
         for (int row = 0; row < _image.Height; row++)
         {
@@ -101,6 +108,7 @@ public sealed class CodedMaskDecoder : IMaskDecoder
             yield return true;
         }
 
+        // Last, each object is looked at as a whole: its shadow is separated, then its outline is settled.
         var separator = new ShadowSeparator(_camera, _noise, _light);
         var edges = new EdgeSettler(_stack, _noise, _image.Width);
         foreach (ObjectPlane plane in _planes)
@@ -174,6 +182,8 @@ public sealed class CodedMaskDecoder : IMaskDecoder
             for (int layer = 0; layer < best.Count; layer++)
             {
                 ObjectPlane plane = _planes[best.Objects[layer]];
+
+                // Group k holds the pictures that show layer k; the next group shows what is behind it.
                 uint front = best.Groups[layer];
                 uint behind = best.Groups[layer + 1];
                 plane.Set(

@@ -3,7 +3,7 @@ namespace Harvester.Geometry.PixelMaps.Coded;
 /// <summary>
 /// Settles the outline of an object to the pixel. A pixel at an edge mixes the colours on both sides. It is the object's if the object's
 /// colour, as its neighbours inside show it, makes up half of it or more. Pixels that miss only because object and background look alike
-/// are filled in where most neighbours are the object's. Faint _fragments are dropped, and small holes are filled.
+/// are filled in where most neighbours are the object's. Faint fragments are dropped, and small holes are filled.
 /// </summary>
 internal sealed class EdgeSettler(PictureStack stack, NoiseMap noise, int imageWidth)
 {
@@ -31,6 +31,7 @@ internal sealed class EdgeSettler(PictureStack stack, NoiseMap noise, int imageW
 
     public void Settle(ObjectPlane plane)
     {
+        // Fragments go first, so that they do not count as neighbours; filling comes after trimming, which it must not undo.
         _fragments.DropFaint(plane);
         TrimEdges(plane);
         for (int round = 0; round < FillRounds && Fill(plane); round++) { }
@@ -84,10 +85,14 @@ internal sealed class EdgeSettler(PictureStack stack, NoiseMap noise, int imageW
     {
         int index = (y * plane.Width) + x;
         Vector3D outside = OutsideOf(plane, x, y);
+
+        // With outside o, pixel p and neighbour n, a mixture is p = o + share·(n - o). Least squares give
+        // share = (p - o)·(n - o) / |n - o|², and the rest p - o - share·(n - o) is what no mixture explains.
         Vector3D over = plane.ColourAt(index) - outside;
         double variance = noise.At(PixelOf(plane, x, y)) / plane.Counts[2 * index];
         foreach ((int across, int down) in Sides)
         {
+            // Only a side with the object on it and none of it opposite is an outline.
             if (plane.Has(x + across, y + down) && !plane.Has(x - across, y - down))
             {
                 Vector3D span = plane.ColourAt(((y + down) * plane.Width) + x + across) - outside;
@@ -95,6 +100,7 @@ internal sealed class EdgeSettler(PictureStack stack, NoiseMap noise, int imageW
                 double share = over.Dot(span) / squared;
                 double rest = (over - (span * share)).Length;
                 if (
+                    // The colours can be distinguished, most of the pixel is the background, and it lies close to the line between both.
                     squared > MinContrast * MinContrast * variance
                     && share < MaxShare
                     && rest < (RimFraction * Math.Sqrt(squared)) + (RestDeviations * Math.Sqrt(variance))
@@ -143,6 +149,8 @@ internal sealed class EdgeSettler(PictureStack stack, NoiseMap noise, int imageW
                     int pixel = PixelOf(plane, x, y);
                     stack.Load(pixel);
                     Vector3D colour = stack.MeanIn(1);
+
+                    // Noise of all three channels together has a standard deviation of √(3 v).
                     double limit = FillDeviations * Math.Sqrt(3 * noise.At(pixel));
                     if ((colour - around).Length < limit)
                     {

@@ -65,6 +65,7 @@ internal sealed class FragmentFilter(NoiseMap noise, int imageWidth)
 
     private bool IsLikeAround(ObjectPlane plane, List<int> region, byte[] picture)
     {
+        // Each pair of a pixel of the region and a neighbour of the object adds the distance of their colours.
         (double difference, int count) = (0, 0);
         foreach (int index in region)
         {
@@ -81,6 +82,7 @@ internal sealed class FragmentFilter(NoiseMap noise, int imageWidth)
             }
         }
 
+        // The region counts as enclosed by the object if its pairs are more than half of the pixels at its border.
         return 2 * count > region.Count(index => IsBeside(plane, index)) && difference < LikeLevels * count;
     }
 
@@ -105,6 +107,7 @@ internal sealed class FragmentFilter(NoiseMap noise, int imageWidth)
             variance += noise.At(PixelOf(plane, index));
         }
 
+        // The mean distance of the colours, against the standard deviation of one channel of one pixel.
         return contrast / fragment.Count < FaintDeviations * Math.Sqrt(variance / fragment.Count);
     }
 
@@ -120,6 +123,8 @@ internal sealed class FragmentFilter(NoiseMap noise, int imageWidth)
 
             visited[start] = true;
             List<int> region = [start];
+
+            // Flood fill in breadth: the list of the region is the queue.
             for (int next = 0; next < region.Count; next++)
             {
                 foreach ((int across, int down) in neighbours)

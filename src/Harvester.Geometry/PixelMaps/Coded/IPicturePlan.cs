@@ -3,7 +3,7 @@ namespace Harvester.Geometry.PixelMaps.Coded;
 /// <summary>What the pictures of a mask show. Picture 0 shows all targets and nothing else that is not there otherwise.</summary>
 public interface IPicturePlan
 {
-    /// <summary>Number of pictures.</summary>
+    /// <summary>Number of pictures that the plan takes in all.</summary>
     int PictureCount { get; }
 
     /// <summary>Whether a picture shows a target, if nothing else hides it.</summary>

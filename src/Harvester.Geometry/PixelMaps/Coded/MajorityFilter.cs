@@ -6,10 +6,11 @@ namespace Harvester.Geometry.PixelMaps.Coded;
 /// </summary>
 internal static class MajorityFilter
 {
+    /// <summary>More than half of a pixel's eight neighbours.</summary>
     private const int Majority = 5;
     private const int Rounds = 3;
 
-    /// <summary>Changes a map.</summary>
+    /// <summary>Gives pixels among those of another object to that object, a few rounds.</summary>
     /// <param name="map">The map.</param>
     /// <param name="isThere">Whether an object is in a pixel, visible or not: its number, the column and the row.</param>
     public static void Apply(InstanceMap map, Func<ushort, int, int, bool> isThere)
@@ -22,6 +23,8 @@ internal static class MajorityFilter
                 for (int column = 1; column < map.Image.Width - 1; column++)
                 {
                     int pixel = (row * map.Image.Width) + column;
+
+                    // One candidate is enough: five of eight neighbours seldom leave out both the left and the upper one.
                     ushort other = before[pixel - 1] != before[pixel] ? before[pixel - 1] : before[pixel - map.Image.Width];
                     if (
                         before[pixel] != 0

@@ -13,7 +13,7 @@ internal sealed class NoiseMap
     /// <summary>Differences are pooled over this many rows and columns on each side.</summary>
     private const int Reach = 2;
 
-    /// <summary>Minimum variance: that of rounding to whole grey levels, several times over.</summary>
+    /// <summary>Minimum variance: six times the 1/12 of rounding to whole grey levels.</summary>
     private const double MinVariance = 0.5;
 
     /// <summary>
@@ -45,6 +45,9 @@ internal sealed class NoiseMap
                 int next = column + Reach;
                 int slot = (next + queue.Length) % queue.Length;
                 float value = next < width ? VarianceAt(pictures, (row * width) + next, least) : 0;
+
+                // Running sum over the columns within Reach: the value that enters replaces the one that leaves; outside the image both are
+                // 0.
                 sum += value - queue[slot];
                 queue[slot] = value;
                 if (column >= 0)
@@ -56,6 +59,7 @@ internal sealed class NoiseMap
 
         for (int pixel = 0; pixel < rows.Length; pixel++)
         {
+            // The same mean down the column of row means gives the mean over (2·Reach + 1)² pixels, fewer at the image's border.
             int row = pixel / width;
             int top = Math.Max(0, row - Reach);
             int bottom = Math.Min(height - 1, row + Reach);
@@ -83,6 +87,7 @@ internal sealed class NoiseMap
         {
             for (int picture = step; picture < pictures.Count - 1; picture++)
             {
+                // Insertion keeps the Rank + 1 smallest differences, in ascending order.
                 float squares = SquaresAt(pictures[picture - step], pictures[picture], pixel);
                 for (int i = 0; i <= Rank; i++)
                 {
@@ -94,7 +99,8 @@ internal sealed class NoiseMap
             }
         }
 
-        // The difference of two pictures has twice the variance of one, and there are three channels.
+        // The difference of two pictures has twice the variance v of one, so summed over three channels it is 2v times a chi-squared value
+        // of three degrees of freedom. Its quantile gives v = squares / quantile / 2; of a single difference, whose mean is 3, squares / 6.
         float between = least[Rank] < float.MaxValue ? least[Rank] / RankQuantile / 2 : 0;
         float ends = SquaresAt(pictures[0], pictures[pictures.Count - 1], pixel);
         return Math.Max(between, ends <= 3 * MaxDifference * MaxDifference ? ends / 6 : 0);

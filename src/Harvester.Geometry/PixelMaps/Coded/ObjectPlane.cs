@@ -89,6 +89,7 @@ internal sealed class ObjectPlane
         [
             .. outline.Select(point =>
             {
+                // Each corner moves away from the middle by MarginPixels, and by MarginFraction of its distance from it.
                 Vector2D arm = point - middle;
                 double length = Math.Sqrt((arm.X * arm.X) + (arm.Y * arm.Y));
                 return length > 0 ? middle + (arm * (1 + MarginFraction + (MarginPixels / length))) : point;

@@ -14,7 +14,7 @@ internal sealed class PictureStack
 
     public int Count => _pictures.Count;
 
-    /// <summary>All pictures.</summary>
+    /// <summary>The group of all pictures.</summary>
     public uint All => (uint)((1UL << Count) - 1);
 
     public static int CountOf(uint group)
@@ -30,7 +30,7 @@ internal sealed class PictureStack
 
     public byte[] Picture(int number) => _pictures[number];
 
-    /// <summary>Loads a pixel.</summary>
+    /// <summary>Reads a pixel's values from all pictures; the statistics are about it from then on.</summary>
     public void Load(int pixel)
     {
         for (int picture = 0; picture < _pictures.Count; picture++)
@@ -61,10 +61,11 @@ internal sealed class PictureStack
             }
         }
 
+        // Σ|x - mean|² = Σ|x|² - |Σx|² / n. The sums are whole numbers, exact as doubles.
         return count == 0 ? 0 : squares - (((r * r) + (g * g) + (b * b)) / count);
     }
 
-    /// <summary>The group's mean.</summary>
+    /// <summary>The group's mean colour; the group must not be empty.</summary>
     public Vector3D MeanIn(uint group)
     {
         (double r, double g, double b, int count) = (0, 0, 0, 0);

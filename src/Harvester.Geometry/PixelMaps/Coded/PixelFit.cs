@@ -11,35 +11,50 @@ internal sealed class PixelFit
     public const int MaxLayers = 3;
 
     /// <summary>
-    /// The price of an object: three more colour values, each worth half the logarithm of the number of pictures on both sides, and the
-    /// choice among the candidates (Bayesian information criterion).
+    /// The price of an object by the Bayesian information criterion, in units of -2 ln(likelihood), as all costs are: its three colour
+    /// values cost 3 ln n = 8.3 for n = 16 pictures; the other 5.7 pay for the choice among e^(5.7 / 2) = 17 candidates.
     /// </summary>
     private const double LayerPrice = 14;
 
-    /// <summary>The price of a shadow, which is chosen among more objects.</summary>
+    /// <summary>
+    /// The price of a shadow. More objects may cast it than may be in the pixel, so it costs 4 more than an object: the choice among
+    /// e^(4 / 2) = 7 times as many.
+    /// </summary>
     private const double ShadowPrice = 18;
 
     /// <summary>The price of a farther object in front of a nearer one: it decides between objects of the same colour.</summary>
     private const double ReversePrice = 4;
 
-    /// <summary>Deviations that the best stack may leave, in units of the noise; if they are larger, the noise is taken to be.</summary>
+    /// <summary>
+    /// Mean squared deviation that the best stack may leave, in units of the noise; if it is larger, the noise is taken to be. For 16
+    /// pictures it is a mean of up to 45 squared deviations, with a standard deviation of √(2 / 45) = 0.21: this is 3.8 of them over 1.
+    /// </summary>
     private const double MaxExcess = 1.8;
 
-    /// <summary>Variance that light reflected between objects may add, as a fraction of the value.</summary>
+    /// <summary>Standard deviation that light reflected between objects may add, as a fraction of the value.</summary>
     private const double LightFraction = 0.01;
 
-    /// <summary>A shadow leaves between this fraction of the light and all of it, apart from noise.</summary>
+    /// <summary>
+    /// A shadow leaves between this fraction of the light and all of it, apart from noise. Both limits are wide: <see
+    /// cref="ShadowSeparator"/> decides by the shadows of the frame.
+    /// </summary>
     private const double DarkestShadow = 0.12;
     private const double NoShadow = 1.02;
 
     /// <summary>Number of objects that are tried in each place of a stack.</summary>
     private const int Tried = 3;
 
+    /// <summary>Maximum number of candidates of a pixel that are scored; the rest are left out.</summary>
+    private const int MaxScored = 64;
+
+    /// <summary>A group is even if its cost exceeds the expected one by no more than this many standard deviations.</summary>
+    private const double EvenDeviations = 3;
+
     private readonly PictureStack _stack;
     private readonly uint[] _shown;
     private readonly double[] _distances;
     private readonly Stack[] _levels = new Stack[MaxLayers + 1];
-    private readonly double[] _scores = new double[MaxLayers * 64];
+    private readonly double[] _scores = new double[MaxLayers * MaxScored];
     private List<int> _candidates = [];
     private List<int> _casters = [];
     private double _variance;
@@ -68,14 +83,22 @@ internal sealed class PixelFit
     public void Fit(double variance, List<int> candidates, List<int> casters)
     {
         (_candidates, _casters) = (candidates, casters);
+
+        // Reflected light adds the variance (f·v)² to each channel's value v. Averaged over the three channels that is f²·|mean colour|² /
+        // 3.
         double brightness = _stack.MeanIn(_stack.All).Length * LightFraction;
         _variance = variance + (brightness * brightness / 3);
         Margin = double.PositiveInfinity;
+
+        // What remains without the prices of the objects is a sum of squared deviations, apart from the rarer prices of shadows and order.
+        // The n pictures have 3n values, and a stack of k objects has fitted a mean colour to each of its k + 1 groups: 3(n - 1 - k)
+        // degrees of freedom.
         double rest = FitLevel(0, _stack.All) - (LayerPrice * Best.Count);
         double excess = rest / (3 * (_stack.Count - 1 - Best.Count));
         if (Best.Count > 0 && excess > MaxExcess)
         {
             // Something else changes, such as a moving texture: a stack must explain more than that.
+            // Costs shrink by this factor while prices stay, so an object is worth its price only if it explains excess times as much.
             _variance *= excess;
             Margin = double.PositiveInfinity;
             FitLevel(0, _stack.All);
@@ -90,6 +113,8 @@ internal sealed class PixelFit
     {
         _casters = casters;
         _variance = variance;
+
+        // Without candidates a pixel is one surface; GroupCost splits off the shaded pictures if that is cheaper than an uneven group.
         GroupCost(_stack.All, out uint seen);
         return seen == _stack.All ? null : (_stack.MeanIn(seen), _stack.MeanIn(_stack.All & ~seen));
     }
@@ -97,13 +122,17 @@ internal sealed class PixelFit
     /// <summary>Whether the pictures of a group show the same, apart from noise.</summary>
     private static bool IsEven(double cost, uint group)
     {
+        // For noise alone the cost of n pictures is chi-squared with d = 3(n - 1) degrees of freedom: mean d, variance 2d.
         double expected = 3 * (PictureStack.CountOf(group) - 1);
-        return cost < expected + (3 * Math.Sqrt(2 * Math.Max(1, expected)));
+        return cost < expected + (EvenDeviations * Math.Sqrt(2 * Math.Max(1, expected)));
     }
 
     private double FitLevel(int level, uint group)
     {
         Stack best = _levels[level];
+
+        // The alternative to any further object: what these pictures show is the background. It is final at the last layer, where no object
+        // may be, and where the pictures are equal apart from noise.
         double cost = GroupCost(group, out uint seen);
         best.Count = 0;
         best.Groups[0] = seen;
@@ -121,8 +150,11 @@ internal sealed class PixelFit
                 break;
             }
 
+            // Pictures that show the candidate show it in front of the rest; the others are explained by the next level.
             uint front = group & _shown[candidate];
             double frontCost = GroupCost(front, out uint frontSeen) + LayerPrice;
+
+            // The level behind costs 0 or more. At the front, a worse candidate is still followed, because Margin compares fronts.
             if (level > 0 && frontCost >= cost)
             {
                 continue;
@@ -130,11 +162,14 @@ internal sealed class PixelFit
 
             double total = frontCost + FitLevel(level + 1, group & ~front);
             Stack behind = _levels[level + 1];
+
+            // The nearer object is usually in front, so the opposite order needs evidence of its own.
             total += behind.Count > 0 && _distances[behind.Objects[0]] < _distances[candidate] ? ReversePrice : 0;
             if (total < cost)
             {
                 if (level == 0)
                 {
+                    // The previous best becomes the second best. The first one is the background alone.
                     Margin = cost - total;
                 }
 
@@ -153,9 +188,9 @@ internal sealed class PixelFit
     /// <summary>Scores the candidates by the deviations that remain if one of them is in front, and nothing else behind it.</summary>
     private void Span(int level, uint group, out int first, out int count)
     {
-        first = level * 64;
-        int number = Math.Min(64, _candidates.Count);
-        for (int i = 0; i < 64; i++)
+        first = level * MaxScored;
+        int number = Math.Min(MaxScored, _candidates.Count);
+        for (int i = 0; i < MaxScored; i++)
         {
             _scores[first + i] = double.PositiveInfinity;
         }
@@ -163,6 +198,8 @@ internal sealed class PixelFit
         for (int i = 0; i < number; i++)
         {
             uint front = group & _shown[_candidates[i]];
+
+            // An object that all or none of the group's pictures show explains no change in it.
             if (front != 0 && front != group)
             {
                 _scores[first + i] = _stack.SquaresIn(front) + _stack.SquaresIn(group & ~front);
@@ -175,7 +212,7 @@ internal sealed class PixelFit
     private int Cheapest(int first)
     {
         int best = -1;
-        for (int i = 0; i < Math.Min(64, _candidates.Count); i++)
+        for (int i = 0; i < Math.Min(MaxScored, _candidates.Count); i++)
         {
             if (!double.IsPositiveInfinity(_scores[first + i]) && (best < 0 || _scores[first + i] < _scores[first + best]))
             {
@@ -210,6 +247,7 @@ internal sealed class PixelFit
                 continue;
             }
 
+            // One surface, shaded by the caster where it is shown: two mean colours instead of one, whose ratio must be that of a shadow.
             double split = ((_stack.SquaresIn(shaded) + _stack.SquaresIn(group & ~shaded)) / _variance) + ShadowPrice;
             if (split < cost && IsShadow(_stack.MeanIn(shaded), _stack.MeanIn(group & ~shaded)))
             {
@@ -226,6 +264,7 @@ internal sealed class PixelFit
         return IsShadow(shaded.X, lit.X, noise) && IsShadow(shaded.Y, lit.Y, noise) && IsShadow(shaded.Z, lit.Z, noise);
     }
 
+    // DarkestShadow · lit < shaded < NoShadow · lit, with a standard deviation of the noise on either side.
     private static bool IsShadow(double shaded, double lit, double noise) =>
         shaded < (NoShadow * lit) + noise && shaded > (DarkestShadow * lit) - noise;
 

@@ -23,6 +23,12 @@ internal sealed class ShadowLight
     /// <summary>Logarithm of how much more likely a ratio in the surface of shadows is for a shadow than for any object.</summary>
     private const double InSurface = 2;
 
+    /// <summary>Ratios of a shaded to a lit colour from here on are no shadow; a little over 1 allows for noise.</summary>
+    private const double MaxRatio = 1.02;
+
+    /// <summary>Below this fraction of the product of its diagonal, the determinant of the equations is rounding.</summary>
+    private const double Singular = 1e-9;
+
     private readonly List<Vector3D> _ratios = [];
     private Vector3D _sky;
     private Vector3D _sun;
@@ -37,13 +43,13 @@ internal sealed class ShadowLight
     public void Add(Vector3D shaded, Vector3D lit)
     {
         var ratio = new Vector3D(shaded.X / Math.Max(1, lit.X), shaded.Y / Math.Max(1, lit.Y), shaded.Z / Math.Max(1, lit.Z));
-        if (ratio.X is > 0 and < 1.02 && ratio.Y is > 0 and < 1.02 && ratio.Z is > 0 and < 1.02)
+        if (ratio.X is > 0 and < MaxRatio && ratio.Y is > 0 and < MaxRatio && ratio.Z is > 0 and < MaxRatio)
         {
             _ratios.Add(ratio);
         }
     }
 
-    /// <summary>Finishes the model.</summary>
+    /// <summary>Finds A and B from the pixels added so far.</summary>
     public void Solve()
     {
         if (!IsAny)
@@ -51,6 +57,7 @@ internal sealed class ShadowLight
             return;
         }
 
+        // The border of a shadow is lighter than its inside, so the darkest ratios are those of full shadows. Their mean is A; B = 1 - A.
         List<Vector3D> darkest =
         [
             .. _ratios.OrderBy(ratio => ratio.X + ratio.Y + ratio.Z).Take((int)Math.Ceiling(DarkestFraction * _ratios.Count)),
@@ -66,7 +73,8 @@ internal sealed class ShadowLight
     /// <param name="litVariance">Noise of the second.</param>
     public double Evidence(Vector3D shaded, Vector3D lit, double variance, double litVariance)
     {
-        // Least squares for a and s; each channel is weighted by its noise.
+        // Least squares for a and s in shaded = a·A·lit + s·B·lit; each channel is weighted by its inverse variance. The normal equations
+        // are aa·a + ab·s = ay and ab·a + bb·s = by.
         var basisSky = new Vector3D(_sky.X * lit.X, _sky.Y * lit.Y, _sky.Z * lit.Z);
         var basisSun = new Vector3D(_sun.X * lit.X, _sun.Y * lit.Y, _sun.Z * lit.Z);
         var weight = new Vector3D(
@@ -80,16 +88,21 @@ internal sealed class ShadowLight
         double ay = Dot(basisSky, shaded, weight);
         double by = Dot(basisSun, shaded, weight);
         double determinant = (aa * bb) - (ab * ab);
-        double sun = determinant > 1e-9 * aa * bb ? ((aa * by) - (ab * ay)) / determinant : 0;
+        double sun = determinant > Singular * aa * bb ? ((aa * by) - (ab * ay)) / determinant : 0;
+
+        // Both are limited to their ranges in turn: s, then the best a for that s, then the best s for that a.
         sun = Math.Max(0, Math.Min(1, sun));
-        double sky = Math.Max(MinSky, Math.Min(1, (ay - (sun * ab)) / Math.Max(1e-9, aa)));
-        sun = Math.Max(0, Math.Min(1, (by - (sky * ab)) / Math.Max(1e-9, bb)));
+        double sky = Math.Max(MinSky, Math.Min(1, (ay - (sun * ab)) / Math.Max(Singular, aa)));
+        sun = Math.Max(0, Math.Min(1, (by - (sky * ab)) / Math.Max(Singular, bb)));
+
+        // -½ Σ rest² / variance is the logarithm of the likelihood of a shadow; an object's colour could be any, as InSurface says.
         Vector3D rest = shaded - (basisSky * sky) - (basisSun * sun);
         return InSurface - (Dot(rest, rest, weight) / 2);
     }
 
     private static double VarianceOf(double shaded, double lit, double variance, double litVariance)
     {
+        // shaded - ratio·lit has the variance of both, the second times ratio², plus the model's own deviation.
         double ratio = Math.Min(1, shaded / Math.Max(1, lit));
         double slack = Slack * lit;
         return variance + (ratio * ratio * litVariance) + (slack * slack);

@@ -23,6 +23,15 @@ internal sealed class ShadowSeparator(Camera camera, NoiseMap noise, ShadowLight
     /// <summary>The ground is seen below a vehicle under this height, metres.</summary>
     private const double Clearance = 0.3;
 
+    /// <summary>A shadow is looked for on the ground within this many times half the diagonal of its object's cuboid.</summary>
+    private const double GroundReach = 4;
+
+    /// <summary>Minimum number of pixels of a window whose texture is compared.</summary>
+    private const int MinTexturePixels = 6;
+
+    /// <summary>Variance of rounding the grey level, 1/12 for a channel and so 1/36 for a mean of three, with room to spare.</summary>
+    private const double RoundingVariance = 0.05;
+
     /// <summary>Logarithms of how much more likely a shadow is than the object, by where the line of sight passes.</summary>
     private const double Never = -50;
     private const double Behind = -6;
@@ -45,6 +54,7 @@ internal sealed class ShadowSeparator(Camera camera, NoiseMap noise, ShadowLight
             }
         }
 
+        // Neighbours show the same thing more often than not: two means over 3 x 3 pixels spread the evidence over 5 x 5.
         double[] smooth = evidence;
         for (int round = 0; round < SmoothRounds; round++)
         {
@@ -81,6 +91,9 @@ internal sealed class ShadowSeparator(Camera camera, NoiseMap noise, ShadowLight
         Ray ray = camera.RayThrough(x + plane.Left + 0.5, y + plane.Top + 0.5);
         Cuboid cuboid = plane.Target.Cuboid;
         Vector3D up = cuboid.Axes.Up;
+
+        // The ground is the plane of the cuboid's underside. The ray descends by descent metres per metre from height metres above it, and
+        // so meets it after height / descent metres.
         double height = (ray.Origin - cuboid.Centre).Dot(up) + cuboid.HalfExtents.Z;
         double descent = -ray.Direction.Dot(up);
         if (height <= 0 || descent <= 0)
@@ -89,12 +102,14 @@ internal sealed class ShadowSeparator(Camera camera, NoiseMap noise, ShadowLight
         }
 
         double ground = height / descent;
-        double reach = cuboid.HalfExtents.Length * 4;
+        double reach = cuboid.HalfExtents.Length * GroundReach;
         if ((ray.Origin + (ray.Direction * ground) - cuboid.Centre).Length > reach)
         {
             return Never;
         }
 
+        // Beside the cuboid a change can only be the shadow. Where the ray enters it below the clearance, the ground shows under the body;
+        // higher up, the body is in the way.
         return cuboid.Intersect(ray) is not { } span ? Outside
             : height - (descent * span.Entry) < Clearance ? Below
             : Behind;
@@ -127,6 +142,8 @@ internal sealed class ShadowSeparator(Camera camera, NoiseMap noise, ShadowLight
                 if (plane.Has(u, v))
                 {
                     int index = (v * plane.Width) + u;
+
+                    // Sums for the regression of the front's grey level on that behind.
                     double front = Grey(plane.Colours, index);
                     double behind = Grey(plane.Behind, index);
                     a += front;
@@ -139,16 +156,19 @@ internal sealed class ShadowSeparator(Camera camera, NoiseMap noise, ShadowLight
             }
         }
 
-        const int least = 6;
-        if (count < least || g <= 0)
+        if (count < MinTexturePixels || g <= 0)
         {
             return 0;
         }
 
+        // The darkening r is the ratio of the means. variation is Σ(behind - mean)², shared is Σ(front - mean)(behind - mean).
         double ratio = Math.Min(1, a / g);
         double variation = gg - (g * g / count);
         double shared = ag - (a * g / count);
-        double variance = (VarianceAt(plane, x, y) * noises / count / 3) + 0.05;
+        double variance = (VarianceAt(plane, x, y) * noises / count / 3) + RoundingVariance;
+
+        // A shadow leaves Σ(front' - r·behind')², an even surface Σfront'², where ' is the deviation from the mean. Their difference is
+        // 2r·shared - r²·variation; its unit is the variance of front - r·behind, (1 + r²)·v, and ½ makes it a logarithm of likelihood.
         double gain = (2 * ratio * shared) - (ratio * ratio * variation);
         return TextureWeight * gain / (2 * variance * (1 + (ratio * ratio)));
     }

@@ -56,6 +56,7 @@ public sealed class VisibilityCode : IPicturePlan
             throw new ArgumentOutOfRangeException(nameof(targets), targets.Count, "There are too many targets to hide.");
         }
 
+        // The fewest bits b with 2^b ≥ targets + 1.
         int least = 1;
         while (1 << least < targets.Count + 1 && least < maxBits)
         {
@@ -112,6 +113,8 @@ public sealed class VisibilityCode : IPicturePlan
 
         for (int i = 0; i < words.Length; i++)
         {
+            // Greedy: each target in turn gets the free word that is farthest from those of its neighbours so far, first by the nearest of
+            // them, then by the sum of all distances. The lowest word wins a tie, so that the same targets always get the same words.
             int best = -1;
             (int Least, int Sum) bestApart = (-1, -1);
             for (int word = 0; word < taken.Length; word++)
@@ -136,6 +139,8 @@ public sealed class VisibilityCode : IPicturePlan
             {
                 if (boxes[target].Intersect(boxes[other]) is not null)
                 {
+                    // Hamming distance d; of d and bits - d the smaller counts, which is largest for words that differ in half of their
+                    // bits.
                     int different = CountOf(word ^ words[other]);
                     int apart = Math.Min(different, bits - different);
                     least = Math.Min(least, apart);

@@ -45,6 +45,9 @@ internal static class FrameShadows
         }
 
         left.Sort();
+
+        // The darkest tenth are taken for full shadows; its lightest pixel and some slack give the bound, which single dark pixels do not
+        // move.
         return left.Count >= MinPixels ? Slack * left[left.Count / DarkestOneIn] : Unknown;
     }
 }

@@ -39,6 +39,8 @@ internal sealed class FrontOrder(
             for (int j = i + 1; j < there.Count; j++)
             {
                 (int a, int b) = (there[i], there[j]);
+
+                // Only pixels that geometry leaves open vote, and only those whose colour is clear.
                 if (ByPlace(a, b, column, row) is null && ByColour(a, b, column, row) is { } isBefore)
                 {
                     _votes[(a, b)] = (_votes.TryGetValue((a, b), out int sum) ? sum : 0) + (isBefore ? 1 : -1);
@@ -68,6 +70,8 @@ internal sealed class FrontOrder(
         }
 
         (int first, int second) = (Math.Min(a, b), Math.Max(a, b));
+
+        // Around the pixel first, then anywhere; without a vote the nearer centre is in front.
         int votes =
             !_votes.TryGetValue((first, second), out int sum) ? 0
             : VotesAround(first, second, column, row) is var near and not 0 ? near
@@ -111,7 +115,11 @@ internal sealed class FrontOrder(
         }
 
         int first = 3 * ((row * camera.Image.Width) + column);
+
+        // The object in front has in the picture with all objects the colour that it has before its own screen.
         (int ofA, int ofB) = (SquaresFromAll(a, first), SquaresFromAll(b, first));
+
+        // One colour must be clearly another, and the squared difference four times the other's: twice as far.
         return Math.Max(ofA, ofB) > Math.Max(ClearSquares, ClearRatio * Math.Min(ofA, ofB)) ? ofA < ofB : null;
     }
 

@@ -6,6 +6,7 @@ namespace Harvester.Geometry.PixelMaps.Screens;
 /// </summary>
 internal sealed class MatteDoubts(ScreenMatte matte, ScreenView view)
 {
+    /// <summary>Each round reaches a pixel farther: the object grows into doubt, then into small gaps.</summary>
     private const int GrowingRounds = 12;
     private const int FillingRounds = 2;
 
@@ -57,6 +58,9 @@ internal sealed class MatteDoubts(ScreenMatte matte, ScreenView view)
     private bool IsLikeNeighbour(int x, int y)
     {
         int index = (y * matte.Width) + x;
+
+        // Where the object changes little, a colour like a neighbour's proves little, so the difference must also be less than half of the
+        // change.
         double change = (view.Shown(index) - view.Empty(index)).Length;
         return Compared(x, y).Least < Math.Min(LikeLevels, LikeChange * change);
     }

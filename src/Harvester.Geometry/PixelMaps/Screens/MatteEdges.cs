@@ -68,6 +68,8 @@ internal sealed class MatteEdges(ScreenMatte matte, ScreenView view, ScreenColou
 
                 int other = (v * matte.Width) + u;
                 bool isEdge = matte.IsBesideScreen(u, v);
+
+                // A neighbour that is a mixture itself, or at the edge and more of the screen than this pixel, has not the object's colour.
                 if (matte.Shares[other] > TellingShare || (isEdge && matte.Shares[other] > matte.Shares[index]))
                 {
                     continue;
@@ -75,6 +77,8 @@ internal sealed class MatteEdges(ScreenMatte matte, ScreenView view, ScreenColou
 
                 (double part, double left) = screen.Mixture(colour, view.Shown(other));
                 int squared = ((u - x) * (u - x)) + ((v - y) * (v - y));
+
+                // The best explanation is near, not at an edge, and leaves little of the pixel's colour.
                 double price = left + (isEdge ? EdgePrice : 0) + (DistancePrice * squared);
                 if (price < least)
                 {

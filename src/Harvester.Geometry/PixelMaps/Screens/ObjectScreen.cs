@@ -42,7 +42,12 @@ internal sealed class ObjectScreen
     {
         Cuboid cuboid = target.Cuboid;
         double distance = SilhouettePainter.DistanceOf(camera, target);
+
+        // A pixel at a distance d is d / fx metres wide.
         double margin = Math.Max(MarginMetres, MarginPixels * distance / camera.Intrinsics.Fx);
+
+        // The top rises by the margin and the floor by LiftMetres, so the height grows by margin - LiftMetres, half of it on either side of
+        // a centre raised by the mean of both.
         double rise = (margin - LiftMetres) / 2;
         var box = new Cuboid(
             cuboid.Centre + (cuboid.Axes.Up * (rise + LiftMetres)),
@@ -74,6 +79,8 @@ internal sealed class ObjectScreen
         {
             (int first, int end) = Spans.Row(row);
             (int otherFirst, int otherEnd) = other.Spans.Row(row);
+
+            // Overlap of [first - 1, end + 1] and the other span, one of them widened by a pixel on either side.
             shared +=
                 first <= end && otherFirst <= otherEnd ? Math.Max(0, Math.Min(end, otherEnd) + 1 - Math.Max(first, otherFirst) + 1) : 0;
         }
@@ -83,6 +90,8 @@ internal sealed class ObjectScreen
 
     private bool IsFar(ScreenSheet sheet, Vector3D eye)
     {
+        // A face is seen from inside if its outward normal, which points from the box's centre to the face's middle, points away from the
+        // eye.
         Vector3D middle = (sheet.A + sheet.C) * 0.5;
         return (middle - Box.Centre).Dot(middle - eye) > 0;
     }

@@ -43,6 +43,7 @@ internal sealed class ScreenColour
             return null;
         }
 
+        // The strongest are skipped as chance: a twentieth of the pixels, at most six. Those from there on down to the spread are averaged.
         double strongest = StrengthOf(colours[Math.Min(MinPixels, colours.Count / StrongestOf)]);
         (Vector3D sum, int count) = (Vector3D.Zero, 0);
         for (; count < colours.Count && StrengthOf(colours[count]) > strongest - StrengthSpread; count++)
@@ -62,6 +63,8 @@ internal sealed class ScreenColour
     {
         Vector3D span = _colour - other;
         double squared = span.Dot(span);
+
+        // Least squares for colour = other + share·(screen - other).
         return squared < MinStrength * MinStrength ? 1 : (colour - other).Dot(span) / squared;
     }
 
@@ -75,6 +78,7 @@ internal sealed class ScreenColour
     public (double Share, double Left) Mixture(Vector3D colour, Vector3D other)
     {
         // Least squares for colour = a·other + share·screen, with a weak wish that both add up to 1 in case the colours are alike.
+        // The wish is the squared residual 25·(1 - a - share)²: 5 grey levels if the sum is off by 1.
         const double wish = 5 * 5;
         double oo = other.Dot(other) + wish;
         double os = other.Dot(_colour) + wish;
@@ -88,5 +92,6 @@ internal sealed class ScreenColour
     }
 
     /// <summary>How much a colour is that of sheets: 255 for theirs, 0 for grey.</summary>
+    // Sheets are magenta: red and blue without green.
     private static double StrengthOf(Vector3D colour) => ((colour.X + colour.Z) / 2) - colour.Y;
 }

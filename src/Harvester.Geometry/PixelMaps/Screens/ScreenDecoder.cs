@@ -49,6 +49,7 @@ internal sealed class ScreenDecoder : IMaskDecoder
 
     private IEnumerable<bool> Work()
     {
+        // First each object by itself, with all pixels of its screen.
         double darkest = FrameShadows.Darkest(_camera.Image, _plan.Screens, _pictures[0], _pictures[1]);
         var map = new InstanceMap(_camera.Image);
         var undetermined = new PixelMap(_camera.Image);
@@ -69,6 +70,7 @@ internal sealed class ScreenDecoder : IMaskDecoder
             yield return true;
         }
 
+        // Then the pixels that several objects claim vote on the order of each pair.
         var order = new FrontOrder(_camera, _targets, _plan, _pictures, _mattes);
         foreach (KeyValuePair<int, List<int>> pixel in several)
         {
@@ -76,6 +78,8 @@ internal sealed class ScreenDecoder : IMaskDecoder
         }
 
         yield return true;
+
+        // Last, each pixel goes to its only object or to the one in front.
         for (int pixel = 0; pixel < owners.Length; pixel++)
         {
             if (owners[pixel] != 0)

@@ -26,6 +26,9 @@ internal sealed class ScreenMatte
     private const double NoShadow = 1.02;
     private const double ShadowTint = 0.1;
 
+    /// <summary>From this share of the screen on, a pixel of the picture without the object is the screen's.</summary>
+    private const double HalfShare = 0.5;
+
     private readonly ScreenView _view;
     private readonly double _darkestShadow;
 
@@ -88,18 +91,24 @@ internal sealed class ScreenMatte
         Vector3D shown = _view.Shown(index);
         if (!_view.HasEmpty[index])
         {
+            // Without the picture of the screen alone: what shows neither the screen nor the empty world is the object.
             return screen.ShareOf(shown) > ScreenShare ? MatteState.Screen
                 : (shown - _view.None(index)).Length < SameLevels ? MatteState.World
                 : MatteState.Object;
         }
 
         Vector3D empty = _view.Empty(index);
+
+        // How much of the pixel is the screen's where the object is hidden: the rest of the world in front of it has the colour of the
+        // picture without objects.
         double share = screen.ShareOf(empty, _view.None(index));
-        if (share >= 0.5)
+        if (share >= HalfShare)
         {
             return (shown - empty).Length > ScreenLevels && screen.ShareOf(shown) < ScreenShare ? MatteState.Object : MatteState.Screen;
         }
 
+        // The world in front of the screen is unchanged, apart from the screen's share; where it moves, as leaves do, twice its own change
+        // is allowed on top.
         if (IsSameWorld(shown, screen.Without(empty, Math.Max(0, share)), share, SameLevels + (2 * UnrestAt(index, screen))))
         {
             return MatteState.World;
@@ -115,6 +124,8 @@ internal sealed class ScreenMatte
     private static bool IsSameWorld(Vector3D shown, Vector3D world, double share, double same)
     {
         Vector3D rest = shown - world;
+
+        // In the screen's share any colour from 0 to 255 may have come, so each channel of the rest lies between 0 and 255·share.
         double most = (255 * share) + same;
         return share < MixedShare
             ? rest.Length < same
@@ -143,6 +154,7 @@ internal sealed class ScreenMatte
 
     private static bool IsShadow(Vector3D shaded, Vector3D lit, double darkest)
     {
+        // Least squares for shaded = left·lit. A shadow leaves a plausible fraction of the light and hardly changes the colour.
         double squared = lit.Dot(lit);
         double left = shaded.Dot(lit) / Math.Max(1, squared);
         return left > darkest && left < NoShadow && (shaded - (lit * left)).Length < (ShadowTint * Math.Sqrt(squared)) + SameLevels;

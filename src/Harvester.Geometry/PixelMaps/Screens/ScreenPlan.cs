@@ -36,6 +36,7 @@ public sealed class ScreenPlan : IPicturePlan
         {
             for (int j = i + 1; j < _screens.Length; j++)
             {
+                // The nearer screen hides part of the farther one: harm = shared pixels / pixels of the farther screen.
                 int shared = _screens[i].PixelsSharedWith(_screens[j]);
                 int farther = IsNearer(i, j) ? j : i;
                 _harm[i, j] = _harm[j, i] = (double)shared / Math.Max(1, _screens[farther].Spans.PixelCount);
@@ -70,7 +71,7 @@ public sealed class ScreenPlan : IPicturePlan
 
     internal IReadOnlyList<ObjectScreen> Screens => _screens;
 
-    /// <summary>Makes a plan.</summary>
+    /// <summary>Distributes the targets over pictures so that their screens overlap as little as possible.</summary>
     /// <param name="camera">The camera of the pictures.</param>
     /// <param name="targets">The objects that can be hidden.</param>
     public static ScreenPlan For(Camera camera, IReadOnlyList<MapTarget> targets) =>
@@ -125,6 +126,7 @@ public sealed class ScreenPlan : IPicturePlan
             }
         }
 
+        // Greedy colouring: a new picture as long as there may be one, then the least harm.
         if (least > 0 && PictureCount < MaxPictures)
         {
             best = _shown.Count;

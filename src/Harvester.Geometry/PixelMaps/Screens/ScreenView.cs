@@ -54,6 +54,8 @@ internal sealed class ScreenView
     {
         Cuboid box = _screen.Box;
         Ray ray = _camera.RayThrough(Left + (index % Width) + 0.5, Top + (index / Width) + 0.5);
+
+        // Height of the ray's exit from the box over its floor.
         return box.Intersect(ray) is not { } span
             || (ray.Origin + (ray.Direction * span.Exit) - box.Centre).Dot(box.Axes.Up) + box.HalfExtents.Z < GroundMetres;
     }

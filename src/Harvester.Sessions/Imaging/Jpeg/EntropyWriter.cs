@@ -20,14 +20,14 @@ internal sealed class EntropyWriter
     private readonly int[] _ordered = new int[JpegBlock.Length];
     private BitSink _sink = new(new byte[1 << 16]);
 
-    /// <summary>Begins an image.</summary>
+    /// <summary>Begins an image: no bits yet, and differences of DC from 0.</summary>
     public void Begin()
     {
         Array.Clear(_previousDc, 0, _previousDc.Length);
         _sink = new BitSink(_sink.Storage);
     }
 
-    /// <summary>Appends a block.</summary>
+    /// <summary>Appends the codes of a block in one component.</summary>
     /// <param name="blocks">The block in all components.</param>
     /// <param name="component">0 for Y, 1 for Cb, 2 for Cr.</param>
     public void Write(QuantisedBlocks blocks, int component)
@@ -49,7 +49,8 @@ internal sealed class EntropyWriter
 
     private static byte[] MakeBitsOfMagnitude()
     {
-        byte[] bits = new byte[2048];
+        // Values have at most 11 bits; each power of 2 needs one bit more than its half.
+        byte[] bits = new byte[1 << 11];
         for (int i = 1; i < bits.Length; i++)
         {
             bits[i] = (byte)(bits[i / 2] + 1);
@@ -107,6 +108,9 @@ internal sealed class EntropyWriter
         for (; present != 0; present &= present - 1)
         {
             int place = LowestBit.Of(present);
+
+            // Run-length coding: a symbol has the number of zeros before a value in its upper four bits and the value's bits in the lower
+            // four; sixteen zeros have a symbol of their own.
             int run = place - after;
             after = place + 1;
             for (; run > 15; run -= 16)

@@ -65,6 +65,8 @@ internal static class ForwardDct<T, TLanes>
         T seventh = values[start + (6 * step)];
         T eighth = values[start + (7 * step)];
 
+        // The even coefficients come from the sums of values that mirror each other, by a transform of four; a rotation by √2 cos(3π/8) and
+        // √2 sin(3π/8) takes three products instead of four.
         T outer = lanes.Sum(first, eighth);
         T nextOuter = lanes.Sum(second, seventh);
         T nextInner = lanes.Sum(third, sixth);
@@ -77,6 +79,7 @@ internal static class ForwardDct<T, TLanes>
         values[start + (2 * step)] = lanes.Rounded(lanes.Sum(turned, lanes.Product(odd, Fix0765366865)), bits);
         values[start + (6 * step)] = lanes.Rounded(lanes.Difference(turned, lanes.Product(oddNext, Fix1847759065)), bits);
 
+        // The odd ones come from the differences; with sums shared between them, nine products do.
         T a = lanes.Difference(fourth, fifth);
         T b = lanes.Difference(third, sixth);
         T c = lanes.Difference(second, seventh);

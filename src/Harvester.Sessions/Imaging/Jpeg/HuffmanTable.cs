@@ -354,6 +354,8 @@ internal sealed class HuffmanTable
         Definition = [.. counts, .. symbols];
         uint code = 0;
         int next = 0;
+
+        // Canonical codes, T.81, annex C.2: codes of a length count up; one bit longer begins at twice the next code.
         for (int length = 1; length <= counts.Length; length++, code <<= 1)
         {
             foreach (byte symbol in symbols.Skip(next).Take(counts[length - 1]))

@@ -10,10 +10,10 @@ namespace Harvester.Sessions.Imaging.Jpeg;
 /// </summary>
 public sealed class JpegEncoder
 {
-    /// <summary>The minimum quality.</summary>
+    /// <summary>The minimum quality: the coarsest quantisation.</summary>
     public const int MinQuality = 1;
 
-    /// <summary>The maximum quality.</summary>
+    /// <summary>The maximum quality: all divisors are 1.</summary>
     public const int MaxQuality = 100;
 
     /// <summary>The default quality: errors are hardly visible, at about a third of the size of a PNG.</summary>
@@ -47,7 +47,7 @@ public sealed class JpegEncoder
         _transform = transform(luma, chroma);
     }
 
-    /// <summary>Writes an image.</summary>
+    /// <summary>Writes an image as a complete baseline JPEG file.</summary>
     /// <exception cref="IOException">The stream cannot be written.</exception>
     public void Write(PixelBuffer picture, Stream target)
     {

@@ -77,6 +77,9 @@ internal sealed class PortableBlockTransform : BlockTransform
         for (int i = 0; i < JpegBlock.Length; i++)
         {
             int value = values[start + i];
+
+            // Rounded division of the magnitude, (|value| + divisor / 2) / divisor, then the sign again: value ^ sign - sign negates where
+            // sign is -1.
             int sign = value >> 31;
             int quotient = ((((value ^ sign) - sign) + table.Halves[i]) * table.Multipliers[i]) >> table.Shifts[i];
             values[start + i] = (quotient ^ sign) - sign;

@@ -147,10 +147,13 @@ internal sealed class QuantisationTable
 
     private QuantisationTable(byte[] at50, int quality)
     {
+        // libjpeg's scale: 100 % at quality 50, 2 % a step less above, 5000 / quality below.
         int percent = quality < 50 ? 5000 / quality : 200 - (2 * quality);
         for (int i = 0; i < JpegBlock.Length; i++)
         {
             Divisors[i] = (byte)Math.Max(1, Math.Min(255, ((at50[i] * percent) + 50) / 100));
+
+            // Division by a multiplication and a shift, exact over the range of the dividends.
             int divisor = Divisors[i] * TransformScale;
             int bits = 1;
             while (1 << bits < divisor)
@@ -177,9 +180,9 @@ internal sealed class QuantisationTable
     /// <summary>Number of bits by which the product is shifted to the right.</summary>
     public int[] Shifts { get; } = new int[JpegBlock.Length];
 
-    /// <summary>The luma table.</summary>
+    /// <summary>The table for Y at a quality, 1 to 100.</summary>
     public static QuantisationTable Luma(int quality) => new(LumaAt50, quality);
 
-    /// <summary>The chroma table.</summary>
+    /// <summary>The table for Cb and Cr at a quality, 1 to 100.</summary>
     public static QuantisationTable Chroma(int quality) => new(ChromaAt50, quality);
 }

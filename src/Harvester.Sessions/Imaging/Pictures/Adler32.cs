@@ -24,6 +24,7 @@ internal sealed class Adler32
             int end = Math.Min(count, start + MaxRunLength);
             for (int i = start; i < end; i++)
             {
+                // a = 1 + Σ bytes, b = Σ of all a, both modulo 65521.
                 a += bytes[i];
                 b += a;
             }

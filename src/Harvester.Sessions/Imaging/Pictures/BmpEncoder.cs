@@ -29,6 +29,8 @@ public sealed class BmpEncoder
 
         int width = picture.Size.Width;
         int height = picture.Size.Height;
+
+        // Rounded up to a multiple of four.
         int stride = ((width * PixelBuffer.BytesPerPixel) + 3) / 4 * 4;
         int length = checked(HeaderBytes + (stride * height));
         if (_file.Length != length || _width != width)

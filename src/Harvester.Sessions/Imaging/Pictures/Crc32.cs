@@ -16,6 +16,8 @@ public static class Crc32
         int i = 0;
         for (; i + Slices <= count; i += Slices)
         {
+            // Slicing by eight (Kounavis and Berry 2005): the table of slice k has the remainder of a byte with k bytes of zeros after it;
+            // remainders add by exclusive or.
             uint low = crc ^ (uint)(bytes[i] | (bytes[i + 1] << 8) | (bytes[i + 2] << 16) | (bytes[i + 3] << 24));
             crc =
                 Tables[7][low & 0xFF]

@@ -205,11 +205,13 @@ public sealed class PngEncoder
             readRow(row, current);
             if (colourType == ColourTypeRgb)
             {
+                // Sub: each byte minus that of the pixel on its left; the first pixel has none.
                 Buffer.BlockCopy(current, 0, _filtered, 1, PixelBuffer.BytesPerPixel);
                 RowDifference.Write(current, PixelBuffer.BytesPerPixel, current, 0, _filtered, PixelBuffer.BytesPerPixel + 1);
             }
             else
             {
+                // Up: each byte minus the one above it; above the first row are zeros.
                 RowDifference.Write(current, 0, above, 0, _filtered, 1);
             }
 
