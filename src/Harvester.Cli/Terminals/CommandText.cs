@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using Harvester.Cli.Arguments;
+using Harvester.Runs.Supervising;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading;
 

@@ -1,4 +1,5 @@
 using Harvester.Datasets.Files;
+using Harvester.Datasets.Outputs;
 using Harvester.Exports.Pairs;
 using Harvester.Sessions.Files;
 

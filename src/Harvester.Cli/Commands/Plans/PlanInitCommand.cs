@@ -1,6 +1,8 @@
 using System.CommandLine;
-using Harvester.Cli.Plans;
 using Harvester.Cli.Terminals;
+using Harvester.Runs.Faults;
+using Harvester.Runs.Plans;
+using Harvester.Runs.Supervising;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Commands.Plans;
