@@ -10,7 +10,9 @@ public sealed class LaneKeepingVectorTests
 
     private static readonly string[][] Rows =
     [
-        .. File.ReadAllLines(Path.Combine(AppContext.BaseDirectory, "Figures", "lane-keeping.csv")).Skip(1).Select(line => line.Split(',')),
+        .. File.ReadAllLines(Path.Combine(AppContext.BaseDirectory, "Evaluation", "Figures", "lane-keeping.csv"))
+            .Skip(1)
+            .Select(line => line.Split(',')),
     ];
 
     public static TheoryData<string> DriveNames => [.. Rows.Select(row => row[0]).Distinct()];

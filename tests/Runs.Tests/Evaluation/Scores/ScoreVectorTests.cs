@@ -47,7 +47,7 @@ public sealed class ScoreVectorTests
     }
 
     private static TheoryData<string> Lines(string name) =>
-        [.. File.ReadAllLines(Path.Combine(AppContext.BaseDirectory, "Scores", name)).Skip(1)];
+        [.. File.ReadAllLines(Path.Combine(AppContext.BaseDirectory, "Evaluation", "Scores", name)).Skip(1)];
 
     private static double[] NumbersOf(string line) => [.. line.Split(',').Select(text => double.Parse(text, CultureInfo.InvariantCulture))];
 }

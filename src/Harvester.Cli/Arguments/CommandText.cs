@@ -1,11 +1,10 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
-using Harvester.Cli.Arguments;
 using Harvester.Runs.Supervising;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading;
 
-namespace Harvester.Cli.Terminals;
+namespace Harvester.Cli.Arguments;
 
 /// <summary>A command line as text, by which the same command is known when it is given again.</summary>
 internal static class CommandText
