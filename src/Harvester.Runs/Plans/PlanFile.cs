@@ -12,9 +12,6 @@ namespace Harvester.Runs.Plans;
 /// <param name="Rigs">The rigs by the name of their camera.</param>
 internal sealed record PlanFile(Plan Plan, string Text, IReadOnlyDictionary<string, Rig> Rigs)
 {
-    /// <summary>Name of the copy of the file in the folder of its output.</summary>
-    public const string FileName = "plan.json";
-
     /// <summary>Reads a plan that has no problem.</summary>
     /// <exception cref="DatasetFormatException">The plan or a rig has a problem; the first is named.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>

@@ -11,14 +11,14 @@ namespace Harvester.Runs.Plans;
 /// <summary>The folder of a plan's output: a copy of the plan, the status of its trials, and a session for each trial.</summary>
 internal sealed class PlanOutput : IDisposable
 {
-    private const string Trials = "trials";
     private const string World = "world.json";
+    private readonly PlanResults _results;
     private readonly FolderLock _held;
 
-    private PlanOutput(string folder, FolderLock held, PlanStatus status) => (Folder, _held, Status) = (folder, held, status);
+    private PlanOutput(PlanResults results, FolderLock held, PlanStatus status) => (_results, _held, Status) = (results, held, status);
 
     /// <summary>The folder.</summary>
-    public string Folder { get; }
+    public string Folder => _results.Folder;
 
     /// <summary>The status of the trials.</summary>
     public PlanStatus Status { get; }
@@ -39,7 +39,8 @@ internal sealed class PlanOutput : IDisposable
         try
         {
             OutputDisk.Check(folder, "--out", minFreeBytes);
-            string copy = Path.Combine(folder, PlanFile.FileName);
+            var results = new PlanResults(folder);
+            string copy = Path.Combine(folder, PlanResults.PlanCopy);
             if (
                 !File.Exists(copy)
                 && Directory.Exists(folder)
@@ -52,19 +53,16 @@ internal sealed class PlanOutput : IDisposable
             Directory.CreateDirectory(folder);
             if (shard.Count == 1)
             {
-                AtomicFile.DeleteLeftovers(folder, static name => name is PlanFile.FileName or World);
+                AtomicFile.DeleteLeftovers(folder, static name => name is PlanResults.PlanCopy or World);
             }
 
-            if (!AtomicFile.TryWriteNew(copy, plan) && InputFile.ReadAllText(copy) != plan)
+            if (!results.Keep(PlanResults.PlanCopy, plan))
             {
-                throw new OccupiedFolderException(
-                    $"'{folder}' has results of another plan, or of this one before it was changed. Name another folder with --out."
-                );
+                throw new OccupiedFolderException($"{results.OfAnotherPlan} Name another folder with --out.");
             }
 
             bool hasResults =
-                File.Exists(Path.Combine(folder, PlanStatus.FileNameOf(shard)))
-                || (shard.Count == 1 && Directory.Exists(Path.Combine(folder, Trials)));
+                File.Exists(Path.Combine(folder, PlanStatus.FileNameOf(shard))) || (shard.Count == 1 && Directory.Exists(results.Trials));
             if (hasResults && !resumes)
             {
                 throw new OccupiedFolderException(
@@ -72,8 +70,7 @@ internal sealed class PlanOutput : IDisposable
                 );
             }
 
-            string described = Path.Combine(folder, World);
-            if (!AtomicFile.TryWriteNew(described, world) && InputFile.ReadAllText(described) != world)
+            if (!results.Keep(World, world))
             {
                 throw new OccupiedFolderException(
                     $"'{folder}' has results of other roads or of another detail. Give --roads and --detail as then, or name another "
@@ -81,7 +78,7 @@ internal sealed class PlanOutput : IDisposable
                 );
             }
 
-            return new PlanOutput(folder, held, PlanStatus.Open(folder, shard));
+            return new PlanOutput(results, held, PlanStatus.Open(folder, shard));
         }
         catch (FormatException e)
         {
@@ -99,9 +96,8 @@ internal sealed class PlanOutput : IDisposable
     /// <exception cref="IOException">It or the folder of all trials is a link.</exception>
     public string FolderOf(Trial trial)
     {
-        string trials = Path.Combine(Folder, Trials);
-        string folder = Path.Combine(trials, trial.Id);
-        foreach (string path in new[] { trials, folder }.Where(Directory.Exists))
+        string folder = _results.FolderOf(trial);
+        foreach (string path in new[] { _results.Trials, folder }.Where(Directory.Exists))
         {
             AppendedFile.RefuseLink(path);
         }
@@ -117,7 +113,7 @@ internal sealed class PlanOutput : IDisposable
     /// <param name="trials">Trials that only this run writes.</param>
     public void DeleteLeftLocks(IEnumerable<Trial> trials)
     {
-        string folder = Path.Combine(Folder, Trials);
+        string folder = _results.Trials;
         string[] names = Directory.Exists(folder) ? [.. Directory.EnumerateFiles(folder).Select(file => Path.GetFileName(file))] : [];
         foreach (Trial trial in trials.Where(trial => names.Any(name => WriterLock.IsOf(name, trial.Id))))
         {

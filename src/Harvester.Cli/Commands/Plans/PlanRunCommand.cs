@@ -122,7 +122,7 @@ internal sealed class PlanRunCommand
             $"{Counted.Of(results.Length - skipped.Length, "trial")} done, {skipped.Length} skipped, "
                 + Counted.Of(results.Where(result => result.State == TrialState.Done).Sum(result => (long)result.Frames), "frame")
         );
-        terminal.Out.WriteLine($"sessions {Path.Combine(folder, "trials")}");
+        terminal.Out.WriteLine($"sessions {new PlanResults(folder).Trials}");
         if (skipped.Length == 0)
         {
             return ExitCode.Done;
