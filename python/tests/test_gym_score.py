@@ -13,7 +13,7 @@ from fake_game import frame
 
 from gtaharvest import gym
 
-VECTORS = Path(__file__).parents[2] / "tests" / "Evaluation.Tests" / "Scores"
+VECTORS = Path(__file__).parents[2] / "tests" / "Runs.Tests" / "Evaluation" / "Scores"
 
 with (VECTORS.parent / "Figures" / "lane-keeping.csv").open(encoding="utf-8", newline="") as stream:
     PLACES = list(csv.DictReader(stream))

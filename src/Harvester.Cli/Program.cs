@@ -1,6 +1,6 @@
 using Harvester.Cli.Commands;
-using Harvester.Cli.Supervising;
 using Harvester.Cli.Terminals;
+using Harvester.Runs.Supervising;
 
 if (args is ["supervise", ..])
 {

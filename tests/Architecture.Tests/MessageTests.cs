@@ -21,7 +21,7 @@ public sealed class MessageTests
     [InlineData("Harvester.Datasets")]
     [InlineData("Harvester.Exports")]
     [InlineData("Harvester.Reports")]
-    [InlineData("Harvester.Evaluation")]
+    [InlineData("Harvester.Runs")]
     [InlineData("Harvester.Cli")]
     public void Messages_are_one_line_and_end_as_sentences(string project)
     {

@@ -5,8 +5,6 @@ namespace Harvester.Architecture.Tests;
 /// <summary>The arrows between namespaces within each project, read from the types that the built code uses.</summary>
 public sealed class NamespaceArrowTests
 {
-    private static readonly string[] CaptureLayers = ["Faults", "Ports", "Labelling", "Calibration", "Harvesting", "Storage", "SelfTests"];
-
     [Theory]
     [MemberData(nameof(ProjectReferenceTests.Projects), MemberType = typeof(ProjectReferenceTests))]
     public void Namespaces_of_a_project_form_no_cycle(string project)
@@ -16,20 +14,6 @@ public sealed class NamespaceArrowTests
         IReadOnlyList<string> cycle = graph.FindCycle();
 
         Assert.True(cycle.Count == 0, $"{string.Join(" -> ", cycle)}: {graph.ExamplesAlong(cycle)}");
-    }
-
-    [Fact]
-    public void Folders_of_Capture_use_only_those_below_them()
-    {
-        NamespaceGraph graph = GraphOf("Harvester.Capture");
-
-        IEnumerable<string> upward =
-            from layer in Enumerable.Range(0, CaptureLayers.Length)
-            from above in CaptureLayers.Skip(layer + 1)
-            where graph.HasArrow($"Harvester.Capture.{CaptureLayers[layer]}", $"Harvester.Capture.{above}")
-            select $"{CaptureLayers[layer]} -> {above}";
-
-        Assert.Empty(upward);
     }
 
     [Theory]

@@ -25,8 +25,9 @@ internal sealed class NamespaceGraph
         return graph;
     }
 
-    public bool HasArrow(string from, string to) =>
-        _arrows.TryGetValue(from, out Dictionary<string, string>? arrows) && arrows.ContainsKey(to);
+    /// <summary>All arrows, each with a use of a type.</summary>
+    public IEnumerable<(string From, string To, string Example)> Arrows =>
+        _arrows.SelectMany(from => from.Value.Select(to => (from.Key, to.Key, to.Value)));
 
     /// <summary>Namespaces along a cycle, the first again at the end; empty where there is none.</summary>
     public IReadOnlyList<string> FindCycle()

@@ -12,26 +12,16 @@ public sealed class ProjectReferenceTests
         ["Harvester.Pages"] = ["Harvester.Sessions"],
         ["Harvester.Capture"] = ["Harvester.Sessions"],
         ["Harvester.Driving"] = ["Harvester.Capture"],
-        ["Harvester.Evaluation"] = ["Harvester.Driving", "Harvester.Pages"],
         ["Harvester.Play"] = ["Harvester.Driving"],
         ["Harvester.Mod"] = ["ScriptHookVDotNet3"],
         ["Harvester.Tapes"] = ["Harvester.Play"],
         ["Harvester.Simulation"] = ["Harvester.Capture"],
-        ["Harvester.Datasets"] = ["Harvester.Capture", "Harvester.Sessions"],
+        ["Harvester.Datasets"] = ["Harvester.Sessions"],
         ["Harvester.Exports"] = ["Harvester.Datasets"],
         ["Harvester.Reports"] = ["Harvester.Exports", "Harvester.Pages"],
+        ["Harvester.Runs"] = ["Harvester.Simulation", "Harvester.Driving", "Harvester.Datasets", "Harvester.Pages"],
         ["Harvester.Viewer"] = ["Harvester.Reports"],
-        ["Harvester.Cli"] =
-        [
-            "Harvester.Simulation",
-            "Harvester.Datasets",
-            "Harvester.Exports",
-            "Harvester.Reports",
-            "Harvester.Evaluation",
-            "Harvester.Pages",
-            "Harvester.Tapes",
-            "Harvester.Viewer",
-        ],
+        ["Harvester.Cli"] = ["Harvester.Reports", "Harvester.Runs", "Harvester.Tapes", "Harvester.Viewer"],
     };
 
     public static TheoryData<string> Projects =>

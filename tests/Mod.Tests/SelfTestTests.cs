@@ -3,6 +3,7 @@ using Harvester.Capture.SelfTests;
 using Harvester.Datasets.Diagnosis;
 using Harvester.Mod.Tests.Games;
 using Harvester.Sessions.Faces;
+using Harvester.Sessions.SelfTests;
 using Harvester.Simulation.Settings;
 
 namespace Harvester.Mod.Tests;

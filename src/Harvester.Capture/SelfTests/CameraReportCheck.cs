@@ -1,3 +1,5 @@
+using Harvester.Sessions.SelfTests;
+
 namespace Harvester.Capture.SelfTests;
 
 /// <summary>

@@ -2,6 +2,7 @@ using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Sessions.Imaging;
+using Harvester.Sessions.SelfTests;
 
 namespace Harvester.Capture.SelfTests;
 

@@ -2,6 +2,7 @@ using System.Globalization;
 using Harvester.Capture.Harvesting;
 using Harvester.Geometry;
 using Harvester.Sessions.Imaging;
+using Harvester.Sessions.SelfTests;
 
 namespace Harvester.Capture.SelfTests;
 

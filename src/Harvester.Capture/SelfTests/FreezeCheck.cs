@@ -1,6 +1,7 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Scenes;
+using Harvester.Sessions.SelfTests;
 
 namespace Harvester.Capture.SelfTests;
 

@@ -4,6 +4,7 @@ using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
+using Harvester.Sessions.SelfTests;
 
 namespace Harvester.Capture.SelfTests;
 

@@ -1,5 +1,6 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Sessions.Imaging;
+using Harvester.Sessions.SelfTests;
 
 namespace Harvester.Capture.SelfTests;
 

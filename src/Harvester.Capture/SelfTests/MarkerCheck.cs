@@ -3,6 +3,7 @@ using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
+using Harvester.Sessions.SelfTests;
 
 namespace Harvester.Capture.SelfTests;
 

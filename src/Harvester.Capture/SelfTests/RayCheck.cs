@@ -1,6 +1,7 @@
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Scenes;
+using Harvester.Sessions.SelfTests;
 
 namespace Harvester.Capture.SelfTests;
 

@@ -1,5 +1,6 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
+using Harvester.Sessions.SelfTests;
 
 namespace Harvester.Capture.SelfTests;
 

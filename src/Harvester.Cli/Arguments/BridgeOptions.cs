@@ -1,9 +1,9 @@
 using System.CommandLine;
 using System.Net;
-using Harvester.Cli.Driving;
-using Harvester.Cli.Terminals;
 using Harvester.Driving.Bridge;
 using Harvester.Driving.Session;
+using Harvester.Runs.Driving;
+using Harvester.Runs.Faults;
 
 namespace Harvester.Cli.Arguments;
 

@@ -1,6 +1,6 @@
 using System.CommandLine;
-using Harvester.Cli.Terminals;
 using Harvester.Exports;
+using Harvester.Runs.Faults;
 using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Scenes;
 

@@ -1,6 +1,6 @@
 using System.CommandLine;
-using Harvester.Cli.Terminals;
 using Harvester.Driving.Controllers;
+using Harvester.Runs.Faults;
 
 namespace Harvester.Cli.Arguments;
 

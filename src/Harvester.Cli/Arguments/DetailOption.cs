@@ -1,5 +1,5 @@
 using System.CommandLine;
-using Harvester.Cli.Terminals;
+using Harvester.Runs.Faults;
 using Harvester.Simulation.Rendering;
 
 namespace Harvester.Cli.Arguments;

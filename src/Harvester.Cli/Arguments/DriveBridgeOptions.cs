@@ -1,7 +1,7 @@
 using System.CommandLine;
 using System.Net;
-using Harvester.Cli.Driving;
-using Harvester.Cli.Terminals;
+using Harvester.Runs.Driving;
+using Harvester.Runs.Faults;
 
 namespace Harvester.Cli.Arguments;
 

@@ -1,12 +1,13 @@
 using System.CommandLine;
 using System.Globalization;
-using Harvester.Cli.Driving;
-using Harvester.Cli.Terminals;
 using Harvester.Datasets.Roads;
 using Harvester.Driving.Controllers;
-using Harvester.Evaluation.Noise;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
+using Harvester.Runs.Driving;
+using Harvester.Runs.Evaluation.Noise;
+using Harvester.Runs.Faults;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Cli.Arguments;
 
@@ -74,7 +75,7 @@ internal sealed class DriveOptions
             "--speed",
             "M/S",
             "Speed on a free straight road, metres per second [default: stanley 14, deepdriving 20]",
-            text => ValueParsers.Number(text) is { } value && value is > 0 and <= 40 ? value : null,
+            text => NumberText.Read(text) is { } value && value is > 0 and <= 40 ? value : null,
             "a number greater than 0 and at most 40"
         );
 
@@ -210,7 +211,7 @@ internal sealed class DriveOptions
     }
 
     private static Vector2D ParsePlace(string text) =>
-        ValueParsers.Numbers(text, 2) is { } n
+        NumberText.ReadList(text, 2) is { } n
             ? new Vector2D(n[0], n[1])
             : throw new UsageException($"--near takes two numbers, e.g. 0,-1000, not '{text}'.");
 

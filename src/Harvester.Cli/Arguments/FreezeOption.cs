@@ -1,6 +1,6 @@
 using System.CommandLine;
 using Harvester.Capture.Ports;
-using Harvester.Cli.Terminals;
+using Harvester.Runs.Faults;
 
 namespace Harvester.Cli.Arguments;
 

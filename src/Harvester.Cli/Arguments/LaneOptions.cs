@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Cli.Arguments;
 
@@ -51,7 +52,7 @@ internal static class LaneOptions
     private static Option<double?> OptionalWidth(string name, string purpose) =>
         ValueParsers.Optional(name, WidthForm, purpose, ParseWidth, WidthRange);
 
-    private static double? ParseWidth(string text) => ValueParsers.Number(text) is >= 2 and <= 10 and var width ? width : null;
+    private static double? ParseWidth(string text) => NumberText.Read(text) is >= 2 and <= 10 and var width ? width : null;
 
     private static LookAhead? Parse(string text)
     {

@@ -1,8 +1,9 @@
 using System.CommandLine;
-using Harvester.Cli.Relabelling;
-using Harvester.Cli.Terminals;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Runs.Faults;
+using Harvester.Runs.Relabelling;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Cli.Arguments;
 
@@ -23,7 +24,7 @@ internal sealed class LensOptions
         "--centre-offset",
         "X,Y",
         "Shift of the principal point right and down, as fractions of width and height [default: 0,0]",
-        text => ValueParsers.Numbers(text, 2) is [>= -1 and <= 1, >= -1 and <= 1] n ? new Vector2D(n[0], n[1]) : null,
+        text => NumberText.ReadList(text, 2) is [>= -1 and <= 1, >= -1 and <= 1] n ? new Vector2D(n[0], n[1]) : null,
         "two numbers from -1 to 1, e.g. 0.01,-0.005"
     );
 

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Harvester.Capture.Harvesting;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Cli.Arguments;
 
@@ -34,7 +35,7 @@ internal static class MinFreeOption
         }
 
         (string unit, double size) = Units.FirstOrDefault(unit => text.EndsWith(unit.Unit, StringComparison.OrdinalIgnoreCase));
-        return unit is not null && ValueParsers.Number(text[..^unit.Length]) is >= 0 and var number && number * size <= MaxBytes
+        return unit is not null && NumberText.Read(text[..^unit.Length]) is >= 0 and var number && number * size <= MaxBytes
             ? (long)(number * size)
             : null;
     }

@@ -1,6 +1,6 @@
 using System.CommandLine;
 using System.Globalization;
-using Harvester.Cli.Terminals;
+using Harvester.Runs.Faults;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Settings;
 

@@ -1,7 +1,7 @@
 using System.CommandLine;
 using System.Globalization;
 using Harvester.Capture.Harvesting;
-using Harvester.Cli.Terminals;
+using Harvester.Runs.Faults;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Cli.Arguments;

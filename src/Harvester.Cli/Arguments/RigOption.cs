@@ -1,8 +1,8 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using Harvester.Capture.Labelling;
-using Harvester.Cli.Harvesting;
-using Harvester.Cli.Terminals;
+using Harvester.Runs.Faults;
+using Harvester.Runs.Harvesting;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Rigs;
 
@@ -58,50 +58,6 @@ internal sealed class RigOption
             throw new UsageException("The --pair options cannot be used with --rig.");
         }
 
-        return Mounted(plan, Read(file.FullName, plan.Options.Masks, plan.Options.Depth));
-    }
-
-    /// <summary>The plan with a rig: each moment then has a frame for each camera.</summary>
-    public static HarvestPlan Mounted(HarvestPlan plan, Rig rig)
-    {
-        int views = rig.Cameras.Count;
-        int frames = checked(plan.Frames * views);
-        return plan with
-        {
-            Frames = frames,
-            FovDegrees = rig.Cameras[0].VerticalFovDegrees,
-            Options = plan.Options with
-            {
-                Rig = rig,
-                Image = rig.Cameras[0].Image,
-                Lens = rig.Cameras[0].Lens,
-                MaxFrames = frames,
-                Places = plan.Options.Places! with { ViewsPerMoment = views },
-                QueueCapacity = Math.Max(plan.Options.QueueCapacity, 2 * views),
-            },
-        };
-    }
-
-    /// <summary>Reads the file of a rig.</summary>
-    /// <param name="path">The file.</param>
-    /// <param name="masks">Whether its views have masks.</param>
-    /// <param name="depth">Whether its views have depth maps.</param>
-    /// <exception cref="UsageException">The rig takes too long.</exception>
-    /// <exception cref="DatasetFormatException">The file is not a rig.</exception>
-    public static Rig Read(string path, bool masks, bool depth)
-    {
-        Rig rig;
-        try
-        {
-            rig = RigParser.Parse(InputFile.ReadAllText(path));
-        }
-        catch (FormatException e)
-        {
-            throw new DatasetFormatException($"'{path}' is not a rig: {e.Message.TrimEnd('.')}.", e);
-        }
-
-        return RigBudget.ProblemOf(rig, RigBudget.SecondsPerMoment(rig, masks, depth)) is { } problem
-            ? throw new UsageException(problem)
-            : rig;
+        return RigMounting.Planned(plan, RigFile.Read(file.FullName, plan.Options.Masks, plan.Options.Depth));
     }
 }

@@ -3,6 +3,7 @@ using System.CommandLine.Parsing;
 using System.Globalization;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Text;
 
@@ -17,7 +18,7 @@ internal static class ValueParsers
             name,
             form,
             description,
-            text => Numbers(text, 3) is { } n ? new Vector3D(n[0], n[1], n[2]) : null,
+            text => NumberText.ReadList(text, 3) is { } n ? new Vector3D(n[0], n[1], n[2]) : null,
             "three numbers, e.g. 10,-20.5,3"
         );
 
@@ -27,7 +28,7 @@ internal static class ValueParsers
             name,
             form,
             description,
-            text => Numbers(text, 2) is { } n ? new Vector2D(n[0], n[1]) : null,
+            text => NumberText.ReadList(text, 2) is { } n ? new Vector2D(n[0], n[1]) : null,
             "two numbers, e.g. 0,-1000"
         );
 
@@ -55,7 +56,7 @@ internal static class ValueParsers
 
     /// <summary>An option of a number within a range.</summary>
     public static Option<double> Number(string name, string form, string description, Func<double, bool> isAllowed, string allowed) =>
-        Parsed(name, form, description, text => Number(text) is { } value && isAllowed(value) ? value : (double?)null, allowed);
+        Parsed(name, form, description, text => NumberText.Read(text) is { } value && isAllowed(value) ? value : (double?)null, allowed);
 
     /// <summary>An option of a whole number within a range.</summary>
     public static Option<int> Integer(string name, string form, string description, int min, int max)
@@ -76,17 +77,6 @@ internal static class ValueParsers
     /// <summary>As <see cref="Choice"/>, for an option that may be left out.</summary>
     public static Option<T?> OptionalChoice<T>(string name, string description)
         where T : struct, Enum => Optional<T>(name, string.Join('|', JsonNames.All<T>()), description, ParseChoice<T>, Alternatives<T>());
-
-    /// <summary>A finite number in the invariant culture, or null.</summary>
-    public static double? Number(string text) =>
-        double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double value) && double.IsFinite(value) ? value : null;
-
-    /// <summary>Finite numbers separated by commas, or null if the text is not exactly <paramref name="count"/> of them.</summary>
-    public static double[]? Numbers(string text, int count)
-    {
-        double?[] numbers = [.. text.Split(',').Select(part => Number(part.Trim()))];
-        return numbers.Length == count && numbers.All(number => number is not null) ? [.. numbers.Select(number => number!.Value)] : null;
-    }
 
     /// <summary>An option whose value a function parses; if it returns null, the error says what was expected.</summary>
     public static Option<T> Parsed<T>(string name, string form, string description, Func<string, T?> parse, string expected)

@@ -1,7 +1,8 @@
 using System.CommandLine;
 using System.Globalization;
 using Harvester.Capture.Labelling;
-using Harvester.Cli.Terminals;
+using Harvester.Runs.Faults;
+using Harvester.Sessions.Reading;
 using Harvester.Simulation.Settings;
 
 namespace Harvester.Cli.Arguments;
@@ -28,7 +29,7 @@ internal sealed class VarietyOptions
         "--places",
         "N",
         "Number of places to visit, all over the road network [default: 10; fewer for less than 100 frames; 1 with --near]",
-        text => ValueParsers.Number(text) is >= 1 and <= MaxPlaces and var places && places == Math.Floor(places) ? (int)places : null,
+        text => NumberText.Read(text) is >= 1 and <= MaxPlaces and var places && places == Math.Floor(places) ? (int)places : null,
         $"a whole number from 1 to {MaxPlaces}"
     );
 

@@ -7,9 +7,10 @@ using Harvester.Cli.Commands.Masks;
 using Harvester.Cli.Commands.Plans;
 using Harvester.Cli.Commands.Roads;
 using Harvester.Cli.Commands.Tapes;
-using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
+using Harvester.Runs.Faults;
+using Harvester.Runs.Harvesting;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading.Files;
 

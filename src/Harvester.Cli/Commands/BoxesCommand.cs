@@ -1,6 +1,6 @@
 using System.CommandLine;
-using Harvester.Cli.Boxes;
 using Harvester.Cli.Terminals;
+using Harvester.Datasets.Boxes;
 
 namespace Harvester.Cli.Commands;
 

@@ -3,6 +3,7 @@ using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Reports.Comparison;
+using Harvester.Runs.Faults;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Text;

@@ -1,16 +1,18 @@
 using System.CommandLine;
 using System.Globalization;
 using Harvester.Cli.Arguments;
-using Harvester.Cli.Harvesting;
-using Harvester.Cli.Sheets;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Roads;
+using Harvester.Runs.Faults;
+using Harvester.Runs.Harvesting;
+using Harvester.Runs.Sheets;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 using Harvester.Simulation.World;
@@ -164,7 +166,7 @@ internal sealed class ContactSheetCommand
         parsed.GetRequiredValue(option) is { Length: > 0 } values ? values : [otherwise];
 
     private static SheetPlace PlaceAt(string text) =>
-        ValueParsers.Numbers(text, 2) is { } at
+        NumberText.ReadList(text, 2) is { } at
             ? new SheetPlace("", new Geometry.Vector2D(at[0], at[1]))
             : throw new UsageException($"--at takes two numbers, e.g. 0,-1000, not '{text}'.");
 
@@ -174,7 +176,7 @@ internal sealed class ContactSheetCommand
             : throw new UsageException($"--time takes a time of day, e.g. 18:30, not '{text}'.");
 
     private static double SecondsOf(string text) =>
-        ValueParsers.Number(text) is { } seconds and >= 0 and <= MaxSeconds
+        NumberText.Read(text) is { } seconds and >= 0 and <= MaxSeconds
             ? seconds
             : throw new UsageException($"--seconds takes a number from 0 to {MaxSeconds}, not '{text}'.");
 

@@ -2,6 +2,8 @@ using System.CommandLine;
 using Harvester.Capture.SelfTests;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Diagnosis;
+using Harvester.Runs.Faults;
+using Harvester.Sessions.SelfTests;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;
@@ -42,10 +44,10 @@ internal sealed class DoctorCommand
 
     private static void Explain(Terminal terminal, SelfTestFile test)
     {
-        terminal.Out.WriteLine(Terminal.OneLine($"Self-test of {test.Tool} in {test.Game}"));
+        terminal.Out.WriteLine(MessageLine.Of($"Self-test of {test.Tool} in {test.Game}"));
         foreach (SelfTestLine line in test.Lines)
         {
-            terminal.Out.WriteLine(Terminal.OneLine($"{JsonName.Of(line.Verdict), -8} {line.Check, -17} {line.Sentence}"));
+            terminal.Out.WriteLine(MessageLine.Of($"{JsonName.Of(line.Verdict), -8} {line.Check, -17} {line.Sentence}"));
             if (line.Verdict == SelfTestVerdict.Note)
             {
                 terminal.Out.WriteLine($"{string.Empty, 26} {Diagnosis.AdviceFor(line.Check)}");
@@ -54,7 +56,7 @@ internal sealed class DoctorCommand
 
         foreach (string change in test.Changes)
         {
-            terminal.Out.WriteLine(Terminal.OneLine($"changed  {change}"));
+            terminal.Out.WriteLine(MessageLine.Of($"changed  {change}"));
         }
     }
 
@@ -76,11 +78,11 @@ internal sealed class DoctorCommand
         foreach (Finding finding in diagnosis.Findings)
         {
             string count = finding.Count > 1 ? $" ({finding.Count} times)" : string.Empty;
-            terminal.Out.WriteLine($"\n{++number}. {Terminal.OneLine(finding.Cause)}{count}");
+            terminal.Out.WriteLine($"\n{++number}. {MessageLine.Of(finding.Cause)}{count}");
             terminal.Out.WriteLine($"   What to do: {finding.Advice}");
             if (finding.Evidence is { } evidence)
             {
-                terminal.Out.WriteLine($"   Seen in {Terminal.OneLine(evidence.ToString())}");
+                terminal.Out.WriteLine($"   Seen in {MessageLine.Of(evidence.ToString())}");
             }
         }
 

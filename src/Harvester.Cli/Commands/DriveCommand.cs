@@ -1,14 +1,15 @@
 using System.CommandLine;
 using System.Runtime.ExceptionServices;
 using Harvester.Cli.Arguments;
-using Harvester.Cli.Driving;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Driving.Session;
-using Harvester.Evaluation.Clients;
-using Harvester.Evaluation.Reports;
-using Harvester.Evaluation.Scores;
 using Harvester.Geometry.Cameras;
+using Harvester.Runs.Clients;
+using Harvester.Runs.Driving;
+using Harvester.Runs.Evaluation.Reports;
+using Harvester.Runs.Evaluation.Scores;
+using Harvester.Runs.Faults;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Text;
 
@@ -86,7 +87,7 @@ internal sealed class DriveCommand
         bool isRepeated = noted?.IsThere() ?? false;
         using DriveRecording? recording = recorded is null
             ? null
-            : new DriveRecording(terminal, recorded, recordingCommand, parsed.GetValue(Overwrite));
+            : new DriveRecording(terminal.WriteError, recorded, recordingCommand, parsed.GetValue(Overwrite));
         var output = new DriveFolder(folder, CommandText.Of(parsed), parsed.GetValue(Overwrite), isRepeated);
         int metres = (int)Math.Ceiling(plan.Metres * plan.Episodes.Count);
         var drives = new SimulatedDrives(plan, terminal.Out) { Recording = recording };
@@ -124,7 +125,10 @@ internal sealed class DriveCommand
         if (fault is null)
         {
             // Otherwise the mark stays, so that the command can be given again.
-            recording?.Finish();
+            if (recording is not null)
+            {
+                terminal.Out.WriteLine(recording.Finish());
+            }
         }
 
         terminal.Out.WriteLine($"report  {Path.Combine(folder, DriveReport.FileName)}");

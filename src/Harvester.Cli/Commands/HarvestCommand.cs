@@ -3,13 +3,14 @@ using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Cli.Arguments;
-using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
+using Harvester.Datasets.Outputs;
 using Harvester.Datasets.Statistics;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
 using Harvester.Reports.Sessions;
+using Harvester.Runs.Harvesting;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Reading;
@@ -253,7 +254,7 @@ internal sealed class HarvestCommand
         }
 
         using var output = new SessionOutput(
-            terminal,
+            terminal.WriteError,
             plan.Folder,
             command,
             plan.Overwrite,
@@ -279,7 +280,7 @@ internal sealed class HarvestCommand
                         + "frames are deleted."
                     : fault
             );
-            return outcome.ExitCode;
+            return ExitCode.Of(outcome);
         }
 
         if (outcome.IsCancelled && output.KeepsFormer)
@@ -288,13 +289,13 @@ internal sealed class HarvestCommand
                 $"Stopped after {outcome.Frames} of {Counted.Of(plan.Frames, "frame")}, which are deleted; the session in "
                     + $"'{plan.Folder}' is unchanged."
             );
-            return outcome.ExitCode;
+            return ExitCode.Of(outcome);
         }
 
         if (outcome.IsCancelled && outcome.Frames == 0)
         {
             terminal.WriteError("Stopped before the first frame.");
-            return outcome.ExitCode;
+            return ExitCode.Of(outcome);
         }
 
         var session = new SessionReader(written);
@@ -319,7 +320,7 @@ internal sealed class HarvestCommand
             );
         }
 
-        return outcome.ExitCode;
+        return ExitCode.Of(outcome);
     }
 
     private HarvestPlan PlanOf(ParseResult parsed) =>

@@ -7,6 +7,7 @@ using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Cli.Commands;
@@ -49,7 +50,7 @@ internal sealed class LanesCommand
             "R,F,U",
             "Offset of the box's centre from the car's origin, metres right, forward and up: (modelMin + modelMax) / 2 of ego in a scene "
                 + "[default: 0,0,0]",
-            text => ValueParsers.Numbers(text, 3) is { } n ? new Vector3D(n[0], n[1], n[2]) : null,
+            text => NumberText.ReadList(text, 3) is { } n ? new Vector3D(n[0], n[1], n[2]) : null,
             "three numbers"
         );
 
@@ -142,8 +143,8 @@ internal sealed class LanesCommand
             }
 
             double[] numbers =
-                ValueParsers.Numbers(line, 4)
-                ?? ValueParsers.Numbers(line, 5)
+                NumberText.ReadList(line, 4)
+                ?? NumberText.ReadList(line, 5)
                 ?? throw new DatasetFormatException(
                     $"{file.Name}, line {index + 1}: expected x,y,z,heading or x,y,z,heading,length, found '{line.Trim()}'."
                 );

@@ -2,6 +2,7 @@ using System.CommandLine;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
+using Harvester.Datasets.Outputs;
 using Harvester.Datasets.Sharding;
 using Harvester.Exports.Assembly;
 using Harvester.Reports.Sessions;
@@ -96,7 +97,7 @@ internal static class MergeCommand
         }
 
         using var session = new SessionOutput(
-            terminal,
+            terminal.WriteError,
             folder,
             command,
             overwrite: null,

@@ -2,6 +2,7 @@ using System.CommandLine;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
+using Harvester.Datasets.Outputs;
 using Harvester.Exports.Pairs;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading;

@@ -4,6 +4,7 @@ using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Text;
 
@@ -115,7 +116,7 @@ internal static class ProjectCommand
             }
 
             double[] point =
-                ValueParsers.Numbers(line, 3)
+                NumberText.ReadList(line, 3)
                 ?? throw new DatasetFormatException($"{source}, line {number}: expected x,y,z, found '{line.Trim()}'.");
             yield return new Vector3D(point[0], point[1], point[2]);
         }
@@ -140,7 +141,7 @@ internal static class ProjectCommand
         return option;
     }
 
-    private static double? Positive(string text) => ValueParsers.Number(text) is { } value && value > 0 ? value : null;
+    private static double? Positive(string text) => NumberText.Read(text) is { } value && value > 0 ? value : null;
 
     // Adding 0 turns minus zero into zero.
     private static string Text(double value) => (value + 0.0).ToString("R", CultureInfo.InvariantCulture);

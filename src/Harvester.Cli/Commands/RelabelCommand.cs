@@ -1,13 +1,14 @@
 using System.CommandLine;
 using Harvester.Cli.Arguments;
-using Harvester.Cli.Faces;
-using Harvester.Cli.Relabelling;
 using Harvester.Cli.Terminals;
+using Harvester.Datasets.Faces;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Relabelling;
+using Harvester.Datasets.Outputs;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry.Lanes;
 using Harvester.Reports.Sessions;
+using Harvester.Runs.Faults;
+using Harvester.Runs.Relabelling;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Text;
@@ -128,7 +129,7 @@ internal sealed class RelabelCommand
         }
 
         using var output = new SessionOutput(
-            terminal,
+            terminal.WriteError,
             folder,
             CommandText.Of(parsed),
             parsed.GetValue(Overwrite),
@@ -185,7 +186,7 @@ internal sealed class RelabelCommand
             name,
             form,
             description,
-            text => ValueParsers.Number(text) is { } value && isAllowed(value) ? value : null,
+            text => NumberText.Read(text) is { } value && isAllowed(value) ? value : null,
             allowed
         );
 

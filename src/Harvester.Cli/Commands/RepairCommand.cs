@@ -2,7 +2,9 @@ using System.CommandLine;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
+using Harvester.Datasets.Outputs;
 using Harvester.Datasets.Repair;
+using Harvester.Runs.Faults;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Text;
 
@@ -45,7 +47,7 @@ internal sealed class RepairCommand
         }
 
         var repairer = new SessionRepairer(session, problem => terminal.WriteQuoting(problem.ToString()));
-        using var output = new SessionOutput(terminal, folder, CommandText.Of(parsed), overwrite: null);
+        using var output = new SessionOutput(terminal.WriteError, folder, CommandText.Of(parsed), overwrite: null);
         SessionRepair repair = repairer.Run(output.Begin(), parsed.GetValue(Images), parsed.GetValue(Sync), cancellation);
         output.Complete();
         terminal.Out.WriteLine($"{folder}: {Counted.Of(repair.Frames, "frame")} recovered, {repair.Lost} lost");

@@ -6,6 +6,7 @@ using Harvester.Datasets.Detections;
 using Harvester.Datasets.Files;
 using Harvester.Exports.Predictions;
 using Harvester.Reports.Sessions;
+using Harvester.Runs.Faults;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Text;
 
@@ -67,7 +68,7 @@ internal static class ReportCommand
             "--min-score",
             "N",
             "Count and draw predictions with this score or a higher one; precision and recall use all [default: 0.5]",
-            text => ValueParsers.Number(text) is { } score && Math.Abs(score) <= MaxScore ? score : null,
+            text => NumberText.Read(text) is { } score && Math.Abs(score) <= MaxScore ? score : null,
             "a number, e.g. 0.5"
         );
         var command = new Command("report", "Show a session as one self-contained HTML page.")

@@ -2,9 +2,6 @@ using System.CommandLine;
 using System.Globalization;
 using Harvester.Capture.Ports;
 using Harvester.Cli.Arguments;
-using Harvester.Cli.Driving;
-using Harvester.Cli.Harvesting;
-using Harvester.Cli.Serving;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Roads;
 using Harvester.Driving.Bridge;
@@ -12,6 +9,11 @@ using Harvester.Driving.Controllers;
 using Harvester.Driving.Session;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Runs.Driving;
+using Harvester.Runs.Faults;
+using Harvester.Runs.Harvesting;
+using Harvester.Runs.Serving;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 using Harvester.Simulation.Game;
@@ -64,7 +66,7 @@ internal sealed class ServeCommand
             "--traffic-radius",
             "M",
             "Move vehicles and pedestrians only within this distance of the car, metres, to save time [default: all]",
-            text => ValueParsers.Number(text) is >= 50 and <= 10_000 and var metres ? metres : null,
+            text => NumberText.Read(text) is >= 50 and <= 10_000 and var metres ? metres : null,
             "a number from 50 to 10000"
         );
 
@@ -94,7 +96,7 @@ internal sealed class ServeCommand
             "--duration",
             "S",
             "Stop after this much game time, seconds [default: serve until Ctrl+C]",
-            text => ValueParsers.Number(text) is > 0 and var seconds ? seconds : null,
+            text => NumberText.Read(text) is > 0 and var seconds ? seconds : null,
             "a number greater than 0"
         );
 
@@ -153,7 +155,7 @@ internal sealed class ServeCommand
         RecordPlan? plan = Record.Parse(parsed, options.Picture, isLockStep, [.. RecordedSettings(parsed, world)]);
         options = options with { WaitsForAnswers = plan is not null };
         using DriveRecording? recording = plan is { } record
-            ? new DriveRecording(terminal, record, CommandText.Of(parsed), parsed.GetValue(Overwrite))
+            ? new DriveRecording(terminal.WriteError, record, CommandText.Of(parsed), parsed.GetValue(Overwrite))
             : null;
         using IAwaitableBridge bridge = Bridge.Open(parsed, options, out string place);
         terminal.Out.WriteLine($"Serving at {place}");
@@ -182,7 +184,10 @@ internal sealed class ServeCommand
         terminal.Out.WriteLine(
             FormattableString.Invariant($"{Counted.Of(served.Frames, "frame")}, {served.Metres:0} m driven in {served.Seconds:0.0} s")
         );
-        recording?.Finish();
+        if (recording is not null)
+        {
+            terminal.Out.WriteLine(recording.Finish());
+        }
         if (served.Fault is { } fault)
         {
             throw new GameFaultException(fault);

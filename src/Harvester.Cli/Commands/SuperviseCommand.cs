@@ -1,7 +1,7 @@
 using System.CommandLine;
 using Harvester.Cli.Arguments;
-using Harvester.Cli.Supervising;
 using Harvester.Cli.Terminals;
+using Harvester.Runs.Supervising;
 
 namespace Harvester.Cli.Commands;
 
@@ -105,7 +105,13 @@ internal sealed class SuperviseCommand
             AllowsAnyProcess = parsed.GetValue(AnyProcess),
             IsLauncher = parsed.GetValue(Launcher),
         };
-        return new Supervisor(options, terminal).Run(cancellation);
+        using var signal = new PassedSignal();
+        return new Supervisor(options, terminal, signal).Run(cancellation) switch
+        {
+            SupervisorEnd.Finished => ExitCode.Done,
+            SupervisorEnd.Cancelled => ExitCode.Cancelled,
+            _ => ExitCode.HarvestFault,
+        };
     }
 
     private static Option<double> Seconds(string name, string description, double standard)

@@ -1,3 +1,5 @@
+using Harvester.Runs.Harvesting;
+
 namespace Harvester.Cli.Terminals;
 
 /// <summary>What the command's exit codes mean; they are part of its interface and listed in --help.</summary>
@@ -26,4 +28,14 @@ internal static class ExitCode
 
     /// <summary>Stopped by SIGTERM (128 + 15); what was written is valid.</summary>
     public const int Terminated = 143;
+
+    /// <summary>The exit code of a harvest.</summary>
+    public static int Of(HarvestOutcome outcome) =>
+        outcome switch
+        {
+            { IsDiskFault: true } => InputOutput,
+            { Fault: not null } => HarvestFault,
+            { IsCancelled: true } => Cancelled,
+            _ => Done,
+        };
 }

@@ -1,3 +1,5 @@
+using Harvester.Runs.Faults;
+
 namespace Harvester.Cli.Terminals;
 
 /// <summary>The end of a file's name, which says its format.</summary>

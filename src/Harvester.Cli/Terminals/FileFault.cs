@@ -1,3 +1,4 @@
+using Harvester.Datasets.Outputs;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Terminals;

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
+using Harvester.Runs.Faults;
 using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Cli.Terminals;

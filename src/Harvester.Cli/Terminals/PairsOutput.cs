@@ -1,4 +1,5 @@
 using Harvester.Datasets.Files;
+using Harvester.Datasets.Outputs;
 using Harvester.Exports.Pairs;
 using Harvester.Sessions.Files;
 
@@ -17,7 +18,7 @@ internal sealed class PairsOutput : IDisposable
 
     /// <summary>Locks the folder and checks it.</summary>
     /// <param name="folder">The folder.</param>
-    /// <param name="command">The command, as <see cref="CommandText"/> gives it.</param>
+    /// <param name="command">The command, as its mark names it.</param>
     /// <param name="resumes">Whether what the same command has written may stay.</param>
     /// <exception cref="IOException">A file is where the folder should be.</exception>
     /// <exception cref="OccupiedFolderException">The folder is in use or has other files.</exception>

@@ -1,3 +1,4 @@
+using Harvester.Runs.Faults;
 using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Cli.Terminals;

@@ -1,4 +1,6 @@
 using System.Text;
+using Harvester.Runs.Faults;
+using Harvester.Runs.Ports;
 using Spectre.Console;
 
 namespace Harvester.Cli.Terminals;
@@ -8,11 +10,10 @@ namespace Harvester.Cli.Terminals;
 /// <param name="Out">Standard output: results.</param>
 /// <param name="Error">Standard error: messages, one line each.</param>
 /// <param name="IsInteractive">Whether the output goes to a terminal, so that it may have progress bars and colours.</param>
-internal sealed record Terminal(TextReader In, TextWriter Out, TextWriter Error, bool IsInteractive)
+internal sealed record Terminal(TextReader In, TextWriter Out, TextWriter Error, bool IsInteractive) : IRunLog
 {
     /// <summary>Columns of output that goes to a file or pipe.</summary>
     private const int PlainWidth = 120;
-    private const int MaxErrorLength = 600;
 
     /// <summary>The streams of the process, with UTF-8 and line feeds on every system.</summary>
     public static Terminal OfProcess()
@@ -31,18 +32,20 @@ internal sealed record Terminal(TextReader In, TextWriter Out, TextWriter Error,
     /// Writes a message to standard error. Messages quote the content of files, which may be hostile: control characters, which a terminal
     /// would obey, are removed, and long messages are truncated.
     /// </summary>
-    public void WriteError(string message) => Error.WriteLine($"harvester: {OneLine(message)}");
+    public void WriteError(string message) => Error.WriteLine($"harvester: {MessageLine.Of(message)}");
 
     /// <summary>Writes a line of results that quotes files, without control characters as in <see cref="WriteError"/>.</summary>
     public void WriteQuoting(string line) => Out.WriteLine(string.Concat(line.Where(character => !char.IsControl(character))));
 
-    /// <summary>Any text as one line of limited length, without control characters.</summary>
-    public static string OneLine(string text)
+    /// <inheritdoc/>
+    public void Note(string line)
     {
-        string line = string.Join(' ', text.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
-        line = string.Concat(line.Where(character => !char.IsControl(character)));
-        return line.Length <= MaxErrorLength ? line : line[..MaxErrorLength] + "...";
+        WriteQuoting(line);
+        Out.Flush();
     }
+
+    /// <inheritdoc/>
+    public void Warn(string message) => WriteError(message);
 
     /// <summary>A console for tables and progress on the same output; without colours and motion if it is not interactive.</summary>
     public IAnsiConsole ToAnsiConsole()

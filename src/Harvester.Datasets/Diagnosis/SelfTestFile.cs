@@ -1,8 +1,8 @@
 using System.IO.Compression;
 using System.Text.Json;
-using Harvester.Capture.SelfTests;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Reading.Json;
+using Harvester.Sessions.SelfTests;
 
 namespace Harvester.Datasets.Diagnosis;
 

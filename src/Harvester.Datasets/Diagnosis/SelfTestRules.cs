@@ -1,4 +1,4 @@
-using Harvester.Capture.SelfTests;
+using Harvester.Sessions.SelfTests;
 
 namespace Harvester.Datasets.Diagnosis;
 

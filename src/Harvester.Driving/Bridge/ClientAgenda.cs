@@ -14,14 +14,11 @@ internal sealed class ClientAgenda(IDrivingBridge bridge, bool canRestart, Actio
     /// <summary>Limits the work of a tick if a client sends faster than the game ticks.</summary>
     private const int MaxMessagesPerTick = 300;
 
-    private const int MaxCommandsWaiting = 256;
-    private readonly Queue<ClientMessage> _commands = new();
-    private ClientMessage? _newest;
-    private int _resetsWaiting;
+    private readonly MessageQueue _messages = new();
     private bool _isRestartWaiting;
 
     /// <summary>Whether commands wait.</summary>
-    public bool HasCommands => _commands.Count > 0;
+    public bool HasCommands => _messages.HasCommands;
 
     /// <summary>
     /// Takes the messages that the bridge has received, up to a restart: what comes after that is meant for the drive that follows.
@@ -39,14 +36,8 @@ internal sealed class ClientAgenda(IDrivingBridge bridge, bool canRestart, Actio
             if (message is ClientGoneMessage)
             {
                 isClientGone = true;
-                _commands.Clear();
-                _newest = null;
-                _resetsWaiting = 0;
+                _messages.Clear();
                 _isRestartWaiting = false;
-            }
-            else if (message is ControlsMessage or IndicatorsMessage)
-            {
-                _newest = message;
             }
             else
             {
@@ -58,47 +49,25 @@ internal sealed class ClientAgenda(IDrivingBridge bridge, bool canRestart, Actio
     }
 
     /// <summary>Takes the next command that may run now.</summary>
-    public bool TryTakeCommand([NotNullWhen(true)] out ClientMessage? command)
-    {
-        command = _commands.Count > 0 ? _commands.Dequeue() : null;
-        _resetsWaiting -= command is ResetMessage ? 1 : 0;
-        return command is not null;
-    }
+    public bool TryTakeCommand([NotNullWhen(true)] out ClientMessage? command) => _messages.TryTakeCommand(out command);
 
     /// <summary>Takes the newest controls or indicators; null if there are no new ones, or if a reset comes first.</summary>
-    public ClientMessage? TakeNewest()
-    {
-        if (_resetsWaiting > 0)
-        {
-            return null;
-        }
+    public ClientMessage? TakeNewest() => _messages.Resets > 0 ? null : _messages.TakeNewest();
 
-        ClientMessage? newest = _newest;
-        _newest = null;
-        return newest;
-    }
-
-    private void Add(ClientMessage command)
+    private void Add(ClientMessage message)
     {
-        if (command is RestartMessage && !canRestart)
+        if (message is RestartMessage && !canRestart)
         {
             report(BridgeProtocol.NoRestart);
             return;
         }
 
-        if (_commands.Count >= MaxCommandsWaiting)
+        if (!_messages.TryAdd(message))
         {
             report("the client sends commands faster than they can be executed; the newest are dropped.");
             return;
         }
 
-        _commands.Enqueue(command);
-        if (command is ResetMessage)
-        {
-            _newest = null;
-            _resetsWaiting++;
-        }
-
-        _isRestartWaiting |= command is RestartMessage;
+        _isRestartWaiting |= message is RestartMessage;
     }
 }

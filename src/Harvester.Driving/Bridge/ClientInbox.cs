@@ -12,12 +12,8 @@ namespace Harvester.Driving.Bridge;
 internal sealed class ClientInbox<TClient>
     where TClient : class
 {
-    /// <summary>If a client sends commands faster than the game takes them, the newest are dropped.</summary>
-    private const int CommandCapacity = 256;
-
     private readonly object _gate = new();
-    private readonly Queue<ClientMessage> _commands = new();
-    private ClientMessage? _newest;
+    private readonly MessageQueue _messages = new();
     private TClient? _client;
     private int _clientsGone;
     private bool _isClientGone;
@@ -120,26 +116,17 @@ internal sealed class ClientInbox<TClient>
                 return true;
             }
 
-            if (message is ControlsMessage or IndicatorsMessage)
-            {
-                _newest = message;
-                Monitor.PulseAll(_gate);
-                return true;
-            }
-
-            if (_commands.Count >= CommandCapacity)
+            if (!_messages.TryAdd(message))
             {
                 return false;
             }
 
-            _commands.Enqueue(message);
-            if (message is ResetMessage or RestartMessage)
+            if (message is RestartMessage)
             {
-                _newest = null;
+                _messages.TakeNewest();
             }
 
             Monitor.PulseAll(_gate);
-
             return true;
         }
     }
@@ -154,14 +141,9 @@ internal sealed class ClientInbox<TClient>
                 _isClientGone = false;
                 message = new ClientGoneMessage();
             }
-            else if (_commands.Count > 0)
+            else if (!_messages.TryTakeCommand(out message))
             {
-                message = _commands.Dequeue();
-            }
-            else
-            {
-                message = _newest;
-                _newest = null;
+                message = _messages.TakeNewest();
             }
 
             return message is not null;
@@ -179,7 +161,7 @@ internal sealed class ClientInbox<TClient>
         }
     }
 
-    private bool HasMessage => _isClientGone || _commands.Count > 0 || _newest is not null;
+    private bool HasMessage => _isClientGone || !_messages.IsEmpty;
 
     private TClient? SetClient(TClient? client)
     {
@@ -192,8 +174,7 @@ internal sealed class ClientInbox<TClient>
         _client = client;
         _clientsGone += earlier is null ? 0 : 1;
         _isClientGone |= earlier is not null;
-        _commands.Clear();
-        _newest = null;
+        _messages.Clear();
         Monitor.PulseAll(_gate);
         return earlier;
     }

@@ -10,23 +10,22 @@ namespace Harvester.Play.Plans;
 /// </summary>
 public sealed class PlanFolder : IDisposable
 {
-    private const string Copy = "plan.json";
     private const string Rigs = "rigs";
     private const string EndedReason = "The game ended during the attempt.";
-    private const int MaxCharacters = 16 << 20;
+    private readonly PlanResults _results;
     private readonly WriterLock _held;
     private readonly IReadOnlyDictionary<string, PlanRig> _rigs;
     private readonly object _gate = new();
     private bool _isReleased;
 
-    private PlanFolder(string folder, WriterLock held, Plan plan, IReadOnlyDictionary<string, PlanRig> rigs, PlanStatus status)
+    private PlanFolder(PlanResults results, WriterLock held, Plan plan, IReadOnlyDictionary<string, PlanRig> rigs, PlanStatus status)
     {
-        (Folder, _held, Plan, _rigs, Status) = (folder, held, plan, rigs, status);
+        (_results, _held, Plan, _rigs, Status) = (results, held, plan, rigs, status);
         Trials = TrialList.Of(plan, plan.Places);
     }
 
     /// <summary>The folder.</summary>
-    public string Folder { get; }
+    public string Folder => _results.Folder;
 
     /// <summary>The plan.</summary>
     public Plan Plan { get; }
@@ -52,7 +51,7 @@ public sealed class PlanFolder : IDisposable
     /// <exception cref="FolderLockedException">Another program runs the plan.</exception>
     public static PlanFolder Open(string file, string root)
     {
-        string text = ReadText(file);
+        string text = PlanResults.ReadText(file);
         PlanReading reading = PlanParser.Read(text);
         string? problem = reading.Plan is { } read ? ProblemOf(read) : reading.Problems[0];
         if (problem is not null)
@@ -64,23 +63,22 @@ public sealed class PlanFolder : IDisposable
         Dictionary<string, PlanRig> rigs = RigsOf(plan, file);
         string folder = Path.Combine(root, plan.Name);
         Directory.CreateDirectory(root);
+        var results = new PlanResults(folder);
         WriterLock held = WriterLock.Take(folder);
         try
         {
-            Directory.CreateDirectory(Path.Combine(folder, "trials"));
+            Directory.CreateDirectory(results.Trials);
             Directory.CreateDirectory(Path.Combine(folder, Rigs));
             if (
-                new[] { (Copy, text) }
+                new[] { (PlanResults.PlanCopy, text) }
                     .Concat(rigs.Select(rig => (Path.Combine(Rigs, rig.Key + ".json"), rig.Value.Text)))
-                    .Any(input => !Keep(Path.Combine(folder, input.Item1), input.Item2))
+                    .Any(input => !results.Keep(input.Item1, input.Item2))
             )
             {
-                throw new FormatException(
-                    $"'{folder}' has results of another plan, or of this one before it was changed. Give the plan another name."
-                );
+                throw new FormatException($"{results.OfAnotherPlan} Give the plan another name.");
             }
 
-            var opened = new PlanFolder(folder, held, plan, rigs, PlanStatus.Open(folder, Shard.Whole));
+            var opened = new PlanFolder(results, held, plan, rigs, PlanStatus.Open(folder, Shard.Whole));
             opened.NoteEnded();
             return opened;
         }
@@ -92,7 +90,7 @@ public sealed class PlanFolder : IDisposable
     }
 
     /// <summary>The folder of a trial's session.</summary>
-    public string FolderOf(Trial trial) => Path.Combine(Folder, "trials", (trial ?? throw new ArgumentNullException(nameof(trial))).Id);
+    public string FolderOf(Trial trial) => _results.FolderOf(trial);
 
     /// <summary>The rig of a trial's camera; null for a single camera.</summary>
     public Rig? RigOf(Trial trial) =>
@@ -201,7 +199,7 @@ public sealed class PlanFolder : IDisposable
         {
             try
             {
-                string text = ReadText(Path.Combine(Path.GetDirectoryName(Path.GetFullPath(file))!, camera.RigFile!));
+                string text = PlanResults.ReadText(Path.Combine(Path.GetDirectoryName(Path.GetFullPath(file))!, camera.RigFile!));
                 rigs.Add(camera.Name, new PlanRig(RigParser.Parse(text), text));
             }
             catch (Exception e) when (e is FormatException or IOException or UnauthorizedAccessException)
@@ -214,16 +212,5 @@ public sealed class PlanFolder : IDisposable
         }
 
         return rigs;
-    }
-
-    /// <summary>Writes a file, or compares the one that is there.</summary>
-    /// <returns>Whether the file has the text.</returns>
-    private static bool Keep(string path, string text) => AtomicFile.TryWriteNew(path, text) || ReadText(path) == text;
-
-    private static string ReadText(string file)
-    {
-        using var reader = new StreamReader(RegularFile.OpenRead(file));
-        char[] text = new char[MaxCharacters];
-        return new string(text, 0, reader.ReadBlock(text, 0, MaxCharacters));
     }
 }

@@ -3,6 +3,7 @@ using System.Text;
 using Harvester.Capture.SelfTests;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.SelfTests;
 
 namespace Harvester.Play.SelfTests;
 

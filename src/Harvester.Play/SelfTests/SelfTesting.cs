@@ -4,6 +4,7 @@ using Harvester.Capture.SelfTests;
 using Harvester.Capture.Storage;
 using Harvester.Play.Features;
 using Harvester.Play.Settings;
+using Harvester.Sessions.SelfTests;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Play.SelfTests;
@@ -139,7 +140,14 @@ public sealed class SelfTesting(
         }
 
         SessionOrigin named = origin();
-        string json = SelfTestJson.Text(named.Tool, named.Game, test, changes);
+        string json = SelfTestJson.Text(
+            named.Tool,
+            named.Game,
+            test.Phase == SelfTestPhase.Done,
+            test.Lines,
+            changes,
+            test.Pictures.Select(picture => picture.Name + ".png")
+        );
         string path = SessionPlace.NewIn(folder, "selftest") + ".zip";
         int problems = test.Lines.Count(line => line.Verdict == SelfTestVerdict.Problem);
         _written =

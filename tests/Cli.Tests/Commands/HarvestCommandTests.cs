@@ -1,5 +1,6 @@
 using System.Text.Json;
 using Harvester.Cli.Terminals;
+using Harvester.Runs.Supervising;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Scenes;

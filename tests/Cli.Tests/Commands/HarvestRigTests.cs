@@ -1,4 +1,5 @@
 using System.Text.Json.Nodes;
+using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;

@@ -1,4 +1,5 @@
 using System.Formats.Tar;
+using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Cli.Tests.Repetition;
 using Harvester.Sessions.Files;

@@ -1,10 +1,10 @@
 using Harvester.Capture.Ports;
-using Harvester.Cli.Driving;
 using Harvester.Driving.Bridge;
 using Harvester.Driving.Controllers;
 using Harvester.Driving.Session;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Runs.Driving;
 using Harvester.Sessions.Labels;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Settings;

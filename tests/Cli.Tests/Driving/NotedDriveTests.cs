@@ -1,5 +1,5 @@
 using System.Text;
-using Harvester.Cli.Driving;
+using Harvester.Runs.Driving;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Tests.Driving;

@@ -1,13 +1,12 @@
 using System.Runtime.CompilerServices;
 using System.Text.Json;
 using Harvester.Capture.Ports;
-using Harvester.Cli.Driving;
-using Harvester.Cli.Terminals;
 using Harvester.Driving.Bridge;
 using Harvester.Driving.Controllers;
 using Harvester.Driving.Session;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Runs.Driving;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Settings;
 
@@ -153,7 +152,7 @@ public sealed class RecordedBridgeTests : IDisposable
 
     private DriveRecording NewRecording(bool isNumbered = false) =>
         new(
-            new Terminal(TextReader.Null, TextWriter.Null, TextWriter.Null, IsInteractive: false),
+            static _ => { },
             new RecordPlan(_folder.PathOf("session"), 0.2, new ImageSize(32, 24)) { IsNumbered = isNumbered },
             "drive",
             overwrite: false

@@ -1,11 +1,11 @@
 using System.Diagnostics;
 using System.Diagnostics.CodeAnalysis;
 using Harvester.Capture.Ports;
-using Harvester.Cli.Driving;
-using Harvester.Cli.Terminals;
 using Harvester.Driving.Bridge;
 using Harvester.Driving.Controllers;
-using Harvester.Evaluation.Figures;
+using Harvester.Runs.Driving;
+using Harvester.Runs.Evaluation.Figures;
+using Harvester.Runs.Faults;
 using Harvester.Sessions.Imaging;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Settings;

@@ -1,6 +1,6 @@
-using Harvester.Cli.Driving;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
+using Harvester.Runs.Driving;
 
 namespace Harvester.Cli.Tests.Driving;
 

@@ -1,9 +1,9 @@
-using Harvester.Cli.Driving;
 using Harvester.Datasets.Roads;
 using Harvester.Driving.Controllers;
-using Harvester.Evaluation.Figures;
-using Harvester.Evaluation.Noise;
 using Harvester.Geometry;
+using Harvester.Runs.Driving;
+using Harvester.Runs.Evaluation.Figures;
+using Harvester.Runs.Evaluation.Noise;
 using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Driving;

@@ -1,7 +1,7 @@
-using Harvester.Cli.Driving;
 using Harvester.Driving.Controllers;
-using Harvester.Evaluation.Noise;
-using Harvester.Evaluation.Scores;
+using Harvester.Runs.Driving;
+using Harvester.Runs.Evaluation.Noise;
+using Harvester.Runs.Evaluation.Scores;
 
 namespace Harvester.Cli.Tests.Driving;
 

@@ -1,4 +1,4 @@
-using Harvester.Cli.Driving;
+using Harvester.Runs.Driving;
 
 namespace Harvester.Cli.Tests.Driving;
 

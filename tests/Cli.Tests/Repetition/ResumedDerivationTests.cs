@@ -1,7 +1,8 @@
+using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Relabelling;
 using Harvester.Datasets.Sharding;
+using Harvester.Runs.Relabelling;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;

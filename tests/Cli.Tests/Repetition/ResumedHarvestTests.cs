@@ -1,3 +1,4 @@
+using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;

@@ -1,7 +1,7 @@
 using System.Net;
-using Harvester.Cli.Serving;
 using Harvester.Driving.Bridge;
 using Harvester.Geometry.Cameras;
+using Harvester.Runs.Serving;
 using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Serving;

@@ -1,12 +1,12 @@
 using Harvester.Capture.Ports;
-using Harvester.Cli.Driving;
-using Harvester.Cli.Serving;
 using Harvester.Cli.Tests.Driving;
 using Harvester.Driving.Bridge;
 using Harvester.Driving.Controllers;
 using Harvester.Driving.Session;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Runs.Driving;
+using Harvester.Runs.Serving;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Game;

@@ -1,11 +1,11 @@
 using Harvester.Capture.Ports;
-using Harvester.Cli.Driving;
-using Harvester.Cli.Serving;
 using Harvester.Driving.Bridge;
 using Harvester.Driving.Controllers;
 using Harvester.Driving.Session;
-using Harvester.Evaluation.Clients;
 using Harvester.Geometry.Cameras;
+using Harvester.Runs.Clients;
+using Harvester.Runs.Driving;
+using Harvester.Runs.Serving;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Settings;
 

@@ -1,5 +1,5 @@
 using System.Text;
-using Harvester.Cli.Supervising;
+using Harvester.Runs.Supervising;
 using Harvester.Sessions.Plans;
 
 namespace Harvester.Cli.Tests.Supervising;

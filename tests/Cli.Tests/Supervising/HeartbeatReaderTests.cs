@@ -1,4 +1,4 @@
-using Harvester.Cli.Supervising;
+using Harvester.Runs.Supervising;
 using Harvester.Sessions.Plans;
 
 namespace Harvester.Cli.Tests.Supervising;

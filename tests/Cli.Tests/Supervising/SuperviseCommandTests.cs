@@ -1,6 +1,6 @@
 using System.Diagnostics;
-using Harvester.Cli.Supervising;
 using Harvester.Cli.Terminals;
+using Harvester.Runs.Supervising;
 
 namespace Harvester.Cli.Tests.Supervising;
 

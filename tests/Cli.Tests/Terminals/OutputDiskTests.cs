@@ -1,4 +1,5 @@
 using Harvester.Cli.Terminals;
+using Harvester.Datasets.Outputs;
 using Harvester.Sessions.Files;
 using Harvester.TestSupport;
 

@@ -1,4 +1,5 @@
 using Harvester.Cli.Terminals;
+using Harvester.Runs.Faults;
 using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Terminals;

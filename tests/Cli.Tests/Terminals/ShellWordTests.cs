@@ -1,4 +1,4 @@
-using Harvester.Cli.Terminals;
+using Harvester.Runs.Supervising;
 using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Terminals;

@@ -2,6 +2,7 @@ using System.IO.Compression;
 using Harvester.Capture.SelfTests;
 using Harvester.Datasets.Diagnosis;
 using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.SelfTests;
 
 namespace Harvester.Datasets.Tests.Diagnosis;
 

@@ -1,13 +1,13 @@
 using System.Globalization;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Storage;
-using Harvester.Datasets.Tests.Relabelling;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Roads;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Settings;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Repair;
 

@@ -1,4 +1,4 @@
-using Harvester.Capture.SelfTests;
+using Harvester.Sessions.SelfTests;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;
 

@@ -2,6 +2,7 @@ using Harvester.Capture.Harvesting;
 using Harvester.Capture.SelfTests;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.SelfTests;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;

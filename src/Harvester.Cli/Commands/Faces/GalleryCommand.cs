@@ -1,7 +1,9 @@
 using System.CommandLine;
-using Harvester.Cli.Faces;
 using Harvester.Cli.Terminals;
+using Harvester.Datasets.Faces;
 using Harvester.Datasets.Files;
+using Harvester.Reports.Faces;
+using Harvester.Runs.Faults;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Text;

@@ -1,7 +1,7 @@
 using System.CommandLine;
 using System.Globalization;
-using Harvester.Cli.Faces;
 using Harvester.Cli.Terminals;
+using Harvester.Datasets.Faces;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Text;
 using Spectre.Console;

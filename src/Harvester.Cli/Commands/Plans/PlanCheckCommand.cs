@@ -1,6 +1,6 @@
 using System.CommandLine;
-using Harvester.Cli.Plans;
 using Harvester.Cli.Terminals;
+using Harvester.Runs.Plans;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands.Plans;

@@ -1,7 +1,10 @@
 using System.CommandLine;
-using Harvester.Cli.Plans;
 using Harvester.Cli.Terminals;
+using Harvester.Runs.Faults;
+using Harvester.Runs.Plans;
+using Harvester.Runs.Supervising;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Plans;
 
 namespace Harvester.Cli.Commands.Plans;
 
@@ -44,7 +47,7 @@ internal static class PlanInitCommand
         var file = new Argument<FileInfo>("FILE")
         {
             Description = "The file to write",
-            DefaultValueFactory = _ => new FileInfo(PlanFile.FileName),
+            DefaultValueFactory = _ => new FileInfo(PlanResults.PlanCopy),
         };
         var command = new Command("init", "Write an example of a plan.") { file };
         HelpWithNotes.AddTo(command, Notes);

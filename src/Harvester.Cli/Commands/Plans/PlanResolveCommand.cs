@@ -1,6 +1,7 @@
 using System.CommandLine;
-using Harvester.Cli.Plans;
 using Harvester.Cli.Terminals;
+using Harvester.Runs.Faults;
+using Harvester.Runs.Plans;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Plans;
 using Harvester.Sessions.Text;

@@ -1,7 +1,8 @@
 using System.CommandLine;
 using Harvester.Cli.Arguments;
-using Harvester.Cli.Plans;
 using Harvester.Cli.Terminals;
+using Harvester.Runs.Faults;
+using Harvester.Runs.Plans;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Plans;
 using Harvester.Sessions.Text;
@@ -83,11 +84,17 @@ internal sealed class PlanRunCommand
         );
         terminal.Out.Flush();
         var heartbeat = new HeartbeatFile(folder, file.Plan.Name, shard);
-        var run = new PlanRun(terminal, file, world, output, heartbeat, CommandText.Of(parsed)) { Disk = disk };
+        var run = new PlanRun(terminal, file, world, output, heartbeat, CommandText.Of(parsed))
+        {
+            Disk = disk,
+            NotesTrials = !terminal.IsInteractive,
+        };
         var end = HeartbeatState.Failed;
         try
         {
-            int code = new JobProgress(terminal, (int)images, "images").Run(report => run.Run(trials, report, cancellation));
+            int code = new JobProgress(terminal, (int)images, "images").Run(report =>
+                run.Run(trials, report, cancellation) ? ExitCode.Done : ExitCode.InputOutput
+            );
             code = code == ExitCode.Done ? Summarise(terminal, trials, output, folder) : code;
             end =
                 code == ExitCode.Done ? HeartbeatState.Finished
@@ -115,7 +122,7 @@ internal sealed class PlanRunCommand
             $"{Counted.Of(results.Length - skipped.Length, "trial")} done, {skipped.Length} skipped, "
                 + Counted.Of(results.Where(result => result.State == TrialState.Done).Sum(result => (long)result.Frames), "frame")
         );
-        terminal.Out.WriteLine($"sessions {Path.Combine(folder, "trials")}");
+        terminal.Out.WriteLine($"sessions {new PlanResults(folder).Trials}");
         if (skipped.Length == 0)
         {
             return ExitCode.Done;

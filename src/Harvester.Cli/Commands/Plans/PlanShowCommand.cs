@@ -1,7 +1,7 @@
 using System.CommandLine;
-using Harvester.Cli.Plans;
 using Harvester.Cli.Terminals;
 using Harvester.Geometry;
+using Harvester.Runs.Plans;
 using Harvester.Sessions.Plans;
 using Harvester.Sessions.Text;
 

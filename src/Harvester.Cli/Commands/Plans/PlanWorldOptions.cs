@@ -1,6 +1,6 @@
 using System.CommandLine;
 using Harvester.Cli.Arguments;
-using Harvester.Cli.Plans;
+using Harvester.Runs.Plans;
 using Harvester.Simulation.Rendering;
 
 namespace Harvester.Cli.Commands.Plans;

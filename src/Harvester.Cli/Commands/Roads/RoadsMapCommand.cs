@@ -8,7 +8,9 @@ using Harvester.Datasets.Roads.Sources;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
 using Harvester.Reports.Maps;
+using Harvester.Runs.Faults;
 using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Cli.Commands.Roads;
 
@@ -93,5 +95,5 @@ internal static class RoadsMapCommand
         Math.Round(metres, Math.Clamp(2 - (int)Math.Floor(Math.Log10(metres)), 0, MaxDecimals));
 
     private static Box2D? ParseArea(string text) =>
-        ValueParsers.Numbers(text, 4) is { } n && n[0] < n[2] && n[1] < n[3] ? new Box2D(n[0], n[1], n[2], n[3]) : null;
+        NumberText.ReadList(text, 4) is { } n && n[0] < n[2] && n[1] < n[3] ? new Box2D(n[0], n[1], n[2], n[3]) : null;
 }

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Harvester.Cli.Terminals;
+using Harvester.Runs.Faults;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Text;
 using Harvester.Tapes;
@@ -37,13 +38,13 @@ internal static class TapePlayCommand
 
         if (result.Difference is not { } difference)
         {
-            terminal.Out.WriteLine(Terminal.OneLine($"No difference: {played}"));
+            terminal.Out.WriteLine(MessageLine.Of($"No difference: {played}"));
             return ExitCode.Done;
         }
 
-        terminal.Out.WriteLine(Terminal.OneLine($"First difference in tick {difference.Tick}, call {difference.Call}; before it {played}"));
-        terminal.Out.WriteLine("  expected: " + Terminal.OneLine(difference.Expected));
-        terminal.Out.WriteLine("  got:      " + Terminal.OneLine(difference.Got));
+        terminal.Out.WriteLine(MessageLine.Of($"First difference in tick {difference.Tick}, call {difference.Call}; before it {played}"));
+        terminal.Out.WriteLine("  expected: " + MessageLine.Of(difference.Expected));
+        terminal.Out.WriteLine("  got:      " + MessageLine.Of(difference.Got));
         return ExitCode.BadData;
     }
 

@@ -1,8 +1,0 @@
-using Harvester.Sessions.Imaging;
-
-namespace Harvester.Cli.Sheets;
-
-/// <summary>A picture with its caption.</summary>
-/// <param name="Picture">The picture as a harvest takes it.</param>
-/// <param name="Caption">Place, weather, hour and how long the ego has driven.</param>
-internal sealed record SheetTile(PixelBuffer Picture, string Caption);

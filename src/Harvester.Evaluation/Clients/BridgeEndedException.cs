@@ -1,4 +1,0 @@
-namespace Harvester.Evaluation.Clients;
-
-/// <summary>The game has closed its bridge, as it does when a drive is over.</summary>
-internal sealed class BridgeEndedException() : IOException("The game has closed the bridge.");
