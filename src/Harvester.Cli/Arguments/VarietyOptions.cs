@@ -32,10 +32,15 @@ internal sealed class VarietyOptions
         $"a whole number from 1 to {MostPlaces}"
     );
 
+    private readonly Option<bool> _variedRoads = new("--varied-roads")
+    {
+        Description = "Draw lane widths, edge lines and paint at random for each road, by the seed",
+    };
+
     /// <summary>Adds the options to a command.</summary>
     public void AddTo(Command command)
     {
-        foreach (Option option in new Option[] { _places, _wander, _laneChanges, _traffic, _pedestrians, _parked })
+        foreach (Option option in new Option[] { _places, _wander, _laneChanges, _traffic, _pedestrians, _parked, _variedRoads })
         {
             command.Options.Add(option);
         }
@@ -56,15 +61,15 @@ internal sealed class VarietyOptions
     }
 
     /// <summary>Options of a simulation with the given factors; all others have their defaults.</summary>
-    public SimulationOptions Parse(ParseResult parsed) =>
-        new()
-        {
-            Wander = parsed.GetValue(_wander),
-            LaneChanges = parsed.GetValue(_laneChanges),
-            TrafficDensity = parsed.GetValue(_traffic),
-            PedestrianDensity = parsed.GetValue(_pedestrians),
-            ParkedDensity = parsed.GetValue(_parked),
-        };
+    public SimulationOptions Parse(ParseResult parsed) => new()
+    {
+        Wander = parsed.GetValue(_wander),
+        LaneChanges = parsed.GetValue(_laneChanges),
+        TrafficDensity = parsed.GetValue(_traffic),
+        PedestrianDensity = parsed.GetValue(_pedestrians),
+        ParkedDensity = parsed.GetValue(_parked),
+        HasVariedRoads = parsed.GetValue(_variedRoads),
+    };
 
     private static Option<double> Factor(string name, string what, double most)
     {
