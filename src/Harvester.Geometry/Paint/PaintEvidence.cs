@@ -15,6 +15,9 @@ public sealed class PaintEvidence
     /// <summary>The links that were seen, in ascending order.</summary>
     public IEnumerable<int> Links => _links.Keys;
 
+    /// <summary>Whether nothing was seen.</summary>
+    public bool IsEmpty => _links.Count == 0;
+
     /// <summary>The row of a link; null if it was not seen.</summary>
     /// <param name="link">Index of the link.</param>
     /// <param name="row">Number of the row.</param>

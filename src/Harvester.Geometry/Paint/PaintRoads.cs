@@ -58,6 +58,33 @@ public sealed class PaintRoads
     /// <param name="row">Number of the row.</param>
     public double StationOf(int link, int row) => (row + 0.5) * Curves.Of(link).Length / RowsOf(link);
 
+    /// <summary>The height of the nearest road at a place, metres; null if none is near.</summary>
+    /// <param name="place">Metres, world.</param>
+    public double? HeightAt(Vector3D place)
+    {
+        double? height = null;
+        double least = PaintScanner.MaxDistance;
+        var ground = new Vector2D(place.X, place.Y);
+        foreach (int link in (IEnumerable<int>)_index.Near(place))
+        {
+            RoadCurve curve = Curves.Of(link);
+            if (curve.IsBeyond(ground, least))
+            {
+                continue;
+            }
+
+            Vector3D nearest = curve.PointAt(curve.ClosestParameter(ground));
+            double distance = new Vector2D(nearest.X - place.X, nearest.Y - place.Y).Length;
+            if (distance < least && Math.Abs(nearest.Z - place.Z) <= SameLevel)
+            {
+                least = distance;
+                height = nearest.Z;
+            }
+        }
+
+        return height;
+    }
+
     /// <summary>The drivable links within reach of a camera, and possibly some a little farther away, by their index.</summary>
     internal ArraySegment<int> Near(Vector3D place) => _index.Near(place);
 

@@ -1,4 +1,8 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
 using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Roads;
 
 namespace Harvester.Sessions.Roads;
 
@@ -21,6 +25,19 @@ public static class PaintCsv
 
     /// <summary>Decimals of a metre in the file.</summary>
     internal const int Decimals = 4;
+
+    /// <summary>Whether two networks have a link with the same ends.</summary>
+    /// <exception cref="ArgumentNullException">A network is null.</exception>
+    public static bool SharesLinks(RoadNetwork a, RoadNetwork b)
+    {
+        if (a is null || b is null)
+        {
+            throw new ArgumentNullException(a is null ? nameof(a) : nameof(b));
+        }
+
+        var ends = new HashSet<LinkEnds>(a.Links.Select(link => LinkEnds.Of(a, link)));
+        return b.Links.Any(link => ends.Contains(LinkEnds.Of(b, link)));
+    }
 
     internal static string NameOf(MarkingStyle style) => style switch
     {
