@@ -6,13 +6,13 @@ using Harvester.Geometry.Lanes;
 namespace Harvester.Geometry.Paint;
 
 /// <summary>
-/// Turns tracks into lines: their pieces are dashes or solid lines, two parallel solid lines of one colour are a double line, and what is
+/// Turns tracks into lines: long pieces are solid, short ones beside bare ground are dashes, two parallel solid lines of one colour are a double line, and what is
 /// much fainter than the paint around it is none.
 /// </summary>
 internal static class PaintClassifier
 {
-    /// <summary>Shortest solid line, metres; shorter pieces are seams, arrows and letters.</summary>
-    private const double MinSolid = 3;
+    /// <summary>A solid line goes on behind ground of this length that was not seen, metres: a vehicle hides as much.</summary>
+    private const double MaxUnseen = 6;
 
     /// <summary>Fewest dashes of a dashed line.</summary>
     private const int MinDashes = 2;
@@ -45,27 +45,29 @@ internal static class PaintClassifier
     }
 
     private static bool IsFaint(FoundLine line, List<FoundLine> lines) => lines.Exists(other =>
-        other.From <= line.To + Neighbourhood && other.To >= line.From - Neighbourhood && other.Length >= MinSolid
+        other.From <= line.To + Neighbourhood && other.To >= line.From - Neighbourhood
         && line.Contrast < MinContrastShare * other.Contrast);
 
     private static IEnumerable<FoundLine> OfTrack(PaintTrack track, List<PaintRun> runs)
     {
         for (int i = 0; i < runs.Count;)
         {
+            bool isSolid = runs[i].IsSolid;
             int end = i + 1;
-            while (end < runs.Count && runs[i].IsDash && runs[end].IsDash && runs[end].From - runs[end - 1].To <= MaxDashGap)
+            while (end < runs.Count && runs[end].From - runs[end - 1].To <= (isSolid ? MaxUnseen : MaxDashGap)
+                && (isSolid ? !runs[end].IsDash && !runs[end - 1].BareAfter : !runs[end].IsSolid))
             {
                 end++;
             }
 
             List<PaintRun> group = runs.GetRange(i, end - i);
-            if (group.Count >= MinDashes)
-            {
-                yield return Line(track, group, MarkingStyle.Dashed) with { Dashes = DashesOf(group) };
-            }
-            else if (!group[0].IsDash && group[0].Length >= MinSolid)
+            if (isSolid)
             {
                 yield return Line(track, group, MarkingStyle.Solid);
+            }
+            else if (group.Count >= MinDashes && group.Exists(run => run.IsDash))
+            {
+                yield return Line(track, group, MarkingStyle.Dashed) with { Dashes = DashesOf(group) };
             }
 
             i = end;

@@ -10,10 +10,12 @@ namespace Harvester.Geometry.Paint;
 internal readonly record struct PaintRun(double From, double To, bool BareBefore, bool BareAfter, int First, int Last)
 {
     /// <summary>Longest dash, metres; what is longer is a solid line.</summary>
-    private const double MaxDash = 8;
+    private const double MaxDash = 6.5;
 
     public double Length => To - From;
 
+    public bool IsSolid => Length > MaxDash;
+
     /// <summary>Whether it is a dash: short, and the line stops before or behind it.</summary>
-    public bool IsDash => Length < MaxDash && (BareBefore || BareAfter);
+    public bool IsDash => !IsSolid && (BareBefore || BareAfter);
 }

@@ -5,11 +5,11 @@ namespace Harvester.Geometry.Paint;
 /// <summary>Divides a track into unbroken pieces.</summary>
 internal static class PaintRuns
 {
-    /// <summary>Bare ground up to this length does not break a line, metres: wear and dirt; the gaps of dashes are 2 m and more.</summary>
+    /// <summary>
+    /// Ground without paint, or that was not seen, does not break a line up to this length, metres: wear and dirt; the gaps of dashes are 2 m
+    /// and more.
+    /// </summary>
     private const double MaxWorn = 1.3;
-
-    /// <summary>Ground that was not seen breaks a line from this length on, metres: a junction, or too much to assume paint on.</summary>
-    private const double MaxUnseen = 6;
 
     /// <summary>Pieces shorter than this are reflectors, specks and letters, metres.</summary>
     private const double MinLength = 1.2;
@@ -29,7 +29,7 @@ internal static class PaintRuns
         {
             bool isLast = i == stripes.Count - 1;
             (bool isBare, double unseen, double bare) = isLast ? Beyond(chain, stripes[i], 1) : Between(chain, stripes[i], stripes[i + 1]);
-            if (!isLast && bare <= MaxWorn && unseen <= MaxUnseen)
+            if (!isLast && bare + unseen <= MaxWorn)
             {
                 continue;
             }

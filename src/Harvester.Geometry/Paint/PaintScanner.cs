@@ -38,6 +38,9 @@ public sealed class PaintScanner
     /// <summary>Standard deviation of the position of an edge, pixels.</summary>
     private const double EdgeSigma = 0.3;
 
+    /// <summary>Ground where offsets are less sure than this is not searched, metres: seven percent of the narrowest lane.</summary>
+    private const double MaxSigma = 0.2;
+
     private readonly PaintRoads _roads;
     private readonly StripeFinder _finder = new();
     private readonly List<StripeFinder.Stripe> _stripes = [];
@@ -115,6 +118,14 @@ public sealed class PaintScanner
         double cameraOffset = -((x * direction.Y) - (y * direction.X));
         var seen = new SeenSpan(
             number, 0, 0, (float)cameraOffset, (float)(EdgeSigma * across), (float)(image.Ground.SigmaAt(ground) / height));
+        for (int cell = 0; cell < cells; cell++)
+        {
+            if (seen.SigmaAt(left + (cell * StripeFinder.Cell)) > MaxSigma)
+            {
+                _count[cell] = 0;
+            }
+        }
+
         for (int begin = 0; begin < cells; begin++)
         {
             if (_count[begin] < ProfilesPerRow)

@@ -12,8 +12,8 @@ public sealed class RoadGround : IPaintGround
     /// <summary>Standard deviation of the height under the vehicle, metres: suspension and tyres.</summary>
     private const double SigmaAtVehicle = 0.01;
 
-    /// <summary>Growth of the standard deviation, metres per metre: roads change their slope by about this much over 10 m.</summary>
-    private const double SigmaGrowth = 0.004;
+    /// <summary>Growth of the standard deviation, metres per metre: what remains of changes of slope between nodes.</summary>
+    private const double SigmaGrowth = 0.0015;
 
     private readonly Vector3D _contact;
     private readonly double _offset;
