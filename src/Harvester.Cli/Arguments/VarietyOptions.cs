@@ -61,15 +61,16 @@ internal sealed class VarietyOptions
     }
 
     /// <summary>Options of a simulation with the given factors; all others have their defaults.</summary>
-    public SimulationOptions Parse(ParseResult parsed) => new()
-    {
-        Wander = parsed.GetValue(_wander),
-        LaneChanges = parsed.GetValue(_laneChanges),
-        TrafficDensity = parsed.GetValue(_traffic),
-        PedestrianDensity = parsed.GetValue(_pedestrians),
-        ParkedDensity = parsed.GetValue(_parked),
-        HasVariedRoads = parsed.GetValue(_variedRoads),
-    };
+    public SimulationOptions Parse(ParseResult parsed) =>
+        new()
+        {
+            Wander = parsed.GetValue(_wander),
+            LaneChanges = parsed.GetValue(_laneChanges),
+            TrafficDensity = parsed.GetValue(_traffic),
+            PedestrianDensity = parsed.GetValue(_pedestrians),
+            ParkedDensity = parsed.GetValue(_parked),
+            HasVariedRoads = parsed.GetValue(_variedRoads),
+        };
 
     private static Option<double> Factor(string name, string what, double most)
     {

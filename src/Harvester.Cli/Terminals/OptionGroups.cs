@@ -8,12 +8,41 @@ internal static class OptionGroups
     public static IReadOnlyList<OptionGroup> OfHarvest { get; } =
     [
         new("Output", ["--out", "--overwrite", "--resume", "--frames", "--seed", "--shard", "--sync", "--min-free", "--no-report"]),
-        new("Images and camera",
-            ["--size", "--image-format", "--quality", "--fov", "--hz", "--rig", "--calibration", "--focal-scale", "--centre-offset", "--k1",
-                "--k2"]),
-        new("World",
-            ["--roads", "--props", "--near", "--places", "--weather", "--time", "--date", "--wander", "--lane-changes", "--traffic",
-                "--pedestrians", "--parked", "--varied-roads", "--detail"]),
+        new(
+            "Images and camera",
+            [
+                "--size",
+                "--image-format",
+                "--quality",
+                "--fov",
+                "--hz",
+                "--rig",
+                "--calibration",
+                "--focal-scale",
+                "--centre-offset",
+                "--k1",
+                "--k2",
+            ]
+        ),
+        new(
+            "World",
+            [
+                "--roads",
+                "--props",
+                "--near",
+                "--places",
+                "--weather",
+                "--time",
+                "--date",
+                "--wander",
+                "--lane-changes",
+                "--traffic",
+                "--pedestrians",
+                "--parked",
+                "--varied-roads",
+                "--detail",
+            ]
+        ),
         new("Objects", ["--classes", "--range", "--ignore-range", "--spaces", "--true-occlusion", "--rays", "--ray-reach"]),
         new("Further data", ["--masks", "--semantics", "--materials", .. Switches, "--motion", "--no-scenes"]),
         new("Lanes", ["--look-ahead", "--lane-width", "--narrow-lane-width"]),

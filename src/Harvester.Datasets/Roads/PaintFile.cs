@@ -1,6 +1,5 @@
-using System;
-using System.IO;
 using Harvester.Datasets.Files;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Roads;
@@ -33,10 +32,13 @@ public static class PaintFile
     public static void Write(PaintTable table, string path)
     {
         ArgumentNullException.ThrowIfNull(table);
-        OutputFile.Write(path, file =>
-        {
-            using var writer = new StreamWriter(file, leaveOpen: true);
-            PaintCsvWriter.Write(table, writer);
-        });
+        OutputFile.Write(
+            path,
+            file =>
+            {
+                using var writer = new StreamWriter(file, leaveOpen: true);
+                PaintCsvWriter.Write(table, writer);
+            }
+        );
     }
 }

@@ -1,7 +1,7 @@
-using System;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Images;
-using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Reading.Images;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Paint;
@@ -24,8 +24,11 @@ internal sealed class PaintFrames(SessionReader session, PaintRoads roads)
     public PaintImage Of(FrameLabel label)
     {
         Camera camera = LabelCamera.Of(label.Camera);
-        byte[] rgb = Checked(label.Image, camera.Image, path => PictureReader.Read(path) is var picture
-            ? (picture.Size, picture.Bytes) : default);
+        byte[] rgb = Checked(
+            label.Image,
+            camera.Image,
+            path => PictureReader.Read(path) is var picture ? (picture.Size, picture.Bytes) : default
+        );
         byte[] hidden = Hidden(label, camera.Image);
         if (label.Depth?.Completed is { } completed)
         {
@@ -90,8 +93,7 @@ internal sealed class PaintFrames(SessionReader session, PaintRoads roads)
         try
         {
             (ImageSize actual, T content) = read(path);
-            return actual == size ? content
-                : throw new DatasetFormatException($"it has {actual} pixels, and its label {size}.");
+            return actual == size ? content : throw new DatasetFormatException($"it has {actual} pixels, and its label {size}.");
         }
         catch (DatasetFormatException e)
         {

@@ -1,7 +1,6 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Labels;
@@ -53,17 +52,21 @@ public sealed class PaintSurvey
         if (RoadsOf(session) is { } recorded && !PaintCsv.SharesLinks(recorded, _network))
         {
             throw new DatasetFormatException(
-                $"'{session.Folder}' was recorded on another road network. Name the one that it was recorded on with --roads.");
+                $"'{session.Folder}' was recorded on another road network. Name the one that it was recorded on with --roads."
+            );
         }
 
         var frames = new PaintFrames(session, _roads);
         bool hasSeen = false;
-        IEnumerable<PaintEvidence> found = ReadAhead.Select(Numbered(session.ReadLabels()), frame =>
-        {
-            var evidence = new PaintEvidence();
-            new PaintScanner(_roads).Scan(frames.Of(frame.Label), frame.Number, evidence);
-            return evidence;
-        });
+        IEnumerable<PaintEvidence> found = ReadAhead.Select(
+            Numbered(session.ReadLabels()),
+            frame =>
+            {
+                var evidence = new PaintEvidence();
+                new PaintScanner(_roads).Scan(frames.Of(frame.Label), frame.Number, evidence);
+                return evidence;
+            }
+        );
         foreach (PaintEvidence evidence in found)
         {
             hasSeen |= !evidence.IsEmpty;
@@ -74,7 +77,8 @@ public sealed class PaintSurvey
         if (!hasSeen)
         {
             throw new DatasetFormatException(
-                $"No camera of '{session.Folder}' sees a road of the network. Is it the network of these places?");
+                $"No camera of '{session.Folder}' sees a road of the network. Is it the network of these places?"
+            );
         }
     }
 

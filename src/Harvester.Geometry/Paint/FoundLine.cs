@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Geometry.Lanes;
 
 namespace Harvester.Geometry.Paint;

@@ -24,6 +24,5 @@ public sealed record LinePaint(double FromStation, double ToStation, double From
     public required int Images { get; init; }
 
     /// <summary>Offset of the line's middle at a station, metres to the right of the curve; extrapolated beyond the stretch.</summary>
-    public double OffsetAt(double station) =>
-        FromOffset + ((ToOffset - FromOffset) * (station - FromStation) / (ToStation - FromStation));
+    public double OffsetAt(double station) => FromOffset + ((ToOffset - FromOffset) * (station - FromStation) / (ToStation - FromStation));
 }

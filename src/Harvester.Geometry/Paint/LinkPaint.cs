@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Paint;
 
 /// <summary>The paint measured on one link.</summary>

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Paint;
@@ -30,14 +29,15 @@ internal sealed class PaintChain
         done.Add(link);
         List<(int, bool)> behind = Follow(curves, seen, (link, false), done);
         behind.Reverse();
-        return
-        [
-            .. behind.ConvertAll(place => (place.Item1, !place.Item2)), (link, true), .. Follow(curves, seen, (link, true), done),
-        ];
+        return [.. behind.ConvertAll(place => (place.Item1, !place.Item2)), (link, true), .. Follow(curves, seen, (link, true), done)];
     }
 
     private static List<(int Link, bool IsForward)> Follow(
-        RoadCurves curves, HashSet<int> seen, (int Link, bool IsForward) place, HashSet<int> done)
+        RoadCurves curves,
+        HashSet<int> seen,
+        (int Link, bool IsForward) place,
+        HashSet<int> done
+    )
     {
         var followed = new List<(int, bool)>();
         while (true)
@@ -67,8 +67,7 @@ internal sealed class PaintChain
             {
                 int row = isForward ? i : count - 1 - i;
                 double station = roads.StationOf(link, row);
-                rows.Add(new ChainRow(
-                    link, row, isForward, start + (isForward ? station : length - station), evidence.RowOf(link, row)));
+                rows.Add(new ChainRow(link, row, isForward, start + (isForward ? station : length - station), evidence.RowOf(link, row)));
             }
 
             start += length;

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Lanes;
 
 namespace Harvester.Geometry.Paint;
@@ -39,23 +36,28 @@ internal static class PaintClassifier
 
     public static List<FoundLine> Lines(PaintChain chain)
     {
-        List<FoundLine> lines = Doubles(
-            [.. PaintTracker.Track(chain).SelectMany(track => OfTrack(track, PaintRuns.Of(track, chain)))]);
+        List<FoundLine> lines = Doubles([.. PaintTracker.Track(chain).SelectMany(track => OfTrack(track, PaintRuns.Of(track, chain)))]);
         return [.. lines.Where(line => !IsFaint(line, lines)).OrderBy(line => line.From).ThenBy(line => line.Stripes[0].Offset)];
     }
 
-    private static bool IsFaint(FoundLine line, List<FoundLine> lines) => lines.Exists(other =>
-        other.From <= line.To + Neighbourhood && other.To >= line.From - Neighbourhood
-        && line.Contrast < MinContrastShare * other.Contrast);
+    private static bool IsFaint(FoundLine line, List<FoundLine> lines) =>
+        lines.Exists(other =>
+            other.From <= line.To + Neighbourhood
+            && other.To >= line.From - Neighbourhood
+            && line.Contrast < MinContrastShare * other.Contrast
+        );
 
     private static IEnumerable<FoundLine> OfTrack(PaintTrack track, List<PaintRun> runs)
     {
-        for (int i = 0; i < runs.Count;)
+        for (int i = 0; i < runs.Count; )
         {
             bool isSolid = runs[i].IsSolid;
             int end = i + 1;
-            while (end < runs.Count && runs[end].From - runs[end - 1].To <= (isSolid ? MaxUnseen : MaxDashGap)
-                && (isSolid ? !runs[end].IsDash && !runs[end - 1].BareAfter : !runs[end].IsSolid))
+            while (
+                end < runs.Count
+                && runs[end].From - runs[end - 1].To <= (isSolid ? MaxUnseen : MaxDashGap)
+                && (isSolid ? !runs[end].IsDash && !runs[end - 1].BareAfter : !runs[end].IsSolid)
+            )
             {
                 end++;
             }
@@ -67,7 +69,10 @@ internal static class PaintClassifier
             }
             else if (group.Count >= MinDashes && group.Exists(run => run.IsDash))
             {
-                yield return Line(track, group, MarkingStyle.Dashed) with { Dashes = DashesOf(group) };
+                yield return Line(track, group, MarkingStyle.Dashed) with
+                {
+                    Dashes = DashesOf(group),
+                };
             }
 
             i = end;
@@ -142,7 +147,9 @@ internal static class PaintClassifier
     private static bool IsPair(FoundLine a, FoundLine b)
     {
         double overlap = Math.Min(a.To, b.To) - Math.Max(a.From, b.From);
-        return a.Paint.Style == MarkingStyle.Solid && b.Paint.Style == MarkingStyle.Solid && a.Paint.Colour == b.Paint.Colour
+        return a.Paint.Style == MarkingStyle.Solid
+            && b.Paint.Style == MarkingStyle.Solid
+            && a.Paint.Colour == b.Paint.Colour
             && overlap >= MinOverlap * Math.Min(a.Length, b.Length)
             && Distance(a, b) is >= MinDouble and <= MaxDouble;
     }
@@ -151,8 +158,13 @@ internal static class PaintClassifier
     private static double Distance(FoundLine a, FoundLine b)
     {
         var offsets = a.Stripes.ToDictionary(stripe => stripe.Row, stripe => stripe.Offset);
-        List<double> distances = [.. b.Stripes.Where(stripe => offsets.ContainsKey(stripe.Row))
-            .Select(stripe => Math.Abs(stripe.Offset - offsets[stripe.Row])).OrderBy(distance => distance)];
+        List<double> distances =
+        [
+            .. b
+                .Stripes.Where(stripe => offsets.ContainsKey(stripe.Row))
+                .Select(stripe => Math.Abs(stripe.Offset - offsets[stripe.Row]))
+                .OrderBy(distance => distance),
+        ];
         return distances.Count > 0 ? distances[distances.Count / 2] : 0;
     }
 
@@ -160,16 +172,19 @@ internal static class PaintClassifier
     private static FoundLine Double(FoundLine a, FoundLine b)
     {
         var others = b.Stripes.ToDictionary(stripe => stripe.Row);
-        List<StripeCluster> both = [.. a.Stripes.Where(stripe => others.ContainsKey(stripe.Row)).Select(stripe => stripe with
-        {
-            Offset = (stripe.Offset + others[stripe.Row].Offset) / 2,
-        })];
+        List<StripeCluster> both =
+        [
+            .. a
+                .Stripes.Where(stripe => others.ContainsKey(stripe.Row))
+                .Select(stripe => stripe with { Offset = (stripe.Offset + others[stripe.Row].Offset) / 2 }),
+        ];
         double width = Distance(a, b) + ((a.Paint.WidthMetres + b.Paint.WidthMetres) / 2);
         return new FoundLine(
             Math.Min(a.From, b.From),
             Math.Max(a.To, b.To),
             both,
             new MarkingPaint(MarkingStyle.DoubleSolid, a.Paint.Colour, width),
-            Math.Max(a.Contrast, b.Contrast));
+            Math.Max(a.Contrast, b.Contrast)
+        );
     }
 }

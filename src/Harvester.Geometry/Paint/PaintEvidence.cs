@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Paint;
 
 /// <summary>What images show of the links of a network, row by row.</summary>

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Paint;
@@ -99,7 +97,9 @@ public sealed class PaintRoads
     {
         RoadCurve curve = Curves.Of(link);
         RoadLink road = Curves.Network.Links[link];
-        double half = (MaxLaneWidth * (road.LanesForward + road.LanesBackward) / (road.IsOneWay ? 2 : 1)) + MaxShoulder
+        double half =
+            (MaxLaneWidth * (road.LanesForward + road.LanesBackward) / (road.IsOneWay ? 2 : 1))
+            + MaxShoulder
             + ((road.MedianWidth ?? 0) / 2);
         var reaches = new (float, float)[Math.Max(1, (int)Math.Ceiling(curve.Length / StationStep))];
         for (int i = 0; i < reaches.Length; i++)
@@ -129,15 +129,18 @@ public sealed class PaintRoads
         {
             RoadCurve curve = Curves.Of(other);
             var ground = new Vector2D(place.X, place.Y);
-            if (other == link || Curves.Continuations.Of(link, false) == other || Curves.Continuations.Of(link, true) == other
-                || curve.IsBeyond(ground, distance))
+            if (
+                other == link
+                || Curves.Continuations.Of(link, false) == other
+                || Curves.Continuations.Of(link, true) == other
+                || curve.IsBeyond(ground, distance)
+            )
             {
                 continue;
             }
 
             Vector3D nearest = curve.PointAt(curve.ClosestParameter(ground));
-            if (Math.Abs(nearest.Z - place.Z) <= SameLevel
-                && new Vector2D(nearest.X - place.X, nearest.Y - place.Y).Length < distance)
+            if (Math.Abs(nearest.Z - place.Z) <= SameLevel && new Vector2D(nearest.X - place.X, nearest.Y - place.Y).Length < distance)
             {
                 return false;
             }

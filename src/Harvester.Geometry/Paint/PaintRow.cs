@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Paint;
 
 /// <summary>What one or more images show of a strip across a link, <see cref="Length"/> metres long.</summary>

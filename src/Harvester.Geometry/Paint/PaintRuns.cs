@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Paint;
 
 /// <summary>Divides a track into unbroken pieces.</summary>

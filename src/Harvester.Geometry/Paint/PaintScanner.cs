@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Roads;
 
@@ -117,7 +115,13 @@ public sealed class PaintScanner
         Vector2D direction = curve.DirectionAt(parameter);
         double cameraOffset = -((x * direction.Y) - (y * direction.X));
         var seen = new SeenSpan(
-            number, 0, 0, (float)cameraOffset, (float)(EdgeSigma * across), (float)(image.Ground.SigmaAt(ground) / height));
+            number,
+            0,
+            0,
+            (float)cameraOffset,
+            (float)(EdgeSigma * across),
+            (float)(image.Ground.SigmaAt(ground) / height)
+        );
         for (int cell = 0; cell < cells; cell++)
         {
             if (seen.SigmaAt(left + (cell * StripeFinder.Cell)) > MaxSigma)
@@ -153,13 +157,18 @@ public sealed class PaintScanner
         foreach (StripeFinder.Stripe stripe in _stripes)
         {
             double middle = OffsetOf((stripe.Left + stripe.Right) / 2);
-            evidence.Add(link, row, new PaintCandidate(
-                seen.Image,
-                (float)middle,
-                (float)((stripe.Right - stripe.Left) * StripeFinder.Cell),
-                (float)stripe.Contrast,
-                (float)stripe.Blueness,
-                (float)seen.SigmaAt(middle)));
+            evidence.Add(
+                link,
+                row,
+                new PaintCandidate(
+                    seen.Image,
+                    (float)middle,
+                    (float)((stripe.Right - stripe.Left) * StripeFinder.Cell),
+                    (float)stripe.Contrast,
+                    (float)stripe.Blueness,
+                    (float)seen.SigmaAt(middle)
+                )
+            );
         }
     }
 
@@ -235,10 +244,16 @@ public sealed class PaintScanner
         float upperRight = right * (1 - down);
         float lowerLeft = (1 - right) * down;
         float lowerRight = right * down;
-        _bright[cell] += 0.5f * ((upperLeft * (rgb[upper] + rgb[upper + 1])) + (upperRight * (rgb[upper + 3] + rgb[upper + 4]))
-            + (lowerLeft * (rgb[lower] + rgb[lower + 1])) + (lowerRight * (rgb[lower + 3] + rgb[lower + 4])));
-        _blue[cell] += (upperLeft * rgb[upper + 2]) + (upperRight * rgb[upper + 5])
-            + (lowerLeft * rgb[lower + 2]) + (lowerRight * rgb[lower + 5]);
+        _bright[cell] +=
+            0.5f
+            * (
+                (upperLeft * (rgb[upper] + rgb[upper + 1]))
+                + (upperRight * (rgb[upper + 3] + rgb[upper + 4]))
+                + (lowerLeft * (rgb[lower] + rgb[lower + 1]))
+                + (lowerRight * (rgb[lower + 3] + rgb[lower + 4]))
+            );
+        _blue[cell] +=
+            (upperLeft * rgb[upper + 2]) + (upperRight * rgb[upper + 5]) + (lowerLeft * rgb[lower + 2]) + (lowerRight * rgb[lower + 5]);
         _count[cell]++;
     }
 

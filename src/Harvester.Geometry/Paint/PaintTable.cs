@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Paint;
@@ -25,7 +22,9 @@ public sealed class PaintTable
             if (link.Link < 0 || link.Link >= network.Links.Count || _links.ContainsKey(link.Link))
             {
                 throw new ArgumentException(
-                    FormattableString.Invariant($"Link {link.Link} does not exist or is listed twice."), nameof(links));
+                    FormattableString.Invariant($"Link {link.Link} does not exist or is listed twice."),
+                    nameof(links)
+                );
             }
 
             _links.Add(link.Link, link);

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Paint;
@@ -52,7 +49,8 @@ public static class PaintTableBuilder
             link,
             roads.StationOf(link, rows[0]) - half,
             roads.StationOf(link, rows[rows.Count - 1]) + half,
-            [.. lines.OrderBy(line => line.FromStation).ThenBy(line => line.FromOffset)]);
+            [.. lines.OrderBy(line => line.FromStation).ThenBy(line => line.FromOffset)]
+        );
     }
 
     /// <summary>The part of a line on one link, which lies between two stations of the chain.</summary>
@@ -70,7 +68,7 @@ public static class PaintTableBuilder
         List<double> stations = [.. Enumerable.Range(0, pieces + 1).Select(i => from + ((to - from) * i / pieces))];
         List<(double Offset, double Sigma, int Images)> knots = stations.ConvertAll(fit.At);
         DashPattern? dashes = line.Dashes is { } pattern ? Turned(pattern, OnLinkAt, link.IsForward) : null;
-        for (int i = 0; i < pieces;)
+        for (int i = 0; i < pieces; )
         {
             int next = i + 1;
             while (next < pieces && IsStraight(stations, knots, i, next + 1))
@@ -84,7 +82,8 @@ public static class PaintTableBuilder
                 OnLinkAt(stations[last]),
                 link.Turned(knots[first].Offset),
                 link.Turned(knots[last].Offset),
-                line.Paint)
+                line.Paint
+            )
             {
                 Dashes = dashes,
                 SigmaMetres = Math.Max(knots[i].Sigma, knots[next].Sigma),
@@ -101,8 +100,7 @@ public static class PaintTableBuilder
         return pattern with { Phase = phase - (pattern.Period * Math.Floor(phase / pattern.Period)) };
     }
 
-    private static bool IsStraight(
-        List<double> stations, List<(double Offset, double Sigma, int Images)> knots, int first, int last)
+    private static bool IsStraight(List<double> stations, List<(double Offset, double Sigma, int Images)> knots, int first, int last)
     {
         double slope = (knots[last].Offset - knots[first].Offset) / (stations[last] - stations[first]);
         for (int i = first + 1; i < last; i++)

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Paint;
 
 /// <summary>The stripes of one painted line along a chain, in its order.</summary>

@@ -1,5 +1,3 @@
-using System;
-
 namespace Harvester.Geometry.Paint;
 
 /// <summary>
@@ -21,9 +19,7 @@ public sealed class RoadGround : IPaintGround
     private readonly double _tilt;
 
     /// <summary>Uses the network's heights as they are.</summary>
-    public RoadGround()
-    {
-    }
+    public RoadGround() { }
 
     /// <summary>Creates the ground under a vehicle.</summary>
     /// <param name="contact">The point of the ground under the vehicle, metres, world.</param>

@@ -10,4 +10,12 @@ namespace Harvester.Geometry.Paint;
 /// <param name="Sigma">Standard deviation of the offset, metres.</param>
 /// <param name="Images">Number of images.</param>
 internal readonly record struct StripeCluster(
-    int Row, double Station, double Offset, double Width, double Contrast, double Blueness, double Sigma, int Images);
+    int Row,
+    double Station,
+    double Offset,
+    double Width,
+    double Contrast,
+    double Blueness,
+    double Sigma,
+    int Images
+);

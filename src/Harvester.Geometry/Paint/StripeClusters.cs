@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Paint;
 
 /// <summary>
@@ -23,10 +20,14 @@ internal static class StripeClusters
             return clusters;
         }
 
-        List<PaintCandidate> sorted = evidence.Candidates.ConvertAll(
-            candidate => candidate with { Offset = (float)row.Turned(candidate.Offset) });
+        List<PaintCandidate> sorted = evidence.Candidates.ConvertAll(candidate =>
+            candidate with
+            {
+                Offset = (float)row.Turned(candidate.Offset),
+            }
+        );
         sorted.Sort(static (a, b) => a.Offset != b.Offset ? a.Offset.CompareTo(b.Offset) : a.Image.CompareTo(b.Image));
-        for (int begin = 0; begin < sorted.Count;)
+        for (int begin = 0; begin < sorted.Count; )
         {
             int end = begin + 1;
             while (end < sorted.Count && sorted[end].Offset - sorted[end - 1].Offset <= MaxStep)
@@ -39,15 +40,18 @@ internal static class StripeClusters
             double weight = Weight(members);
             if (weight >= MinShare * SeenWeight(row, offset))
             {
-                clusters.Add(new StripeCluster(
-                    index,
-                    row.Station,
-                    offset,
-                    Median(members, static member => member.Width),
-                    Median(members, static member => member.Contrast),
-                    Median(members, static member => member.Blueness),
-                    Math.Sqrt(1 / weight),
-                    Images(members)));
+                clusters.Add(
+                    new StripeCluster(
+                        index,
+                        row.Station,
+                        offset,
+                        Median(members, static member => member.Width),
+                        Median(members, static member => member.Contrast),
+                        Median(members, static member => member.Blueness),
+                        Math.Sqrt(1 / weight),
+                        Images(members)
+                    )
+                );
             }
 
             begin = end;

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Harvester.Geometry.Paint;
 
 /// <summary>The weighted median: half of the weight lies on either side of it.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 
@@ -39,12 +36,13 @@ public static class PaintCsv
         return b.Links.Any(link => ends.Contains(LinkEnds.Of(b, link)));
     }
 
-    internal static string NameOf(MarkingStyle style) => style switch
-    {
-        MarkingStyle.Dashed => "dashed",
-        MarkingStyle.DoubleSolid => "doubleSolid",
-        _ => "solid",
-    };
+    internal static string NameOf(MarkingStyle style) =>
+        style switch
+        {
+            MarkingStyle.Dashed => "dashed",
+            MarkingStyle.DoubleSolid => "doubleSolid",
+            _ => "solid",
+        };
 
     internal static string NameOf(MarkingColour colour) => colour == MarkingColour.Yellow ? "yellow" : "white";
 }

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Paint;
@@ -87,8 +83,11 @@ public sealed class PaintCsvReader
         Require(_ended, "the file ends before its last line, which begins with end.");
         if (_linkCount > 0 && _links.Count == 0)
         {
-            throw new FormatException(FormattableString.Invariant(
-                $"none of its {_linkCount} links is in these roads; the table was measured on another road network."));
+            throw new FormatException(
+                FormattableString.Invariant(
+                    $"none of its {_linkCount} links is in these roads; the table was measured on another road network."
+                )
+            );
         }
 
         return new PaintTable(_network, _links.Values, _linkCount - _links.Count);
@@ -130,8 +129,10 @@ public sealed class PaintCsvReader
         Require(to > from, "seenTo must be greater than seenFrom.");
 
         // Two links can have the same ends; then the number decides.
-        _link = index < _network.Links.Count && LinkEnds.Of(_network, _network.Links[index]) == ends ? index
-            : _linkByEnds.TryGetValue(ends, out int found) ? found : null;
+        _link =
+            index < _network.Links.Count && LinkEnds.Of(_network, _network.Links[index]) == ends ? index
+            : _linkByEnds.TryGetValue(ends, out int found) ? found
+            : null;
         _lines = [];
         if (_link is { } link)
         {
@@ -150,16 +151,18 @@ public sealed class PaintCsvReader
         var paint = new MarkingPaint(
             Named<MarkingStyle>(fields[6], "style", PaintCsv.NameOf),
             Named<MarkingColour>(fields[7], "colour", PaintCsv.NameOf),
-            Positive(fields[8], "width"));
+            Positive(fields[8], "width")
+        );
         bool hasDashes = fields.Skip(9).Take(3).Any(field => field.Length > 0);
         Require(!hasDashes || paint.Style == MarkingStyle.Dashed, "only a dashed line has dashes.");
-        _lines.Add(new LinePaint(
-            from, to, Metres(fields[4], "fromOffset"), Metres(fields[5], "toOffset"), paint)
-        {
-            Dashes = hasDashes ? Dashes(fields) : null,
-            SigmaMetres = Positive(fields[12], "sigma"),
-            Images = Whole(fields[13], "images", 1, int.MaxValue),
-        });
+        _lines.Add(
+            new LinePaint(from, to, Metres(fields[4], "fromOffset"), Metres(fields[5], "toOffset"), paint)
+            {
+                Dashes = hasDashes ? Dashes(fields) : null,
+                SigmaMetres = Positive(fields[12], "sigma"),
+                Images = Whole(fields[13], "images", 1, int.MaxValue),
+            }
+        );
     }
 
     private DashPattern Dashes(List<string> fields)
@@ -186,7 +189,8 @@ public sealed class PaintCsvReader
 
     private int Whole(string text, string name, int minimum, int maximum) =>
         int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value)
-        && value >= minimum && value <= maximum
+        && value >= minimum
+        && value <= maximum
             ? value
             : throw Wrong(FormattableString.Invariant($"{name} must be a whole number from {minimum} to {maximum}, not {text}."));
 
@@ -201,9 +205,14 @@ public sealed class PaintCsvReader
     }
 
     private double Metres(string text, string name, double minimum = -MaxCoordinate, double maximum = MaxCoordinate) =>
-        double.TryParse(text, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture,
-            out double value)
-        && value >= minimum && value <= maximum
+        double.TryParse(
+            text,
+            NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint,
+            CultureInfo.InvariantCulture,
+            out double value
+        )
+        && value >= minimum
+        && value <= maximum
             ? value
             : throw Wrong(FormattableString.Invariant($"{name} must be a number from {minimum} to {maximum}, not {text}."));
 

@@ -1,7 +1,4 @@
-using System;
 using System.Globalization;
-using System.IO;
-using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
@@ -34,14 +31,38 @@ public static class PaintCsvWriter
             RoadLink road = table.Network.Links[link.Link];
             Vector3D from = table.Network.Nodes[road.From].Position;
             Vector3D to = table.Network.Nodes[road.To].Position;
-            Line(text, "link", Whole(link.Link), Exact(from.X), Exact(from.Y), Exact(from.Z), Exact(to.X), Exact(to.Y), Exact(to.Z),
-                Metres(link.SeenFrom), Metres(link.SeenTo));
+            Line(
+                text,
+                "link",
+                Whole(link.Link),
+                Exact(from.X),
+                Exact(from.Y),
+                Exact(from.Z),
+                Exact(to.X),
+                Exact(to.Y),
+                Exact(to.Z),
+                Metres(link.SeenFrom),
+                Metres(link.SeenTo)
+            );
             foreach (LinePaint line in link.Lines)
             {
-                Line(text, "line", Whole(link.Link), Metres(line.FromStation), Metres(line.ToStation), Metres(line.FromOffset),
-                    Metres(line.ToOffset), PaintCsv.NameOf(line.Paint.Style), PaintCsv.NameOf(line.Paint.Colour),
-                    Metres(line.Paint.WidthMetres), Metres(line.Dashes?.Length), Metres(line.Dashes?.Period), Metres(line.Dashes?.Phase),
-                    Metres(line.SigmaMetres), Whole(line.Images));
+                Line(
+                    text,
+                    "line",
+                    Whole(link.Link),
+                    Metres(line.FromStation),
+                    Metres(line.ToStation),
+                    Metres(line.FromOffset),
+                    Metres(line.ToOffset),
+                    PaintCsv.NameOf(line.Paint.Style),
+                    PaintCsv.NameOf(line.Paint.Colour),
+                    Metres(line.Paint.WidthMetres),
+                    Metres(line.Dashes?.Length),
+                    Metres(line.Dashes?.Period),
+                    Metres(line.Dashes?.Phase),
+                    Metres(line.SigmaMetres),
+                    Whole(line.Images)
+                );
             }
         }
 

@@ -121,11 +121,12 @@ internal readonly record struct LaneLayout(int Forward, int Backward, double Lan
         }
     }
 
-    private MarkingKind CentreKind(RoadPaint paint) => paint.Centre switch
-    {
-        MarkingStyle.Solid => MarkingKind.Centre,
-        MarkingStyle.Dashed => MarkingKind.CentreDashed,
-        MarkingStyle.DoubleSolid => MarkingKind.CentreDouble,
-        _ => Forward == 1 && Backward == 1 ? MarkingKind.CentreDashed : MarkingKind.CentreDouble,
-    };
+    private MarkingKind CentreKind(RoadPaint paint) =>
+        paint.Centre switch
+        {
+            MarkingStyle.Solid => MarkingKind.Centre,
+            MarkingStyle.Dashed => MarkingKind.CentreDashed,
+            MarkingStyle.DoubleSolid => MarkingKind.CentreDouble,
+            _ => Forward == 1 && Backward == 1 ? MarkingKind.CentreDashed : MarkingKind.CentreDouble,
+        };
 }

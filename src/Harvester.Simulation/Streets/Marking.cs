@@ -12,10 +12,14 @@ internal readonly record struct Marking(double Offset, MarkingKind Kind, RoadPai
 
     public bool IsYellow => Kind is MarkingKind.Centre or MarkingKind.CentreDouble or MarkingKind.CentreDashed;
 
-    public MarkingPaint Paint => new(
-        IsDashed ? MarkingStyle.Dashed : Kind == MarkingKind.CentreDouble ? MarkingStyle.DoubleSolid : MarkingStyle.Solid,
-        IsYellow ? MarkingColour.Yellow : MarkingColour.White,
-        Kind == MarkingKind.CentreDouble ? Sizes.BetweenStripes + Sizes.StripeWidth : Sizes.StripeWidth);
+    public MarkingPaint Paint =>
+        new(
+            IsDashed ? MarkingStyle.Dashed
+                : Kind == MarkingKind.CentreDouble ? MarkingStyle.DoubleSolid
+                : MarkingStyle.Solid,
+            IsYellow ? MarkingColour.Yellow : MarkingColour.White,
+            Kind == MarkingKind.CentreDouble ? Sizes.BetweenStripes + Sizes.StripeWidth : Sizes.StripeWidth
+        );
 
     /// <summary>The offsets of the edges of its stripes.</summary>
     public IEnumerable<(double Left, double Right)> Stripes()

@@ -1,4 +1,3 @@
-using System;
 using Harvester.Geometry.Lanes;
 
 namespace Harvester.Simulation.Streets;

@@ -20,8 +20,7 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
     /// <param name="settlement">Where town and country are; null for town everywhere.</param>
     /// <param name="varySeed">Seed of lane widths and paint drawn at random; null for those of the network and ordinary roads.</param>
     /// <exception cref="ArgumentException">No road lies there.</exception>
-    public static RoadPlan Build(
-        RoadNetwork network, Vector3D centre, double radius, Settlement? settlement = null, int? varySeed = null)
+    public static RoadPlan Build(RoadNetwork network, Vector3D centre, double radius, Settlement? settlement = null, int? varySeed = null)
     {
         RoadLink[] links = [.. network.Links.Where(link => IsRoad(network, link, centre, radius))];
         if (links.Length == 0)

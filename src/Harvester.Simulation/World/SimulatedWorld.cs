@@ -54,7 +54,8 @@ internal sealed class SimulatedWorld
             options.Near is { } near ? new Vector3D(near.X, near.Y, 0)
             : options.Roads is { } roads ? Middle(roads)
             : Vector3D.Zero;
-        Site site = options.Roads is null ? SiteCache.Shared.Town(options.Seed, options.HasVariedRoads)
+        Site site = options.Roads is null
+            ? SiteCache.Shared.Town(options.Seed, options.HasVariedRoads)
             : SiteCache.Shared.Roads(options.Seed, options.Roads, start, options.RadiusMetres, options.HasVariedRoads);
         if (!site.Network.Nodes.Any(node => Horizontal.Distance(node.Position, start) < options.RadiusMetres))
         {

@@ -24,9 +24,7 @@ internal sealed class SiteCache
     /// <summary>The part of given roads within a radius of a point.</summary>
     /// <exception cref="ArgumentException">No road lies there.</exception>
     public Site Roads(int seed, RoadNetwork network, Vector3D centre, double radiusMetres, bool isVaried = false) =>
-        Of(
-            (seed, network, centre, radiusMetres, isVaried),
-            () => Site.OfRoads(seed, network, centre, radiusMetres, isVaried));
+        Of((seed, network, centre, radiusMetres, isVaried), () => Site.OfRoads(seed, network, centre, radiusMetres, isVaried));
 
     private Site Of(object key, Func<Site> build)
     {

@@ -1,12 +1,12 @@
 using System.Text.Json;
-using Harvester.Datasets.Images;
+using Harvester.Sessions.Reading.Images;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Paint;
-using Harvester.Geometry.Roads;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Geometry.Roads;
 using Harvester.TestSupport;
 using Xunit.Abstractions;
 
@@ -31,7 +31,10 @@ public sealed class RealPaintTests(ITestOutputHelper output)
         var evidence = new PaintEvidence();
 
         new PaintScanner(roads).Scan(
-            new PaintImage(camera, rgb, new DepthGround(camera, depths, null), null) { Depths = depths }, 0, evidence);
+            new PaintImage(camera, rgb, new DepthGround(camera, depths, null), null) { Depths = depths },
+            0,
+            evidence
+        );
         PaintTable table = PaintTableBuilder.Build(roads, evidence);
 
         List<(double Lateral, double Ahead, LinePaint Line)> found = [];
@@ -78,7 +81,13 @@ public sealed class RealPaintTests(ITestOutputHelper output)
         return new Camera(
             new Pose(Vector(root.GetProperty("camera_pos")), Axes.FromEuler(new EulerAngles(angles.X, angles.Y, angles.Z))),
             new CameraIntrinsics(
-                root.GetProperty("camera_fov").GetDouble(), size, (double)size.Width / size.Height, nearClip: 0.15, Lens.Ideal));
+                root.GetProperty("camera_fov").GetDouble(),
+                size,
+                (double)size.Width / size.Height,
+                nearClip: 0.15,
+                Lens.Ideal
+            )
+        );
     }
 
     /// <summary>As the frame's own description says: raw = 65535 · (0.15 / z + 1.5e-5), and 0 is the sky.</summary>

@@ -11,24 +11,30 @@ public sealed class PaintCsvTests
 {
     private static readonly RoadNetwork s_network = Network(0, 40, 80, 120);
 
-    private static readonly PaintTable s_table = new(s_network,
-    [
-        new LinkPaint(0, 0, 40,
+    private static readonly PaintTable s_table = new(
+        s_network,
         [
-            new LinePaint(0, 40, -3.1234, -3.1, new MarkingPaint(MarkingStyle.Solid, MarkingColour.Yellow, 0.15))
-            {
-                SigmaMetres = 0.012,
-                Images = 7,
-            },
-            new LinePaint(1.5, 20, 0.5, 0.6, new MarkingPaint(MarkingStyle.Dashed, MarkingColour.White, 0.1))
-            {
-                Dashes = new DashPattern(3, 9, 4.25),
-                SigmaMetres = 0.02,
-                Images = 1,
-            },
-        ]),
-        new LinkPaint(2, 3.5, 39, []),
-    ]);
+            new LinkPaint(
+                0,
+                0,
+                40,
+                [
+                    new LinePaint(0, 40, -3.1234, -3.1, new MarkingPaint(MarkingStyle.Solid, MarkingColour.Yellow, 0.15))
+                    {
+                        SigmaMetres = 0.012,
+                        Images = 7,
+                    },
+                    new LinePaint(1.5, 20, 0.5, 0.6, new MarkingPaint(MarkingStyle.Dashed, MarkingColour.White, 0.1))
+                    {
+                        Dashes = new DashPattern(3, 9, 4.25),
+                        SigmaMetres = 0.02,
+                        Images = 1,
+                    },
+                ]
+            ),
+            new LinkPaint(2, 3.5, 39, []),
+        ]
+    );
 
     [Fact]
     public void TableSurvivesTheFile()
@@ -80,15 +86,18 @@ public sealed class PaintCsvTests
         string whole = Text(s_table);
         Assert.Contains(text, whole, StringComparison.Ordinal);
 
-        FormatException error = Assert.Throws<FormatException>(
-            () => Read(whole.Replace(text, damage, StringComparison.Ordinal), s_network));
+        FormatException error = Assert.Throws<FormatException>(() =>
+            Read(whole.Replace(text, damage, StringComparison.Ordinal), s_network)
+        );
 
         Assert.Equal(message, error.Message);
     }
 
-    private static RoadNetwork Network(params double[] places) => new(
-        [.. places.Select((x, i) => new RoadNode(RoadNode.NoArea, i, new Vector3D(x, 0, 3), "", RoadNodeFlags.None))],
-        [.. Enumerable.Range(0, places.Length - 1).Select(i => new RoadLink(i, i + 1, 1, 1, null, RoadLinkFlags.None))]);
+    private static RoadNetwork Network(params double[] places) =>
+        new(
+            [.. places.Select((x, i) => new RoadNode(RoadNode.NoArea, i, new Vector3D(x, 0, 3), "", RoadNodeFlags.None))],
+            [.. Enumerable.Range(0, places.Length - 1).Select(i => new RoadLink(i, i + 1, 1, 1, null, RoadLinkFlags.None))]
+        );
 
     private static string Text(PaintTable table)
     {

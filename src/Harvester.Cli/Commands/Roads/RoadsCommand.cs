@@ -15,14 +15,18 @@ internal static class RoadsCommand
         command.Subcommands.Add(RoadsMapCommand.Create(terminal));
         command.Subcommands.Add(RoadsNodesCommand.Create(terminal));
         command.Subcommands.Add(RoadsPaintCommand.Create(terminal));
-        HelpWithNotes.AddTo(command, RoadSourceArgument.NotesWith(
-            "FROM, A and B are each",
-            RoadsImportCommand.Example,
-            RoadsInfoCommand.Example,
-            RoadsCompareCommand.Example,
-            RoadsMapCommand.Example,
-            RoadsNodesCommand.Example,
-            RoadsPaintCommand.Example));
+        HelpWithNotes.AddTo(
+            command,
+            RoadSourceArgument.NotesWith(
+                "FROM, A and B are each",
+                RoadsImportCommand.Example,
+                RoadsInfoCommand.Example,
+                RoadsCompareCommand.Example,
+                RoadsMapCommand.Example,
+                RoadsNodesCommand.Example,
+                RoadsPaintCommand.Example
+            )
+        );
         return command;
     }
 }

@@ -22,7 +22,8 @@ internal sealed class PaintJudge
     private int _rightColours;
 
     public PaintJudge(IEnumerable<PaintedLine> painted) =>
-        _paint = painted.SelectMany(line => Enumerable.Range(0, line.Points.Count - 1).Select(i => (line, i)))
+        _paint = painted
+            .SelectMany(line => Enumerable.Range(0, line.Points.Count - 1).Select(i => (line, i)))
             .ToLookup(segment => CellOf(segment.line.Points[segment.i].World));
 
     public double RoadMetres { get; private set; }
@@ -54,10 +55,13 @@ internal sealed class PaintJudge
         }
     }
 
-    public override string ToString() => FormattableString.Invariant(
-        $"{RoadMetres / 1000:0.00} km of road, {LineMetres / 1000:0.00} km of lines: error {100 * MedianError:0.0} cm median, ")
+    public override string ToString() =>
+        FormattableString.Invariant(
+            $"{RoadMetres / 1000:0.00} km of road, {LineMetres / 1000:0.00} km of lines: error {100 * MedianError:0.0} cm median, "
+        )
         + FormattableString.Invariant(
-            $"{100 * Error95:0.0} cm 95 %; style {StyleShare:0.0000}, colour {ColourShare:0.0000}, false lines {FalseLines}");
+            $"{100 * Error95:0.0} cm 95 %; style {StyleShare:0.0000}, colour {ColourShare:0.0000}, false lines {FalseLines}"
+        );
 
     private void Judge(int link, LinePaint line, RoadCurve curve)
     {
