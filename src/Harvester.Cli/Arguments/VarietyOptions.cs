@@ -33,10 +33,15 @@ internal sealed class VarietyOptions
         $"a whole number from 1 to {MaxPlaces}"
     );
 
+    private readonly Option<bool> _variedRoads = new("--varied-roads")
+    {
+        Description = "Draw lane widths, edge lines and paint at random for each road, by the seed",
+    };
+
     /// <summary>Adds the options to a command.</summary>
     public void AddTo(Command command)
     {
-        foreach (Option option in new Option[] { _places, _wander, _laneChanges, _traffic, _pedestrians, _parked })
+        foreach (Option option in new Option[] { _places, _wander, _laneChanges, _traffic, _pedestrians, _parked, _variedRoads })
         {
             command.Options.Add(option);
         }
@@ -65,6 +70,7 @@ internal sealed class VarietyOptions
             TrafficDensity = parsed.GetValue(_traffic),
             PedestrianDensity = parsed.GetValue(_pedestrians),
             ParkedDensity = parsed.GetValue(_parked),
+            HasVariedRoads = parsed.GetValue(_variedRoads),
         };
 
     private static Option<double> Factor(string name, string what, double most)

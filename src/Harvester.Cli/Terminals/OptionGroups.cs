@@ -39,6 +39,7 @@ internal static class OptionGroups
                 "--traffic",
                 "--pedestrians",
                 "--parked",
+                "--varied-roads",
                 "--detail",
             ]
         ),

@@ -236,6 +236,11 @@ internal sealed class SimulatedHarvest
             yield return new("quirks", quirks);
         }
 
+        if (plan.Variety.HasVariedRoads)
+        {
+            yield return new("variedRoads", "true");
+        }
+
         if (plan.Near is { } near)
         {
             yield return new("near", string.Create(CultureInfo.InvariantCulture, $"{near.X},{near.Y}"));

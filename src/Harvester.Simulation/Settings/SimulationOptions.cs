@@ -17,6 +17,11 @@ public sealed record SimulationOptions
     /// <summary>The roads of the world; null for a town made from the seed.</summary>
     public RoadNetwork? Roads { get; init; }
 
+    /// <summary>
+    /// Whether lane widths (3.0 to 6.5 m), edge lines and paint are drawn at random for each road, so that no constant describes them.
+    /// </summary>
+    public bool HasVariedRoads { get; init; }
+
     /// <summary>Where the ego starts, metres, world x and y; null for the middle of the roads.</summary>
     public Vector2D? Near { get; init; }
 

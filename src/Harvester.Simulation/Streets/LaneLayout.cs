@@ -1,3 +1,4 @@
+using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 using Harvester.Simulation.Rendering;
 
@@ -11,6 +12,9 @@ internal readonly record struct LaneLayout(int Forward, int Backward, double Lan
 {
     private const double OrdinaryLane = 5.4;
     private const double NarrowLane = 4.0;
+
+    /// <summary>How its lines are painted; null for the paint of ordinary roads.</summary>
+    public RoadPaint? Paint { get; init; }
 
     public bool IsOneWay => Forward == 0 || Backward == 0;
 
@@ -73,43 +77,56 @@ internal readonly record struct LaneLayout(int Forward, int Backward, double Lan
     /// <summary>The painted lines across the road, left to right.</summary>
     public IEnumerable<Marking> Markings()
     {
-        const double inset = 0.25;
+        RoadPaint paint = Paint ?? RoadPaint.Usual;
         bool hasMedian = MedianWidth > 0;
-        yield return new Marking(LeftEdge + inset, MarkingKind.Edge);
+        if (paint.HasEdges)
+        {
+            bool isYellow = IsOneWay && paint.HasYellowLeftEdge;
+            yield return new Marking(LeftEdge + paint.EdgeInset, isYellow ? MarkingKind.Centre : MarkingKind.Edge, paint);
+        }
+
         if (IsOneWay)
         {
             for (int i = 1; i < Forward + Backward; i++)
             {
-                yield return new Marking(LeftEdge + (i * LaneWidth), MarkingKind.LaneDashed);
+                yield return new Marking(LeftEdge + (i * LaneWidth), MarkingKind.LaneDashed, paint);
             }
         }
         else
         {
             for (int i = Backward - 1; i > 0; i--)
             {
-                yield return new Marking(-(MedianWidth / 2) - (i * LaneWidth), MarkingKind.LaneDashed);
+                yield return new Marking(-(MedianWidth / 2) - (i * LaneWidth), MarkingKind.LaneDashed, paint);
             }
 
-            if (!hasMedian && Forward == 1 && Backward == 1)
+            if (!hasMedian)
             {
-                yield return new Marking(0, MarkingKind.CentreDashed);
-            }
-            else if (!hasMedian)
-            {
-                yield return new Marking(0, MarkingKind.CentreDouble);
+                yield return new Marking(0, CentreKind(paint), paint);
             }
             else
             {
-                yield return new Marking(-MedianWidth / 2, MarkingKind.Centre);
-                yield return new Marking(MedianWidth / 2, MarkingKind.Centre);
+                yield return new Marking(-MedianWidth / 2, MarkingKind.Centre, paint);
+                yield return new Marking(MedianWidth / 2, MarkingKind.Centre, paint);
             }
 
             for (int i = 1; i < Forward; i++)
             {
-                yield return new Marking((MedianWidth / 2) + (i * LaneWidth), MarkingKind.LaneDashed);
+                yield return new Marking((MedianWidth / 2) + (i * LaneWidth), MarkingKind.LaneDashed, paint);
             }
         }
 
-        yield return new Marking(RightEdge - inset, MarkingKind.Edge);
+        if (paint.HasEdges)
+        {
+            yield return new Marking(RightEdge - paint.EdgeInset, MarkingKind.Edge, paint);
+        }
     }
+
+    private MarkingKind CentreKind(RoadPaint paint) =>
+        paint.Centre switch
+        {
+            MarkingStyle.Solid => MarkingKind.Centre,
+            MarkingStyle.Dashed => MarkingKind.CentreDashed,
+            MarkingStyle.DoubleSolid => MarkingKind.CentreDouble,
+            _ => Forward == 1 && Backward == 1 ? MarkingKind.CentreDashed : MarkingKind.CentreDouble,
+        };
 }

@@ -17,9 +17,6 @@ internal sealed record PaintRun(RoadFacets Facets, Marking Marking, IReadOnlyLis
     /// </summary>
     private const double Step = 0.5;
 
-    private const double DashLength = 3;
-    private const double DashPeriod = 9;
-
     /// <summary>A solid line is painted, or left out, metre by metre.</summary>
     private const double Metre = 1;
 
@@ -30,11 +27,11 @@ internal sealed record PaintRun(RoadFacets Facets, Marking Marking, IReadOnlyLis
         foreach (Marking marking in road.Layout.Markings())
         {
             double end = road.Length - road.EndTrim;
-            double period = marking.IsDashed ? DashPeriod : Metre;
+            double period = marking.IsDashed ? marking.Sizes.DashPeriod : Metre;
             List<(double From, double To)> pieces = [];
             for (double from = road.StartTrim; from < end; from += period)
             {
-                double to = Math.Min(from + (marking.IsDashed ? DashLength : Metre), end);
+                double to = Math.Min(from + (marking.IsDashed ? marking.Sizes.DashLength : Metre), end);
                 if (IsFree(road, asphalt, marking, from, to))
                 {
                     Add(pieces, from, to);

@@ -18,8 +18,9 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
     /// <param name="centre">The point, metres.</param>
     /// <param name="radius">Metres.</param>
     /// <param name="settlement">Where town and country are; null for town everywhere.</param>
+    /// <param name="varySeed">Seed of lane widths and paint drawn at random; null for those of the network and ordinary roads.</param>
     /// <exception cref="ArgumentException">No road lies there.</exception>
-    public static RoadPlan Build(RoadNetwork network, Vector3D centre, double radius, Settlement? settlement = null)
+    public static RoadPlan Build(RoadNetwork network, Vector3D centre, double radius, Settlement? settlement = null, int? varySeed = null)
     {
         RoadLink[] links = [.. network.Links.Where(link => IsRoad(network, link, centre, radius))];
         if (links.Length == 0)
@@ -30,6 +31,11 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
         }
 
         List<RoadChain> chains = RoadChain.Follow(network, links);
+        if (varySeed is { } seed)
+        {
+            chains = chains.ConvertAll(chain => RandomRoads.Vary(chain, seed));
+        }
+
         Dictionary<(int Node, int Neighbour), Vector3D> tangents = RoadChain.EndTangents(network, chains);
         List<Road> roads =
         [

@@ -55,8 +55,8 @@ internal sealed class SimulatedWorld
             : options.Roads is { } roads ? Middle(roads)
             : Vector3D.Zero;
         Site site = options.Roads is null
-            ? SiteCache.Shared.Town(options.Seed)
-            : SiteCache.Shared.Roads(options.Seed, options.Roads, start, options.RadiusMetres);
+            ? SiteCache.Shared.Town(options.Seed, options.HasVariedRoads)
+            : SiteCache.Shared.Roads(options.Seed, options.Roads, start, options.RadiusMetres, options.HasVariedRoads);
         if (!site.Network.Nodes.Any(node => Horizontal.Distance(node.Position, start) < options.RadiusMetres))
         {
             throw new ArgumentException(

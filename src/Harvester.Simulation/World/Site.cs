@@ -63,17 +63,21 @@ internal sealed class Site
     public IReadOnlyList<MeshInstance> Ground { get; }
 
     /// <summary>A town generated from a seed.</summary>
-    public static Site OfTown(int seed)
+    /// <param name="seed">The seed.</param>
+    /// <param name="isVaried">Whether lane widths and paint are drawn at random for each road.</param>
+    public static Site OfTown(int seed, bool isVaried = false)
     {
         RoadNetwork network = TownBuilder.Build(seed);
-        return new Site(seed, network, RoadPlan.Build(network, Vector3D.Zero, double.PositiveInfinity), Settlement.Generated);
+        int? varySeed = isVaried ? seed : null;
+        RoadPlan plan = RoadPlan.Build(network, Vector3D.Zero, double.PositiveInfinity, varySeed: varySeed);
+        return new Site(seed, network, plan, Settlement.Generated);
     }
 
     /// <summary>The part of given roads within a radius of a point.</summary>
     /// <exception cref="ArgumentException">No road lies there.</exception>
-    public static Site OfRoads(int seed, RoadNetwork network, Vector3D centre, double radiusMetres)
+    public static Site OfRoads(int seed, RoadNetwork network, Vector3D centre, double radiusMetres, bool isVaried = false)
     {
         Settlement settlement = Settlement.Of(network, centre);
-        return new Site(seed, network, RoadPlan.Build(network, centre, radiusMetres, settlement), settlement);
+        return new Site(seed, network, RoadPlan.Build(network, centre, radiusMetres, settlement, isVaried ? seed : null), settlement);
     }
 }

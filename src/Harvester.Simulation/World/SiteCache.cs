@@ -19,12 +19,12 @@ internal sealed class SiteCache
     public static SiteCache Shared { get; } = new();
 
     /// <summary>A town generated from a seed.</summary>
-    public Site Town(int seed) => Of(seed, () => Site.OfTown(seed));
+    public Site Town(int seed, bool isVaried = false) => Of((seed, isVaried), () => Site.OfTown(seed, isVaried));
 
     /// <summary>The part of given roads within a radius of a point.</summary>
     /// <exception cref="ArgumentException">No road lies there.</exception>
-    public Site Roads(int seed, RoadNetwork network, Vector3D centre, double radiusMetres) =>
-        Of((seed, network, centre, radiusMetres), () => Site.OfRoads(seed, network, centre, radiusMetres));
+    public Site Roads(int seed, RoadNetwork network, Vector3D centre, double radiusMetres, bool isVaried = false) =>
+        Of((seed, network, centre, radiusMetres, isVaried), () => Site.OfRoads(seed, network, centre, radiusMetres, isVaried));
 
     private Site Of(object key, Func<Site> build)
     {

@@ -8,12 +8,13 @@ internal static class RoadsCommand
 {
     public static Command Create(Terminal terminal)
     {
-        var command = new Command("roads", "Import, compare and draw road networks, and write their node database.");
+        var command = new Command("roads", "Import, compare and draw road networks, write their node database, and measure their paint.");
         command.Subcommands.Add(RoadsImportCommand.Create(terminal));
         command.Subcommands.Add(RoadsInfoCommand.Create(terminal));
         command.Subcommands.Add(RoadsCompareCommand.Create(terminal));
         command.Subcommands.Add(RoadsMapCommand.Create(terminal));
         command.Subcommands.Add(RoadsNodesCommand.Create(terminal));
+        command.Subcommands.Add(RoadsPaintCommand.Create(terminal));
         HelpWithNotes.AddTo(
             command,
             RoadSourceArgument.NotesWith(
@@ -22,7 +23,8 @@ internal static class RoadsCommand
                 RoadsInfoCommand.Example,
                 RoadsCompareCommand.Example,
                 RoadsMapCommand.Example,
-                RoadsNodesCommand.Example
+                RoadsNodesCommand.Example,
+                RoadsPaintCommand.Example
             )
         );
         return command;

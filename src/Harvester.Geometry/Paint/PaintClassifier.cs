@@ -1,0 +1,190 @@
+using Harvester.Geometry.Lanes;
+
+namespace Harvester.Geometry.Paint;
+
+/// <summary>
+/// Turns tracks into lines: long pieces are solid, short ones beside bare ground are dashes, two parallel solid lines of one colour are a double line, and what is
+/// much fainter than the paint around it is none.
+/// </summary>
+internal static class PaintClassifier
+{
+    /// <summary>A solid line goes on behind ground of this length that was not seen, metres: a vehicle hides as much.</summary>
+    private const double MaxUnseen = 6;
+
+    /// <summary>Fewest dashes of a dashed line.</summary>
+    private const int MinDashes = 2;
+
+    /// <summary>Largest gap between two dashes of a line, metres.</summary>
+    private const double MaxDashGap = 13;
+
+    /// <summary>Paint is yellow if its blueness is below this: about 1 is white and 0.2 to 0.6 is yellow.</summary>
+    private const double YellowBelow = 0.78;
+
+    /// <summary>Distance of the middles of a double line's stripes, metres.</summary>
+    private const double MinDouble = 0.15;
+    private const double MaxDouble = 0.6;
+
+    /// <summary>Least part of the shorter line of a pair that lies beside the other.</summary>
+    private const double MinOverlap = 0.6;
+
+    /// <summary>
+    /// A line with less than this fraction of the contrast of the strongest within <see cref="Neighbourhood"/> metres is a seam, a trail or
+    /// the remains of old paint.
+    /// </summary>
+    private const double MinContrastShare = 0.55;
+    private const double Neighbourhood = 30;
+
+    public static List<FoundLine> Lines(PaintChain chain)
+    {
+        List<FoundLine> lines = Doubles([.. PaintTracker.Track(chain).SelectMany(track => OfTrack(track, PaintRuns.Of(track, chain)))]);
+        return [.. lines.Where(line => !IsFaint(line, lines)).OrderBy(line => line.From).ThenBy(line => line.Stripes[0].Offset)];
+    }
+
+    private static bool IsFaint(FoundLine line, List<FoundLine> lines) =>
+        lines.Exists(other =>
+            other.From <= line.To + Neighbourhood
+            && other.To >= line.From - Neighbourhood
+            && line.Contrast < MinContrastShare * other.Contrast
+        );
+
+    private static IEnumerable<FoundLine> OfTrack(PaintTrack track, List<PaintRun> runs)
+    {
+        for (int i = 0; i < runs.Count; )
+        {
+            bool isSolid = runs[i].IsSolid;
+            int end = i + 1;
+            while (
+                end < runs.Count
+                && runs[end].From - runs[end - 1].To <= (isSolid ? MaxUnseen : MaxDashGap)
+                && (isSolid ? !runs[end].IsDash && !runs[end - 1].BareAfter : !runs[end].IsSolid)
+            )
+            {
+                end++;
+            }
+
+            List<PaintRun> group = runs.GetRange(i, end - i);
+            if (isSolid)
+            {
+                yield return Line(track, group, MarkingStyle.Solid);
+            }
+            else if (group.Count >= MinDashes && group.Exists(run => run.IsDash))
+            {
+                yield return Line(track, group, MarkingStyle.Dashed) with
+                {
+                    Dashes = DashesOf(group),
+                };
+            }
+
+            i = end;
+        }
+    }
+
+    private static FoundLine Line(PaintTrack track, List<PaintRun> runs, MarkingStyle style)
+    {
+        List<StripeCluster> stripes = [.. runs.SelectMany(run => track.Stripes.GetRange(run.First, run.Last - run.First + 1))];
+        double Median(Func<StripeCluster, double> value) =>
+            WeightedMedian.Of(stripes.ConvertAll(stripe => (value(stripe), 1 / (stripe.Sigma * stripe.Sigma))));
+        MarkingColour colour = Median(stripe => stripe.Blueness) < YellowBelow ? MarkingColour.Yellow : MarkingColour.White;
+        var paint = new MarkingPaint(style, colour, Median(stripe => stripe.Width));
+        return new FoundLine(runs[0].From, runs[runs.Count - 1].To, stripes, paint, Median(stripe => stripe.Contrast));
+    }
+
+    /// <summary>
+    /// The pattern of dashes. The period P is the median distance of neighbouring middles; with the number n = round((m - m0) / P) of each
+    /// dash, m = m0 + n · P is fitted by least squares. The length is the median of those dashes of which both ends were seen.
+    /// </summary>
+    private static DashPattern? DashesOf(List<PaintRun> dashes)
+    {
+        List<double> middles = dashes.ConvertAll(dash => (dash.From + dash.To) / 2);
+        List<PaintRun> whole = dashes.FindAll(dash => dash.BareBefore && dash.BareAfter);
+        List<double> steps = [.. middles.Skip(1).Zip(middles, (next, middle) => next - middle).OrderBy(step => step)];
+        if (whole.Count == 0)
+        {
+            return null;
+        }
+
+        double period = steps[(steps.Count - 1) / 2];
+        double length = whole.Select(dash => dash.Length).OrderBy(value => value).ElementAt((whole.Count - 1) / 2);
+        (double n, double k, double m, double kk, double km) = (0, 0, 0, 0, 0);
+        foreach (double middle in middles)
+        {
+            double number = Math.Round((middle - middles[0]) / period);
+            n++;
+            k += number;
+            m += middle;
+            kk += number * number;
+            km += number * middle;
+        }
+
+        double spread = (n * kk) - (k * k);
+        double fitted = spread > 0 ? ((n * km) - (k * m)) / spread : period;
+        double first = (m - (fitted * k)) / n;
+        return fitted > length ? new DashPattern(length, fitted, first - (length / 2)) : null;
+    }
+
+    private static List<FoundLine> Doubles(List<FoundLine> lines)
+    {
+        var merged = new List<FoundLine>();
+        List<FoundLine> left = [.. lines.OrderBy(line => line.From)];
+        while (left.Count > 0)
+        {
+            FoundLine line = left[0];
+            left.RemoveAt(0);
+            int partner = left.FindIndex(other => IsPair(line, other));
+            if (partner < 0)
+            {
+                merged.Add(line);
+                continue;
+            }
+
+            merged.Add(Double(line, left[partner]));
+            left.RemoveAt(partner);
+        }
+
+        return merged;
+    }
+
+    private static bool IsPair(FoundLine a, FoundLine b)
+    {
+        double overlap = Math.Min(a.To, b.To) - Math.Max(a.From, b.From);
+        return a.Paint.Style == MarkingStyle.Solid
+            && b.Paint.Style == MarkingStyle.Solid
+            && a.Paint.Colour == b.Paint.Colour
+            && overlap >= MinOverlap * Math.Min(a.Length, b.Length)
+            && Distance(a, b) is >= MinDouble and <= MaxDouble;
+    }
+
+    /// <summary>Median distance of the stripes of two lines in the rows that both have; 0 without such a row.</summary>
+    private static double Distance(FoundLine a, FoundLine b)
+    {
+        var offsets = a.Stripes.ToDictionary(stripe => stripe.Row, stripe => stripe.Offset);
+        List<double> distances =
+        [
+            .. b
+                .Stripes.Where(stripe => offsets.ContainsKey(stripe.Row))
+                .Select(stripe => Math.Abs(stripe.Offset - offsets[stripe.Row]))
+                .OrderBy(distance => distance),
+        ];
+        return distances.Count > 0 ? distances[distances.Count / 2] : 0;
+    }
+
+    /// <summary>The double line of two lines, with its middle between theirs where both were found.</summary>
+    private static FoundLine Double(FoundLine a, FoundLine b)
+    {
+        var others = b.Stripes.ToDictionary(stripe => stripe.Row);
+        List<StripeCluster> both =
+        [
+            .. a
+                .Stripes.Where(stripe => others.ContainsKey(stripe.Row))
+                .Select(stripe => stripe with { Offset = (stripe.Offset + others[stripe.Row].Offset) / 2 }),
+        ];
+        double width = Distance(a, b) + ((a.Paint.WidthMetres + b.Paint.WidthMetres) / 2);
+        return new FoundLine(
+            Math.Min(a.From, b.From),
+            Math.Max(a.To, b.To),
+            both,
+            new MarkingPaint(MarkingStyle.DoubleSolid, a.Paint.Colour, width),
+            Math.Max(a.Contrast, b.Contrast)
+        );
+    }
+}
