@@ -39,7 +39,8 @@ public sealed class PaintSurvey
         }
     }
 
-    /// <summary>Looks at the images of a session. The order of sessions and frames, not the number of processors, decides the result.</summary>
+    /// <summary>Looks at the images of a session. The order of sessions and frames, not the number of processors, decides the
+    /// result.</summary>
     /// <param name="session">The session.</param>
     /// <param name="report">Receives the number of images seen so far, of all sessions.</param>
     /// <exception cref="DatasetFormatException">

@@ -28,7 +28,8 @@ public sealed class DepthGround : IPaintGround
     private const int Neighbours = 4;
 
     /// <summary>
-    /// A cell that is higher or lower than the median of its neighbours by more than this is a vehicle, a kerb or a rail, metres; over 2 m a
+    /// A cell that is higher or lower than the median of its neighbours by more than this is a vehicle, a kerb or a rail, metres; over 2 m
+    /// a
     /// road with a slope of 7 % rises as much.
     /// </summary>
     private const double MaxStep = 0.15;

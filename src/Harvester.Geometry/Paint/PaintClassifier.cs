@@ -3,7 +3,8 @@ using Harvester.Geometry.Lanes;
 namespace Harvester.Geometry.Paint;
 
 /// <summary>
-/// Turns tracks into lines: long pieces are solid, short ones beside bare ground are dashes, two parallel solid lines of one colour are a double line, and what is
+/// Turns tracks into lines: long pieces are solid, short ones beside bare ground are dashes, two parallel solid lines of one colour are a
+/// double line, and what is
 /// much fainter than the paint around it is none.
 /// </summary>
 internal static class PaintClassifier

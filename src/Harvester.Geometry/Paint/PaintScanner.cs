@@ -24,7 +24,8 @@ public sealed class PaintScanner
     /// <summary>Longest pixel along the road, metres: longer ones blur dashes into their gaps.</summary>
     private const double MaxPixelAlong = 1.2;
 
-    /// <summary>What is nearer than the ground by this fraction stands on it: 1 m in 20, the length of road behind 8 cm of height.</summary>
+    /// <summary>What is nearer than the ground by this fraction stands on it: 1 m in 20, the length of road behind 8 cm of
+    /// height.</summary>
     private const double DepthTolerance = 0.05;
 
     /// <summary>Distance between places of a row at which the height of the ground is taken, metres.</summary>

@@ -10,7 +10,8 @@ namespace Harvester.Geometry.Paint;
 public readonly record struct SeenSpan(int Image, float Left, float Right, float CameraOffset, float EdgeSigma, float HeightSigma)
 {
     /// <summary>
-    /// Standard deviation of an offset, metres: sqrt(e² + (r (o - c))²), with e of the edge, r of the height and c of the camera, because an
+    /// Standard deviation of an offset, metres: sqrt(e² + (r (o - c))²), with e of the edge, r of the height and c of the camera, because
+    /// an
     /// error dz of the ground's height moves a point by dz / h times its lateral distance from the camera.
     /// </summary>
     public double SigmaAt(double offset)

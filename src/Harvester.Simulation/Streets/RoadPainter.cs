@@ -4,13 +4,13 @@ using Harvester.Simulation.Rendering;
 namespace Harvester.Simulation.Streets;
 
 /// <summary>Paints the lines along roads, stop lines and pedestrian crossings.</summary>
-internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintRun> runs, StreetIndex index, Asphalt asphalt, GroundMesh mesh)
+internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintedRun> runs, StreetIndex index, Asphalt asphalt, GroundMesh mesh)
 {
     private const double CrossingDepth = 3.2;
 
     public void Paint()
     {
-        foreach (PaintRun run in runs)
+        foreach (PaintedRun run in runs)
         {
             foreach ((double from, double to) in run.Pieces)
             {
@@ -68,7 +68,7 @@ internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintRun> runs, S
 
     private void Stripe(RoadFacets facets, double from, double to, double left, double right, Rgb colour)
     {
-        Vector3D up = Horizontal.Up * PaintRun.Height;
+        Vector3D up = Horizontal.Up * PaintedRun.Height;
         foreach (Vector3D[] face in facets.Cover(from, to, left, right))
         {
             mesh.AddQuad(face[0] + up, face[1] + up, face[2] + up, face[3] + up, colour, Surface.Marking, SurfaceKind.Marking);

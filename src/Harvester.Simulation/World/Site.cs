@@ -28,9 +28,9 @@ internal sealed class Site
         Terrain.Build(ground, settlement);
         Asphalt asphalt = new(Index, heights);
         new RoadSurfaces(plan, Index, Terrain, levels, asphalt, heights, ground).Build();
-        List<PaintRun> paint =
+        List<PaintedRun> paint =
         [
-            .. plan.Roads.Where(road => !road.IsInner && !road.IsUnpaved).SelectMany(road => PaintRun.Of(road, asphalt)),
+            .. plan.Roads.Where(road => !road.IsInner && !road.IsUnpaved).SelectMany(road => PaintedRun.Of(road, asphalt)),
         ];
         new RoadPainter(plan, paint, Index, asphalt, ground).Paint();
         Paint = [.. paint.Select(run => run.Line())];

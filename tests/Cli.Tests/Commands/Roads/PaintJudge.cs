@@ -11,7 +11,8 @@ namespace Harvester.Cli.Tests.Commands.Roads;
 /// </summary>
 internal sealed class PaintJudge
 {
-    /// <summary>A sample farther than this from all paint is on a false line, metres: half the distance of the nearest real lines.</summary>
+    /// <summary>A sample farther than this from all paint is on a false line, metres: half the distance of the nearest real
+    /// lines.</summary>
     private const double MaxDistance = 0.5;
 
     private const double Step = 1;

@@ -6,7 +6,7 @@ namespace Harvester.Simulation.Streets;
 /// <param name="Facets">The asphalt of the road.</param>
 /// <param name="Marking">The marking.</param>
 /// <param name="Pieces">The painted pieces, metres along the road; a solid line has one.</param>
-internal sealed record PaintRun(RoadFacets Facets, Marking Marking, IReadOnlyList<(double From, double To)> Pieces)
+internal sealed record PaintedRun(RoadFacets Facets, Marking Marking, IReadOnlyList<(double From, double To)> Pieces)
 {
     /// <summary>Height of the paint above the asphalt, metres: enough to be drawn, too little to be visible as height.</summary>
     public const double Height = 0.01;
@@ -21,7 +21,7 @@ internal sealed record PaintRun(RoadFacets Facets, Marking Marking, IReadOnlyLis
     private const double Metre = 1;
 
     /// <summary>The lines of a road, except in the junctions at its ends, and where another road's asphalt takes their place.</summary>
-    public static IEnumerable<PaintRun> Of(Road road, Asphalt asphalt)
+    public static IEnumerable<PaintedRun> Of(Road road, Asphalt asphalt)
     {
         RoadFacets facets = asphalt.Of(road);
         foreach (Marking marking in road.Layout.Markings())
@@ -38,14 +38,14 @@ internal sealed record PaintRun(RoadFacets Facets, Marking Marking, IReadOnlyLis
                 }
                 else if (pieces.Count > 0)
                 {
-                    yield return new PaintRun(facets, marking, pieces);
+                    yield return new PaintedRun(facets, marking, pieces);
                     pieces = [];
                 }
             }
 
             if (pieces.Count > 0)
             {
-                yield return new PaintRun(facets, marking, pieces);
+                yield return new PaintedRun(facets, marking, pieces);
             }
         }
     }
