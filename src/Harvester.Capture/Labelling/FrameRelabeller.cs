@@ -21,13 +21,21 @@ public sealed class FrameRelabeller
     private readonly DistantLabeller _distant;
     private readonly FaceLabeller? _faces;
     private readonly LaneLabeller? _lanes;
+    private readonly bool _hasPaint;
 
     /// <summary>Prepares for the scenes of one session.</summary>
     /// <param name="options">What to label; the lens applies to all frames.</param>
     /// <param name="recordedOptions">The options of the harvest; its lens is that of each scene.</param>
     /// <param name="ids">The object ids of all scenes of the session.</param>
     /// <param name="roads">The roads to measure lanes on; null to keep the recorded lanes.</param>
-    public FrameRelabeller(LabellingOptions options, LabellingOptions recordedOptions, RecordedIds ids, IRoads? roads)
+    /// <param name="paint">The paint on these roads; null to keep the recorded markings.</param>
+    public FrameRelabeller(
+        LabellingOptions options,
+        LabellingOptions recordedOptions,
+        RecordedIds ids,
+        IRoads? roads,
+        IRoadPaint? paint = null
+    )
     {
         _options = options ?? throw new ArgumentNullException(nameof(options));
         _recordedOptions = recordedOptions ?? throw new ArgumentNullException(nameof(recordedOptions));
@@ -35,7 +43,8 @@ public sealed class FrameRelabeller
         _objects = new ObjectLabeller(options, _registry);
         _distant = new DistantLabeller(options);
         _faces = options.Faces is { } table ? new FaceLabeller(table, options, null, _lights, _registry) : null;
-        _lanes = roads is null ? null : new LaneLabeller(roads, null, null, _registry);
+        _lanes = roads is null ? null : new LaneLabeller(roads, paint, null, _registry);
+        _hasPaint = paint is not null;
     }
 
     /// <summary>
@@ -186,8 +195,15 @@ public sealed class FrameRelabeller
         }
 
         LanesLabel? lanes = _lanes.Label(snapshot, camera, static () => false).LastOrDefault();
-        return lanes is null
-            ? null
-            : RecordedLanes.Completed(lanes, recorded is null || isLensSame ? recorded : RecordedLanes.SeenBy(camera, recorded));
+        if (lanes is null)
+        {
+            return null;
+        }
+
+        LanesLabel completed = RecordedLanes.Completed(
+            lanes,
+            recorded is null || isLensSame ? recorded : RecordedLanes.SeenBy(camera, recorded)
+        );
+        return _hasPaint ? completed with { Markings = lanes.Markings } : completed;
     }
 }

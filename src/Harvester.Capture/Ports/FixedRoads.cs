@@ -1,5 +1,6 @@
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Capture.Ports;
@@ -15,12 +16,14 @@ public sealed class FixedRoads : IRoads
     /// <param name="lookAhead">Where the indicators are measured; null for the thesis's ten metres.</param>
     /// <param name="laneWidth">Width of the lanes of an ordinary road, metres.</param>
     /// <param name="narrowLaneWidth">Width of the lanes of a narrow road, metres.</param>
+    /// <param name="paint">The lines measured on these roads; null if none were.</param>
     public FixedRoads(
         RoadNetwork network,
         string source,
         LookAhead? lookAhead = null,
         double laneWidth = RoadGeometry.LaneWidth,
-        double narrowLaneWidth = RoadGeometry.NarrowLaneWidth
+        double narrowLaneWidth = RoadGeometry.NarrowLaneWidth,
+        PaintTable? paint = null
     )
     {
         if (network is null)
@@ -28,7 +31,8 @@ public sealed class FixedRoads : IRoads
             throw new ArgumentNullException(nameof(network));
         }
 
-        var observer = new LaneObserver(new RoadCurves(network), new LaneModel(network, laneWidth, narrowLaneWidth), lookAhead);
+        var lanes = new LaneModel(network, laneWidth, narrowLaneWidth, paint is null ? null : PaintedSections.Of(paint));
+        var observer = new LaneObserver(new RoadCurves(network), lanes, lookAhead);
         _roads = new KnownRoads(observer, source);
     }
 

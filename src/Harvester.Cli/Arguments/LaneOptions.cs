@@ -34,6 +34,14 @@ internal static class LaneOptions
     public static Option<LookAhead?> OptionalLookAhead() =>
         ValueParsers.Optional(LookAheadName, LookAheadForm, LookAheadPurpose, Parse, LookAheadRange);
 
+    /// <summary>The table of measured paint, by which lanes have the widths that are painted.</summary>
+    public static Option<FileInfo?> Paint() =>
+        new("--paint")
+        {
+            Description = "Painted lines measured by roads paint: lanes are as painted where they are known",
+            HelpName = "FILE",
+        };
+
     /// <summary>Width of ordinary lanes.</summary>
     public static Option<double> LaneWidth() => Width(LaneWidthName, LaneWidthPurpose, RoadGeometry.LaneWidth);
 

@@ -5,6 +5,7 @@ using Harvester.Cli.Terminals;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
@@ -69,6 +70,7 @@ internal sealed class LanesCommand
             10
         );
 
+    private Option<FileInfo?> Paint { get; } = LaneOptions.Paint();
     private Option<double> LaneWidth { get; } = LaneOptions.LaneWidth();
     private Option<double> NarrowLaneWidth { get; } = LaneOptions.NarrowLaneWidth();
 
@@ -86,6 +88,7 @@ internal sealed class LanesCommand
             Length,
             LaneLookAhead,
             Speed,
+            Paint,
             LaneWidth,
             NarrowLaneWidth,
         };
@@ -95,7 +98,12 @@ internal sealed class LanesCommand
             RoadNetwork network = RoadImporter.Import(parsed.GetRequiredValue(Roads).FullName).Network;
             var observer = new LaneObserver(
                 new RoadCurves(network),
-                new LaneModel(network, parsed.GetValue(LaneWidth), parsed.GetValue(NarrowLaneWidth)),
+                new LaneModel(
+                    network,
+                    parsed.GetValue(LaneWidth),
+                    parsed.GetValue(NarrowLaneWidth),
+                    parsed.GetValue(Paint) is { } paint ? PaintedSections.Of(PaintFile.Read(paint.FullName, network)) : null
+                ),
                 parsed.GetValue(LaneLookAhead)
             );
             double heading = parsed.GetRequiredValue(Heading);

@@ -6,11 +6,14 @@ using Harvester.Datasets.Files;
 using Harvester.Datasets.Outputs;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Paint;
+using Harvester.Geometry.Roads;
 using Harvester.Reports.Sessions;
 using Harvester.Runs.Faults;
 using Harvester.Runs.Relabelling;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;
@@ -25,6 +28,7 @@ internal sealed class RelabelCommand
         + "Examples:\n"
         + "  harvester relabel out --out wide --lane-width 3.7 --look-ahead 1s\n"
         + "  harvester relabel out --out near --range 60 --classes car,truck,bus\n"
+        + "  harvester relabel drive --out painted --paint paint.csv\n"
         + "  harvester relabel drive --out calibrated --calibration GtaDataHarvester.ini --spaces signs.csv";
 
     private Argument<string> Session { get; } = SessionArgument.Create();
@@ -69,6 +73,7 @@ internal sealed class RelabelCommand
     private Option<FileSystemInfo?> Faces { get; } = SpacesOption.Create("the recorded table");
     private Option<FileInfo?> Roads { get; } = File("--roads", "Road network to measure lanes on, a file or folder");
     private Option<LookAhead?> LaneLookAhead { get; } = LaneOptions.OptionalLookAhead();
+    private Option<FileInfo?> Paint { get; } = LaneOptions.Paint();
     private Option<double?> LaneWidth { get; } = LaneOptions.OptionalLaneWidth();
     private Option<double?> NarrowLaneWidth { get; } = LaneOptions.OptionalNarrowLaneWidth();
     private Option<ImageTransfer> Images { get; } = TransferOption.Create("images");
@@ -96,6 +101,7 @@ internal sealed class RelabelCommand
             Faces,
             Roads,
             LaneLookAhead,
+            Paint,
             LaneWidth,
             NarrowLaneWidth,
             Images,
@@ -120,7 +126,7 @@ internal sealed class RelabelCommand
 
         bool resumes = parsed.GetValue(Resume);
         ResumeOption.Check(resumes, parsed.GetValue(Overwrite));
-        RelabelOptions changes = ChangesOf(terminal, parsed);
+        RelabelOptions changes = ChangesOf(terminal, session, parsed);
         var relabeller = new SessionRelabeller(session, changes);
         if (resumes && FinishedResult.Of(folder, () => relabeller.FramesOfFinished(folder)) is { } done)
         {
@@ -156,8 +162,10 @@ internal sealed class RelabelCommand
         return ExitCode.Done;
     }
 
-    private RelabelOptions ChangesOf(Terminal terminal, ParseResult parsed) =>
-        new()
+    private RelabelOptions ChangesOf(Terminal terminal, SessionReader session, ParseResult parsed)
+    {
+        RoadNetwork? roads = parsed.GetValue(Roads) is { } file ? RoadImporter.Import(file.FullName).Network : null;
+        return new RelabelOptions
         {
             RangeMetres = parsed.GetValue(Range),
             Classes = ClassList.Parse(parsed.GetValue(Classes)),
@@ -169,9 +177,11 @@ internal sealed class RelabelCommand
                 ? FaceFile.AsWritten(FaceFile.ReadValid(faces.FullName, terminal.WriteError))
                 : null,
             FacesName = parsed.GetValue(Faces)?.Name,
-            Roads = parsed.GetValue(Roads) is { } roads ? RoadImporter.Import(roads.FullName).Network : null,
+            Roads = roads,
             RoadsName = parsed.GetValue(Roads)?.Name,
             LookAhead = parsed.GetValue(LaneLookAhead),
+            Paint = PaintOf(session, roads, parsed.GetValue(Paint)),
+            PaintName = parsed.GetValue(Paint)?.Name,
             LaneWidthMetres = parsed.GetValue(LaneWidth),
             NarrowLaneWidthMetres = parsed.GetValue(NarrowLaneWidth),
             Images = parsed.GetValue(Images),
@@ -180,6 +190,14 @@ internal sealed class RelabelCommand
             Sync = parsed.GetValue(Sync),
             MinFreeBytes = MinFreeOption.BytesIn(parsed, MinFree),
         };
+    }
+
+    private static PaintTable? PaintOf(SessionReader session, RoadNetwork? roads, FileInfo? file) =>
+        file is null ? null
+        : (roads ?? PaintSurvey.RoadsOf(session)) is { } network ? PaintFile.Read(file.FullName, network)
+        : throw new DatasetFormatException(
+            $"'{session.Folder}' has no recorded roads. To use measured paint, name a road network with --roads."
+        );
 
     private static Option<double?> Number(string name, string form, string description, Func<double, bool> isAllowed, string allowed) =>
         ValueParsers.Optional<double>(

@@ -69,6 +69,7 @@ public static class NodeDatabaseWriter
         {
             LaneWidthSource.Calibrated => "calibrated",
             LaneWidthSource.NarrowConstant => "narrowConstant",
+            LaneWidthSource.Paint => "paint",
             _ => "constant",
         };
 

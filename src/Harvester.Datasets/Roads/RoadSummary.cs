@@ -24,7 +24,11 @@ public static class RoadSummary
             ("links with a known median", Text(network.Links.Count(link => link.MedianWidth is not null))),
             (
                 "links with calibrated lanes",
-                Text(Enumerable.Range(0, network.Links.Count).Count(link => lanes.WidthOf(link).Source == LaneWidthSource.Calibrated))
+                Text(
+                    Enumerable
+                        .Range(0, network.Links.Count)
+                        .Count(link => lanes.WidthOf(link, isForward: true).Source == LaneWidthSource.Calibrated)
+                )
             ),
         };
         rows.AddRange(Counts<RoadNodeFlags>("node", flag => network.Nodes.Count(node => node.Flags.HasFlag(flag))));

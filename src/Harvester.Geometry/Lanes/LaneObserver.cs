@@ -74,7 +74,7 @@ public sealed class LaneObserver
             Status = status,
             Match = match,
             Stretch = stretch,
-            WidthSource = _lanes.WidthOf(match.Link).Source,
+            WidthSource = _lanes.WidthOf(match.Link, match.IsForward).Source,
         };
         return status == LaneStatus.Known ? Measured(observation, stretch, match, headingDegrees, speed, length, vehicles) : observation;
     }

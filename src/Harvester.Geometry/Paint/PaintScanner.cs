@@ -1,4 +1,3 @@
-using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Paint;

@@ -1,8 +1,8 @@
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
-/// The width of the lanes of each road and where they begin: calibrated by the edges of the road where a game reports them consistently,
-/// and otherwise by constants that can be chosen. Edges establish a width if both edges of the link were reported twice, lie perpendicular
+/// The width of the lanes of each road and where they begin: as its painted lines were measured, else calibrated by the edges of the road
+/// where a game reports them consistently, and otherwise by constants that can be chosen. Edges establish a width if both edges of the link were reported twice, lie perpendicular
 /// to it on either side, and all give the same width between 3 and 7 m. Immutable.
 /// </summary>
 public sealed class LaneModel
@@ -10,14 +10,22 @@ public sealed class LaneModel
     private readonly RoadNetwork _network;
     private readonly double _laneWidth;
     private readonly double _narrowLaneWidth;
+    private readonly IReadOnlyDictionary<(int Link, bool IsForward), MeasuredSection> _measured;
     private readonly Dictionary<int, double> _calibrated = [];
 
     /// <summary>Creates the model of a network's lane widths.</summary>
     /// <param name="network">The roads.</param>
     /// <param name="laneWidth">Width of the lanes of an ordinary road, metres; greater than 0.</param>
     /// <param name="narrowLaneWidth">Width of the lanes of a narrow road, metres; greater than 0.</param>
-    public LaneModel(RoadNetwork network, double laneWidth = RoadGeometry.LaneWidth, double narrowLaneWidth = RoadGeometry.NarrowLaneWidth)
+    /// <param name="measured">Lanes measured from paint, by link and direction (true from start to end); null for none.</param>
+    public LaneModel(
+        RoadNetwork network,
+        double laneWidth = RoadGeometry.LaneWidth,
+        double narrowLaneWidth = RoadGeometry.NarrowLaneWidth,
+        IReadOnlyDictionary<(int Link, bool IsForward), MeasuredSection>? measured = null
+    )
     {
+        _measured = measured ?? new Dictionary<(int Link, bool IsForward), MeasuredSection>();
         _network = Guard.NotNull(network, nameof(network));
         _laneWidth = Guard.Positive(laneWidth, nameof(laneWidth));
         _narrowLaneWidth = Guard.Positive(narrowLaneWidth, nameof(narrowLaneWidth));
@@ -30,10 +38,16 @@ public sealed class LaneModel
         }
     }
 
-    /// <summary>Width of a link's lanes, metres, and its source.</summary>
+    /// <summary>Width of the lanes of one direction of a link, metres, and its source.</summary>
     /// <param name="link">Index of the link.</param>
-    public (double Width, LaneWidthSource Source) WidthOf(int link)
+    /// <param name="isForward">True for the direction from start to end, false for the opposite one.</param>
+    public (double Width, LaneWidthSource Source) WidthOf(int link, bool isForward)
     {
+        if (_measured.TryGetValue((link, isForward), out MeasuredSection measured))
+        {
+            return (measured.LaneWidth, LaneWidthSource.Paint);
+        }
+
         if (_calibrated.TryGetValue(link, out double width))
         {
             return (width, LaneWidthSource.Calibrated);
@@ -58,7 +72,12 @@ public sealed class LaneModel
             return null;
         }
 
-        double width = WidthOf(link).Width;
+        if (_measured.TryGetValue((link, isForward), out MeasuredSection measured))
+        {
+            return (new LaneSection(lanes, measured.LaneWidth), measured.LeftEdge);
+        }
+
+        double width = WidthOf(link, isForward).Width;
         int oncomingLanes = isForward ? road.LanesBackward : road.LanesForward;
         return (new LaneSection(lanes, width), RoadGeometry.LeftEdge(lanes, oncomingLanes, road.MedianWidth, width));
     }

@@ -11,4 +11,7 @@ public enum LaneWidthSource
 
     /// <summary>Derived from the edges of this road that the game reported.</summary>
     Calibrated,
+
+    /// <summary>Measured from the lines painted on this road.</summary>
+    Paint,
 }

@@ -59,7 +59,7 @@ public sealed class NodeDatabase
         RoadLink road = isForward ? network.Links[link] : network.Links[link].Reversed();
         Vector2D along = _curves.Of(link).DirectionAt(network.Links[link].From == node ? 0 : 1) * (isForward ? 1 : -1);
         var right = new Vector3D(along.Y, -along.X, 0);
-        (double width, LaneWidthSource source) = _lanes.WidthOf(link);
+        (double width, LaneWidthSource source) = _lanes.WidthOf(link, isForward);
         bool oneWay = road.IsOneWay;
         double innerEdge = oneWay ? 0 : (road.MedianWidth ?? 0) / 2;
         double rightEdge = RoadGeometry.MarkingOffset(road, road.LanesForward, width);

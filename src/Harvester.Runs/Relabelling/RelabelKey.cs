@@ -1,6 +1,7 @@
 using System.Globalization;
 using Harvester.Datasets.Derivation;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Reading;
@@ -29,6 +30,8 @@ internal static class RelabelKey
             changes.LookAhead?.ToString() ?? "",
             Text(changes.LaneWidthMetres),
             Text(changes.NarrowLaneWidthMetres),
+            changes.Paint is { } paint ? Text(paint) : "",
+            changes.PaintName ?? "",
             changes.Shard.ToString(),
         ];
 
@@ -36,6 +39,13 @@ internal static class RelabelKey
 
     private static string Text(Lens lens) =>
         string.Join(',', ((double?[])[lens.FocalScale, lens.CentreOffsetX, lens.CentreOffsetY, lens.K1, lens.K2]).Select(Text));
+
+    private static string Text(PaintTable paint)
+    {
+        using var text = new StringWriter(CultureInfo.InvariantCulture);
+        PaintCsvWriter.Write(paint, text);
+        return text.ToString();
+    }
 
     private static string Text(RoadNetwork roads)
     {

@@ -1,6 +1,7 @@
 using Harvester.Datasets.Files;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Files;
@@ -49,6 +50,12 @@ public sealed record RelabelOptions
 
     /// <summary>Lane width of narrow roads, metres.</summary>
     public double? NarrowLaneWidthMetres { get; init; }
+
+    /// <summary>The lines measured on the roads, those of <see cref="Roads"/> or else the recorded ones; null for none.</summary>
+    public PaintTable? Paint { get; init; }
+
+    /// <summary>Name of their file, for session.json.</summary>
+    public string? PaintName { get; init; }
 
     /// <summary>Whether images are linked or copied.</summary>
     public ImageTransfer Images { get; init; }

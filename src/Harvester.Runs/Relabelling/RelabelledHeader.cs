@@ -24,6 +24,7 @@ internal sealed class RelabelledHeader(RecordedSession recorded, RelabelOptions 
         Set(settings, "laneWidth", changes.LaneWidthMetres?.ToString(CultureInfo.InvariantCulture));
         Set(settings, "narrowLaneWidth", changes.NarrowLaneWidthMetres?.ToString(CultureInfo.InvariantCulture));
         Set(settings, "roads", changes.RoadsName);
+        Set(settings, "paint", changes.PaintName);
         Set(settings, "spaces", changes.FacesName);
         Set(settings, "relabelledBy", $"harvester {typeof(RelabelledHeader).Assembly.GetName().Version!.ToString(3)}");
         header.Shard = changes.Shard.Count > 1 ? changes.Shard : null;

@@ -79,7 +79,7 @@ public sealed class SessionRelabeller
         }
 
         RecordedIds ids = _recorded.ReadIds();
-        IRoads? roads = RoadsOf();
+        (IRoads? roads, IRoadPaint? paint) = RoadsOf();
         RelabelStart? start = null;
         int position = 0;
         int frames = 0;
@@ -96,7 +96,7 @@ public sealed class SessionRelabeller
                 foreach ((FrameLabel label, RecordedScene scene) in _recorded.Frames())
                 {
                     cancellation.ThrowIfCancellationRequested();
-                    start ??= StartAt(scene, label, ids, roads);
+                    start ??= StartAt(scene, label, ids, roads, paint);
                     bool isOurs = _changes.Shard.Takes(position++ / _options.ViewsPerMoment);
                     if (!isOurs || frames < session.Resumed)
                     {
@@ -142,13 +142,13 @@ public sealed class SessionRelabeller
         }
 
         RecordedIds ids = _recorded.ReadIds();
-        IRoads? roads = RoadsOf();
+        (IRoads? roads, IRoadPaint? paint) = RoadsOf();
         RelabelStart? start = null;
         string? first = null;
         int position = 0;
         foreach ((FrameLabel label, RecordedScene scene) in _recorded.Frames())
         {
-            start ??= StartAt(scene, label, ids, roads);
+            start ??= StartAt(scene, label, ids, roads, paint);
             if (_changes.Shard.Takes(position++ / views))
             {
                 Checked(() => first = JsonLabelWriter.Line(start.Labeller.Relabel(scene, label, () => Picture(label))));
@@ -162,7 +162,7 @@ public sealed class SessionRelabeller
     }
 
     /// <summary>What the first frame decides for all.</summary>
-    private RelabelStart StartAt(RecordedScene scene, FrameLabel label, RecordedIds ids, IRoads? roads)
+    private RelabelStart StartAt(RecordedScene scene, FrameLabel label, RecordedIds ids, IRoads? roads, IRoadPaint? paint)
     {
         Lens lens = _changes.Lens ?? scene.Lens;
         ChannelLabels kept = scene.Lens == lens ? label.Channels : label.Channels.WithoutLens();
@@ -178,7 +178,7 @@ public sealed class SessionRelabeller
             ),
             Semantics = kept.Get<ClassMapLabel>() is null ? null : _recorded.Options.Semantics,
         };
-        return new RelabelStart(new FrameRelabeller(_options with { Lens = lens }, _recorded.Options, ids, roads), options);
+        return new RelabelStart(new FrameRelabeller(_options with { Lens = lens }, _recorded.Options, ids, roads, paint), options);
     }
 
     private string HeaderOf(RelabelStart? start, int frames) =>
@@ -196,20 +196,16 @@ public sealed class SessionRelabeller
         }
     }
 
-    private FixedRoads? RoadsOf()
+    private (IRoads? Roads, IRoadPaint? Paint) RoadsOf()
     {
-        if (_changes.Roads is { } roads)
+        if ((_changes.Roads ?? _recorded.ReadRoads()) is { } network)
         {
-            return Fixed(roads, "roadFile");
+            string source = _changes.Roads is null ? "simulation" : "roadFile";
+            return (Fixed(network, source), _changes.Paint is { } paint ? new MeasuredPaint(paint) : null);
         }
 
-        if (_recorded.ReadRoads() is { } recorded)
-        {
-            return Fixed(recorded, "simulation");
-        }
-
-        return _changes.LookAhead is null && _changes.LaneWidthMetres is null && _changes.NarrowLaneWidthMetres is null
-            ? null
+        return _changes is { LookAhead: null, LaneWidthMetres: null, NarrowLaneWidthMetres: null }
+            ? (null, null)
             : throw new DatasetFormatException(
                 $"'{_recorded.Session.Folder}' has no recorded roads. To measure other lanes, name a road network with --roads."
             );
@@ -221,7 +217,8 @@ public sealed class SessionRelabeller
             source,
             _changes.LookAhead ?? _recorded.LookAhead,
             _changes.LaneWidthMetres ?? _recorded.LaneWidthMetres,
-            _changes.NarrowLaneWidthMetres ?? _recorded.NarrowLaneWidthMetres
+            _changes.NarrowLaneWidthMetres ?? _recorded.NarrowLaneWidthMetres,
+            _changes.Paint
         );
 
     private PixelBuffer Picture(FrameLabel label)

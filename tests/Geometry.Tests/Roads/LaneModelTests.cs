@@ -16,9 +16,9 @@ public sealed class LaneModelTests
     [Fact]
     public void WidthOf_without_calibration_is_one_of_the_constants()
     {
-        Assert.Equal((5.4, LaneWidthSource.Constant), new LaneModel(Network).WidthOf(0));
-        Assert.Equal((4.0, LaneWidthSource.NarrowConstant), new LaneModel(Network).WidthOf(2));
-        Assert.Equal((5.0, LaneWidthSource.Constant), new LaneModel(Network, laneWidth: 5).WidthOf(0));
+        Assert.Equal((5.4, LaneWidthSource.Constant), new LaneModel(Network).WidthOf(0, isForward: true));
+        Assert.Equal((4.0, LaneWidthSource.NarrowConstant), new LaneModel(Network).WidthOf(2, isForward: true));
+        Assert.Equal((5.0, LaneWidthSource.Constant), new LaneModel(Network, laneWidth: 5).WidthOf(0, isForward: true));
     }
 
     [Fact]

@@ -1,0 +1,91 @@
+using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Paint;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Geometry.Tests.Paint;
+
+public sealed class PaintedSectionsTests
+{
+    private static readonly MarkingPaint White = new(MarkingStyle.Solid, MarkingColour.White, 0.15);
+    private static readonly MarkingPaint Yellow = new(MarkingStyle.Solid, MarkingColour.Yellow, 0.15);
+    private static readonly MarkingPaint Dashed = new(MarkingStyle.Dashed, MarkingColour.White, 0.15);
+
+    [Fact]
+    public void Freeway_has_the_lanes_between_its_lines()
+    {
+        // The yellow edge, the dashes and the white edge lie 6.1 m apart.
+        MeasuredSection section = Sections(2, 0, (-6.3, Yellow), (-0.2, Dashed), (5.9, White))[(0, true)];
+
+        Assert.Equal(-6.3, section.LeftEdge, 9);
+        Assert.Equal(6.1, section.LaneWidth, 9);
+    }
+
+    [Fact]
+    public void Directions_share_the_line_between_them()
+    {
+        IReadOnlyDictionary<(int, bool), MeasuredSection> sections = Sections(1, 1, (-3.5, White), (0.2, Dashed), (4.2, White));
+
+        // Backward, the same lines lie at -4.2, -0.2 and 3.5.
+        Assert.Equal((0.2, 4), Rounded(sections[(0, true)]));
+        Assert.Equal((-0.2, 3.7), Rounded(sections[(0, false)]));
+    }
+
+    [Fact]
+    public void Two_boundaries_suffice()
+    {
+        // Three lanes between the edges: (6 - -4.5) / 3 = 3.5. Two dashed lines lie between three lanes; of one it is unclear which it is.
+        Assert.Equal((-4.5, 3.5), Rounded(Sections(3, 0, (-4.5, White), (6, White))[(0, true)]));
+        Assert.Equal((-4.5, 3.5), Rounded(Sections(3, 0, (-1, Dashed), (2.5, Dashed))[(0, true)]));
+        Assert.Empty(Sections(3, 0, (-1, Dashed)));
+        Assert.Equal((-4.5, 3.5), Rounded(Sections(3, 0, (-4.5, Yellow), (-1, Dashed), (6, White))[(0, true)]));
+    }
+
+    [Fact]
+    public void Lines_that_are_not_the_edges_of_lanes_give_none()
+    {
+        Assert.Empty(Sections(2, 0, (-5.4, White)));
+        Assert.Empty(Sections(2, 0, (-5.4, White), (1.7, Dashed), (5.4, White)));
+        Assert.Empty(Sections(2, 0, (-2, White), (2, White)));
+        Assert.Empty(Sections(1, 0, (-4, White), (4, White)));
+    }
+
+    [Fact]
+    public void Model_takes_measured_lanes_before_constants()
+    {
+        PaintTable table = Table(2, 0, (-6.3, Yellow), (-0.2, Dashed), (5.9, White));
+        var model = new LaneModel(table.Network, measured: PaintedSections.Of(table));
+
+        Assert.Equal(6.1, model.WidthOf(0, isForward: true).Width, 9);
+        Assert.Equal(LaneWidthSource.Paint, model.WidthOf(0, isForward: true).Source);
+        Assert.Equal(-6.3, model.LanesOf(0, isForward: true)!.Value.LeftEdge, 9);
+        Assert.Equal(LaneWidthSource.Constant, new LaneModel(table.Network).WidthOf(0, isForward: true).Source);
+    }
+
+    private static (double LeftEdge, double LaneWidth) Rounded(MeasuredSection section) =>
+        (Math.Round(section.LeftEdge, 9), Math.Round(section.LaneWidth, 9));
+
+    private static IReadOnlyDictionary<(int Link, bool IsForward), MeasuredSection> Sections(
+        int lanesForward,
+        int lanesBackward,
+        params (double Offset, MarkingPaint Paint)[] lines
+    ) => PaintedSections.Of(Table(lanesForward, lanesBackward, lines));
+
+    private static PaintTable Table(int lanesForward, int lanesBackward, params (double Offset, MarkingPaint Paint)[] lines)
+    {
+        var network = new RoadNetwork(
+            [.. Enumerable.Range(0, 2).Select(i => new RoadNode(0, i, new Vector3D(0, i * 40, 0), "", RoadNodeFlags.None))],
+            [new RoadLink(0, 1, lanesForward, lanesBackward, null, RoadLinkFlags.None)]
+        );
+        return new PaintTable(
+            network,
+            [
+                new LinkPaint(
+                    0,
+                    0,
+                    40,
+                    [.. lines.Select(line => new LinePaint(0, 40, line.Offset, line.Offset, line.Paint) { SigmaMetres = 0.02, Images = 5 })]
+                ),
+            ]
+        );
+    }
+}
