@@ -3,7 +3,7 @@ using Harvester.Geometry.Lanes;
 namespace Harvester.Geometry.Paint;
 
 /// <summary>
-/// Turns tracks into lines: long pieces are solid, short ones beside bare ground are dashes, two parallel solid lines of one colour are a double line, and what is
+/// Turns tracks into lines: long pieces are solid, short ones beside bare ground are dashes, two parallel lines of one colour are a double line, and what is
 /// much fainter than the paint around it is none.
 /// </summary>
 internal static class PaintClassifier
@@ -147,8 +147,8 @@ internal static class PaintClassifier
     private static bool IsPair(FoundLine a, FoundLine b)
     {
         double overlap = Math.Min(a.To, b.To) - Math.Max(a.From, b.From);
-        return a.Paint.Style == MarkingStyle.Solid
-            && b.Paint.Style == MarkingStyle.Solid
+        return a.Paint.Style != MarkingStyle.DoubleSolid
+            && b.Paint.Style != MarkingStyle.DoubleSolid
             && a.Paint.Colour == b.Paint.Colour
             && overlap >= MinOverlap * Math.Min(a.Length, b.Length)
             && Distance(a, b) is >= MinDouble and <= MaxDouble;
