@@ -24,6 +24,9 @@ public sealed class PaintAccuracyTests(ITestOutputHelper output) : IDisposable
 
     private const string Frames = "160";
 
+    /// <summary>A distance that takes in a whole world, metres.</summary>
+    private const double Everywhere = 1e6;
+
     private readonly TemporaryFolder _folder = new();
 
     public void Dispose() => _folder.Dispose();
@@ -84,15 +87,14 @@ public sealed class PaintAccuracyTests(ITestOutputHelper output) : IDisposable
         string seed = FormattableString.Invariant($"{world.Seed}");
         string[] harvest = ["harvest", "--out", session, "--overwrite", "--varied-roads", "--seed", seed, "--frames", Frames, "--hz", "2"];
         CliRun.Of([.. harvest, "--no-report", .. options]).AssertDone();
-        CliRun.Of("roads", "paint", session, "--out", table).AssertDone();
+        string[] roads = world.Roads is null ? [] : ["--roads", _folder.PathOf("roads.csv")];
+        CliRun.Of(["roads", "paint", session, "--out", table, .. roads]).AssertDone();
         var game = new SimulatedGame(world);
         judge ??= new PaintJudge();
         judge.Judge(PaintFile.Read(table, game.Roads), new RoadCurves(game.Roads), game.Ports.Paint!.Near(Vector3D.Zero, Everywhere));
         output.WriteLine(judge.ToString());
         return judge;
     }
-
-    private const double Everywhere = 1e6;
 
     private void Required(PaintJudge judge)
     {

@@ -54,7 +54,6 @@ public sealed class RoadsPaintTests : IDisposable
         Assert.StartsWith($"{Table}: ", run.Out, StringComparison.Ordinal);
         RoadNetwork network = RoadImporter.Import(_roads).Network;
         LinePaint[] lines = [.. PaintFile.Read(Table, network).Links.SelectMany(link => link.Lines)];
-        Assert.Contains(lines, line => Is(line, -EdgeOffset, MarkingStyle.Solid, MarkingColour.White));
         Assert.Contains(lines, line => Is(line, EdgeOffset, MarkingStyle.Solid, MarkingColour.White));
         Assert.Contains(lines, line => Is(line, 0, MarkingStyle.Dashed, MarkingColour.Yellow));
         Assert.All(
