@@ -3,8 +3,8 @@ using Harvester.Geometry.Lanes;
 namespace Harvester.Geometry.Paint;
 
 /// <summary>
-/// Turns tracks into lines: long pieces are solid, short ones beside bare ground are dashes, two parallel solid lines of one colour are a
-/// double line, and what is
+/// Turns tracks into lines: long pieces are solid, short ones beside bare ground are dashes, two parallel lines of one colour are a double
+/// line, and what is
 /// much fainter than the paint around it is none.
 /// </summary>
 internal static class PaintClassifier
@@ -91,21 +91,35 @@ internal static class PaintClassifier
     }
 
     /// <summary>
-    /// The pattern of dashes. The period P is the median distance of neighbouring middles; with the number n = round((m - m0) / P) of each
-    /// dash, m = m0 + n · P is fitted by least squares. The length is the median of those dashes of which both ends were seen.
+    /// The pattern of dashes. The length L is the median of those dashes of which both ends were seen; the middle of a dash is then L / 2
+    /// from
+    /// an end that was seen. The period P is the median distance of neighbouring middles; with the number n = round((m - m0) / P) of each
+    /// dash,
+    /// m = m0 + n · P is fitted by least squares.
     /// </summary>
     private static DashPattern? DashesOf(List<PaintRun> dashes)
     {
-        List<double> middles = dashes.ConvertAll(dash => (dash.From + dash.To) / 2);
         List<PaintRun> whole = dashes.FindAll(dash => dash.BareBefore && dash.BareAfter);
-        List<double> steps = [.. middles.Skip(1).Zip(middles, (next, middle) => next - middle).OrderBy(step => step)];
         if (whole.Count == 0)
         {
             return null;
         }
 
-        double period = steps[(steps.Count - 1) / 2];
         double length = whole.Select(dash => dash.Length).OrderBy(value => value).ElementAt((whole.Count - 1) / 2);
+        List<double> middles = dashes
+            .FindAll(dash => dash.IsDash)
+            .ConvertAll(dash =>
+                dash.BareBefore == dash.BareAfter ? (dash.From + dash.To) / 2
+                : dash.BareBefore ? dash.From + (length / 2)
+                : dash.To - (length / 2)
+            );
+        if (middles.Count < MinDashes)
+        {
+            return null;
+        }
+
+        List<double> steps = [.. middles.Skip(1).Zip(middles, (next, middle) => next - middle).OrderBy(step => step)];
+        double period = steps[(steps.Count - 1) / 2];
         (double n, double k, double m, double kk, double km) = (0, 0, 0, 0, 0);
         foreach (double middle in middles)
         {
@@ -148,8 +162,8 @@ internal static class PaintClassifier
     private static bool IsPair(FoundLine a, FoundLine b)
     {
         double overlap = Math.Min(a.To, b.To) - Math.Max(a.From, b.From);
-        return a.Paint.Style == MarkingStyle.Solid
-            && b.Paint.Style == MarkingStyle.Solid
+        return a.Paint.Style != MarkingStyle.DoubleSolid
+            && b.Paint.Style != MarkingStyle.DoubleSolid
             && a.Paint.Colour == b.Paint.Colour
             && overlap >= MinOverlap * Math.Min(a.Length, b.Length)
             && Distance(a, b) is >= MinDouble and <= MaxDouble;

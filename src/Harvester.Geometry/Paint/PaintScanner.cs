@@ -36,8 +36,15 @@ public sealed class PaintScanner
     /// <summary>Standard deviation of the position of an edge, pixels.</summary>
     private const double EdgeSigma = 0.3;
 
-    /// <summary>Ground where offsets are less sure than this is not searched, metres: seven percent of the narrowest lane.</summary>
-    private const double MaxSigma = 0.2;
+    /// <summary>Ground where offsets are less sure than this is not searched, metres: a twelfth of the narrowest lane.</summary>
+    private const double MaxSigma = 0.25;
+
+    /// <summary>
+    /// Ground seen beside a stripe on both sides, metres: the other stripe of a double line is no farther away, so that of a double line
+    /// both
+    /// stripes are seen or neither.
+    /// </summary>
+    private const double Margin = 0.6;
 
     private readonly PaintRoads _roads;
     private readonly StripeFinder _finder = new();
@@ -151,24 +158,29 @@ public sealed class PaintScanner
     private void AddRun(int link, int row, float left, int begin, int end, SeenSpan seen, PaintEvidence evidence)
     {
         double OffsetOf(double cell) => left + (cell * StripeFinder.Cell);
+        float first = (float)(OffsetOf(begin) + Margin);
+        float last = (float)(OffsetOf(end) - Margin);
+        if (first >= last)
+        {
+            return;
+        }
+
         _stripes.Clear();
         _finder.Find(_bright, _blue, begin, end, _stripes);
-        evidence.Add(link, row, seen with { Left = (float)OffsetOf(begin), Right = (float)OffsetOf(end) });
+        evidence.Add(link, row, seen with { Left = first, Right = last });
         foreach (StripeFinder.Stripe stripe in _stripes)
         {
-            double middle = OffsetOf((stripe.Left + stripe.Right) / 2);
-            evidence.Add(
-                link,
-                row,
-                new PaintCandidate(
-                    seen.Image,
-                    (float)middle,
-                    (float)((stripe.Right - stripe.Left) * StripeFinder.Cell),
-                    (float)stripe.Contrast,
-                    (float)stripe.Blueness,
-                    (float)seen.SigmaAt(middle)
-                )
-            );
+            float middle = (float)OffsetOf((stripe.Left + stripe.Right) / 2);
+            if (middle >= first && middle <= last)
+            {
+                float width = (float)((stripe.Right - stripe.Left) * StripeFinder.Cell);
+                float sigma = (float)seen.SigmaAt(middle);
+                evidence.Add(
+                    link,
+                    row,
+                    new PaintCandidate(seen.Image, middle, width, (float)stripe.Contrast, (float)stripe.Blueness, sigma)
+                );
+            }
         }
     }
 

@@ -68,9 +68,7 @@ internal static class StripeClusters
         double inLink = row.Turned(offset);
         foreach (SeenSpan seen in row.Evidence is { } evidence ? evidence.Seen : [])
         {
-            // A stripe is found only if its flanks are seen.
-            const double flanks = 0.2;
-            if (inLink > seen.Left + flanks && inLink < seen.Right - flanks)
+            if (inLink >= seen.Left && inLink <= seen.Right)
             {
                 double sigma = seen.SigmaAt(inLink);
                 weight += 1 / (sigma * sigma);

@@ -2,7 +2,8 @@ namespace Harvester.Geometry.Roads;
 
 /// <summary>
 /// The width of the lanes of each road and where they begin: as its painted lines were measured, else calibrated by the edges of the road
-/// where a game reports them consistently, and otherwise by constants that can be chosen. Edges establish a width if both edges of the link were reported twice, lie perpendicular
+/// where a game reports them consistently, and otherwise by constants that can be chosen. Edges establish a width if both edges of the
+/// link were reported twice, lie perpendicular
 /// to it on either side, and all give the same width between 3 and 7 m. Immutable.
 /// </summary>
 public sealed class LaneModel

@@ -84,6 +84,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
                 "compare {0}/session {0}/session --out {0}/out.html",
                 Relabel,
                 "masks import {0}/session {0}/maps",
+                "roads paint {0}/session --out {0}/out.csv",
                 "pairs {0}/session --format csv --out {0}/out",
                 .. DatasetFormats.All.Select(format => Export(format.Name)),
             ]

@@ -52,6 +52,8 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         $"harvest --out {{inputs}}/part-1 --frames 2 --shard 1/2 {Small}",
         $"harvest --out {{inputs}}/part-2 --frames 2 --shard 2/2 {Small}",
         "harvest --out {inputs}/people --frames 1 --pedestrians 5 --size 64x48 --masks --seed 2 --roads {inputs}/roads.csv",
+        // The smallest images in which paint can be measured.
+        "harvest --out {inputs}/lines --frames 1 --size 320x240 --seed 5 --roads {inputs}/roads.csv",
         $"harvest --out {{inputs}}/pairs --frames 2 {Pairs} {Small}",
         "export {inputs}/session --format coco --out {inputs}/coco-1 --shard 1/2",
         "export {inputs}/session --format coco --out {inputs}/coco-2 --shard 2/2",
@@ -109,6 +111,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("roads-import", "roads import {inputs}/roads.csv --out {root}/roads.csv.gz"),
         new("roads-map", "roads map {inputs}/roads.csv --size 64 --out {root}/map.png"),
         new("roads-nodes", "roads nodes {inputs}/roads.csv --out {root}/nodes.csv"),
+        new("roads-paint", "roads paint {inputs}/lines --roads {inputs}/roads.csv --out {root}/paint.csv"),
         new("spaces-gallery", "spaces gallery {inputs}/session/scenes/spaces.csv --out {root}/gallery.html"),
         new("contact-sheet", $"{Sheet} --list {{inputs}}/places.csv", $"{Sheet} --at 0,-150"),
         new("drive", $"{Drive} --duration 2"),

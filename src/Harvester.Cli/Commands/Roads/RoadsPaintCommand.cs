@@ -59,6 +59,11 @@ internal static class RoadsPaintCommand
             ? RoadImporter.Import(roads).Network
             : PaintSurvey.RoadsOf(sessions[0])
                 ?? throw new DatasetFormatException($"'{sessions[0].Folder}' has no recorded roads. Name a road network with --roads.");
+        if (sessions.Find(session => session.Holds(file)) is { } holder)
+        {
+            throw new UsageException($"--out {file} would replace a file of '{holder.Folder}'. Name another file.");
+        }
+
         var survey = new PaintSurvey(network);
         PaintTable table = new JobProgress(terminal, sessions.Sum(session => session.CountLines()), "images").Run(report =>
         {

@@ -17,15 +17,10 @@ internal sealed class PaintJudge
 
     private const double Step = 1;
 
-    private readonly ILookup<(int X, int Y), (PaintedLine Line, int Segment)> _paint;
+    private ILookup<(int X, int Y), (PaintedLine Line, int Segment)> _paint = null!;
     private readonly List<double> _errors = [];
     private int _rightStyles;
     private int _rightColours;
-
-    public PaintJudge(IEnumerable<PaintedLine> painted) =>
-        _paint = painted
-            .SelectMany(line => Enumerable.Range(0, line.Points.Count - 1).Select(i => (line, i)))
-            .ToLookup(segment => CellOf(segment.line.Points[segment.i].World));
 
     public double RoadMetres { get; private set; }
 
@@ -47,8 +42,12 @@ internal sealed class PaintJudge
 
     public List<string> Faults { get; } = [];
 
-    public void Judge(PaintTable table, RoadCurves curves)
+    /// <summary>Adds a table and what is painted on its roads.</summary>
+    public void Judge(PaintTable table, RoadCurves curves, IEnumerable<PaintedLine> painted)
     {
+        _paint = painted
+            .SelectMany(line => Enumerable.Range(0, line.Points.Count - 1).Select(i => (line, i)))
+            .ToLookup(segment => CellOf(segment.line.Points[segment.i].World));
         foreach (LinkPaint link in table.Links)
         {
             RoadMetres += link.SeenTo - link.SeenFrom;
