@@ -8,7 +8,7 @@ using Harvester.Simulation.Game;
 namespace Harvester.Runs.Driving;
 
 /// <summary>The recording of a command: a session, or a folder with a session for each game.</summary>
-internal sealed class DriveRecording : IDisposable
+public sealed class DriveRecording : IDisposable
 {
     private readonly Action<string> _warn;
     private readonly RecordPlan _plan;

@@ -6,7 +6,7 @@ using Harvester.Simulation.Traffic;
 namespace Harvester.Runs.Driving;
 
 /// <summary>Samples the true state of the ego vehicle of a simulated _game.</summary>
-internal sealed class DriveSampler
+public sealed class DriveSampler
 {
     /// <summary>Vehicles farther from the ego vehicle cannot touch it, metres.</summary>
     private const double ContactRange = 25;
@@ -22,6 +22,7 @@ internal sealed class DriveSampler
         _ = game.Conduct;
     }
 
+    /// <summary>The samples so far, in the order of time.</summary>
     public IReadOnlyList<DriveSample> Samples => _samples;
 
     /// <summary>Distance driven so far, metres.</summary>

@@ -15,7 +15,7 @@ namespace Harvester.Runs.Driving;
 /// A drive in the simulated game with the controller in the same process, without images. Where the lanes are unknown, as in junctions,
 /// and where the car must give way, its built-in driver follows the route.
 /// </summary>
-internal sealed class LocalDrive(SimulatedGame game, IRoads roads, Func<IController> newController)
+public sealed class LocalDrive(SimulatedGame game, IRoads roads, Func<IController> newController)
 {
     private const double TickSeconds = 0.05;
     private const int TicksPerControl = 2;

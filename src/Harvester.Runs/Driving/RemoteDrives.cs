@@ -14,7 +14,7 @@ namespace Harvester.Runs.Driving;
 /// <summary>Sets up the bridge of a drive and runs its sides.</summary>
 /// <param name="plan">The bridge and the sides to run.</param>
 /// <param name="messages">Receives a line with the address at which the drive waits for a client.</param>
-internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
+public sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
 {
     /// <summary>Records the drive; null for none.</summary>
     public GameRecording? Recording { get; init; }

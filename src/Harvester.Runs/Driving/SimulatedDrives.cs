@@ -16,7 +16,7 @@ namespace Harvester.Runs.Driving;
 /// <summary>Builds the simulated games of a plan, one for each episode, and drives in them.</summary>
 /// <param name="plan">The drives.</param>
 /// <param name="messages">Receives a line with the address at which a drive waits for a client.</param>
-internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
+public sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
 {
     private readonly IReadOnlyList<(int Seed, Vector2D? Start)> _plans = plan.Episodes;
     private readonly DriveEpisode?[] _episodes = new DriveEpisode?[plan.Episodes.Count];
