@@ -1,7 +1,7 @@
 using Harvester.Datasets.Files;
-using Harvester.Sessions.Reading.Files;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Roads;
 
 namespace Harvester.Datasets.Roads;

@@ -1,12 +1,12 @@
 using Harvester.Datasets.Files;
-using Harvester.Sessions.Reading.Images;
-using Harvester.Sessions.Reading;
-using Harvester.Sessions.Reading.Files;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
+using Harvester.Sessions.Reading.Images;
 
 namespace Harvester.Datasets.Roads;
 

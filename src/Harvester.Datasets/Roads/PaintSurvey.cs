@@ -1,9 +1,9 @@
 using Harvester.Datasets.Files;
-using Harvester.Sessions.Reading;
-using Harvester.Sessions.Reading.Files;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Roads;
 
 namespace Harvester.Datasets.Roads;

@@ -1,5 +1,4 @@
 using System.Text.Json;
-using Harvester.Sessions.Reading.Images;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
@@ -7,6 +6,7 @@ using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Reading.Images;
 using Harvester.TestSupport;
 using Xunit.Abstractions;
 

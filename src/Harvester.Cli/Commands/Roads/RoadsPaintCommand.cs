@@ -4,10 +4,10 @@ using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads;
-using Harvester.Sessions.Reading;
-using Harvester.Sessions.Reading.Files;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands.Roads;

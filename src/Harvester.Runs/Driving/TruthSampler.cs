@@ -6,7 +6,7 @@ using Harvester.Simulation.Traffic;
 namespace Harvester.Runs.Driving;
 
 /// <summary>Samples the true state of the ego vehicle of a simulated _game.</summary>
-public sealed class DriveSampler
+public sealed class TruthSampler
 {
     /// <summary>Vehicles farther from the ego vehicle cannot touch it, metres.</summary>
     private const double ContactRange = 25;
@@ -16,7 +16,7 @@ public sealed class DriveSampler
     private double _metres;
 
     /// <param name="game">The game, which counts collisions from now on.</param>
-    public DriveSampler(SimulatedGame game)
+    public TruthSampler(SimulatedGame game)
     {
         _game = game;
         _ = game.Conduct;
