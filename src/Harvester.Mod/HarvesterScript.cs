@@ -32,9 +32,9 @@ public sealed class HarvesterScript : Script
     private readonly ModFolder _folder;
     private readonly Harvest _harvest;
     private readonly LensCalibration _calibration;
-    private readonly BridgeDriving _drive;
+    private readonly BridgeFeature _drive;
     private readonly FaceSurveying _signs;
-    private readonly PlanDriving _plan;
+    private readonly PlanFeature _plan;
     private readonly SelfTesting _selfTest;
     private readonly FeatureSet _features;
     private readonly KeyBindings<Keys> _keys;
@@ -116,7 +116,7 @@ public sealed class HarvesterScript : Script
         {
             LooksAround = () => _harvest!.HasRig,
         };
-        var lights = new LightDriving(
+        var lights = new LightControl(
             world,
             new GameTrafficLights(),
             player.LightOrder,
@@ -143,7 +143,7 @@ public sealed class HarvesterScript : Script
             Reading = reading,
         };
         var driven = new PlayerCar(controls, vehicles, mount, world);
-        _drive = new BridgeDriving(player.Bridge, game, driven, mount, display, _messages)
+        _drive = new BridgeFeature(player.Bridge, game, driven, mount, display, _messages)
         {
             Obstacle = DriveObstacle,
             Recording = player.Bridge.RecordSeconds is { } seconds
@@ -419,7 +419,7 @@ public sealed class HarvesterScript : Script
         : _harvest.IsOn ? "End the harvest first, then let a client drive."
         : Problem();
 
-    private PlanDriving Plan(
+    private PlanFeature Plan(
         PlayerSettings player,
         GamePorts game,
         PlayerCar driven,
@@ -431,7 +431,7 @@ public sealed class HarvesterScript : Script
     {
         var trials = new GameTrials();
         var controls = new GameCarControls();
-        return new PlanDriving(
+        return new PlanFeature(
             player.PlanFile,
             player.PlansFolder,
             new TrialSurroundings

@@ -17,7 +17,6 @@ internal sealed class ModBuild : IDisposable
         "src/Harvester.Geometry",
         "src/Harvester.Sessions",
         "src/Harvester.Capture",
-        "src/Harvester.Surveys",
         "src/Harvester.Driving",
         "src/Harvester.Play",
         "src/Harvester.Mod",

@@ -125,12 +125,12 @@ internal sealed class DriveOptions
 
     /// <summary>The plan that the options describe, without a bridge.</summary>
     /// <exception cref="UsageException">Options exclude each other, or a position cannot be read.</exception>
-    public DrivePlan Parse(ParseResult parsed)
+    public DriveSettings Parse(ParseResult parsed)
     {
         CheckStarts(parsed);
         RoadNetwork? roads = parsed.GetValue(Roads) is { } file ? RoadImporter.Import(file.FullName).Network : null;
         int seed = parsed.GetValue(Seed);
-        return new DrivePlan
+        return new DriveSettings
         {
             Controller = Controller.Parse(parsed) with { Speed = parsed.GetValue(Speed), LookAheadMetres = parsed.GetValue(LookAhead) },
             Seed = seed,
@@ -152,7 +152,7 @@ internal sealed class DriveOptions
     }
 
     /// <summary>The settings of a drive, by name, for drive.json.</summary>
-    public Dictionary<string, string> Settings(ParseResult parsed, DrivePlan plan)
+    public Dictionary<string, string> Settings(ParseResult parsed, DriveSettings plan)
     {
         Dictionary<string, string> settings = new(StringComparer.Ordinal)
         {
@@ -192,7 +192,7 @@ internal sealed class DriveOptions
     }
 
     /// <summary>The settings of a drive for the session that records it, which has its seed elsewhere.</summary>
-    public IEnumerable<KeyValuePair<string, string>> RecordedSettings(ParseResult parsed, DrivePlan plan) =>
+    public IEnumerable<KeyValuePair<string, string>> RecordedSettings(ParseResult parsed, DriveSettings plan) =>
         Settings(parsed, plan).Where(setting => setting.Key != "seed");
 
     private void CheckStarts(ParseResult parsed)

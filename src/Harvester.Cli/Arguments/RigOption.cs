@@ -4,7 +4,6 @@ using Harvester.Capture.Labelling;
 using Harvester.Runs.Faults;
 using Harvester.Runs.Harvesting;
 using Harvester.Sessions.Reading.Files;
-using Harvester.Sessions.Rigs;
 
 namespace Harvester.Cli.Arguments;
 

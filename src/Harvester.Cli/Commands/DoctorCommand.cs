@@ -1,5 +1,4 @@
 using System.CommandLine;
-using Harvester.Capture.SelfTests;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Diagnosis;
 using Harvester.Runs.Faults;

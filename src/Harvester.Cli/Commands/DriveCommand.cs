@@ -60,7 +60,7 @@ internal sealed class DriveCommand
     {
         string? folder = parsed.GetValue(Out);
         BridgePlan bridge = Bridge.Parse(parsed, folder);
-        DrivePlan plan = Drive.Parse(parsed) with { Bridge = bridge.Kind == BridgeName.Direct ? null : bridge };
+        DriveSettings plan = Drive.Parse(parsed) with { Bridge = bridge.Kind == BridgeName.Direct ? null : bridge };
         RecordPlan? recorded = Record.Parse(
             parsed,
             parsed.GetValue(Size),
@@ -83,14 +83,14 @@ internal sealed class DriveCommand
 
         // The recording is finished after the drive.
         string recordingCommand = CommandText.WithOutput(parsed, folder);
-        NotedDrive? noted = recorded is null ? null : new NotedDrive(recorded.Folder, recordingCommand, folder);
+        DriveMark? noted = recorded is null ? null : new DriveMark(recorded.Folder, recordingCommand, folder);
         bool isRepeated = noted?.IsThere() ?? false;
         using DriveRecording? recording = recorded is null
             ? null
             : new DriveRecording(terminal.WriteError, recorded, recordingCommand, parsed.GetValue(Overwrite));
         var output = new DriveFolder(folder, CommandText.Of(parsed), parsed.GetValue(Overwrite), isRepeated);
         int metres = (int)Math.Ceiling(plan.Metres * plan.Episodes.Count);
-        var drives = new SimulatedDrives(plan, terminal.Out) { Recording = recording };
+        var drives = new EpisodeRunner(plan, terminal.Out) { Recording = recording };
         ExceptionDispatchInfo? fault = new JobProgress(terminal, metres, "m").Run(report => FaultOf(drives, report, cancellation));
         ExceptionDispatchInfo? unrecorded = recording is null ? null : FaultOf(recording);
 
@@ -137,7 +137,7 @@ internal sealed class DriveCommand
     }
 
     /// <summary>Drives; returns the fault that ended the drive early, or null. A drive without samples throws it.</summary>
-    private static ExceptionDispatchInfo? FaultOf(SimulatedDrives drives, Action<int> report, CancellationToken cancellation)
+    private static ExceptionDispatchInfo? FaultOf(EpisodeRunner drives, Action<int> report, CancellationToken cancellation)
     {
         try
         {
@@ -172,7 +172,7 @@ internal sealed class DriveCommand
 
     /// <summary>Writes a drive. If that fails after its recording has, the fault of the recording is thrown.</summary>
     /// <returns>Where the former drive still is, if it could not be deleted; otherwise null.</returns>
-    private static string? Write(DriveFolder output, DriveRecord record, NotedDrive? noted, ExceptionDispatchInfo? unrecorded)
+    private static string? Write(DriveFolder output, DriveRecord record, DriveMark? noted, ExceptionDispatchInfo? unrecorded)
     {
         using var json = new MemoryStream();
         record.Write(json);
@@ -193,10 +193,10 @@ internal sealed class DriveCommand
         }
     }
 
-    private static int RunClient(Terminal terminal, DrivePlan plan, BridgePlan bridge, CancellationToken cancellation)
+    private static int RunClient(Terminal terminal, DriveSettings plan, BridgePlan bridge, CancellationToken cancellation)
     {
-        ClientDriver driver = new RemoteDrives(bridge, terminal.Out).RunClient(
-            () => new SimulatedDrives(plan, terminal.Out).ControllerOf(plan.Seed),
+        ClientDriver driver = new BridgeSetup(bridge, terminal.Out).RunClient(
+            () => new EpisodeRunner(plan, terminal.Out).ControllerOf(plan.Seed),
             plan.Seconds,
             cancellation
         );
@@ -208,7 +208,7 @@ internal sealed class DriveCommand
         return cancellation.IsCancellationRequested ? ExitCode.Cancelled : ExitCode.Done;
     }
 
-    private void CheckRecording(ParseResult parsed, DrivePlan plan, BridgePlan bridge, RecordPlan? record)
+    private void CheckRecording(ParseResult parsed, DriveSettings plan, BridgePlan bridge, RecordPlan? record)
     {
         if (record is null && parsed.GetResult(Size) is { Implicit: false })
         {

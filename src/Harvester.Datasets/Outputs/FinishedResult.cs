@@ -6,7 +6,7 @@ namespace Harvester.Datasets.Outputs;
 /// Looks for the finished result of a command that is to be resumed, under the lock of its folder: a run that was killed at its very end
 /// has left its own, which goes with this one.
 /// </summary>
-internal static class FinishedResult
+public static class FinishedResult
 {
     /// <summary>What is found.</summary>
     /// <typeparam name="T">Its type.</typeparam>

@@ -7,7 +7,7 @@ namespace Harvester.Datasets.Outputs;
 /// Finds out whether a disk takes an output folder, before a command begins what takes long, such as building a town or reading all
 /// labels. Nothing is left behind.
 /// </summary>
-internal static class OutputDisk
+public static class OutputDisk
 {
     private const int WriteAndEnter = 3;
 

@@ -8,7 +8,7 @@ namespace Harvester.Datasets.Outputs;
 /// <summary>
 /// Checks the output folder of a session. Only an unfinished result of the same command is replaced, or, with --overwrite, a session.
 /// </summary>
-internal static class OutputFolder
+public static class OutputFolder
 {
     /// <summary>Checks that a session may be written to a folder. Changes nothing.</summary>
     /// <param name="folder">The folder.</param>

@@ -9,7 +9,7 @@ namespace Harvester.Datasets.Outputs;
 /// The folder to which a command writes a session. A new session is written in place, with a mark until it is complete, so that the same
 /// command recognises its own unfinished result. A session to be replaced stays as it is until the new one, written beside it, is complete.
 /// </summary>
-internal sealed class SessionOutput : IDisposable
+public sealed class SessionOutput : IDisposable
 {
     private readonly Action<string> _warn;
     private readonly string _folder;

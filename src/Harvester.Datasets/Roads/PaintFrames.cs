@@ -1,8 +1,6 @@
-using Harvester.Datasets.Files;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Paint;
-using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;

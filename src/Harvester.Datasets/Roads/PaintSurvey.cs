@@ -1,4 +1,3 @@
-using Harvester.Datasets.Files;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Labels;

@@ -5,7 +5,7 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Runs.Clients;
 
 /// <summary>Indicators as a bridge sends them: numbers without validity flags.</summary>
-internal static class ClientIndicators
+public static class ClientIndicators
 {
     /// <summary>The indicators. If no marking is in range, none is valid, not even the angle.</summary>
     public static LaneIndicators Of(IReadOnlyList<double> torcsEquivalent)

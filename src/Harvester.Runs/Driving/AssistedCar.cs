@@ -13,7 +13,7 @@ namespace Harvester.Runs.Driving;
 /// <param name="game">The game.</param>
 /// <param name="roads">Its roads.</param>
 /// <param name="isClientAlive">Whether a client has sent something recently.</param>
-internal sealed class AssistedCar(SimulatedGame game, IRoads roads, Func<bool> isClientAlive) : IDrivenCar
+public sealed class AssistedCar(SimulatedGame game, IRoads roads, Func<bool> isClientAlive) : IDrivenCar
 {
     private readonly IDrivenCar _car = game.Ports.Car!;
     private readonly LaneTracker _lanes = new(roads, entity => entity.Handle);
@@ -22,8 +22,10 @@ internal sealed class AssistedCar(SimulatedGame game, IRoads roads, Func<bool> i
     /// <summary>Whether the client drives; also true while the car brakes because there is no client.</summary>
     public bool IsByClient { get; private set; }
 
+    /// <inheritdoc/>
     public bool IsTakenByPlayer => _car.IsTakenByPlayer;
 
+    /// <inheritdoc/>
     public void Drive(DrivingControls controls)
     {
         LaneObservation? seen = _lanes.Observe(game.Ports.World.ReadEgo(), [])?.Seen;
@@ -34,12 +36,14 @@ internal sealed class AssistedCar(SimulatedGame game, IRoads roads, Func<bool> i
         }
     }
 
+    /// <inheritdoc/>
     public void Reset(Vector3D position, double headingDegrees)
     {
         Reset();
         _car.Reset(position, headingDegrees);
     }
 
+    /// <inheritdoc/>
     public void SetEnvironment(string? weather, TimeSpan? timeOfDay) => _car.SetEnvironment(weather, timeOfDay);
 
     /// <summary>Discards the road and the current driver, as after a teleport of the car.</summary>

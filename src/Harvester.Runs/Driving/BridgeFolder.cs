@@ -9,7 +9,7 @@ namespace Harvester.Runs.Driving;
 /// <summary>
 /// Checks the folder of a folder bridge. The bridge writes and deletes files there, so a folder with other files is refused.
 /// </summary>
-internal static class BridgeFolder
+public static class BridgeFolder
 {
     /// <summary>Default name of the shared folder, in the folder of the drive.</summary>
     public const string DefaultName = "bridge";

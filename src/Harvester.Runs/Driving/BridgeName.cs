@@ -1,7 +1,7 @@
 namespace Harvester.Runs.Driving;
 
 /// <summary>The connection between game and controller.</summary>
-internal enum BridgeName
+public enum BridgeName
 {
     /// <summary>None: both run in one process, and no image is drawn.</summary>
     Direct,

@@ -10,7 +10,7 @@ namespace Harvester.Runs.Driving;
 /// <param name="At">Address on which a socket bridge listens, or to which the client connects; null for the default.</param>
 /// <param name="Token">Secret that a client sends; null for none.</param>
 /// <param name="Patience">Real time that one side waits for the other.</param>
-internal sealed record BridgePlan(BridgeName Kind, DriveRole Role, string Folder, IPEndPoint? At, string? Token, TimeSpan Patience)
+public sealed record BridgePlan(BridgeName Kind, DriveRole Role, string Folder, IPEndPoint? At, string? Token, TimeSpan Patience)
 {
     /// <summary>Default address of a game.</summary>
     public static IPEndPoint DefaultAddress { get; } = new(IPAddress.Loopback, SocketBridgeOptions.DefaultPort);

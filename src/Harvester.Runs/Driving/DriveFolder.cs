@@ -7,7 +7,7 @@ using Harvester.Sessions.Files;
 namespace Harvester.Runs.Driving;
 
 /// <summary>The output folder of a drive. Only an existing drive is ever replaced, and only with --overwrite.</summary>
-internal sealed class DriveFolder
+public sealed class DriveFolder
 {
     private static readonly string[] Files = [DriveRecord.FileName, DriveReport.FileName];
 

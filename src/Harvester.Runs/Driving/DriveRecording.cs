@@ -8,9 +8,8 @@ using Harvester.Simulation.Game;
 namespace Harvester.Runs.Driving;
 
 /// <summary>The recording of a command: a session, or a folder with a session for each game.</summary>
-internal sealed class DriveRecording : IDisposable
+public sealed class DriveRecording : IDisposable
 {
-    private readonly Action<string> _warn;
     private readonly RecordPlan _plan;
     private readonly List<GameRecording> _open = [];
     private readonly NumberedSessions? _numbered;
@@ -27,7 +26,7 @@ internal sealed class DriveRecording : IDisposable
     /// <exception cref="OccupiedFolderException">The folder has files that must not be replaced.</exception>
     public DriveRecording(Action<string> warn, RecordPlan plan, string command, bool overwrite)
     {
-        (_warn, _plan) = (warn, plan);
+        _plan = plan;
         if (plan.IsNumbered)
         {
             _numbered = new NumberedSessions(warn, plan.Folder, command, overwrite);

@@ -1,7 +1,7 @@
 namespace Harvester.Runs.Driving;
 
 /// <summary>The side or sides of a bridge that this process runs.</summary>
-internal enum DriveRole
+public enum DriveRole
 {
     /// <summary>Game and controller, in lock-step.</summary>
     Both,

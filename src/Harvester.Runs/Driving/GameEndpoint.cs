@@ -10,7 +10,7 @@ using Harvester.Simulation.Game;
 namespace Harvester.Runs.Driving;
 
 /// <summary>The game's side of a bridge, with the simulated game: sends images and state, receives controls.</summary>
-internal sealed class GameEndpoint : IDisposable
+public sealed class GameEndpoint : IDisposable
 {
     private readonly SimulatedGame _game;
     private readonly IDrivingBridge _bridge;
@@ -147,6 +147,7 @@ internal sealed class GameEndpoint : IDisposable
     /// <param name="hasPicture">Whether with an image.</param>
     public void RequestFrame(bool hasPicture = true) => _session.AskForFrame(hasPicture);
 
+    /// <summary>Closes the driving session and its recording.</summary>
     public void Dispose()
     {
         _session.Dispose();

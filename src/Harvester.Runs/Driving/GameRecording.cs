@@ -19,7 +19,7 @@ namespace Harvester.Runs.Driving;
 /// <param name="origin">Where the session comes from.</param>
 /// <param name="newOutput">Makes room for the session.</param>
 /// <param name="release">Takes the room back, null if there was none, and whether the session is whole.</param>
-internal sealed class GameRecording(
+public sealed class GameRecording(
     SimulatedGame game,
     IRoads roads,
     RecordPlan plan,

@@ -7,7 +7,7 @@ namespace Harvester.Runs.Driving;
 /// driver. That hands back once the car is near the centre of its lane and nearly parallel to it, and no sharp bend is ahead, of which a
 /// controller that begins there would not know where it begins. At first, the controller drives.
 /// </summary>
-internal sealed class Handover
+public sealed class Handover
 {
     /// <summary>Radians between car and lane up to which the built-in driver hands back.</summary>
     private const double MaxAngle = 0.15;

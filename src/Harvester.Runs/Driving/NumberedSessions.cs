@@ -11,7 +11,7 @@ namespace Harvester.Runs.Driving;
 /// A folder with a numbered session for each drive of a command: 0001, 0002 and so on. As a single session, it has a mark until the command
 /// is complete, and former sessions stay as they are until the new ones are complete.
 /// </summary>
-internal sealed partial class NumberedSessions : IDisposable
+public sealed partial class NumberedSessions : IDisposable
 {
     private readonly Action<string> _warn;
     private readonly string _folder;

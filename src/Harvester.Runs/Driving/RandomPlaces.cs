@@ -4,7 +4,7 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Runs.Driving;
 
 /// <summary>Places on a road network that no one has chosen: uniform along its roads, from a seed.</summary>
-internal static class RandomPlaces
+public static class RandomPlaces
 {
     private const RoadNodeFlags NotDriven = RoadNodeFlags.Water | RoadNodeFlags.SwitchedOff;
 

@@ -8,7 +8,7 @@ namespace Harvester.Runs.Driving;
 /// <param name="Folder">Folder of the session, or of a numbered session for each drive.</param>
 /// <param name="EverySeconds">Minimum game time between two frames, seconds.</param>
 /// <param name="Size">Size of the images, pixels.</param>
-internal sealed record RecordPlan(string Folder, double EverySeconds, ImageSize Size)
+public sealed record RecordPlan(string Folder, double EverySeconds, ImageSize Size)
 {
     /// <summary>Whether the folder gets a numbered session for each drive.</summary>
     public bool IsNumbered { get; init; }

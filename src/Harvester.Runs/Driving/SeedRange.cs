@@ -3,7 +3,7 @@ using System.Globalization;
 namespace Harvester.Runs.Driving;
 
 /// <summary>Seeds from a first to a last one.</summary>
-internal readonly record struct SeedRange(int First, int Last)
+public readonly record struct SeedRange(int First, int Last)
 {
     private const int Most = 1000;
 
@@ -19,6 +19,7 @@ internal readonly record struct SeedRange(int First, int Last)
             : null;
     }
 
+    /// <summary>The range as the command line writes it.</summary>
     public override string ToString() => FormattableString.Invariant($"{First}-{Last}");
 
     private static int? Seed(string text) =>

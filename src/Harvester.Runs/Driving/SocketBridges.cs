@@ -7,7 +7,7 @@ using Harvester.Runs.Faults;
 namespace Harvester.Runs.Driving;
 
 /// <summary>Opens socket bridges.</summary>
-internal static class SocketBridges
+public static class SocketBridges
 {
     /// <summary>Opens a bridge that listens on an address.</summary>
     /// <exception cref="UsageException">The address is reachable from other machines, and there is no token.</exception>

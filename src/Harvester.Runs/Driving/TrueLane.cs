@@ -9,7 +9,7 @@ namespace Harvester.Runs.Driving;
 /// <param name="Placement">Its place across the lanes of its direction; null in a junction.</param>
 /// <param name="Angle">Angle from the car to its road, radians, positive if the road points to the left; null in a junction and off the
 /// roads.</param>
-internal readonly record struct TrueLane(LanePlacement? Placement, double? Angle)
+public readonly record struct TrueLane(LanePlacement? Placement, double? Angle)
 {
     /// <summary>Locates a car.</summary>
     public static TrueLane Of(RoadTruth truth, EgoState ego)

@@ -8,7 +8,7 @@ using Harvester.Simulation.Traffic;
 namespace Harvester.Runs.Driving;
 
 /// <summary>Reads what the frames of a simulated game say beyond the indicators.</summary>
-internal static class TruthReader
+public static class TruthReader
 {
     /// <summary>Reads the current state.</summary>
     /// <param name="game">The game.</param>

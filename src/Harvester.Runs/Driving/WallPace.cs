@@ -5,7 +5,7 @@ namespace Harvester.Runs.Driving;
 /// </summary>
 /// <param name="tickSeconds">Game time of a tick, seconds.</param>
 /// <param name="clock">Real time.</param>
-internal sealed class WallPace(double tickSeconds, TimeProvider clock)
+public sealed class WallPace(double tickSeconds, TimeProvider clock)
 {
     /// <summary>Interval at which a frozen world handles messages of its client.</summary>
     private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(1);

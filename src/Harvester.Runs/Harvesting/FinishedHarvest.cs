@@ -6,7 +6,7 @@ using Harvester.Sessions.Reading.Files;
 namespace Harvester.Runs.Harvesting;
 
 /// <summary>Recognises the finished session of a harvest that is to be resumed.</summary>
-internal static class FinishedHarvest
+public static class FinishedHarvest
 {
     /// <summary>The number of frames of the session; null if the folder has no finished session of this plan.</summary>
     /// <param name="plan">The plan.</param>

@@ -10,7 +10,7 @@ namespace Harvester.Runs.Harvesting;
 /// <param name="Fault">The fault that ended it early; null if it ended normally.</param>
 /// <param name="IsDiskFault">Whether the fault is a write error.</param>
 /// <param name="IsCancelled">Whether the user stopped it.</param>
-internal sealed record HarvestOutcome(int Frames, int Discarded, TimeSpan Elapsed, string? Fault, bool IsDiskFault, bool IsCancelled)
+public sealed record HarvestOutcome(int Frames, int Discarded, TimeSpan Elapsed, string? Fault, bool IsDiskFault, bool IsCancelled)
 {
     /// <summary>Number of the frames that the session held from an earlier run.</summary>
     public int Resumed { get; init; }

@@ -9,7 +9,7 @@ using Harvester.Simulation.Settings;
 namespace Harvester.Runs.Harvesting;
 
 /// <summary>A harvest as the command line describes it.</summary>
-internal sealed record HarvestPlan
+public sealed record HarvestPlan
 {
     /// <summary>Folder to write the session to.</summary>
     public required string Folder { get; init; }

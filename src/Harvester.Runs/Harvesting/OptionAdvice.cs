@@ -3,7 +3,7 @@ using Harvester.Capture.Faults;
 namespace Harvester.Runs.Harvesting;
 
 /// <summary>Adds the option that helps to the faults of a harvest.</summary>
-internal static class OptionAdvice
+public static class OptionAdvice
 {
     private const string SkipCheck = "To skip this check, add --max-camera-error 0.";
 

@@ -6,7 +6,7 @@ using Harvester.Simulation.Game;
 namespace Harvester.Runs.Harvesting;
 
 /// <summary>Plans a harvest with a rig, and mounts the rig on the car of a simulated game.</summary>
-internal static class RigMounting
+public static class RigMounting
 {
     /// <summary>Checks that no sensor is inside the car, and gives the camera the place of the rig's first one.</summary>
     /// <exception cref="UsageException">A sensor is inside the car.</exception>

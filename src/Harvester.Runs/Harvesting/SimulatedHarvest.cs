@@ -23,7 +23,7 @@ using Harvester.Simulation.World;
 namespace Harvester.Runs.Harvesting;
 
 /// <summary>Builds the simulated game of a plan and harvests it, tick by tick.</summary>
-internal sealed class SimulatedHarvest
+public sealed class SimulatedHarvest
 {
     /// <summary>Frame rate of the simulated game, a usual one of the real game.</summary>
     public const double TicksPerSecond = 60;

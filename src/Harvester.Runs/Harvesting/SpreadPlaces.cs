@@ -5,7 +5,7 @@ using Harvester.Runs.Faults;
 namespace Harvester.Runs.Harvesting;
 
 /// <summary>Chooses places all over a road network, from a seed: each as far as possible from those before it.</summary>
-internal static class SpreadPlaces
+public static class SpreadPlaces
 {
     /// <summary>Nodes among which a few places are chosen; more would only take longer.</summary>
     private const int FewestCandidates = 4000;

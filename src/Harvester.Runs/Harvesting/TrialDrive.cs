@@ -7,7 +7,7 @@ using Harvester.Simulation.Game;
 namespace Harvester.Runs.Harvesting;
 
 /// <summary>The drive of a trial in the simulated game: where it begins, along which path it goes and when it is over.</summary>
-internal sealed class TrialDrive
+public sealed class TrialDrive
 {
     /// <summary>Objects within this distance are watched for while a path is driven, metres.</summary>
     private const double SightMetres = 60;

@@ -5,4 +5,4 @@ namespace Harvester.Runs.Harvesting;
 /// <param name="Id">Id of the trial.</param>
 /// <param name="TrafficSeed">Seed of traffic, people and routes; the streets have that of the harvest.</param>
 /// <param name="Drive">Where and how far to drive; made for this harvest.</param>
-internal sealed record TrialSetting(string Plan, string Id, int TrafficSeed, TrialDrive Drive);
+public sealed record TrialSetting(string Plan, string Id, int TrafficSeed, TrialDrive Drive);

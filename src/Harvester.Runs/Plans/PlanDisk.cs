@@ -6,4 +6,4 @@ namespace Harvester.Runs.Plans;
 /// <summary>How the run of a plan uses the disk.</summary>
 /// <param name="Sync">When to wait for it.</param>
 /// <param name="MinFreeBytes">Space that stays free, bytes; 0 watches nothing.</param>
-internal sealed record PlanDisk(SyncMode Sync = SyncMode.Batch, long MinFreeBytes = HarvestOptions.DefaultMinFreeBytes);
+public sealed record PlanDisk(SyncMode Sync = SyncMode.Batch, long MinFreeBytes = HarvestOptions.DefaultMinFreeBytes);

@@ -10,7 +10,7 @@ namespace Harvester.Runs.Plans;
 /// <param name="Frames">Number of images.</param>
 /// <param name="Seconds">Time on a machine such as that of the figures, seconds.</param>
 /// <param name="Bytes">Size of the sessions, bytes.</param>
-internal sealed record PlanEstimate(long Frames, double Seconds, double Bytes)
+public sealed record PlanEstimate(long Frames, double Seconds, double Bytes)
 {
     private const double SecondsOfTrial = 2;
     private const double SecondsOfFrame = 0.0118;

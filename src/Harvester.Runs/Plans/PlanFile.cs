@@ -10,7 +10,7 @@ namespace Harvester.Runs.Plans;
 /// <param name="Plan">The plan.</param>
 /// <param name="Text">The text of the file.</param>
 /// <param name="Rigs">The rigs by the name of their camera.</param>
-internal sealed record PlanFile(Plan Plan, string Text, IReadOnlyDictionary<string, Rig> Rigs)
+public sealed record PlanFile(Plan Plan, string Text, IReadOnlyDictionary<string, Rig> Rigs)
 {
     /// <summary>Reads a plan that has no problem.</summary>
     /// <exception cref="DatasetFormatException">The plan or a rig has a problem; the first is named.</exception>

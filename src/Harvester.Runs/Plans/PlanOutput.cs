@@ -9,7 +9,7 @@ using Harvester.Sessions.Reading.Files;
 namespace Harvester.Runs.Plans;
 
 /// <summary>The folder of a plan's output: a copy of the plan, the status of its trials, and a session for each trial.</summary>
-internal sealed class PlanOutput : IDisposable
+public sealed class PlanOutput : IDisposable
 {
     private const string World = "world.json";
     private readonly PlanResults _results;

@@ -16,7 +16,7 @@ namespace Harvester.Runs.Plans;
 /// <param name="output">Where to write to.</param>
 /// <param name="heartbeat">Receives signs of life.</param>
 /// <param name="command">The command, as the marks of unfinished sessions have it.</param>
-internal sealed class PlanRun(IRunLog log, PlanFile file, PlanWorld world, PlanOutput output, HeartbeatFile heartbeat, string command)
+public sealed class PlanRun(IRunLog log, PlanFile file, PlanWorld world, PlanOutput output, HeartbeatFile heartbeat, string command)
 {
     private int _frames;
 

@@ -23,7 +23,7 @@ namespace Harvester.Runs.Plans;
 /// <summary>The simulated world in which a plan runs, and the plan's places in it.</summary>
 /// <param name="Roads">File of the road network; null for a town generated from the plan's seed.</param>
 /// <param name="Detail">How much of the light the pictures show.</param>
-internal sealed record PlanWorld(string? Roads, Detail Detail)
+public sealed record PlanWorld(string? Roads, Detail Detail)
 {
     /// <summary>Distance of the lane's middle from a sign beside the road, to the left of the car that comes to it, metres.</summary>
     private const double LeftOfSpace = 4;

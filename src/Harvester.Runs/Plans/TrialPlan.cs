@@ -10,7 +10,7 @@ using Harvester.Simulation.Settings;
 namespace Harvester.Runs.Plans;
 
 /// <summary>Makes the harvest of a trial.</summary>
-internal static class TrialPlan
+public static class TrialPlan
 {
     private const double RangeMetres = 80;
 

@@ -8,7 +8,7 @@ namespace Harvester.Runs.Relabelling;
 /// <summary>
 /// Reads a calibrated lens from the output of harvester calibrate, or from an ini file with a section [Lens].
 /// </summary>
-internal static class LensFile
+public static class LensFile
 {
     private const string Section = $"[{LensSettings.Section}]";
 

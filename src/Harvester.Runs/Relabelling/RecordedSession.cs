@@ -15,7 +15,7 @@ using Harvester.Sessions.Semantics;
 namespace Harvester.Runs.Relabelling;
 
 /// <summary>A session with the scenes and options from which its labels were made.</summary>
-internal sealed class RecordedSession
+public sealed class RecordedSession
 {
     private RecordedSession(SessionReader session, HarvestOptions options, JsonFields settings)
     {

@@ -10,8 +10,9 @@ using Harvester.Sessions.Roads;
 namespace Harvester.Runs.Relabelling;
 
 /// <summary>The key of a relabelling: the recorded session and every option that changes what is written.</summary>
-internal static class RelabelKey
+public static class RelabelKey
 {
+    /// <summary>The key of a relabelling: equal for runs that give the same bytes.</summary>
     public static string Of(SessionReader session, RelabelOptions changes) => WorkKey.Of([session], Texts(changes));
 
     private static IEnumerable<string> Texts(RelabelOptions changes) =>

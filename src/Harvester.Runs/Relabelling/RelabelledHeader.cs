@@ -11,7 +11,7 @@ using Harvester.Sessions.Text;
 namespace Harvester.Runs.Relabelling;
 
 /// <summary>The session.json of a relabelled session: the recorded one with the changed options and the tool that relabelled it.</summary>
-internal sealed class RelabelledHeader(RecordedSession recorded, RelabelOptions changes, HarvestOptions options)
+public sealed class RelabelledHeader(RecordedSession recorded, RelabelOptions changes, HarvestOptions options)
 {
     /// <summary>The text of the file.</summary>
     public string Text(int frames)

@@ -4,7 +4,7 @@ using Harvester.Runs.Ports;
 namespace Harvester.Runs.Serving;
 
 /// <summary>Notes the connections, disconnections and problems of a bridge.</summary>
-internal sealed class ConnectionLog(IDrivingBridge bridge, IRunLog log)
+public sealed class ConnectionLog(IDrivingBridge bridge, IRunLog log)
 {
     private string? _client;
     private string? _problem;

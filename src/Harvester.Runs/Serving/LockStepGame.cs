@@ -12,7 +12,7 @@ namespace Harvester.Runs.Serving;
 /// <param name="bridge">The bridge to the client.</param>
 /// <param name="newGame">Builds the game of a restart; null for the first one.</param>
 /// <param name="newEndpoint">Connects a game to the bridge.</param>
-internal sealed class LockStepGame(
+public sealed class LockStepGame(
     IAwaitableBridge bridge,
     Func<RestartMessage?, SimulatedGame> newGame,
     Func<SimulatedGame, GameEndpoint> newEndpoint

@@ -4,7 +4,7 @@ using Harvester.Driving.Bridge;
 namespace Harvester.Runs.Serving;
 
 /// <summary>Notices when the first client of a bridge has disconnected, or when none has come.</summary>
-internal sealed class OneClient(IAwaitableBridge bridge)
+public sealed class OneClient(IAwaitableBridge bridge)
 {
     /// <summary>Time for the client to connect: a program that has started the game and died never does.</summary>
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(60);

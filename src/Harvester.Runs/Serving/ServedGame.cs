@@ -8,7 +8,7 @@ namespace Harvester.Runs.Serving;
 /// <summary>
 /// A simulated game that runs in real time for a client of a bridge. Single steps that a client requests are taken as fast as possible.
 /// </summary>
-internal sealed class ServedGame(SimulatedGame game, GameEndpoint bridged)
+public sealed class ServedGame(SimulatedGame game, GameEndpoint bridged)
 {
     private const double TickSeconds = 1 / SimulatedHarvest.TicksPerSecond;
 

@@ -5,7 +5,7 @@ using Harvester.Simulation.Models;
 namespace Harvester.Runs.Sheets;
 
 /// <summary>Draws captions into an image, in capital letters made of straight strokes.</summary>
-internal static class CaptionFont
+public static class CaptionFont
 {
     private const int LineStep = 16;
     private const int Unit = 3;

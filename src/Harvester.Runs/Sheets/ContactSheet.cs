@@ -3,7 +3,7 @@ using Harvester.Sessions.Imaging;
 namespace Harvester.Runs.Sheets;
 
 /// <summary>The picture of a contact sheet, filled tile by tile.</summary>
-internal sealed class ContactSheet(SheetLayout layout)
+public sealed class ContactSheet(SheetLayout layout)
 {
     private int _tiles;
 

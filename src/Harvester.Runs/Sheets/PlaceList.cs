@@ -5,7 +5,7 @@ using Harvester.Sessions.Reading.Files;
 namespace Harvester.Runs.Sheets;
 
 /// <summary>Reads a list of places: CSV with one name,x,y a line. Blank lines and lines that begin with # are ignored.</summary>
-internal static class PlaceList
+public static class PlaceList
 {
     /// <summary>A line before the first place may name the columns.</summary>
     private const string Header = "name,x,y";

@@ -6,7 +6,7 @@ using Harvester.Simulation.Settings;
 namespace Harvester.Runs.Sheets;
 
 /// <summary>Takes the pictures of a contact sheet, each in a world of its own, with the camera of a harvest.</summary>
-internal static class SheetCamera
+public static class SheetCamera
 {
     private const double TickSeconds = 1.0 / 60;
 

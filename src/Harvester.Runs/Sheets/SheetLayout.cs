@@ -4,7 +4,7 @@ using Harvester.Runs.Faults;
 namespace Harvester.Runs.Sheets;
 
 /// <summary>Where the tiles of a contact sheet lie: row by row, each picture with its caption below.</summary>
-internal sealed record SheetLayout
+public sealed record SheetLayout
 {
     private const int Gap = 4;
 

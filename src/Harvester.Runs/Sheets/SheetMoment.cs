@@ -4,4 +4,4 @@ namespace Harvester.Runs.Sheets;
 /// <param name="Weather">Name of the weather, as in the game.</param>
 /// <param name="TimeOfDay">Time of day, which stands still.</param>
 /// <param name="Seconds">How long the ego has driven, seconds.</param>
-internal sealed record SheetMoment(string Weather, TimeSpan TimeOfDay, double Seconds);
+public sealed record SheetMoment(string Weather, TimeSpan TimeOfDay, double Seconds);

@@ -7,7 +7,7 @@ using Harvester.Simulation.Rendering;
 namespace Harvester.Runs.Sheets;
 
 /// <summary>A contact sheet as the command line describes it.</summary>
-internal sealed record SheetPlan
+public sealed record SheetPlan
 {
     /// <summary>The road network; null for a town generated from the seed.</summary>
     public required RoadNetwork? Roads { get; init; }

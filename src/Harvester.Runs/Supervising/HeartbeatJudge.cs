@@ -10,7 +10,7 @@ namespace Harvester.Runs.Supervising;
 /// <param name="options">How patient it is.</param>
 /// <param name="before">The reading before the program was started: a file with this content says nothing of the program.</param>
 /// <param name="progress">The progress over all starts.</param>
-internal sealed class HeartbeatJudge(SupervisorOptions options, HeartbeatReading before, Progress progress)
+public sealed class HeartbeatJudge(SupervisorOptions options, HeartbeatReading before, Progress progress)
 {
     /// <summary>How far the time of a heartbeat may be ahead: clocks are set while a program runs.</summary>
     public static readonly TimeSpan FutureTolerance = TimeSpan.FromSeconds(30);

@@ -11,7 +11,7 @@ namespace Harvester.Runs.Supervising;
 /// Reads heartbeat.json, which another program writes and may damage. A link, a pipe or a device is not opened, and no more is read than a
 /// heartbeat can have.
 /// </summary>
-internal static class HeartbeatReader
+public static class HeartbeatReader
 {
     /// <summary>Name of the file in the output folder.</summary>
     public const string FileName = "heartbeat.json";

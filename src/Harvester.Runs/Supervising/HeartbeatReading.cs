@@ -4,7 +4,7 @@ namespace Harvester.Runs.Supervising;
 /// <param name="Bytes">The content of the file; empty without one.</param>
 /// <param name="Heartbeat">The heartbeat; null if there is none that can be read.</param>
 /// <param name="Problem">Why the file cannot be read, a sentence; null if it can, or is missing.</param>
-internal sealed record HeartbeatReading(ReadOnlyMemory<byte> Bytes, SeenHeartbeat? Heartbeat, string? Problem)
+public sealed record HeartbeatReading(ReadOnlyMemory<byte> Bytes, SeenHeartbeat? Heartbeat, string? Problem)
 {
     /// <summary>There is no file.</summary>
     public static HeartbeatReading Missing { get; } = new(default, null, null);

@@ -9,7 +9,7 @@ namespace Harvester.Runs.Supervising;
 /// belongs to it that is a descendant of the program's, has the program's mark in its environment, or, where this process adopts orphans,
 /// is a descendant of this one.
 /// </summary>
-internal sealed class ProcessFamily
+public sealed class ProcessFamily
 {
     /// <summary>The variable of the environment that has the mark.</summary>
     public const string Variable = "HARVESTER_SUPERVISED";

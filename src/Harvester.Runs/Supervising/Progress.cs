@@ -1,7 +1,7 @@
 namespace Harvester.Runs.Supervising;
 
 /// <summary>What has been achieved over all starts. A program that always comes as far as before makes none.</summary>
-internal sealed class Progress
+public sealed class Progress
 {
     // A program that invents trials does not fill the memory.
     private const int MaxTrials = 100_000;

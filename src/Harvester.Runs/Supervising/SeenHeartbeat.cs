@@ -8,4 +8,4 @@ namespace Harvester.Runs.Supervising;
 /// <param name="State">What the program is doing.</param>
 /// <param name="Trial">Name of the trial of a plan that is under way; empty without one.</param>
 /// <param name="Frames">Frames so far, 0 or more.</param>
-internal sealed record SeenHeartbeat(int Process, DateTime Time, HeartbeatState State, string Trial, long Frames);
+public sealed record SeenHeartbeat(int Process, DateTime Time, HeartbeatState State, string Trial, long Frames);

@@ -1,7 +1,7 @@
 namespace Harvester.Runs.Supervising;
 
 /// <summary>Quotes words for a shell.</summary>
-internal static class ShellWord
+public static class ShellWord
 {
     private const string PlainLetters = "/._-+:,@";
 

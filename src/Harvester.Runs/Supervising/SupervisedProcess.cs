@@ -8,7 +8,7 @@ namespace Harvester.Runs.Supervising;
 /// One start of the program, with the processes that it starts. A launcher that ends when the game runs leaves the process that the
 /// heartbeat names.
 /// </summary>
-internal sealed class SupervisedProcess : IDisposable
+public sealed class SupervisedProcess : IDisposable
 {
     private const int KillSignal = 9;
 

@@ -9,7 +9,7 @@ namespace Harvester.Runs.Supervising;
 /// <summary>
 /// Starts a program, watches its heartbeat, and restarts it when it hangs, crashes or reports a false state, until it has finished.
 /// </summary>
-internal sealed class Supervisor(SupervisorOptions options, IRunLog log, IStopSignal signal)
+public sealed class Supervisor(SupervisorOptions options, IRunLog log, IStopSignal signal)
 {
     // One second less than what is left to this program after a signal.
     private static readonly TimeSpan StopPatience = TimeSpan.FromSeconds(4);

@@ -1,7 +1,7 @@
 namespace Harvester.Runs.Supervising;
 
 /// <summary>What is supervised, and how patiently.</summary>
-internal sealed record SupervisorOptions
+public sealed record SupervisorOptions
 {
     /// <summary>Longest wait between two restarts.</summary>
     public static TimeSpan MaxDelay { get; } = TimeSpan.FromMinutes(5);

@@ -2,7 +2,7 @@ using System.Text.Json.Nodes;
 using Harvester.Cli.Commands.Plans;
 using Harvester.Cli.Terminals;
 using Harvester.Cli.Tests.Repetition;
-using Harvester.Sessions.Reading;
+using Harvester.Datasets.Validation;
 using Json.Schema;
 
 namespace Harvester.Cli.Tests.Commands;
@@ -252,7 +252,7 @@ public sealed class PlanCommandTests : IDisposable
 
     private static JsonSchema PlanSchema()
     {
-        using Stream stream = typeof(SessionReader).Assembly.GetManifestResourceStream("Harvester.Datasets.plan.schema.json")!;
+        using Stream stream = typeof(SchemaValidator).Assembly.GetManifestResourceStream("Harvester.Datasets.plan.schema.json")!;
         using var reader = new StreamReader(stream);
         return JsonSchema.FromText(reader.ReadToEnd());
     }

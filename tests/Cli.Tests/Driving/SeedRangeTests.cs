@@ -21,7 +21,7 @@ public sealed class SeedRangeTests
     [Fact]
     public void Each_seed_drives_from_each_start()
     {
-        DrivePlan plan = new()
+        DriveSettings plan = new()
         {
             Controller = new() { Kind = Harvester.Driving.Controllers.ControllerKind.Stanley },
             Seeds = [5, 6],

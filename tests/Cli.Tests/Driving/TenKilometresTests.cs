@@ -59,7 +59,7 @@ public sealed class TenKilometresTests
 
     private static DriveFigures DriveInTowns(ControllerPlan controller, bool isNoisy) =>
         Drive(
-            new DrivePlan
+            new DriveSettings
             {
                 Controller = controller,
                 Starts = PlacesInTown,
@@ -71,7 +71,7 @@ public sealed class TenKilometresTests
 
     private static DriveFigures DriveOnMap(NoiseLevels? noise) =>
         Drive(
-            new DrivePlan
+            new DriveSettings
             {
                 Controller = new ControllerPlan { Kind = ControllerKind.Stanley },
                 Roads = RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!).Network,
@@ -82,9 +82,9 @@ public sealed class TenKilometresTests
             }
         );
 
-    private static DriveFigures Drive(DrivePlan plan)
+    private static DriveFigures Drive(DriveSettings plan)
     {
-        var drives = new SimulatedDrives(plan, TextWriter.Null);
+        var drives = new EpisodeRunner(plan, TextWriter.Null);
         drives.Run(static _ => { }, CancellationToken.None);
         return DriveFigures.Of(drives.Samples);
     }

@@ -21,7 +21,7 @@ public sealed class UnseenTownTests
     [InlineData(ControllerKind.DeepDriving)]
     public void Few_departures_per_kilometre_in_unseen_towns(ControllerKind kind)
     {
-        var drives = new SimulatedDrives(PlanOf(kind, metres: 1000, jobs: 2), TextWriter.Null);
+        var drives = new EpisodeRunner(PlanOf(kind, metres: 1000, jobs: 2), TextWriter.Null);
         drives.Run(static _ => { }, CancellationToken.None);
         DriveSummary summary = DriveSummary.Of(drives.Episodes);
 
@@ -38,7 +38,7 @@ public sealed class UnseenTownTests
         [
             .. NumbersOfJobs.Select(jobs =>
             {
-                var drives = new SimulatedDrives(PlanOf(ControllerKind.Stanley, metres: 150, jobs), TextWriter.Null);
+                var drives = new EpisodeRunner(PlanOf(ControllerKind.Stanley, metres: 150, jobs), TextWriter.Null);
                 drives.Run(static _ => { }, CancellationToken.None);
                 using var stream = new MemoryStream();
                 DriveRecord.Of(new Dictionary<string, string>(), drives.Episodes).Write(stream);
@@ -48,7 +48,7 @@ public sealed class UnseenTownTests
         Assert.Equal(records[0], records[1]);
     }
 
-    private static DrivePlan PlanOf(ControllerKind kind, double metres, int jobs) =>
+    private static DriveSettings PlanOf(ControllerKind kind, double metres, int jobs) =>
         new()
         {
             Controller = new ControllerPlan { Kind = kind, BrakesInEmergency = kind == ControllerKind.DeepDriving },

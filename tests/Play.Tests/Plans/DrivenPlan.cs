@@ -31,11 +31,11 @@ public abstract class DrivenPlan : IDisposable
         GC.SuppressFinalize(this);
     }
 
-    protected PlanDriving Driving(string text)
+    protected PlanFeature Driving(string text)
     {
         string file = Path.Combine(Root, "plan.json");
         File.WriteAllText(file, text);
-        return new PlanDriving(file, Path.Combine(Root, "plans"), World.Surroundings, Messages);
+        return new PlanFeature(file, Path.Combine(Root, "plans"), World.Surroundings, Messages);
     }
 
     protected string[] StatusLines()
@@ -55,9 +55,9 @@ public abstract class DrivenPlan : IDisposable
         return text;
     }
 
-    protected void UntilOff(PlanDriving plan) => Until(plan, () => !plan.IsOn && !plan.IsBusy);
+    protected void UntilOff(PlanFeature plan) => Until(plan, () => !plan.IsOn && !plan.IsBusy);
 
-    protected void Until(PlanDriving plan, Func<bool> isSo)
+    protected void Until(PlanFeature plan, Func<bool> isSo)
     {
         var hanging = System.Diagnostics.Stopwatch.StartNew();
         do

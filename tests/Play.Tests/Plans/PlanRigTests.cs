@@ -14,7 +14,7 @@ public sealed class PlanRigTests : DrivenPlan
     public void Trial_with_a_rig_takes_moments_with_all_its_cameras()
     {
         WriteRig("left");
-        PlanDriving plan = Driving(WithRig);
+        PlanFeature plan = Driving(WithRig);
         plan.Toggle();
         UntilOff(plan);
 
@@ -26,11 +26,11 @@ public sealed class PlanRigTests : DrivenPlan
     public void Changed_rig_of_a_plan_is_refused()
     {
         WriteRig("left");
-        PlanDriving first = Driving(WithRig);
+        PlanFeature first = Driving(WithRig);
         first.Toggle();
         UntilOff(first);
         WriteRig("front");
-        PlanDriving second = Driving(WithRig);
+        PlanFeature second = Driving(WithRig);
         second.Toggle();
         UntilOff(second);
 
@@ -42,7 +42,7 @@ public sealed class PlanRigTests : DrivenPlan
     {
         World.Freezes = false;
         WriteRig("left");
-        PlanDriving plan = Driving(WithRig);
+        PlanFeature plan = Driving(WithRig);
         plan.Toggle();
         UntilOff(plan);
 

@@ -1,7 +1,6 @@
 using System.CommandLine;
 using Harvester.Cli.Terminals;
 using Harvester.Runs.Faults;
-using Harvester.Runs.Plans;
 using Harvester.Runs.Supervising;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Plans;

@@ -2,7 +2,6 @@ using System.CommandLine;
 using System.Globalization;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;

@@ -140,7 +140,7 @@ public sealed class BridgedDriveTests
                 WindowAspect = 4.0 / 3,
             }
         );
-        RemoteDrive drive = new(
+        BridgeDrive drive = new(
             game,
             new FixedRoads(game.Roads, "simulation"),
             bridge,

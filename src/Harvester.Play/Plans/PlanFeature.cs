@@ -9,7 +9,7 @@ namespace Harvester.Play.Plans;
 /// Runs a plan in the game, trial by trial, from one press of a key to the next or until all are done. What is done is on the disk: the key
 /// continues where the last run stopped, also after the game was closed.
 /// </summary>
-public sealed class PlanDriving : ILastingFeature, IDisposable
+public sealed class PlanFeature : ILastingFeature, IDisposable
 {
     private const string StoppedReason = "The plan was stopped.";
     private static readonly TimeSpan MaxWaitForDisk = TimeSpan.FromSeconds(2);
@@ -31,7 +31,7 @@ public sealed class PlanDriving : ILastingFeature, IDisposable
     /// <param name="root">The folder with the folders of all plans.</param>
     /// <param name="world">What the trials use.</param>
     /// <param name="messages">Reports what becomes of the trials.</param>
-    public PlanDriving(string? file, string root, TrialSurroundings world, PlayerMessages messages)
+    public PlanFeature(string? file, string root, TrialSurroundings world, PlayerMessages messages)
     {
         _file = file;
         _root = root;

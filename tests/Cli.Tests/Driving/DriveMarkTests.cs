@@ -4,21 +4,21 @@ using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Tests.Driving;
 
-public sealed class NotedDriveTests : IDisposable
+public sealed class DriveMarkTests : IDisposable
 {
     private const string Command = "harvester drive --record session --out out";
     private static readonly byte[] First = Encoding.UTF8.GetBytes("the first");
     private static readonly byte[] Second = Encoding.UTF8.GetBytes("the second");
 
     private readonly TemporaryFolder _folder = new();
-    private readonly NotedDrive _noted;
+    private readonly DriveMark _noted;
 
-    public NotedDriveTests()
+    public DriveMarkTests()
     {
         Directory.CreateDirectory(Session);
         Directory.CreateDirectory(_folder.PathOf("out"));
         UnfinishedMark.Write(Session, Command);
-        _noted = new NotedDrive(Session, Command, _folder.PathOf("out"));
+        _noted = new DriveMark(Session, Command, _folder.PathOf("out"));
     }
 
     private string Session => _folder.PathOf("session");
@@ -55,7 +55,7 @@ public sealed class NotedDriveTests : IDisposable
         _noted.Note(First);
         Write(First);
 
-        Assert.False(new NotedDrive(Session, Command + "2", _folder.PathOf("out")).IsThere());
+        Assert.False(new DriveMark(Session, Command + "2", _folder.PathOf("out")).IsThere());
         UnfinishedMark.Delete(Session);
         Assert.False(_noted.IsThere());
         _noted.Note(First);

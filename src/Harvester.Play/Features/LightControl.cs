@@ -9,7 +9,7 @@ namespace Harvester.Play.Features;
 /// Drives the traffic lights around the camera during a harvest, so that their state is known, and gives them back to the game after it.
 /// The lights of crossing roads take turns. It uses the game's time: while the game is frozen, no light changes.
 /// </summary>
-public sealed class LightDriving : IFeature, ILights
+public sealed class LightControl : IFeature, ILights
 {
     private const int GamesOwn = 3;
     private const double GreenSeconds = 7;
@@ -31,7 +31,7 @@ public sealed class LightDriving : IFeature, ILights
     /// <param name="rangeMetres">Maximum distance from the camera of the lights that are driven, metres.</param>
     /// <param name="settlingFrames">Maximum number of frames by which the picture may lag behind the game; for that long after a change the
     /// visible state is unknown.</param>
-    public LightDriving(IWorld world, ITrafficLights lights, LightOrder order, double rangeMetres, int settlingFrames)
+    public LightControl(IWorld world, ITrafficLights lights, LightOrder order, double rangeMetres, int settlingFrames)
     {
         _world = world;
         _lights = lights;

@@ -3,7 +3,7 @@ using Harvester.Sessions.Plans;
 
 namespace Harvester.Play.Tests.Plans;
 
-public sealed class PlanDrivingTests : DrivenPlan
+public sealed class PlanFeatureTests : DrivenPlan
 {
     private const string TwoTrials = """
         {"name":"two","places":[{"name":"a","x":0,"y":0,"headingDegrees":0}],"weathers":["clear","rain"],"frames":3,"hz":2}
@@ -12,7 +12,7 @@ public sealed class PlanDrivingTests : DrivenPlan
     [Fact]
     public void Key_runs_all_trials_in_order()
     {
-        PlanDriving plan = Driving(TwoTrials);
+        PlanFeature plan = Driving(TwoTrials);
         plan.Toggle();
         UntilOff(plan);
 
@@ -31,12 +31,12 @@ public sealed class PlanDrivingTests : DrivenPlan
     [Fact]
     public void Key_continues_after_the_trials_that_are_done()
     {
-        PlanDriving first = Driving(TwoTrials);
+        PlanFeature first = Driving(TwoTrials);
         first.Toggle();
         Until(first, () => StatusLines().Length == 1 && first.Line is { } line && line.Contains("driving", StringComparison.Ordinal));
         first.Finish();
         Assert.False(first.IsOn);
-        PlanDriving second = Driving(TwoTrials);
+        PlanFeature second = Driving(TwoTrials);
         second.Toggle();
         UntilOff(second);
 
@@ -49,7 +49,7 @@ public sealed class PlanDrivingTests : DrivenPlan
     public void Trial_that_fails_three_times_is_skipped_and_reported()
     {
         World.IsCollisionLoaded = false;
-        PlanDriving plan = Driving(TwoTrials);
+        PlanFeature plan = Driving(TwoTrials);
         plan.Toggle();
         Until(plan, () => StatusLines().Length == 3);
         World.IsCollisionLoaded = true;
@@ -72,7 +72,7 @@ public sealed class PlanDrivingTests : DrivenPlan
     {
         for (int end = 1; end <= 3; end++)
         {
-            PlanDriving plan = Driving(TwoTrials);
+            PlanFeature plan = Driving(TwoTrials);
             plan.Toggle();
             Until(plan, () => plan.Line is not null);
 
@@ -85,7 +85,7 @@ public sealed class PlanDrivingTests : DrivenPlan
             File.WriteAllText(Path.Combine(Output, "attempt.json"), attempt);
         }
 
-        PlanDriving last = Driving(TwoTrials);
+        PlanFeature last = Driving(TwoTrials);
         last.Toggle();
         UntilOff(last);
 
@@ -113,7 +113,7 @@ public sealed class PlanDrivingTests : DrivenPlan
     {
         Directory.CreateDirectory(Output);
         File.WriteAllText(Path.Combine(Output, "attempt.json"), attempt);
-        PlanDriving plan = Driving(TwoTrials);
+        PlanFeature plan = Driving(TwoTrials);
         plan.Toggle();
         UntilOff(plan);
 
@@ -123,7 +123,7 @@ public sealed class PlanDrivingTests : DrivenPlan
     [Fact]
     public void Low_space_stops_the_plan_and_uses_up_no_attempt()
     {
-        PlanDriving plan = Driving(TwoTrials);
+        PlanFeature plan = Driving(TwoTrials);
         plan.Toggle();
         Until(plan, () => World.IsOn);
         World.IsSpaceLow = true;
@@ -142,7 +142,7 @@ public sealed class PlanDrivingTests : DrivenPlan
     [Fact]
     public void Each_attempt_begins_with_a_repaired_vehicle()
     {
-        PlanDriving plan = Driving(TwoTrials);
+        PlanFeature plan = Driving(TwoTrials);
         plan.Toggle();
         UntilOff(plan);
 
@@ -154,7 +154,7 @@ public sealed class PlanDrivingTests : DrivenPlan
     {
         string file = Path.Combine(Root, "plan.json");
         File.WriteAllText(file, TwoTrials);
-        var plan = new PlanDriving(file, Path.Combine(Root, "plans"), World.Surroundings, Messages) { StartsByItself = true };
+        var plan = new PlanFeature(file, Path.Combine(Root, "plans"), World.Surroundings, Messages) { StartsByItself = true };
         Until(plan, () => plan.IsOn);
         UntilOff(plan);
         int told = Told.Count;
@@ -170,7 +170,7 @@ public sealed class PlanDrivingTests : DrivenPlan
     [Fact]
     public void Second_press_stops_the_plan()
     {
-        PlanDriving plan = Driving(TwoTrials);
+        PlanFeature plan = Driving(TwoTrials);
         plan.Toggle();
         Until(plan, () => plan.Line is not null);
         plan.Toggle();
@@ -188,7 +188,7 @@ public sealed class PlanDrivingTests : DrivenPlan
         string unfinished = Path.Combine(Output, "unfinished");
         Directory.CreateDirectory(Path.Combine(Output, "trials", "a_clear_1200_camera_001"));
         File.WriteAllText(unfinished, "a file where the folder belongs");
-        PlanDriving plan = Driving(TwoTrials);
+        PlanFeature plan = Driving(TwoTrials);
         plan.Toggle();
         UntilOff(plan);
         Assert.Contains("The plan was stopped: ", Told[^1], StringComparison.Ordinal);
@@ -213,7 +213,7 @@ public sealed class PlanDrivingTests : DrivenPlan
     [InlineData("""{"name":"p","places":[{"name":"a","x":1,"y":2}],"weathers":["hot"]}""", "plan.json: weathers[0] must be one of")]
     public void Plan_that_the_game_cannot_run_is_told(string text, string problem)
     {
-        PlanDriving plan = Driving(text);
+        PlanFeature plan = Driving(text);
         plan.Toggle();
         UntilOff(plan);
 
@@ -223,10 +223,10 @@ public sealed class PlanDrivingTests : DrivenPlan
     [Fact]
     public void Changed_plan_of_the_same_name_is_refused()
     {
-        PlanDriving first = Driving(TwoTrials);
+        PlanFeature first = Driving(TwoTrials);
         first.Toggle();
         UntilOff(first);
-        PlanDriving second = Driving(TwoTrials.Replace("\"frames\":3", "\"frames\":4", StringComparison.Ordinal));
+        PlanFeature second = Driving(TwoTrials.Replace("\"frames\":3", "\"frames\":4", StringComparison.Ordinal));
         second.Toggle();
         UntilOff(second);
 
@@ -236,7 +236,7 @@ public sealed class PlanDrivingTests : DrivenPlan
     [Fact]
     public void Key_without_a_plan_says_where_to_set_it()
     {
-        var plan = new PlanDriving(null, Root, World.Surroundings, Messages);
+        var plan = new PlanFeature(null, Root, World.Surroundings, Messages);
         plan.Toggle();
 
         Assert.False(plan.IsOn);

@@ -8,7 +8,7 @@ using Harvester.Simulation.Settings;
 namespace Harvester.Runs.Driving;
 
 /// <summary>A drive as the command line describes it.</summary>
-internal sealed record DrivePlan
+public sealed record DriveSettings
 {
     /// <summary>The controller.</summary>
     public required ControllerPlan Controller { get; init; }

@@ -16,7 +16,7 @@ namespace Harvester.Runs.Driving;
 /// <summary>Builds the simulated games of a plan, one for each episode, and drives in them.</summary>
 /// <param name="plan">The drives.</param>
 /// <param name="messages">Receives a line with the address at which a drive waits for a client.</param>
-internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
+public sealed class EpisodeRunner(DriveSettings plan, TextWriter messages)
 {
     private readonly IReadOnlyList<(int Seed, Vector2D? Start)> _plans = plan.Episodes;
     private readonly DriveEpisode?[] _episodes = new DriveEpisode?[plan.Episodes.Count];
@@ -100,7 +100,7 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
         {
             if (plan.Bridge is { } bridge)
             {
-                new RemoteDrives(bridge, messages) { Recording = recording }.Run(
+                new BridgeSetup(bridge, messages) { Recording = recording }.Run(
                     game,
                     roads,
                     () => ControllerOf(seed),
@@ -113,7 +113,7 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
             }
             else
             {
-                var drive = new LocalDrive(game, roads, () => ControllerOf(seed, recording))
+                var drive = new DirectDrive(game, roads, () => ControllerOf(seed, recording))
                 {
                     Recording = recording,
                     Disturbance = plan.IsDisturbed ? new SteeringDisturbance(seed, plan.Controller.Car) : null,

@@ -14,7 +14,7 @@ namespace Harvester.Runs.Driving;
 /// <summary>Sets up the bridge of a drive and runs its sides.</summary>
 /// <param name="plan">The bridge and the sides to run.</param>
 /// <param name="messages">Receives a line with the address at which the drive waits for a client.</param>
-internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
+public sealed class BridgeSetup(BridgePlan plan, TextWriter messages)
 {
     /// <summary>Records the drive; null for none.</summary>
     public GameRecording? Recording { get; init; }
@@ -46,7 +46,7 @@ internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
     {
         bool isAlone = plan.Role == DriveRole.Both;
         using IDrivingBridge bridge = Open(isAlone);
-        RemoteDrive drive = new(game, roads, bridge, newControllerAtCar, plan.Patience) { Recording = Recording };
+        BridgeDrive drive = new(game, roads, bridge, newControllerAtCar, plan.Patience) { Recording = Recording };
         try
         {
             Run(drive, bridge, newController, metres, seconds, cancellation);
@@ -69,7 +69,7 @@ internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
     }
 
     private void Run(
-        RemoteDrive drive,
+        BridgeDrive drive,
         IDrivingBridge bridge,
         Func<IController> newController,
         double metres,

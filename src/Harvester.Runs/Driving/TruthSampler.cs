@@ -6,7 +6,7 @@ using Harvester.Simulation.Traffic;
 namespace Harvester.Runs.Driving;
 
 /// <summary>Samples the true state of the ego vehicle of a simulated _game.</summary>
-internal sealed class DriveSampler
+public sealed class TruthSampler
 {
     /// <summary>Vehicles farther from the ego vehicle cannot touch it, metres.</summary>
     private const double ContactRange = 25;
@@ -16,12 +16,13 @@ internal sealed class DriveSampler
     private double _metres;
 
     /// <param name="game">The game, which counts collisions from now on.</param>
-    public DriveSampler(SimulatedGame game)
+    public TruthSampler(SimulatedGame game)
     {
         _game = game;
         _ = game.Conduct;
     }
 
+    /// <summary>The samples so far, in the order of time.</summary>
     public IReadOnlyList<DriveSample> Samples => _samples;
 
     /// <summary>Distance driven so far, metres.</summary>

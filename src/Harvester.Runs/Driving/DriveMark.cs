@@ -10,7 +10,7 @@ namespace Harvester.Runs.Driving;
 /// <param name="recording">The folder of the recording.</param>
 /// <param name="command">The command that records, as in the mark.</param>
 /// <param name="output">The folder of the drive.</param>
-internal sealed class NotedDrive(string recording, string command, string output)
+public sealed class DriveMark(string recording, string command, string output)
 {
     private readonly string _file = Path.Combine(output, DriveRecord.FileName);
 

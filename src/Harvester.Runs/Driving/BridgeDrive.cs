@@ -15,13 +15,7 @@ namespace Harvester.Runs.Driving;
 /// <param name="bridge">The bridge to the client.</param>
 /// <param name="newController">Creates the controller for indicators that a client sends.</param>
 /// <param name="patience">Real time that it waits for a client to drive.</param>
-internal sealed class RemoteDrive(
-    SimulatedGame game,
-    IRoads roads,
-    IDrivingBridge bridge,
-    Func<IController> newController,
-    TimeSpan patience
-)
+public sealed class BridgeDrive(SimulatedGame game, IRoads roads, IDrivingBridge bridge, Func<IController> newController, TimeSpan patience)
 {
     private const double TickSeconds = 0.05;
     private const int TicksPerSample = 2;
@@ -32,7 +26,7 @@ internal sealed class RemoteDrive(
     /// </summary>
     private static readonly TimeSpan ResendInterval = TimeSpan.FromSeconds(0.5);
 
-    private readonly DriveSampler _sampler = new(game);
+    private readonly TruthSampler _sampler = new(game);
     private readonly Stopwatch _silence = new();
     private double _lastClientSeconds;
 

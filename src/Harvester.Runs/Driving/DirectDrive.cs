@@ -15,7 +15,7 @@ namespace Harvester.Runs.Driving;
 /// A drive in the simulated game with the controller in the same process, without images. Where the lanes are unknown, as in junctions,
 /// and where the car must give way, its built-in driver follows the route.
 /// </summary>
-internal sealed class LocalDrive(SimulatedGame game, IRoads roads, Func<IController> newController)
+public sealed class DirectDrive(SimulatedGame game, IRoads roads, Func<IController> newController)
 {
     private const double TickSeconds = 0.05;
     private const int TicksPerControl = 2;
@@ -24,7 +24,7 @@ internal sealed class LocalDrive(SimulatedGame game, IRoads roads, Func<IControl
     private const double VehicleRange = IndicatorCalculator.VehicleRange + 10;
 
     private readonly LaneTracker _lanes = new(roads, entity => entity.Handle);
-    private readonly DriveSampler _sampler = new(game);
+    private readonly TruthSampler _sampler = new(game);
     private Handover _handover = new();
     private IController _controller = newController();
 

@@ -7,7 +7,7 @@ using Harvester.Sessions.Text;
 namespace Harvester.Play.Features;
 
 /// <summary>Lets a client drive the car over the live bridge, from one press of a key to the next or until the player drives.</summary>
-public sealed class BridgeDriving : ILastingFeature, IDisposable
+public sealed class BridgeFeature : ILastingFeature, IDisposable
 {
     private static readonly TimeSpan MaxWaitForBridge = TimeSpan.FromSeconds(10);
     private static readonly TimeSpan MaxWaitForDisk = TimeSpan.FromSeconds(10);
@@ -34,7 +34,7 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
     /// <param name="mount">The camera of the client's images.</param>
     /// <param name="display">Shows a line.</param>
     /// <param name="messages">Reports the start and end of drives.</param>
-    public BridgeDriving(BridgeSettings settings, GamePorts game, PlayerCar car, IMount mount, IDisplay display, PlayerMessages messages)
+    public BridgeFeature(BridgeSettings settings, GamePorts game, PlayerCar car, IMount mount, IDisplay display, PlayerMessages messages)
     {
         _settings = settings;
         _game = game with { Car = car };
