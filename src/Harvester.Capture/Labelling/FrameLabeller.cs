@@ -171,7 +171,8 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
                         candidate.Projection,
                         candidate.Entity.Handle,
                         egoHandle,
-                        rays
+                        rays,
+                        ObjectLabeller.IsOverlapped(camera, candidate, candidates)
                     )
                 )
                 {

@@ -35,6 +35,13 @@ internal sealed class ObjectLabeller(LabellingOptions options, ObjectRegistry re
     private ushort? IdOf(SceneSnapshot snapshot, int handle) =>
         snapshot.Entities.FirstOrDefault(other => other.Handle == handle) is { } entity ? registry.IdOf(entity) : null;
 
+    /// <summary>Whether the box of a nearer entity overlaps that of an entity in the image.</summary>
+    public static bool IsOverlapped(Camera camera, LabelCandidate candidate, List<LabelCandidate> all)
+    {
+        double distance = candidate.DistanceFrom(camera);
+        return all.Exists(other => other.DistanceFrom(camera) < distance && other.Box.Intersect(candidate.Box) is not null);
+    }
+
     /// <summary>The label of an entity in the image; null if it is not listed.</summary>
     public ObjectLabel? LabelOf(Camera camera, LabelCandidate candidate, OcclusionEstimate occlusion) =>
         options.IsListed(occlusion)

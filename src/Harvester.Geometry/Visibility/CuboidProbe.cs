@@ -18,6 +18,9 @@ internal sealed class CuboidProbe(Vector3D eye, Cuboid cuboid, int entity, int i
     /// </summary>
     public const double Margin = 0.01;
 
+    /// <summary>Surfaces that close behind the one that stops a ray count as the same, metres.</summary>
+    public const double Thickness = 0.05;
+
     /// <summary>Steps of the R3 sequence, the inverse powers of 1.2207..., the root of x^4 = x + 1.</summary>
     private const double StepX = 0.8191725133961645;
     private const double StepY = 0.6710436067037893;
@@ -31,9 +34,14 @@ internal sealed class CuboidProbe(Vector3D eye, Cuboid cuboid, int entity, int i
             return false;
         }
 
-        double start = Math.Max(0, span.Entry - Margin);
-        RayHit? hit = rays.Cast(new Ray(ray.At(start), ray.Direction), span.Exit - start + Margin, ignoredEntity);
-        return hit is { } met && met.Entity == entity;
+        return MeetsFrom(ray, Math.Max(0, span.Entry - Margin), span.Exit);
+    }
+
+    /// <summary>Whether a ray from the camera that is stopped inside the cuboid would hit the entity behind what stops it.</summary>
+    public bool MeetsBehind(Ray ray, double stoppedAt)
+    {
+        double start = stoppedAt + Thickness;
+        return cuboid.Intersect(ray) is { } span && start < span.Exit && MeetsFrom(ray, start, span.Exit);
     }
 
     /// <summary>Rays from the camera to points spread evenly in the cuboid, inside and outside the image.</summary>
@@ -48,5 +56,11 @@ internal sealed class CuboidProbe(Vector3D eye, Cuboid cuboid, int entity, int i
         }
 
         static double Signed(double value) => (2 * (0.5 + value - Math.Floor(0.5 + value))) - 1;
+    }
+
+    private bool MeetsFrom(Ray ray, double start, double exit)
+    {
+        RayHit? hit = rays.Cast(new Ray(ray.At(start), ray.Direction), exit - start + Margin, ignoredEntity);
+        return hit is { } met && met.Entity == entity;
     }
 }

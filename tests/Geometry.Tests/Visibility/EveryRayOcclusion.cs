@@ -4,7 +4,7 @@ using Harvester.Geometry.Visibility;
 
 namespace Harvester.Geometry.Tests.Visibility;
 
-/// <summary>The estimate of an object's occlusion with a second ray for every sample that something hides.</summary>
+/// <summary>The estimate of an object's occlusion with a ray for every sample, and a second for each that something hides.</summary>
 internal sealed class EveryRayOcclusion(IRayCaster rays)
 {
     private const int MoreSamples = 4;
