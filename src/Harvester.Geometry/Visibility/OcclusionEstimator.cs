@@ -261,7 +261,8 @@ public sealed class OcclusionEstimator
                 return onCuboid >= _all && (hidden > 0 || stopped == onCuboid);
             }
 
-            // Where it is stopped, the object fills its silhouette as elsewhere: v of the n - s other samples are on it, v n / (n - s) of all.
+            // Where it is stopped, the object fills its silhouette as elsewhere: v of the n - s other samples are on it, v n / (n - s) of
+            // all.
             return visible * onCuboid >= _enoughOnObject * (onCuboid - stopped);
         }
 

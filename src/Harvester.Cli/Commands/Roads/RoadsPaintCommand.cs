@@ -5,6 +5,7 @@ using Harvester.Cli.Terminals;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
+using Harvester.Runs.Faults;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Text;

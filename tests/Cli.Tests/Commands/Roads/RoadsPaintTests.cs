@@ -93,7 +93,9 @@ public sealed class RoadsPaintTests : IDisposable
     {
         string far = _folder.File(
             "far.csv",
-            WritingCommand.Roads.Replace(",0,0,", ",9,0,", StringComparison.Ordinal).Replace(",30,,,,", ",300,,,,", StringComparison.Ordinal)
+            WritingCommand
+                .Roads.Replace(",0,0,", ",9,0,", StringComparison.Ordinal)
+                .Replace(",30,,,,", ",300,,,,", StringComparison.Ordinal)
         );
 
         Refused(Session, "sees a road of the network", "--roads", far);
