@@ -74,6 +74,11 @@ public static class TapePlayer
 
         cancellation.ThrowIfCancellationRequested();
         tape.Fault?.Throw();
+        if (tape.Difference is not null)
+        {
+            CheckSpace(folder);
+        }
+
         return !script.IsBusy
             ? new TapeResult(played, tape.Calls, reader.IsInterrupted, facts.GetValueOrDefault(TapeFacts.Mod, "unknown"), tape.Difference)
             : throw new IOException($"The sessions of the playback in '{folder}' are still being written: the disk is too slow.");
@@ -145,6 +150,14 @@ public static class TapePlayer
                 File.WriteAllText(Path.Combine(folder, name), text);
             }
         }
+    }
+
+    /// <summary>A mod that cannot write asks the game for other things, which is no difference of the mod.</summary>
+    /// <exception cref="IOException">The disk is full.</exception>
+    private static void CheckSpace(string folder)
+    {
+        const int uncompressedFrame = 4 * 800 * 600;
+        File.WriteAllBytes(Path.Combine(folder, "space"), new byte[uncompressedFrame]);
     }
 
     /// <summary>A tape may come from anyone: larger pictures would take too much memory.</summary>

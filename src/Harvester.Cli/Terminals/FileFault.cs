@@ -14,12 +14,18 @@ internal static class FileFault
 
     private static readonly string? Runtime = typeof(File).Assembly.GetName().Name;
 
+    /// <summary>
+    /// Whether the runtime could not allocate the space of a file of known size: its exception has no code of the system.
+    /// </summary>
+    private static bool IsUnallocated(Exception fault) =>
+        fault is IOException && fault.Source == Runtime && fault.Message.EndsWith("because the disk was full.", StringComparison.Ordinal);
+
     /// <summary>The message, one line.</summary>
     /// <param name="fault">The exception.</param>
     /// <param name="output">The command's output, named if the exception does not name a file; null if unknown.</param>
     public static string TextOf(Exception fault, string? output)
     {
-        if (FullDisk.Contains(fault.HResult))
+        if (FullDisk.Contains(fault.HResult) || IsUnallocated(fault))
         {
             string where = (QuotedIn(fault.Message) ?? output) is { } full ? $": '{full}' cannot be written" : "";
             return $"The disk is full{where}. Free some space, or write to another disk, and run the command again.";

@@ -1,5 +1,3 @@
-using Harvester.Geometry.Boxes;
-
 namespace Harvester.Geometry.Visibility;
 
 /// <summary>
