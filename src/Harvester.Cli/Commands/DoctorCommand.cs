@@ -26,7 +26,7 @@ internal sealed class DoctorCommand
 
     public static Command Create(Terminal terminal) => new DoctorCommand().Build(terminal);
 
-    private Command Build(Terminal terminal)
+    private ResultCommand Build(Terminal terminal)
     {
         var command = new ResultCommand(
             "doctor",

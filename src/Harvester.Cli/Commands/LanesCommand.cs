@@ -76,7 +76,7 @@ internal sealed class LanesCommand
 
     public static Command Create(Terminal terminal) => new LanesCommand().Build(terminal);
 
-    private Command Build(Terminal terminal)
+    private ResultCommand Build(Terminal terminal)
     {
         var command = new ResultCommand("lanes", "Print the 13 lane indicators of a car at a position, as JSON.")
         {

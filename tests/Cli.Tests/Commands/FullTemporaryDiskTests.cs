@@ -4,7 +4,9 @@ using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Commands;
 
-/// <summary>Playbacks whose temporary folder is on a small disk of its own, which fills up. Mounting it needs Linux's user namespaces.</summary>
+/// <summary>
+/// Playbacks whose temporary folder is on a small disk of its own, which fills up. Mounting it needs Linux's user namespaces.
+/// </summary>
 public sealed class FullTemporaryDiskTests : IDisposable
 {
     private readonly TemporaryFolder _folder = new();

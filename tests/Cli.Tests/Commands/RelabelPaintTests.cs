@@ -2,7 +2,6 @@ using Harvester.Cli.Terminals;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
-using Harvester.Runs.Faults;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;

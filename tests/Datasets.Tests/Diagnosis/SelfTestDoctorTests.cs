@@ -1,5 +1,4 @@
 using System.IO.Compression;
-using Harvester.Capture.SelfTests;
 using Harvester.Datasets.Diagnosis;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.SelfTests;

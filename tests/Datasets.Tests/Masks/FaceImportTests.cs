@@ -6,7 +6,6 @@ using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
-using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Masks;
 

@@ -3,7 +3,6 @@ using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Roads;
-using Xunit;
 
 namespace Harvester.Sessions.Tests.Roads;
 

@@ -35,7 +35,7 @@ internal static class SpacesCommand
     /// <summary>The argument that names a table.</summary>
     public static Argument<string> TableArgument() => new("FILE|DIR") { Description = "A table, or the folder of a survey" };
 
-    private static Command CreateCheck(Terminal terminal)
+    private static ResultCommand CreateCheck(Terminal terminal)
     {
         Argument<string> file = TableArgument();
         var command = new ResultCommand("check", "List the invalid rows of a table, with reasons.") { file };
@@ -56,7 +56,7 @@ internal static class SpacesCommand
         return command;
     }
 
-    private static Command CreateList(Terminal terminal)
+    private static ResultCommand CreateList(Terminal terminal)
     {
         Argument<string> file = TableArgument();
         var command = new ResultCommand("list", "List the faces of a table: model, number, name, size and provenance.") { file };

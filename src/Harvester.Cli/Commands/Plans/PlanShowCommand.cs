@@ -20,7 +20,7 @@ internal sealed class PlanShowCommand
 
     public static Command Create(Terminal terminal) => new PlanShowCommand().Build(terminal);
 
-    private Command Build(Terminal terminal)
+    private ResultCommand Build(Terminal terminal)
     {
         Argument<FileInfo> plan = PlanCommand.PlanArgument();
         var command = new ResultCommand("show", "List the trials of a plan and estimate frames, time and size.") { plan };
