@@ -82,6 +82,6 @@ internal static class OptionGroups
     [
         new("Output", ["--out", "--overwrite", "--resume", "--images", "--shard", "--sync", "--min-free", "--no-report"]),
         new("Objects", ["--classes", "--range", "--min-box-area", "--min-box-side", "--max-occluded", "--spaces", "--calibration"]),
-        new("Lanes", ["--roads", "--look-ahead", "--lane-width", "--narrow-lane-width"]),
+        new("Lanes", ["--roads", "--look-ahead", "--paint", "--lane-width", "--narrow-lane-width"]),
     ];
 }

@@ -195,6 +195,13 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             ReadVehicles,
             "lanes --roads {0}/session/scenes/roads.csv --position 0,0,0 --heading 0 --vehicles " + "{0}/vehicles.csv"
         ),
+        new(
+            "paint",
+            "paint.csv",
+            folder => PaintFile.Read(In(folder, "paint.csv"), RoadImporter.Import(In(folder, "straight.csv")).Network),
+            "lanes --roads {0}/straight.csv --paint {0}/paint.csv --position 2,-100,30 --heading 0",
+            "relabel {0}/people --roads {0}/straight.csv --paint {0}/paint.csv --no-report --out {0}/out"
+        ),
         new("places", "places.csv", folder => PlaceList.Read(In(folder, "places.csv")), $"{Sheet} --list {{0}}/places.csv"),
         new("props", "props.json", folder => PropPlacementImporter.Import(In(folder, "props.json")), $"{Sheet} --props {{0}}/props.json"),
         new("lens", "lens.txt", folder => LensFile.Read(In(folder, "lens.txt")), $"{Project} --calibration {{0}}/lens.txt"),

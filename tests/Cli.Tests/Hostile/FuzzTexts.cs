@@ -5,6 +5,11 @@ namespace Harvester.Cli.Tests.Hostile;
 /// <summary>The input files of a corpus that no command writes.</summary>
 internal static class FuzzTexts
 {
+    /// <summary>Paint on the first link of straight.csv.</summary>
+    private const string Paint =
+        "harvester paint,1\nlink,0,0,-200,30,0,0,30,0,200\nline,0,0,100,0,0,doubleSolid,yellow,0.4,,,,0.02,3\n"
+        + "line,0,0,100,4.1,4.1,dashed,white,0.15,3,9,1.5,0.02,2\nend,1,2\n";
+
     private static readonly (string Name, string Content)[] All =
     [
         ("survey/spaces.csv", "prop_sign_road_01a,-949234773,sign,STOP,R1-1,0,-0.5,-0.04,3,0.5,-0.06,1.5,-y,measured,a test\n"),
@@ -12,6 +17,7 @@ internal static class FuzzTexts
         ("points.csv", "0,5,0\n1.5,20,-3\n"),
         ("vehicles.csv", "10,20,0,90\n-5,3,0,0,12\n"),
         ("straight.csv", WritingCommand.Roads),
+        ("paint.csv", Paint),
         ("places.csv", "# places\nname,x,y\nNorth end,0,150.5\nSouth end,-1,-150\n"),
         (
             "props.json",

@@ -1,5 +1,6 @@
 using System.IO.Compression;
 using Harvester.Cli.Terminals;
+using Harvester.Cli.Tests.Repetition;
 using Harvester.Play.Tapes;
 using Xunit.Abstractions;
 
@@ -36,6 +37,21 @@ public sealed class MemoryTests(ITestOutputHelper output) : IDisposable
         }
 
         AssertRefused("roads", "info", gzip);
+    }
+
+    [Fact]
+    public void Table_of_paint_with_very_many_lines_is_refused()
+    {
+        const string link = "harvester paint,1\nlink,0,0,-200,30,0,0,30,0,200\n";
+        string roads = _bombs.PathOf("straight.csv");
+        File.WriteAllText(roads, WritingCommand.Roads);
+        string paint = _bombs.PathOf("paint.csv");
+        using (FileStream stream = File.Create(paint))
+        {
+            BombFolder.Fill(stream, link, "line,0,0,100,2,2,solid,white,0.15,,,,0.02,1\n", megabytes: 200);
+        }
+
+        AssertRefused("lanes", "--roads", roads, "--paint", paint, "--position", "2,-100,30", "--heading", "0");
     }
 
     [Fact]
