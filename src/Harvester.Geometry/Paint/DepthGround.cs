@@ -29,8 +29,7 @@ public sealed class DepthGround : IPaintGround
 
     /// <summary>
     /// A cell that is higher or lower than the median of its neighbours by more than this is a vehicle, a kerb or a rail, metres; over 2 m
-    /// a
-    /// road with a slope of 7 % rises as much.
+    /// a road with a slope of 7 % rises as much.
     /// </summary>
     private const double MaxStep = 0.15;
 

@@ -92,10 +92,8 @@ internal static class PaintClassifier
 
     /// <summary>
     /// The pattern of dashes. The length L is the median of those dashes of which both ends were seen; the middle of a dash is then L / 2
-    /// from
-    /// an end that was seen. The period P is the median distance of neighbouring middles; with the number n = round((m - m0) / P) of each
-    /// dash,
-    /// m = m0 + n · P is fitted by least squares.
+    /// from an end that was seen. The period P is the median distance of neighbouring middles; with the number n = round((m - m0) / P) of
+    /// each dash, m = m0 + n · P is fitted by least squares.
     /// </summary>
     private static DashPattern? DashesOf(List<PaintRun> dashes)
     {

@@ -4,8 +4,7 @@ namespace Harvester.Geometry.Paint;
 
 /// <summary>
 /// A road network prepared for the search of paint: which links are near, and how far to each side of a link's curve its own carriageway
-/// may
-/// reach. Immutable, and so safe for any number of threads.
+/// may reach. Immutable, and so safe for any number of threads.
 /// </summary>
 public sealed class PaintRoads
 {

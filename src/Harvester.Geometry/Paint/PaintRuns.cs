@@ -5,8 +5,7 @@ internal static class PaintRuns
 {
     /// <summary>
     /// Ground without paint, or that was not seen, does not break a line up to this length, metres: wear and dirt; the gaps of dashes are
-    /// 2 m
-    /// and more.
+    /// 2 m and more.
     /// </summary>
     private const double MaxWorn = 1.3;
 

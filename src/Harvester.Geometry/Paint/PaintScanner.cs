@@ -41,8 +41,7 @@ public sealed class PaintScanner
 
     /// <summary>
     /// Ground seen beside a stripe on both sides, metres: the other stripe of a double line is no farther away, so that of a double line
-    /// both
-    /// stripes are seen or neither.
+    /// both stripes are seen or neither.
     /// </summary>
     private const double Margin = 0.6;
 

@@ -11,8 +11,7 @@ public readonly record struct SeenSpan(int Image, float Left, float Right, float
 {
     /// <summary>
     /// Standard deviation of an offset, metres: sqrt(e² + (r (o - c))²), with e of the edge, r of the height and c of the camera, because
-    /// an
-    /// error dz of the ground's height moves a point by dz / h times its lateral distance from the camera.
+    /// an error dz of the ground's height moves a point by dz / h times its lateral distance from the camera.
     /// </summary>
     public double SigmaAt(double offset)
     {

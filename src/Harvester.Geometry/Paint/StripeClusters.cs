@@ -3,8 +3,7 @@ namespace Harvester.Geometry.Paint;
 /// <summary>
 /// Combines the stripes that several images show in a row. Stripes whose middles follow each other closely are one cluster; it counts if it
 /// has at least half of the weight of the images that show its place, with weights of 1 / sigma². So what only some images show, such as
-/// the
-/// reflection of the sun or a moving shadow, is left out.
+/// the reflection of the sun or a moving shadow, is left out.
 /// </summary>
 internal static class StripeClusters
 {

@@ -1,7 +1,7 @@
 namespace Harvester.Geometry.Paint;
 
 /// <summary>
-/// Finds bright stripes in the brightness across a road. A stripe has a rising and a falling edge of similar strength, 7 to 35 cm apart,
+/// Finds bright stripes in the brightness across a road. A stripe has a rising and a falling edge of similar strength, 6 to 36 cm apart,
 /// with darker ground on both sides: a shadow, a kerb or the border of the asphalt has one edge, a crack is dark, a tyre mark is wide.
 /// </summary>
 internal sealed class StripeFinder
