@@ -118,7 +118,6 @@ public sealed class RecordedDriveTests
     }
 
     [Fact]
-    [Trait("Category", "Heavy")]
     public void Drive_over_a_bridge_is_recorded_from_its_frames()
     {
         using TemporaryFolder folder = new();
