@@ -165,8 +165,7 @@ public sealed class OcclusionEstimator
 
             // The samples around one on a thin object are all beside it, so those of an object that is hardly seen are cast; and before an
             // object counts as hidden completely, all samples asked for are.
-            bool mayInfer =
-                onCuboid >= first && (visible >= _samples / HardlySeen || (stopped == onCuboid && onCuboid >= _samples));
+            bool mayInfer = onCuboid >= first && (visible >= _samples / HardlySeen || (stopped == onCuboid && onCuboid >= _samples));
             SampleFinding? finding = mayInfer ? known.Infer(pixel) : null;
             onCuboid++;
             if (finding is null)
