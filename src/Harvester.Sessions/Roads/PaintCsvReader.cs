@@ -16,7 +16,7 @@ public sealed class PaintCsvReader
     /// <summary>Maximum number of links: more than ten times as many as in the game.</summary>
     private const int MaxLinks = 1_000_000;
 
-    /// <summary>Maximum number of lines in a file, which take about 400 MB of memory; GTA V's 72,000 links have some hundred thousand.</summary>
+    /// <summary>Maximum number of lines in a file, which take about 400 MB of memory: forty for each of GTA V's 72,000 links.</summary>
     private const int MaxLines = 3_000_000;
 
     /// <summary>Maximum coordinate, station and offset, metres: that of the road file.</summary>
