@@ -40,8 +40,8 @@ internal sealed class LaneTarget
     {
         double own = (at.ToMarkingML.Value + at.ToMarkingMR.Value) / 2;
 
-        // While the own lane's centre has not jumped by half a lane, the car is still in the lane it leaves, and the target is the lane
-        // beside it.
+        // Until the centre of the car's lane jumps by half a lane, the car is still in the lane that it leaves, and the target is the lane
+        // beside that.
         if (_boundFor < 0 && at.ToMarkingLL.IsValid && own > _lastLaneCentre - LaneWidth(at) / 2)
         {
             _lastLaneCentre = own;

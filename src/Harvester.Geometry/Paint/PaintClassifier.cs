@@ -3,9 +3,8 @@ using Harvester.Geometry.Lanes;
 namespace Harvester.Geometry.Paint;
 
 /// <summary>
-/// Turns tracks into lines: long pieces are solid, short ones beside bare ground are dashes, two parallel lines of one colour are a double
-/// line, and what is
-/// much fainter than the paint around it is none.
+/// Turns tracks into lines: long pieces are solid, short ones beside bare ground are dashes, and two parallel lines of one colour are a
+/// double line. Tracks much fainter than the paint around them are left out.
 /// </summary>
 internal static class PaintClassifier
 {

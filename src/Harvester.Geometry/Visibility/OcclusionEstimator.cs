@@ -25,7 +25,7 @@ public sealed class OcclusionEstimator
     /// </summary>
     private const int MoreSamples = 4;
 
-    /// <summary>An object is hardly seen until one in so many of its samples, as asked for, is on it: 4 of 64.</summary>
+    /// <summary>An object is hardly seen until this part of the number of samples is on it: a sixteenth, 4 of 64.</summary>
     private const int HardlySeen = 16;
 
     private readonly int _samples;

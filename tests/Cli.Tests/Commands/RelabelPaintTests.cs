@@ -62,7 +62,7 @@ public sealed class RelabelPaintTests(SmallSession small) : IClassFixture<SmallS
     private RoadNetwork RecordedRoads() =>
         RoadCsvReader.Read(new StringReader(File.ReadAllText(Path.Combine(small.Folder, FramePaths.Roads))));
 
-    /// <summary>A table in which every boundary of lanes is painted as a solid line, white but for the left edges.</summary>
+    /// <summary>A table in which every boundary of lanes is painted as a solid line: yellow at left edges, white elsewhere.</summary>
     private void Write(RoadNetwork roads)
     {
         var curves = new RoadCurves(roads);

@@ -11,8 +11,10 @@ namespace Harvester.Cli.Tests.Commands.Roads;
 /// </summary>
 internal sealed class PaintJudge
 {
-    /// <summary>A sample farther than this from all paint is on a false line, metres: half the distance of the nearest real
-    /// lines.</summary>
+    /// <summary>
+    /// A sample farther than this from all paint is on a false line, metres: half the distance of the nearest real lines. Such a sample
+    /// counts as off by this distance, with wrong style and colour.
+    /// </summary>
     private const double MaxDistance = 0.5;
 
     private const double Step = 1;
@@ -24,9 +26,7 @@ internal sealed class PaintJudge
 
     public double RoadMetres { get; private set; }
 
-    public double LineMetres => Step * (_errors.Count + FalseSamples);
-
-    public int FalseSamples { get; private set; }
+    public double LineMetres => Step * _errors.Count;
 
     public int FalseLines { get; private set; }
 
@@ -75,6 +75,7 @@ internal sealed class PaintJudge
             if (Nearest(place) is not { } nearest)
             {
                 missed++;
+                _errors.Add(MaxDistance);
                 continue;
             }
 
@@ -88,7 +89,6 @@ internal sealed class PaintJudge
             }
         }
 
-        FalseSamples += missed;
         if (2 * missed > samples)
         {
             FalseLines++;
