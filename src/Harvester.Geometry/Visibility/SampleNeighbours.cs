@@ -8,8 +8,8 @@ namespace Harvester.Geometry.Visibility;
 internal sealed class SampleNeighbours(Box2D box)
 {
     /// <summary>
-    /// Number of neighbours that must agree. In simulated streets, 3 missed more of the small hidden or visible parts, and 5 needed 3 % more
-    /// rays.
+    /// Number of neighbours that must agree. In simulated streets, 3 missed more of the small hidden or visible parts, and 5 needed 3 %
+    /// more rays.
     /// </summary>
     public const int Count = 4;
 
