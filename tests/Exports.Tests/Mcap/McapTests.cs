@@ -2,6 +2,7 @@ using Google.Protobuf;
 using Google.Protobuf.Reflection;
 using Harvester.Exports.Formats.Mcap;
 using Harvester.Exports.Validation;
+using Harvester.Geometry.Lanes;
 
 namespace Harvester.Exports.Tests.Mcap;
 
@@ -33,14 +34,22 @@ public sealed class McapTests : ExportTests
     [Fact]
     public void Schemas_describe_every_message_that_they_use()
     {
-        foreach (string name in FoxgloveSchemas.Names)
+        foreach (string name in MessageSchemas.Names)
         {
-            FileDescriptorSet set = FileDescriptorSet.Parser.ParseFrom(FoxgloveSchemas.DescriptorsOf(name));
+            FileDescriptorSet set = FileDescriptorSet.Parser.ParseFrom(MessageSchemas.DescriptorsOf(name));
 
             // Builds the descriptors, which fails if a type or an import is missing or comes too late.
             IReadOnlyList<FileDescriptor> files = FileDescriptor.BuildFromByteStrings(set.File.Select(file => file.ToByteString()));
             Assert.Contains(files.SelectMany(file => file.MessageTypes), message => message.FullName == name);
         }
+    }
+
+    [Fact]
+    public void Indicators_are_the_fields_of_their_message_in_order()
+    {
+        string[] fields = [.. Gtaharvest.LaneIndicators.Descriptor.Fields.InFieldNumberOrder().Select(field => field.Name)];
+
+        Assert.Equal(["timestamp", .. IndicatorTable.All.Select(indicator => indicator.Name), "speed"], fields);
     }
 
     [Theory]

@@ -1,4 +1,4 @@
-using Google.Protobuf.Reflection;
+using Google.Protobuf;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Text;
@@ -11,13 +11,6 @@ namespace Harvester.Exports.Formats.Mcap;
 /// </summary>
 internal static class DriveMessages
 {
-    public const string ActionSchema = OwnSchema.Package + ".DriveAction";
-    public const string TickSchema = OwnSchema.Package + ".DriveTick";
-    public const string ImuSchema = OwnSchema.Package + ".Imu";
-
-    private const string ControlsSchema = OwnSchema.Package + ".DriveControls";
-    private const string VectorSchema = "foxglove.Vector3";
-
     /// <summary>The messages of an action, in order of their channels.</summary>
     /// <param name="drive">The action.</param>
     /// <param name="nanoseconds">Time of its frame.</param>
@@ -49,89 +42,77 @@ internal static class DriveMessages
         }
     }
 
-    /// <summary>The schemas.</summary>
-    public static FileDescriptorProto[] Describe() =>
-        [
-            OwnSchema.File(ControlsSchema, OwnSchema.Number("steering", 1), OwnSchema.Number("throttle", 2), OwnSchema.Number("brake", 3)),
-            OwnSchema.File(
-                ActionSchema,
-                OwnSchema.Time(1),
-                OwnSchema.Text("driver", 2),
-                OwnSchema.Message("controls", 3, ControlsSchema),
-                OwnSchema.OptionalNumber("answer_seconds", 4),
-                OwnSchema.Message("applied", 5, ControlsSchema),
-                OwnSchema.Boolean("disturbed", 6),
-                OwnSchema.Text("route", 7),
-                OwnSchema.OptionalNumber("route_metres", 8),
-                OwnSchema.Number("speed", 9),
-                OwnSchema.OptionalNumber("target_speed", 10),
-                OwnSchema.OptionalNumber("target_left", 11)
-            ),
-            OwnSchema.File(
-                TickSchema,
-                OwnSchema.Time(1),
-                OwnSchema.Text("driver", 2),
-                OwnSchema.Number("speed", 3),
-                OwnSchema.Message("applied", 4, ControlsSchema)
-            ),
-            OwnSchema.File(
-                ImuSchema,
-                OwnSchema.Time(1),
-                OwnSchema.Text("frame_id", 2),
-                OwnSchema.Message("angular_velocity", 3, VectorSchema),
-                OwnSchema.Message("linear_acceleration", 4, VectorSchema)
-            ),
-        ];
-
-    private static byte[] Action(DriveLabel drive, long nanoseconds) =>
-        ProtoMessage.Of(message =>
+    private static byte[] Action(DriveLabel drive, long nanoseconds)
+    {
+        var message = new Gtaharvest.DriveAction
         {
-            FoxgloveMessages.Time(message, 1, nanoseconds);
-            message.Text(2, JsonName.Of(drive.Driver));
-            Controls(message, 3, drive.Controls);
-            Optional(message, 4, drive.AnswerSeconds);
-            Controls(message, 5, drive.Applied);
-            message.Integer(6, drive.IsDisturbed ? 1 : 0).Text(7, drive.Route ?? "");
-            Optional(message, 8, drive.RouteMetres);
-            message.Number(9, drive.SpeedMetresPerSecond);
-            Optional(message, 10, drive.Target?.SpeedMetresPerSecond);
-            Optional(message, 11, -drive.Target?.RightMetres);
-        });
+            Timestamp = MessageTime.Of(nanoseconds),
+            Driver = JsonName.Of(drive.Driver),
+            Controls = Controls(drive.Controls),
+            Applied = Controls(drive.Applied),
+            Disturbed = drive.IsDisturbed,
+            Route = drive.Route ?? "",
+            Speed = drive.SpeedMetresPerSecond,
+        };
+
+        // Assigned where they are known: what is absent differs from 0.
+        if (drive.AnswerSeconds is { } answer)
+        {
+            message.AnswerSeconds = answer;
+        }
+
+        if (drive.RouteMetres is { } route)
+        {
+            message.RouteMetres = route;
+        }
+
+        if (drive.Target?.SpeedMetresPerSecond is { } speed)
+        {
+            message.TargetSpeed = speed;
+        }
+
+        if (drive.Target?.RightMetres is { } right)
+        {
+            message.TargetLeft = -right;
+        }
+
+        return message.ToByteArray();
+    }
 
     private static byte[] Tick(DriveTick tick, long nanoseconds) =>
-        ProtoMessage.Of(message =>
+        new Gtaharvest.DriveTick
         {
-            FoxgloveMessages.Time(message, 1, nanoseconds);
-            message.Text(2, JsonName.Of(tick.Driver)).Number(3, tick.SpeedMetresPerSecond);
-            Controls(message, 4, tick.Applied);
-        });
+            Timestamp = MessageTime.Of(nanoseconds),
+            Driver = JsonName.Of(tick.Driver),
+            Speed = tick.SpeedMetresPerSecond,
+            Applied = Controls(tick.Applied),
+        }.ToByteArray();
 
     private static byte[] Imu(Vector3D acceleration, Vector3D rate, long nanoseconds) =>
-        ProtoMessage.Of(message =>
+        new Gtaharvest.Imu
         {
-            FoxgloveMessages.Time(message, 1, nanoseconds);
-            message.Text(2, FoxgloveMessages.Ego);
-            Vector(message, 3, rate);
-            Vector(message, 4, acceleration);
-        });
+            Timestamp = MessageTime.Of(nanoseconds),
+            FrameId = FoxgloveMessages.Ego,
+            AngularVelocity = Vector(rate),
+            LinearAcceleration = Vector(acceleration),
+        }.ToByteArray();
 
     /// <summary>A vector along the car's right, forward and up, as x forward, y left, z up.</summary>
-    private static void Vector(ProtoMessage message, int field, Vector3D ofCar) =>
-        message.Message(field, vector => vector.Number(1, ofCar.Y).Number(2, -ofCar.X).Number(3, ofCar.Z));
-
-    private static void Controls(ProtoMessage message, int field, DriveControls? controls)
-    {
-        if (controls is { } set)
+    private static Foxglove.Vector3 Vector(Vector3D ofCar) =>
+        new()
         {
-            message.Message(field, inner => inner.Number(1, set.Steering).Number(2, set.Throttle).Number(3, set.Brake));
-        }
-    }
+            X = ofCar.Y,
+            Y = -ofCar.X,
+            Z = ofCar.Z,
+        };
 
-    private static void Optional(ProtoMessage message, int field, double? number)
-    {
-        if (number is { } known)
-        {
-            message.NumberOrZero(field, known);
-        }
-    }
+    private static Gtaharvest.DriveControls? Controls(DriveControls? controls) =>
+        controls is { } set
+            ? new()
+            {
+                Steering = set.Steering,
+                Throttle = set.Throttle,
+                Brake = set.Brake,
+            }
+            : null;
 }

@@ -18,15 +18,15 @@ internal sealed record McapChannel(int Id, string Topic, string Schema)
 
     public static McapChannel Annotations { get; } = new(6, "/camera/annotations", "foxglove.ImageAnnotations");
 
-    public static McapChannel Indicators { get; } = new(7, "/indicators", IndicatorMessage.SchemaName);
+    public static McapChannel Indicators { get; } = new(7, "/indicators", "gtaharvest.LaneIndicators");
 
-    public static McapChannel Action { get; } = new(8, "/drive/action", DriveMessages.ActionSchema);
+    public static McapChannel Action { get; } = new(8, "/drive/action", "gtaharvest.DriveAction");
 
-    public static McapChannel AnsweredIndicators { get; } = new(9, "/drive/indicators", IndicatorMessage.SchemaName);
+    public static McapChannel AnsweredIndicators { get; } = new(9, "/drive/indicators", "gtaharvest.LaneIndicators");
 
-    public static McapChannel Tick { get; } = new(10, "/drive/tick", DriveMessages.TickSchema);
+    public static McapChannel Tick { get; } = new(10, "/drive/tick", "gtaharvest.DriveTick");
 
-    public static McapChannel Imu { get; } = new(11, "/imu", DriveMessages.ImuSchema);
+    public static McapChannel Imu { get; } = new(11, "/imu", "gtaharvest.Imu");
 
     /// <summary>The channels of every file, by number.</summary>
     public static McapChannel[] OfSessions { get; } = [Image, Calibration, Transforms, Objects, Lanes, Annotations, Indicators];

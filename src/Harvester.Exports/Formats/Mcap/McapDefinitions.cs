@@ -20,7 +20,7 @@ internal sealed record McapDefinitions(IReadOnlyList<McapChannel> Channels, IRea
             .. Schemas.SelectMany(name =>
             {
                 using var schema = new McapRecord(McapOpcode.Schema);
-                byte[] descriptors = FoxgloveSchemas.DescriptorsOf(name);
+                byte[] descriptors = MessageSchemas.DescriptorsOf(name);
                 return schema.UInt16(NumberOf(name)).Text(name).Text("protobuf").UInt32(descriptors.Length).Bytes(descriptors).ToArray();
             }),
         ];
@@ -37,5 +37,5 @@ internal sealed record McapDefinitions(IReadOnlyList<McapChannel> Channels, IRea
     private static string[] NamesOf(IEnumerable<McapChannel> channels) =>
         [.. channels.Select(channel => channel.Schema).Distinct(StringComparer.Ordinal)];
 
-    private static int NumberOf(string schema) => FoxgloveSchemas.Names.TakeWhile(name => name != schema).Count() + 1;
+    private static int NumberOf(string schema) => MessageSchemas.Names.TakeWhile(name => name != schema).Count() + 1;
 }
