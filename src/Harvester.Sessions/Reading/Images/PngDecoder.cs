@@ -5,6 +5,7 @@ using System.Runtime.InteropServices;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Sessions.Reading.Images;
@@ -16,13 +17,18 @@ public static class PngDecoder
 {
     private const int SignatureLength = 8;
     private const int HeaderLength = 33;
+    private const int TypeAt = 12;
     private const int BitDepthAt = 24;
+    private const int ChecksumAt = 29;
     private const byte ColourTypeGrey = 0;
     private const byte ColourTypeRgb = 2;
     private const byte ColourTypePalette = 3;
     private const int BytesPerGreyPixel = 2;
 
-    /// <summary>Reads an image. Chunk checksums are not verified; the compressed data has its own.</summary>
+    /// <summary>
+    /// Reads an image. The checksums of the header and of the compressed data are verified; <c>harvester validate</c> verifies those of
+    /// all chunks.
+    /// </summary>
     /// <exception cref="DatasetFormatException">The file is not such an image, or is damaged; the message refers to the file as
     /// "it".</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
@@ -80,6 +86,12 @@ public static class PngDecoder
         using FileStream file = InputFile.OpenRead(path);
         Span<byte> header = stackalloc byte[HeaderLength];
         file.ReadExactly(header);
+        byte[] described = header[TypeAt..ChecksumAt].ToArray();
+        if (Crc32.Append(0, described, described.Length) != BinaryPrimitives.ReadUInt32BigEndian(header[ChecksumAt..]))
+        {
+            throw new DatasetFormatException("its header is damaged.");
+        }
+
         if (header[BitDepthAt] != bitDepth || !IsOf(header[BitDepthAt + 1], colourType) || header[BitDepthAt + 4] != 0)
         {
             throw new DatasetFormatException($"it is not {kind} PNG without interlacing.");
@@ -90,6 +102,12 @@ public static class PngDecoder
         {
             using var rows = new ZLibStream(new PngData(file), CompressionMode.Decompress);
             ReadRows(rows, pixels, size, bytesPerPixel);
+
+            // The end of the data has its checksum.
+            if (rows.ReadByte() >= 0)
+            {
+                throw new InvalidDataException("The data has more rows than the header says.");
+            }
         }
         catch (Exception e) when (e is InvalidDataException or EndOfStreamException)
         {

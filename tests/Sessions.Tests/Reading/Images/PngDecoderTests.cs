@@ -97,6 +97,37 @@ public sealed class PngDecoderTests : IDisposable
     }
 
     [Fact]
+    public void ReadRgb_never_reads_other_pixels_for_a_flipped_bit()
+    {
+        var picture = new PixelBuffer(new ImageSize(13, 7));
+        new Random(6).NextBytes(picture.Bytes);
+        using (FileStream file = File.Create(_path))
+        {
+            new PngEncoder().Write(picture, file);
+        }
+
+        byte[] whole = File.ReadAllBytes(_path);
+        int refused = 0;
+        for (int bit = 0; bit < 8 * whole.Length; bit++)
+        {
+            byte[] damaged = [.. whole];
+            damaged[bit / 8] ^= (byte)(1 << (bit % 8));
+            File.WriteAllBytes(_path, damaged);
+            try
+            {
+                Assert.Equal(picture.Bytes, PngDecoder.ReadRgb(_path).Bytes);
+            }
+            catch (DatasetFormatException)
+            {
+                refused++;
+            }
+        }
+
+        // Only the checksums of the chunks after the header, and the bytes of the end chunk, are not needed for the pixels.
+        Assert.InRange(refused, 8 * (whole.Length - 24), 8 * whole.Length);
+    }
+
+    [Fact]
     public void ReadRgb_of_a_grey_picture_names_the_expected_kind()
     {
         File.WriteAllBytes(_path, TestImages.Png(2, 2, bitDepth: 16, colourType: 0));
