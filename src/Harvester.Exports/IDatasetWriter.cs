@@ -1,3 +1,4 @@
+using Harvester.Exports.Aggregates;
 using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Exports;
@@ -17,4 +18,7 @@ public interface IDatasetWriter
     /// <summary>The files to assemble at the end.</summary>
     /// <param name="parts">Names and numbers of the parts that frames wrote, in ordinal order.</param>
     IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts);
+
+    /// <summary>Further files to assemble at the end, several in one pass over their parts.</summary>
+    IEnumerable<AggregateTables> Tables => [];
 }

@@ -1,6 +1,7 @@
 using System.Text;
 using System.Text.Json;
 using Harvester.Datasets.Files;
+using Harvester.Exports.Aggregates;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Reading.Json;
@@ -134,13 +135,14 @@ internal static class DatasetAssembly
             FramesOfSplits = splits,
         };
         var readme = new AggregateFile(DatasetFolder.Readme, [AggregateSection.Literal(DatasetReadme.Of(options, result))]);
-        manifest.AddOthers(
-            format
-                .CreateWriter(options)
+        IDatasetWriter writer = format.CreateWriter(options);
+        manifest.AddOthers([
+            .. writer
                 .Aggregates(parts.Counts)
                 .Append(readme)
-                .Select(file => KeyValuePair.Create(file.Path, folder.Write(file.Path, stream => Write(stream, file, parts, folder))))
-        );
+                .Select(file => KeyValuePair.Create(file.Path, folder.Write(file.Path, stream => Write(stream, file, parts, folder)))),
+            .. writer.Tables.SelectMany(tables => Write(tables, parts, folder)),
+        ]);
         return result;
     }
 
@@ -175,51 +177,37 @@ internal static class DatasetAssembly
 
     private static void Write(Stream stream, AggregateFile file, PartStore parts, DatasetFolder folder)
     {
-        using var writer = new StreamWriter(stream, Utf8, leaveOpen: true);
+        using var output = new AggregateOutput(stream, parts, folder);
         foreach (AggregateSection section in file.Sections)
         {
-            writer.Write(section.Text);
-            if (section.WriteContainer is { } writeContainer)
+            section.Write(output);
+        }
+    }
+
+    /// <summary>Writes tables: opens one file within the other, then writes all of them.</summary>
+    private static Dictionary<string, FileDigest> Write(AggregateTables tables, PartStore parts, DatasetFolder folder)
+    {
+        var digests = new Dictionary<string, FileDigest>(StringComparer.Ordinal);
+        Open([]);
+        return digests;
+
+        void Open(IReadOnlyList<AggregateOutput> outputs)
+        {
+            if (outputs.Count == tables.Paths.Count)
             {
-                writer.Flush();
-                writeContainer(
-                    stream,
-                    parts.Read(section.Part!).Select(part => InputFile.ReadAllBytes(folder.PathOf(part), InputFile.MaxPictureBytes))
-                );
-                continue;
+                tables.Write([.. outputs.Select(output => output.Text)], parts.Read(tables.Part));
+                return;
             }
 
-            if (section.WriteBinary is { } writeBinary)
-            {
-                writer.Flush();
-                writeBinary(stream, parts.Read(section.Part!));
-                continue;
-            }
-
-            if (section.WriteSummary is { } writeSummary)
-            {
-                writeSummary(writer, parts.Read(section.Part!));
-                continue;
-            }
-
-            bool isFirst = true;
-            foreach (string part in section.Part is null ? [] : parts.Read(section.Part))
-            {
-                writer.Write(isFirst ? "" : section.Between);
-                isFirst = false;
-                if (section.AreFiles)
+            string path = tables.Paths[outputs.Count];
+            digests[path] = folder.Write(
+                path,
+                stream =>
                 {
-                    writer.Flush();
-                    using FileStream staged = InputFile.OpenRead(folder.PathOf(part));
-                    staged.CopyTo(stream);
+                    using var output = new AggregateOutput(stream, parts, folder);
+                    Open([.. outputs, output]);
                 }
-                else
-                {
-                    writer.Write(part);
-                }
-
-                writer.Write(section.After);
-            }
+            );
         }
     }
 

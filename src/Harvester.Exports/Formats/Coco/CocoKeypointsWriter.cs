@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Harvester.Exports.Aggregates;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;

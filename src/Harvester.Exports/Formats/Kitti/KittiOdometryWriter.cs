@@ -1,4 +1,5 @@
 using System.Globalization;
+using Harvester.Exports.Aggregates;
 using Harvester.Geometry;
 
 namespace Harvester.Exports.Formats.Kitti;

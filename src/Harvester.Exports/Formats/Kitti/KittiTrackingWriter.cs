@@ -1,3 +1,4 @@
+using Harvester.Exports.Aggregates;
 using Harvester.Geometry;
 
 namespace Harvester.Exports.Formats.Kitti;

@@ -1,3 +1,4 @@
+using Harvester.Exports.Aggregates;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Harvester.Exports.Aggregates;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;

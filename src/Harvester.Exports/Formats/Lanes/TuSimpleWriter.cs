@@ -1,3 +1,4 @@
+using Harvester.Exports.Aggregates;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading.Json;

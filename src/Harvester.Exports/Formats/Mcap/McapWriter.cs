@@ -1,3 +1,4 @@
+using Harvester.Exports.Aggregates;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;

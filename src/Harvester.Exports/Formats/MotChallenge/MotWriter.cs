@@ -1,3 +1,4 @@
+using Harvester.Exports.Aggregates;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Harvester.Exports.Aggregates;
 using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Exports.Formats.NuScenes;

@@ -49,7 +49,7 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
     private List<SessionProblem> All()
     {
         var problems = new List<SessionProblem>();
-        foreach (string table in NuScenesTables.All.Keys)
+        foreach (string table in NuScenesTables.Names)
         {
             if (ReadProblem(table) is { } problem && !IsList(table))
             {
@@ -83,9 +83,9 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
             problems.AddRange(GeometryProblems());
         }
 
-        if (!dataset.Has(FileOf(NuScenesMap.Offsets)))
+        if (!dataset.Has(FileOf(NuScenesMapOffsets.Name)))
         {
-            problems.Add(new SessionProblem(FileOf(NuScenesMap.Offsets), null, "it is missing."));
+            problems.Add(new SessionProblem(FileOf(NuScenesMapOffsets.Name), null, "it is missing."));
         }
 
         problems.AddRange(_tables["scene"].Values.SelectMany(scene => NuScenesCanBusCheck.Problems(dataset, scene.Text("name"))));
@@ -269,7 +269,7 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
             int scenes = 0;
             foreach (string split in dataset.Splits)
             {
-                string[] names = splits.Has(NuScenesTables.SplitOf(split)) ? splits.Texts(NuScenesTables.SplitOf(split)) : [];
+                string[] names = splits.Has(NuScenesSplits.NameOf(split)) ? splits.Texts(NuScenesSplits.NameOf(split)) : [];
                 if (Array.Find(names, name => !tokens.Contains(name)) is { } unknown)
                 {
                     return $"it has the unknown scene '{unknown}'.";

@@ -1,15 +1,11 @@
-using System.Text.Json;
+using Harvester.Exports.Aggregates;
 using Harvester.Geometry;
-using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Exports.Formats.NuScenes;
 
-/// <summary>The map masks, one for each scene, and the file that says where they lie in the world.</summary>
+/// <summary>The map masks, one for each scene.</summary>
 internal static class NuScenesMap
 {
-    /// <summary>Name of the file, in the folder of the tables, with the offset of each map.</summary>
-    public const string Offsets = "map_offset";
-
     private const string PartPrefix = "map ";
     private const char Separator = ';';
 
@@ -38,25 +34,6 @@ internal static class NuScenesMap
             .Where(part => part.StartsWith(PartPrefix, StringComparison.Ordinal) && hasSample(part[PartPrefix.Length..]))
             .Order(StringComparer.Ordinal)
             .Select((part, scene) => new AggregateFile(PathOf(NuScenesScene.NameOf(scene)), [AggregateSection.Binary(part, WriteMask)]));
-
-    /// <summary>Writes where each map lies.</summary>
-    public static void WriteOffsets(TextWriter writer, IEnumerable<string> lines) =>
-        NuScenesTables.Write(
-            writer,
-            NuScenesScene
-                .All(lines)
-                .Select(scene =>
-                    (Action<Utf8JsonWriter>)(
-                        json =>
-                        {
-                            json.WriteString("log_token", scene.LogToken);
-                            json.WriteString("filename", PathOf(scene.Name));
-                            json.Numbers("offset", [scene.Area.Offset.X, scene.Area.Offset.Y], 0);
-                            json.Numbers("size", [scene.Area.Width, scene.Area.Height], 0);
-                        }
-                    )
-                )
-        );
 
     private static void WriteMask(Stream stream, IEnumerable<string> lines)
     {

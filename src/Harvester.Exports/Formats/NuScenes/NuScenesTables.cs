@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Harvester.Exports.Aggregates;
 using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Exports.Formats.NuScenes;
@@ -8,46 +9,21 @@ internal static class NuScenesTables
 {
     private const string Date = "2020-01-01";
 
-    /// <summary>Makes the records of each table from the scenes.</summary>
-    public static IReadOnlyDictionary<string, Func<IEnumerable<NuScenesScene>, IEnumerable<Action<Utf8JsonWriter>>>> All { get; } =
-        new SortedDictionary<string, Func<IEnumerable<NuScenesScene>, IEnumerable<Action<Utf8JsonWriter>>>>(StringComparer.Ordinal)
-        {
-            ["attribute"] = _ => NuScenesClasses.Attributes.Select(name => Named(AttributeToken(name), name)),
-            ["calibrated_sensor"] = Calibrations,
-            ["category"] = _ => NuScenesClasses.Categories.Select(name => Named(CategoryToken(name), name)),
-            ["ego_pose"] = scenes => scenes.SelectMany(NuScenesDataTables.Poses),
-            ["instance"] = scenes => scenes.SelectMany(NuScenesObjectTables.Instances),
-            ["log"] = Logs,
-            ["map"] = Maps,
-            ["sample"] = scenes => scenes.SelectMany(NuScenesDataTables.Samples),
-            ["sample_annotation"] = scenes => scenes.SelectMany(NuScenesObjectTables.Annotations),
-            ["sample_data"] = scenes => scenes.SelectMany(NuScenesDataTables.Data),
-            ["scene"] = scenes => scenes.Select(Scene),
-            ["sensor"] = Sensors,
-            ["visibility"] = _ => NuScenesClasses.Visibilities.Select((visibility, index) => Visibility(index + 1, visibility.Level)),
-        };
+    /// <summary>Those of the format; the files after them are about splits and maps.</summary>
+    private const int TableCount = 13;
+
+    /// <summary>Names of the tables.</summary>
+    public static IReadOnlyList<string> Names { get; } = [.. Create().Take(TableCount).Select(table => table.Name)];
+
+    /// <summary>The tables, the splits and the places of the maps, of the parts of a name.</summary>
+    public static AggregateTables Of(string part) =>
+        new(part, [.. Create().Select(table => $"{NuScenesWriter.Version}/{table.Name}.json")], Write);
 
     /// <summary>The token of a category.</summary>
     public static string CategoryToken(string name) => NuScenesToken.Of("category", name);
 
     /// <summary>The token of an attribute.</summary>
     public static string AttributeToken(string name) => NuScenesToken.Of("attribute", name);
-
-    /// <summary>Writes a table: a record per line.</summary>
-    public static void Write(TextWriter writer, IEnumerable<Action<Utf8JsonWriter>> records) =>
-        WriteList(
-            writer,
-            records.Select(record =>
-                (Action<Utf8JsonWriter>)(
-                    json =>
-                    {
-                        json.WriteStartObject();
-                        record(json);
-                        json.WriteEndObject();
-                    }
-                )
-            )
-        );
 
     /// <summary>Writes a list: a value per line.</summary>
     public static void WriteList(TextWriter writer, IEnumerable<Action<Utf8JsonWriter>> values)
@@ -63,38 +39,55 @@ internal static class NuScenesTables
         writer.Write(before == "[\n" ? "[]\n" : "\n]\n");
     }
 
-    /// <summary>Writes splits.json: the scenes of each split, under names that no official split has.</summary>
-    public static void WriteSplits(TextWriter writer, IEnumerable<string> lines)
-    {
-        var splits = new SortedDictionary<string, List<string>>(StringComparer.Ordinal);
-        foreach (NuScenesScene scene in NuScenesScene.All(lines).Where(scene => scene.Keys.Count > 0))
-        {
-            string name = SplitOf(scene.Frames[0].Split);
-            splits.TryAdd(name, []);
-            splits[name].Add(scene.Name);
-        }
-
-        writer.Write(
-            JsonLine.Of(json =>
-            {
-                json.WriteStartObject();
-                foreach ((string name, List<string> scenes) in splits)
-                {
-                    json.WriteStartArray(name);
-                    scenes.ForEach(json.WriteStringValue);
-                    json.WriteEndArray();
-                }
-
-                json.WriteEndObject();
-            }) + "\n"
-        );
-    }
-
-    /// <summary>The name of a split in splits.json.</summary>
-    public static string SplitOf(string split) => $"gta_{split}";
-
     /// <summary>Writes the link from a record to another one; an empty text at the ends of a chain.</summary>
     public static void Link(this Utf8JsonWriter json, string name, string? token) => json.WriteString(name, token ?? "");
+
+    private static NuScenesTable[] Create()
+    {
+        var calibrated = new HashSet<string>(StringComparer.Ordinal);
+        var sensors = new HashSet<string>(StringComparer.Ordinal);
+        return
+        [
+            new NuScenesRecords("attribute", None, NuScenesClasses.Attributes.Select(name => Named(AttributeToken(name), name))),
+            new NuScenesRecords("calibrated_sensor", scene => Calibrations(scene, calibrated)),
+            new NuScenesRecords("category", None, NuScenesClasses.Categories.Select(name => Named(CategoryToken(name), name))),
+            new NuScenesRecords("ego_pose", NuScenesDataTables.Poses),
+            new NuScenesRecords("instance", NuScenesObjectTables.Instances),
+            new NuScenesRecords("log", scene => [Log(scene)]),
+            new NuScenesRecords("map", scene => [Map(scene)]),
+            new NuScenesRecords("sample", NuScenesDataTables.Samples),
+            new NuScenesRecords("sample_annotation", NuScenesObjectTables.Annotations),
+            new NuScenesRecords("sample_data", NuScenesDataTables.Data),
+            new NuScenesRecords("scene", scene => [Scene(scene)]),
+            new NuScenesRecords("sensor", scene => Sensors(scene, sensors)),
+            new NuScenesRecords(
+                "visibility",
+                None,
+                NuScenesClasses.Visibilities.Select((visibility, index) => Visibility(index + 1, visibility.Level))
+            ),
+            new NuScenesSplits(),
+            new NuScenesRecords(NuScenesMapOffsets.Name, scene => [NuScenesMapOffsets.Of(scene)]),
+        ];
+    }
+
+    private static void Write(IReadOnlyList<TextWriter> writers, IEnumerable<string> parts)
+    {
+        NuScenesTable[] tables = Create();
+        foreach (NuScenesScene scene in NuScenesScene.All(parts))
+        {
+            foreach ((NuScenesTable table, TextWriter writer) in tables.Zip(writers))
+            {
+                table.Add(writer, scene);
+            }
+        }
+
+        foreach ((NuScenesTable table, TextWriter writer) in tables.Zip(writers))
+        {
+            table.End(writer);
+        }
+    }
+
+    private static IEnumerable<Action<Utf8JsonWriter>> None(NuScenesScene scene) => [];
 
     private static Action<Utf8JsonWriter> Named(string token, string name) =>
         json =>
@@ -124,70 +117,57 @@ internal static class NuScenesTables
             json.WriteString("description", scene.Frames[0].Description);
         };
 
-    private static IEnumerable<Action<Utf8JsonWriter>> Logs(IEnumerable<NuScenesScene> scenes) =>
-        scenes.Select(scene =>
-            (Action<Utf8JsonWriter>)(
-                json =>
-                {
-                    string log = NuScenesWriter.LogOf(scene.Recording, scene.Frames[0].Place);
-                    json.WriteString("token", scene.LogToken);
-                    json.WriteString("logfile", log);
-                    json.WriteString("vehicle", "gta");
-                    json.WriteString("date_captured", Date);
-                    json.WriteString("location", log);
-                }
-            )
-        );
-
-    private static IEnumerable<Action<Utf8JsonWriter>> Maps(IEnumerable<NuScenesScene> scenes) =>
-        scenes.Select(scene =>
-            (Action<Utf8JsonWriter>)(
-                json =>
-                {
-                    json.WriteString("token", NuScenesToken.Of("map", scene.Number));
-                    json.WriteString("category", "semantic_prior");
-                    json.WriteString("filename", NuScenesMap.PathOf(scene.Name));
-                    json.WriteStartArray("log_tokens");
-                    json.WriteStringValue(scene.LogToken);
-                    json.WriteEndArray();
-                }
-            )
-        );
-
-    private static IEnumerable<Action<Utf8JsonWriter>> Sensors(IEnumerable<NuScenesScene> scenes) =>
-        scenes
-            .SelectMany(scene => scene.Frames)
-            .SelectMany(frame => frame.Sensors)
-            .Select(sensor => (sensor.Channel, sensor.IsCamera))
-            .Distinct()
-            .Select(sensor =>
-                (Action<Utf8JsonWriter>)(
-                    json =>
-                    {
-                        json.WriteString("token", SensorToken(sensor.Channel));
-                        json.WriteString("channel", sensor.Channel);
-                        json.WriteString("modality", sensor.IsCamera ? "camera" : "lidar");
-                    }
-                )
-            );
-
-    private static IEnumerable<Action<Utf8JsonWriter>> Calibrations(IEnumerable<NuScenesScene> scenes)
-    {
-        var written = new HashSet<string>(StringComparer.Ordinal);
-        foreach (NuScenesScene scene in scenes)
+    private static Action<Utf8JsonWriter> Log(NuScenesScene scene) =>
+        json =>
         {
-            foreach (NuScenesSensor sensor in scene.Frames.SelectMany(frame => frame.Sensors))
+            string log = NuScenesWriter.LogOf(scene.Recording, scene.Frames[0].Place);
+            json.WriteString("token", scene.LogToken);
+            json.WriteString("logfile", log);
+            json.WriteString("vehicle", "gta");
+            json.WriteString("date_captured", Date);
+            json.WriteString("location", log);
+        };
+
+    private static Action<Utf8JsonWriter> Map(NuScenesScene scene) =>
+        json =>
+        {
+            json.WriteString("token", NuScenesToken.Of("map", scene.Number));
+            json.WriteString("category", "semantic_prior");
+            json.WriteString("filename", NuScenesMap.PathOf(scene.Name));
+            json.WriteStartArray("log_tokens");
+            json.WriteStringValue(scene.LogToken);
+            json.WriteEndArray();
+        };
+
+    private static IEnumerable<Action<Utf8JsonWriter>> Sensors(NuScenesScene scene, HashSet<string> written)
+    {
+        foreach (NuScenesSensor sensor in scene.Frames.SelectMany(frame => frame.Sensors))
+        {
+            if (written.Add(sensor.Channel))
             {
-                string token = scene.CalibrationTokenOf(sensor.Channel);
-                if (written.Add(token))
+                yield return json =>
                 {
-                    yield return json =>
-                    {
-                        json.WriteString("token", token);
-                        json.WriteString("sensor_token", SensorToken(sensor.Channel));
-                        NuScenesDataTables.WriteFields(json, sensor.Calibration);
-                    };
-                }
+                    json.WriteString("token", SensorToken(sensor.Channel));
+                    json.WriteString("channel", sensor.Channel);
+                    json.WriteString("modality", sensor.IsCamera ? "camera" : "lidar");
+                };
+            }
+        }
+    }
+
+    private static IEnumerable<Action<Utf8JsonWriter>> Calibrations(NuScenesScene scene, HashSet<string> written)
+    {
+        foreach (NuScenesSensor sensor in scene.Frames.SelectMany(frame => frame.Sensors))
+        {
+            string token = scene.CalibrationTokenOf(sensor.Channel);
+            if (written.Add(token))
+            {
+                yield return json =>
+                {
+                    json.WriteString("token", token);
+                    json.WriteString("sensor_token", SensorToken(sensor.Channel));
+                    NuScenesDataTables.WriteFields(json, sensor.Calibration);
+                };
             }
         }
     }

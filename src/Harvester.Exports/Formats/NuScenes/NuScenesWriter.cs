@@ -1,4 +1,5 @@
 using System.Text;
+using Harvester.Exports.Aggregates;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;
@@ -110,19 +111,10 @@ internal sealed class NuScenesWriter : IDatasetWriter
         return new WrittenObjects(isKey ? objects.Length : 0);
     }
 
+    public IEnumerable<AggregateTables> Tables => [NuScenesTables.Of(FramePart)];
+
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
         [
-            .. NuScenesTables.All.Select(table => new AggregateFile(
-                $"{Version}/{table.Key}.json",
-                [
-                    AggregateSection.Summary(
-                        FramePart,
-                        (writer, lines) => NuScenesTables.Write(writer, table.Value(NuScenesScene.All(lines)))
-                    ),
-                ]
-            )),
-            new AggregateFile($"{Version}/splits.json", [AggregateSection.Summary(FramePart, NuScenesTables.WriteSplits)]),
-            new AggregateFile($"{Version}/{NuScenesMap.Offsets}.json", [AggregateSection.Summary(FramePart, NuScenesMap.WriteOffsets)]),
             .. NuScenesCanBus.Files(parts.Keys, place => parts.ContainsKey(KeyPrefix + place)),
             .. NuScenesMap.Files(parts.Keys, place => parts.ContainsKey(KeyPrefix + place)),
         ];

@@ -1,3 +1,5 @@
+using Harvester.Exports.Aggregates;
+
 namespace Harvester.Exports.Formats.OpenLabel;
 
 /// <summary>Writes ASAM OpenLABEL: a file per place, and its images. See docs/exports/openlabel.md.</summary>

@@ -1,4 +1,5 @@
 using System.Text;
+using Harvester.Exports.Aggregates;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Lidar;

@@ -1,3 +1,4 @@
+using Harvester.Exports.Aggregates;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Reading.Json;

@@ -1,4 +1,5 @@
 using System.Text;
+using Harvester.Exports.Aggregates;
 
 namespace Harvester.Exports.Formats.Yolo;
 

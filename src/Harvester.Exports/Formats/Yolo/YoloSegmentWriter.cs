@@ -1,4 +1,5 @@
 using Harvester.Datasets.Masks.Pixels;
+using Harvester.Exports.Aggregates;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Exports.Formats.Yolo;

@@ -1,4 +1,4 @@
-namespace Harvester.Exports;
+namespace Harvester.Exports.Aggregates;
 
 /// <summary>A file of a dataset that is assembled from parts of all frames.</summary>
 /// <param name="Path">Path within the dataset, with forward slashes.</param>

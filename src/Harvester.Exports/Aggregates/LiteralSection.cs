@@ -1,0 +1,7 @@
+namespace Harvester.Exports.Aggregates;
+
+/// <summary>A fixed text.</summary>
+internal sealed class LiteralSection(string text) : AggregateSection
+{
+    internal override void Write(IAggregateOutput output) => output.Text.Write(text);
+}
