@@ -3,7 +3,7 @@ using Harvester.Play.Tapes;
 
 namespace Harvester.Play.Features;
 
-/// <summary>The first messages of the mod, in its first tick: the head of the log, and what is wrong with the files beside the mod.</summary>
+/// <summary>The first messages of the mod, in its first tick: the head of the log, and the problems of the files beside the mod.</summary>
 /// <param name="versions">The mod, the API and the game with their versions.</param>
 /// <param name="folder">The files beside the mod.</param>
 /// <param name="window">The game's window; null if it is unknown.</param>

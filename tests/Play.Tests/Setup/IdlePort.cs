@@ -2,7 +2,7 @@ using System.Reflection;
 
 namespace Harvester.Play.Tests.Setup;
 
-/// <summary>A port of a game in which nothing happens: each member returns its default, or what the test answers by the member's name.</summary>
+/// <summary>A port of a game in which nothing happens. Members return their defaults, or what the test gives for their names.</summary>
 public class IdlePort : DispatchProxy
 {
     private List<string> _calls = [];
