@@ -20,8 +20,7 @@ public sealed class ModFeatures
     private readonly IGameAdapters _adapters;
     private readonly FeatureRules _rules;
     private readonly MeasuredFaces _faces;
-    private readonly GamePorts _game;
-    private readonly IProps _props;
+    private readonly HarvestPorts _ports;
     private readonly PlayerCar _driven;
 
     /// <summary>Makes the features; all are off.</summary>
@@ -42,51 +41,28 @@ public sealed class ModFeatures
         adapters.Time.Method = player.Options.FreezeBy ?? FreezeMethod.Paused;
         Car = new TestCar(player, messages, adapters.Models, adapters.Vehicles, setup.Clock);
         Mount = new CameraMount(player, messages, adapters.Cameras, adapters.Vehicles);
-        GameScene scene = adapters.SceneAround(Mount, () => Harvest!.Faces, () => Harvest!.HasRig);
-        _props = scene.Props;
-        var hidden = new HiddenEntities(adapters.ShownEntities, folder.HiddenPath, messages, () => Harvest!.IsOn || SelfTest!.IsOn);
-        var hud = new HiddenHud(adapters.Hud, adapters.Display, _rules.TakesPictures);
-        var markers = new DrawnMarkers(adapters.Display);
-        var sheets = new DrawnSheets(adapters.Display);
-        var card = new DrawnCard(adapters.Display);
-        var roads = new GrowingRoads(player.LaneWidthMetres, player.NarrowLaneWidthMetres);
-        LightControl lights = MakeLights(scene.World);
-        _game = new GamePorts(scene.World, adapters.Rays, setup.Screen, adapters.Time, setup.Clock, markers)
-        {
-            Roads = roads,
-            Lights = lights,
-            MountedCamera = Mount,
-            RigCamera = Mount,
-            SurfaceRays = adapters.Rays,
-            Visibility = hidden,
-            Sky = new PlayerSky(adapters.Controls, scene.World) { Kept = () => Plan?.Weather },
-            Sheets = sheets,
-            Hud = hud,
-            Card = card,
-            Calls = adapters.Calls,
-            Reading = adapters.Reading,
-        };
-        _driven = new PlayerCar(adapters.Controls, adapters.Vehicles, Mount, scene.World);
+        _ports = new HarvestPorts(setup, adapters, this, _rules);
+        _driven = new PlayerCar(adapters.Controls, adapters.Vehicles, Mount, _ports.Scene.World);
         Drive = MakeDrive();
-        Harvest = new Harvest(player.Options, player.Folder, messages, Mount, _game, Origin)
+        Harvest = new Harvest(player.Options, player.Folder, messages, Mount, _ports.Game, Origin)
         {
             Problem = () => _rules.Problem() ?? folder.RigProblem,
             FacesInUse = () => _faces.InUse,
         };
-        Calibration = new LensCalibration(Harvest, _game, Mount, messages, folder.SettingsPath);
-        SelfTest = new SelfTesting(Harvest, _game, Mount, messages, player.Folder, folder.SettingsPath, Origin)
+        Calibration = new LensCalibration(Harvest, _ports.Game, Mount, messages, folder.SettingsPath);
+        SelfTest = new SelfTesting(Harvest, _ports.Game, Mount, messages, player.Folder, folder.SettingsPath, Origin)
         {
             Obstacle = _rules.DriveObstacle,
         };
-        Overlay = new Overlay(Harvest, _game, messages, new OverlayReader(scene.Sight), adapters.Display)
+        Overlay = new Overlay(Harvest, _ports.Game, messages, new OverlayReader(_ports.Scene.Sight), adapters.Display)
         {
             IsPictureNear = _rules.IsPictureNear,
         };
-        Roads = MakeRoadSurvey(roads);
+        Roads = MakeRoadSurvey();
         Signs = MakeSignSurvey();
         Marking = MakeMarking();
         Plan = MakePlan();
-        UnknownModels = new UnknownModelsList(scene.World, _props, () => _faces.InUse, player.FacesFolder, messages)
+        UnknownModels = new UnknownModelsList(_ports.Scene.World, _ports.Scene.Props, () => _faces.InUse, player.FacesFolder, messages)
         {
             Problem = _rules.Problem,
         };
@@ -97,18 +73,18 @@ public sealed class ModFeatures
             setup.RealTime,
             new GraphicsAdvice(() => GraphicsSettingsFile.Read(setup.GraphicsFile), messages),
             new FrozenWorld(adapters.Time, _rules.MayFreeze),
-            hidden,
-            hud,
-            sheets,
-            card,
+            _ports.Hidden,
+            _ports.Hud,
+            _ports.Sheets,
+            _ports.Card,
             Car,
             Plan,
             Mount,
             Harvest,
-            lights,
+            _ports.Lights,
             Calibration,
             SelfTest,
-            markers,
+            _ports.Markers,
             Roads,
             Signs,
             Marking,
@@ -161,20 +137,8 @@ public sealed class ModFeatures
     /// <summary>Runs the trials of a plan.</summary>
     public PlanFeature Plan { get; }
 
-    private LightControl MakeLights(IWorld world) =>
-        new(
-            world,
-            _adapters.TrafficLights,
-            _setup.Player.LightOrder,
-            _setup.Player.Options.RangeMetres,
-            _setup.Player.Options.MaxPictureLagTicks + 2
-        )
-        {
-            IsWanted = () => _setup.Player.DrivesLights && Harvest.IsOn,
-        };
-
     private BridgeFeature MakeDrive() =>
-        new(_setup.Player.Bridge, _game, _driven, Mount, _adapters.Display, _setup.Messages)
+        new(_setup.Player.Bridge, _ports.Game, _driven, Mount, _adapters.Display, _setup.Messages)
         {
             Obstacle = _rules.DriveObstacle,
             Recording = _setup.Player.Bridge.RecordSeconds is { } seconds ? MakeRecording(1 / seconds) : null,
@@ -189,7 +153,7 @@ public sealed class ModFeatures
             },
             _setup.Player.Folder,
             _setup.Messages,
-            _game,
+            _ports.Game,
             _driven,
             Origin,
             _setup.Player.Bridge.RecordLagTicks
@@ -198,18 +162,18 @@ public sealed class ModFeatures
             FacesInUse = () => _faces.InUse,
         };
 
-    private RoadSurveying MakeRoadSurvey(GrowingRoads roads)
+    private RoadSurveying MakeRoadSurvey()
     {
         if (_setup.Player.RoadFile is { } file)
         {
-            roads.Prepare(() => RoadSurveyFile.Load(file) ?? throw new FileNotFoundException($"There is no {file}."), "roadFile");
+            _ports.Roads.Prepare(() => RoadSurveyFile.Load(file) ?? throw new FileNotFoundException($"There is no {file}."), "roadFile");
         }
 
         return new RoadSurveying(
             _adapters.Roads,
             () => _adapters.PlayerPosition,
             _setup.Player.SurveyFile,
-            roads,
+            _ports.Roads,
             _setup.Messages,
             _setup.Clock
         )
@@ -223,7 +187,7 @@ public sealed class ModFeatures
         new(
             _adapters.Stage,
             _setup.Player.TakesPhotographs
-                ? new SurveyCamera(_adapters.Cameras, _setup.Screen, () => _game.World.ReadCamera().WindowAspect)
+                ? new SurveyCamera(_adapters.Cameras, _setup.Screen, () => _ports.Game.World.ReadCamera().WindowAspect)
                 : null,
             SurveyedModels.ToMeasure(_setup.Folder.ShippedFaces, _setup.Player.FurtherModels),
             _faces,
@@ -236,8 +200,8 @@ public sealed class ModFeatures
 
     private FaceMarking MakeMarking() =>
         new(
-            _game,
-            _props,
+            _ports.Game,
+            _ports.Scene.Props,
             SignName.Choices(_setup.Player.SignNames, _setup.Folder.ShippedFaces),
             _setup.Folder.ShippedFaces,
             _faces,
@@ -260,7 +224,7 @@ public sealed class ModFeatures
                 Controls = _adapters.Controls,
                 Car = new TrialCar(_adapters.Vehicles, _adapters.Models, _adapters.Trials, ModelHash.Of(_setup.Player.CarModel)),
                 Driven = _driven,
-                World = _game.World,
+                World = _ports.Game.World,
                 Roads = _adapters.Roads,
                 Settling = new PictureSettling(_setup.Screen, _setup.Clock),
                 Harvest = new TrialHarvest(Harvest, Mount, _setup.Messages),
