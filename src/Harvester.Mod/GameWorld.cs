@@ -1,6 +1,7 @@
 using GTA.Native;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
+using Harvester.Geometry.Work;
 using Harvester.Play.Features;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Scenes;
@@ -89,12 +90,17 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
     }
 
     /// <inheritdoc/>
-    public IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range) =>
-        [.. ReadEntitiesInSteps(centre, range).OfType<EntityState>()];
+    public IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range)
+    {
+        var entities = new List<EntityState>();
+        WorkRun.Complete(ReadEntitiesInSteps(centre, range, entities));
+        return entities;
+    }
 
     /// <inheritdoc/>
-    public IEnumerable<EntityState?> ReadEntitiesInSteps(Vector3D centre, double range)
+    public IEnumerable<WorkStep> ReadEntitiesInSteps(Vector3D centre, double range, List<EntityState> entities)
     {
+        var joints = new WorkResult<Skeleton>();
         // Each native is called once: on release 3.6.0 one takes about 19 microseconds, and a street has dozens of peds.
         _still.Begin(TimeSeconds);
         int player = Natives.PlayerPed();
@@ -106,7 +112,7 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
             PedRole role = known ?? RoleOf(ped, player);
             if (known is null)
             {
-                yield return null;
+                yield return WorkStep.Pause;
                 if (place is { } at)
                 {
                     _still.Add(ped, at, role);
@@ -126,41 +132,37 @@ internal sealed class GameWorld : IStepwiseWorld, IProps
 
             if (state is not null && IsForJoints(state, centre) && _bones.HasAll(ped))
             {
-                Skeleton? skeleton = null;
-                foreach (Skeleton? joints in PedBones.ReadInSteps(ped, _still.JointsOf(ped)))
-                {
-                    if (joints is null)
-                    {
-                        yield return null;
-                    }
-
-                    skeleton = joints;
-                }
-
-                _still.Add(ped, skeleton!);
-                state = state with { Skeleton = skeleton };
+                yield return WorkStep.Do(PedBones.ReadInSteps(ped, _still.JointsOf(ped), joints));
+                _still.Add(ped, joints.Value!);
+                state = state with { Skeleton = joints.Value };
 
                 // The bones of a ped that has disappeared meanwhile are at the world's origin.
                 state = Natives.EntityExists(ped) ? state : null;
             }
 
-            yield return state;
+            Add(state);
+            yield return WorkStep.Pause;
         }
 
         foreach (int machine in Near(EntityKind.Vehicle, centre, range))
         {
             EntityState? state = Read(machine, EntityKind.Vehicle, Natives.EntityMatrix(machine));
-            yield return state is not null && VehicleClasses.HaveRiders(state.Class)
-                ? state with
-                {
-                    HasRider = occupied.Contains(machine),
-                }
-                : state;
+            Add(state is not null && VehicleClasses.HaveRiders(state.Class) ? state with { HasRider = occupied.Contains(machine) } : state);
+            yield return WorkStep.Pause;
         }
 
         foreach (int prop in Near(EntityKind.Prop, centre, range))
         {
-            yield return Read(prop, EntityKind.Prop, Natives.EntityMatrix(prop));
+            Add(Read(prop, EntityKind.Prop, Natives.EntityMatrix(prop)));
+            yield return WorkStep.Pause;
+        }
+
+        void Add(EntityState? state)
+        {
+            if (state is not null)
+            {
+                entities.Add(state);
+            }
         }
     }
 

@@ -1,18 +1,13 @@
-using System.Globalization;
 using System.Windows.Forms;
 using GTA;
-using GTA.Native;
 using GTA.UI;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Play.Features;
-using Harvester.Play.Plans;
 using Harvester.Play.Screen;
 using Harvester.Play.Screen.Windows;
-using Harvester.Play.SelfTests;
 using Harvester.Play.Settings;
-using Harvester.Play.Surveys.Faces;
-using Harvester.Play.Surveys.Roads;
+using Harvester.Play.Setup;
 using Harvester.Play.Tapes;
 using Harvester.Sessions.Scenes;
 
@@ -26,22 +21,11 @@ namespace Harvester.Mod;
 public sealed class HarvesterScript : Script
 #pragma warning restore CA1001
 {
-    private readonly GameBuild _build;
-    private readonly PlayerMessages _messages;
-    private readonly IGameWindow? _window;
-    private readonly ModFolder _folder;
-    private readonly Harvest _harvest;
-    private readonly LensCalibration _calibration;
-    private readonly BridgeFeature _drive;
-    private readonly FaceSurveying _signs;
-    private readonly PlanFeature _plan;
-    private readonly SelfTesting _selfTest;
-    private readonly FeatureSet _features;
+    private readonly ModFeatures _features;
     private readonly KeyBindings<Keys> _keys;
-    private readonly TickGaps _gaps;
+    private readonly Greeting _greeting;
     private readonly TapeRecorder? _tape;
     private readonly IBackgroundWatch? _work;
-    private bool _greeted;
     private int _aborted;
 
     /// <summary>Reads the settings; the game is not used yet.</summary>
@@ -64,14 +48,14 @@ public sealed class HarvesterScript : Script
         IBackgroundWatch? work = null
     )
     {
+        var window = screen as IGameWindow;
         IClock realTime = clock;
-        _build = build;
-        _window = screen as IGameWindow;
-        _folder = new ModFolder(BaseDirectory);
-        _messages = new PlayerMessages(BaseDirectory, message => Notification.Show(GameText.Plain(message)), clock);
-        PlayerSettings player = PlayerSettings.Read(_folder.Settings, BaseDirectory);
-        player = player with { Options = GameRig.AppliedTo(player.Options with { Materials = _folder.Materials }, _folder.Rig) };
-        _tape = api is null ? ScriptTape.Start(_folder, player, BaseDirectory, build, clock, _messages) : null;
+        string tool = $"GtaDataHarvester {typeof(HarvesterScript).Assembly.GetName().Version}";
+        var folder = new ModFolder(BaseDirectory);
+        var messages = new PlayerMessages(BaseDirectory, message => Notification.Show(GameText.Plain(message)), clock);
+        PlayerSettings player = PlayerSettings.Read(folder.Settings, BaseDirectory);
+        player = player with { Options = GameRig.AppliedTo(player.Options with { Materials = folder.Materials }, folder.Rig) };
+        _tape = api is null ? ScriptTape.Start(folder, player, BaseDirectory, build, clock, messages) : null;
         Natives.Game = api ?? (_tape is null ? new ScriptApi() : new TapedApi(new ScriptApi(), _tape));
         _work = work ?? (_tape is null ? null : new TapedBackground(_tape));
         if (_tape is not null)
@@ -79,194 +63,29 @@ public sealed class HarvesterScript : Script
             (screen, clock) = (new TapedScreen(screen, _tape), new TapedClock(clock, _tape));
         }
 
-        if (_folder.Rig is { } rig)
-        {
-            foreach (string warning in GameRig.LensWarnings(rig))
+        _features = new ModFeatures(
+            new ModSetup
             {
-                _folder.Complain(warning);
-            }
-        }
-        var measured = new MeasuredFaces(player.FacesFolder, _folder.ShippedFaces, _folder.FacesWith(player.FacesFolder));
-        var display = new GameDisplay();
-        var time = new GameTime(GameFreeze.Set, () => Natives.Call<int>(Hash.GET_GAME_TIMER))
-        {
-            Method = player.Options.FreezeBy ?? FreezeMethod.Paused,
-        };
-        var rays = new GameRays();
-        var reading = new ReadingRecord();
-        var calls = new GameCalls(rays);
-        var markers = new DrawnMarkers(display);
-        var sheets = new DrawnSheets(display);
-        var hud = new HiddenHud(new GameHud(), display, TakesPictures);
-        var card = new DrawnCard(display);
-        var roads = new GrowingRoads(player.LaneWidthMetres, player.NarrowLaneWidthMetres);
-        var vehicles = new GameVehicles();
-        var models = new GameModels();
-        var cameras = new GameCameras(build);
-        var car = new TestCar(player, _messages, models, vehicles, clock);
-        var mount = new CameraMount(player, _messages, cameras, vehicles);
-        var nearby = new NearbyEntities(build, new NativeLists(time, rays), reading, _messages);
-        var hidden = new HiddenEntities(
-            new GameShownEntities(nearby),
-            _folder.HiddenPath,
-            _messages,
-            () => _harvest!.IsOn || _selfTest!.IsOn
-        );
-        var world = new GameWorld(mount, time, rays, models, () => _harvest!.Faces, nearby, reading)
-        {
-            LooksAround = () => _harvest!.HasRig,
-        };
-        var lights = new LightControl(
-            world,
-            new GameTrafficLights(),
-            player.LightOrder,
-            player.Options.RangeMetres,
-            player.Options.MaxPictureLagTicks + 2
-        )
-        {
-            IsWanted = () => player.DrivesLights && _harvest!.IsOn,
-        };
-        var controls = new GameCarControls();
-        var game = new GamePorts(world, rays, screen, time, clock, markers)
-        {
-            Roads = roads,
-            Lights = lights,
-            MountedCamera = mount,
-            RigCamera = mount,
-            SurfaceRays = rays,
-            Visibility = hidden,
-            Sky = new PlayerSky(controls, world) { Kept = () => _plan?.Weather },
-            Sheets = sheets,
-            Hud = hud,
-            Card = card,
-            Calls = calls,
-            Reading = reading,
-        };
-        var driven = new PlayerCar(controls, vehicles, mount, world);
-        _drive = new BridgeFeature(player.Bridge, game, driven, mount, display, _messages)
-        {
-            Obstacle = DriveObstacle,
-            Recording = player.Bridge.RecordSeconds is { } seconds
-                ? new BridgeRecording(
-                    1 / seconds,
-                    player.Options with
-                    {
-                        Image = player.Bridge.Driving.Picture,
-                    },
-                    player.Folder,
-                    _messages,
-                    game,
-                    driven,
-                    () => Origin(player),
-                    player.Bridge.RecordLagTicks
-                )
+                Folder = folder,
+                Player = player,
+                Messages = messages,
+                Screen = screen,
+                Clock = clock,
+                RealTime = realTime,
+                GraphicsFile = graphicsFile ?? GraphicsSettingsFile.PathOf(build.IsEnhanced),
+                Origin = new SessionOrigin
                 {
-                    FacesInUse = () => measured.InUse,
-                }
-                : null,
-        };
-        _harvest = new Harvest(player.Options, player.Folder, _messages, mount, game, () => Origin(player))
-        {
-            Problem = HarvestProblem,
-            FacesInUse = () => measured.InUse,
-        };
-        _calibration = new LensCalibration(_harvest, game, mount, _messages, _folder.SettingsPath);
-        _selfTest = new SelfTesting(_harvest, game, mount, _messages, player.Folder, _folder.SettingsPath, () => Origin(player))
-        {
-            Obstacle = DriveObstacle,
-        };
-        var overlay = new Overlay(_harvest, game, _messages, new OverlayReader(new GameSight(mount, world)), display)
-        {
-            IsPictureNear = IsPictureNear,
-        };
-        var survey = new RoadSurveying(
-            new GameRoadSource(),
-            () => Natives.EntityPosition(Natives.PlayerPed()),
-            player.SurveyFile,
-            roads,
-            _messages,
-            clock
-        )
-        {
-            GivesLanes = player.RoadFile is null,
-            AreLanesWanted = () => player.RoadFile is null && (overlay.IsOn || _drive.IsOn || _harvest.IsOn),
-        };
-        _signs = new FaceSurveying(
-            new GameStage(models, rays),
-            player.TakesPhotographs ? new SurveyCamera(cameras, screen, () => world.ReadCamera().WindowAspect) : null,
-            SurveyedModels.ToMeasure(_folder.ShippedFaces, player.FurtherModels),
-            measured,
-            _harvest,
-            mount,
-            _messages,
-            clock,
-            player.SurveyBudgetMilliseconds
+                    Game = build.Name,
+                    Tool = tool,
+                    Truth = LabelTruths.OfGame,
+                    Settings = [.. build.Settings, .. player.LaneSettings],
+                },
+            },
+            new ScriptGame(build, messages)
         );
-        var marking = new FaceMarking(
-            game,
-            world,
-            SignName.Choices(player.SignNames, _folder.ShippedFaces),
-            _folder.ShippedFaces,
-            measured,
-            display,
-            _messages
-        )
-        {
-            IsPictureNear = IsPictureNear,
-            IsHarvesting = () => _harvest.IsOn,
-        };
-        _plan = Plan(player, game, driven, mount, models, vehicles, clock);
-        var unknown = new UnknownModelsList(world, world, () => measured.InUse, player.FacesFolder, _messages) { Problem = Problem };
-        var line = new HarvestLine(_harvest, player.Folder, clock, display)
-        {
-            IsPictureNear = IsPictureNear,
-            SurveyLines =
-            [
-                () => _harvest.Warning,
-                () => _selfTest.Line,
-                () => _plan.Line,
-                () => survey.Line,
-                () => _signs.Line,
-                () => marking.Line,
-            ],
-        };
-        var frozen = new FrozenWorld(time, () => _harvest.IsOn || _calibration.IsOn || _drive.IsOn || _selfTest.IsOn);
-        string graphics = graphicsFile ?? GraphicsSettingsFile.PathOf(build.IsEnhanced);
-        var advice = new GraphicsAdvice(() => GraphicsSettingsFile.Read(graphics), _messages);
-        _features = new FeatureSet(
-            _messages,
-            calls,
-            realTime,
-            advice,
-            frozen,
-            hidden,
-            hud,
-            sheets,
-            card,
-            car,
-            _plan,
-            mount,
-            _harvest,
-            lights,
-            _calibration,
-            _selfTest,
-            markers,
-            survey,
-            _signs,
-            marking,
-            unknown,
-            _drive,
-            line,
-            overlay
-        );
-        if (player.RoadFile is { } file)
-        {
-            roads.Prepare(() => RoadSurveyFile.Load(file) ?? throw new FileNotFoundException($"There is no {file}."), "roadFile");
-        }
-
-        _gaps = new TickGaps(_messages, clock, () => _harvest.IsOn || _drive.IsOn || _plan.IsOn || _selfTest.IsOn);
-        _keys = new KeyBindings<Keys>(_folder, _features);
-        BindKeys(car, mount, overlay, survey, marking, unknown);
+        _greeting = new Greeting($"{tool}, API {build.Api}, {build.Name}", folder, window, _tape, messages);
+        _keys = new KeyBindings<Keys>(folder, _features.All);
+        BindKeys(_features);
         Tick += OnTick;
         KeyDown += OnKeyDown;
         KeyUp += OnKeyUp;
@@ -274,34 +93,27 @@ public sealed class HarvesterScript : Script
     }
 
     /// <summary>Whether work continues on another thread.</summary>
-    internal bool IsBusy => _features.IsBusy || _tape is { IsBusy: true };
+    internal bool IsBusy => _features.All.IsBusy || _tape is { IsBusy: true };
 
-    private void BindKeys(
-        TestCar car,
-        CameraMount mount,
-        Overlay overlay,
-        RoadSurveying survey,
-        FaceMarking marking,
-        UnknownModelsList unknown
-    )
+    private void BindKeys(ModFeatures features)
     {
-        _keys.Add("SpawnTestCar", Keys.NumPad0, car, car.Spawn);
-        _keys.Add("MountCamera", Keys.I, mount, mount.Mount);
-        _keys.Add("RestoreCamera", Keys.O, mount, mount.Stop);
-        _keys.Add("Harvest", Keys.J, _harvest, _harvest.Toggle);
-        _keys.Add("OneFrame", Keys.K, _harvest, _harvest.TakeOne);
-        _keys.Add("Overlay", Keys.L, overlay, overlay.Toggle);
-        _keys.Add("SelfTest", Keys.T, _selfTest, _selfTest.Toggle);
-        _keys.Add("Calibrate", Keys.NumPad1, _calibration, _calibration.Toggle);
-        _keys.Add("RoadSurvey", Keys.U, survey, survey.Toggle);
-        _keys.Add("Drive", Keys.N, _drive, _drive.Toggle);
-        _keys.Add("Plan", Keys.Decimal, _plan, _plan.Toggle);
-        _keys.Add("SpaceSurvey", Keys.Multiply, _signs, _signs.Toggle);
-        _keys.Add("MarkCorner", Keys.NumPad2, marking, marking.Mark);
-        _keys.Add("NextName", Keys.NumPad3, marking, marking.NextName);
-        _keys.Add("KeepFace", Keys.Y, marking, marking.Keep);
-        _keys.Add("UnknownModels", Keys.Divide, unknown, unknown.Look);
-        _keys.AddGoingDown("Bridge", "TakeBackKeys", [Keys.W, Keys.A, Keys.S, Keys.D, Keys.Space], _drive, _drive.TakeBack);
+        _keys.Add("SpawnTestCar", Keys.NumPad0, features.Car, features.Car.Spawn);
+        _keys.Add("MountCamera", Keys.I, features.Mount, features.Mount.Mount);
+        _keys.Add("RestoreCamera", Keys.O, features.Mount, features.Mount.Stop);
+        _keys.Add("Harvest", Keys.J, features.Harvest, features.Harvest.Toggle);
+        _keys.Add("OneFrame", Keys.K, features.Harvest, features.Harvest.TakeOne);
+        _keys.Add("Overlay", Keys.L, features.Overlay, features.Overlay.Toggle);
+        _keys.Add("SelfTest", Keys.T, features.SelfTest, features.SelfTest.Toggle);
+        _keys.Add("Calibrate", Keys.NumPad1, features.Calibration, features.Calibration.Toggle);
+        _keys.Add("RoadSurvey", Keys.U, features.Roads, features.Roads.Toggle);
+        _keys.Add("Drive", Keys.N, features.Drive, features.Drive.Toggle);
+        _keys.Add("Plan", Keys.Decimal, features.Plan, features.Plan.Toggle);
+        _keys.Add("SpaceSurvey", Keys.Multiply, features.Signs, features.Signs.Toggle);
+        _keys.Add("MarkCorner", Keys.NumPad2, features.Marking, features.Marking.Mark);
+        _keys.Add("NextName", Keys.NumPad3, features.Marking, features.Marking.NextName);
+        _keys.Add("KeepFace", Keys.Y, features.Marking, features.Marking.Keep);
+        _keys.Add("UnknownModels", Keys.Divide, features.UnknownModels, features.UnknownModels.Look);
+        _keys.AddGoingDown("Bridge", "TakeBackKeys", [Keys.W, Keys.A, Keys.S, Keys.D, Keys.Space], features.Drive, features.Drive.TakeBack);
     }
 
     private void OnTick(object? sender, EventArgs e)
@@ -310,10 +122,10 @@ public sealed class HarvesterScript : Script
             null,
             () =>
             {
-                Greet();
-                _gaps.Begin();
-                _features.Tick();
-                _gaps.End();
+                _greeting.Tick(_features.All);
+                _features.Gaps.Begin();
+                _features.All.Tick();
+                _features.Gaps.End();
             }
         );
     }
@@ -363,107 +175,8 @@ public sealed class HarvesterScript : Script
         if (Interlocked.Exchange(ref _aborted, 1) == 0)
         {
             _tape?.Finish();
-            _features.Finish();
+            _features.All.Finish();
             _tape?.Dispose();
         }
     }
-
-    private void Greet()
-    {
-        if (_greeted)
-        {
-            return;
-        }
-
-        _greeted = true;
-        _features.Try("The mod", LogHeaderLines);
-        foreach (string complaint in _folder.RigProblem is { } problem ? _folder.Complaints.Append(problem) : _folder.Complaints)
-        {
-            _messages.Tell(complaint);
-        }
-
-        if (_tape is { IsOn: true })
-        {
-            _messages.Tell(_tape.Greeting);
-        }
-    }
-
-    private void LogHeaderLines()
-    {
-        string versions = $"GtaDataHarvester {typeof(HarvesterScript).Assembly.GetName().Version}, API {_build.Api}, {_build.Name}";
-        foreach (string line in LogHeader.Lines(versions, _window, _folder.Settings.Changes))
-        {
-            _messages.Log(line);
-            if (line.StartsWith(LogHeader.Window, StringComparison.Ordinal) && line.Contains(WindowDescription.Hdr))
-            {
-                _messages.Tell("HDR is on in Windows: pictures may be overexposed. Switch it off, or check the colours by the self-test.");
-            }
-        }
-    }
-
-    private bool IsPictureNear() =>
-        _harvest.IsPictureNear || _calibration.IsOn || _drive.IsPictureNear || _signs.IsPictureNear || _selfTest.IsPictureNear;
-
-    private bool TakesPictures() => _harvest.IsOn || _calibration.IsOn || _signs.IsPictureNear || _drive.IsOn;
-
-    private string? Problem() =>
-        _selfTest.IsOn ? "The self-test is running: wait for its end, or end it by its key."
-        : _calibration.IsOn ? "The calibration is running: wait for its end."
-        : _signs.IsOn ? "The survey of signs is running: wait for its end, or end it by its key."
-        : null;
-
-    private string? HarvestProblem() => Problem() ?? _folder.RigProblem;
-
-    private string? DriveObstacle() =>
-        _plan.IsOn ? "A plan is running: end it by its key first."
-        : _harvest.IsOn ? "End the harvest first, then let a client drive."
-        : Problem();
-
-    private PlanFeature Plan(
-        PlayerSettings player,
-        GamePorts game,
-        PlayerCar driven,
-        CameraMount mount,
-        GameModels models,
-        GameVehicles vehicles,
-        IClock clock
-    )
-    {
-        var trials = new GameTrials();
-        var controls = new GameCarControls();
-        return new PlanFeature(
-            player.PlanFile,
-            player.PlansFolder,
-            new TrialSurroundings
-            {
-                Game = trials,
-                Grip = new TrialGrip(trials, controls),
-                Controls = controls,
-                Car = new TrialCar(vehicles, models, trials, ModelHash.Of(player.CarModel)),
-                Driven = driven,
-                World = game.World,
-                Roads = new GameRoadSource(),
-                Settling = new PictureSettling(game.Screen, clock),
-                Harvest = new TrialHarvest(_harvest, mount, _messages),
-                Clock = clock,
-                Options = player.Options,
-                Log = _messages.Log,
-            },
-            _messages
-        )
-        {
-            Obstacle = () => _drive.IsOn ? "A client drives: end that first." : DriveObstacle(),
-            StartsByItself = player.StartsPlan,
-        };
-    }
-
-    private SessionOrigin Origin(PlayerSettings player) =>
-        new()
-        {
-            Game = _build.Name,
-            Tool = $"GtaDataHarvester {typeof(HarvesterScript).Assembly.GetName().Version}",
-            RecordedUtc = DateTime.UtcNow.ToString("yyyy-MM-ddTHH:mm:ssZ", CultureInfo.InvariantCulture),
-            Truth = LabelTruths.OfGame,
-            Settings = [.. _build.Settings, .. player.LaneSettings],
-        };
 }

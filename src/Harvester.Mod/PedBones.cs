@@ -1,6 +1,7 @@
 using GTA.Math;
 using GTA.Native;
 using Harvester.Geometry;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Mod;
@@ -65,12 +66,12 @@ internal sealed class PedBones
     /// <summary>Reads the joints in steps.</summary>
     /// <param name="ped">A ped whose model has all bones.</param>
     /// <param name="known">Its joints as they were, which are returned if head, hands and feet have not moved; null to read all.</param>
-    /// <returns>Null after each step; the joints at the end.</returns>
-    public static IEnumerable<Skeleton?> ReadInSteps(int ped, Skeleton? known)
+    /// <param name="read">Receives the joints.</param>
+    public static IEnumerable<WorkStep> ReadInSteps(int ped, Skeleton? known, WorkResult<Skeleton> read)
     {
         if (known is not null && Array.TrueForAll(Ends, joint => Read(ped, (int)joint) == known.Joints[(int)joint]))
         {
-            yield return known;
+            read.Value = known;
             yield break;
         }
 
@@ -80,12 +81,12 @@ internal sealed class PedBones
             joints[joint] = Read(ped, joint);
             if (joint % BonesOfAStep == 0)
             {
-                yield return null;
+                yield return WorkStep.Pause;
             }
         }
 
         joints[(int)Joint.HeadTop] = Skeleton.CrownOf(joints[(int)Joint.Neck], joints[(int)Joint.HeadCenter]);
-        yield return new Skeleton(joints);
+        read.Value = new Skeleton(joints);
     }
 
     private static Vector3D Read(int ped, int joint) =>

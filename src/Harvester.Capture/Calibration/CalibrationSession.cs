@@ -2,6 +2,7 @@ using Harvester.Capture.Faults;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.Calibration;
@@ -26,7 +27,7 @@ public sealed class CalibrationSession : IDisposable
     private readonly GamePorts _game;
     private readonly IMarkers _markers;
     private readonly MarkerSurvey _survey;
-    private readonly IEnumerator<CalibrationPhase> _run;
+    private readonly WorkRun _run;
 
     /// <summary>Creates a session. The game is not used before the first step.</summary>
     /// <param name="options">How to calibrate.</param>
@@ -38,7 +39,7 @@ public sealed class CalibrationSession : IDisposable
         _game = game ?? throw new ArgumentNullException(nameof(game));
         _markers = game.Markers ?? throw new ArgumentException("This game cannot draw markers.", nameof(game));
         _survey = new MarkerSurvey(options, game, _markers);
-        _run = Run().GetEnumerator();
+        _run = new WorkRun(Run());
     }
 
     /// <summary>The current phase.</summary>
@@ -63,7 +64,7 @@ public sealed class CalibrationSession : IDisposable
 
         try
         {
-            if (!_run.MoveNext())
+            if (!_run.Advance())
             {
                 End(CalibrationPhase.Done);
             }
@@ -91,36 +92,24 @@ public sealed class CalibrationSession : IDisposable
 
     private static CaptureFault Stopped(Exception exception) => new(FaultCode.Failed, $"The calibration stopped: {exception.Message}");
 
-    private IEnumerable<CalibrationPhase> Run()
+    private IEnumerable<WorkStep> Run()
     {
         _game.Pause.Freeze();
-        foreach (CalibrationPhase phase in _survey.Take(CoarseColumns, CoarseRows, Lens.Ideal))
-        {
-            yield return phase;
-        }
+        yield return WorkStep.Do(_survey.Take(CoarseColumns, CoarseRows, Lens.Ideal));
 
         ThrowIfLate();
-        foreach (CalibrationPhase phase in _survey.Identify(CoarseColumns, CoarseRows, Lens.Ideal))
-        {
-            yield return phase;
-        }
+        yield return WorkStep.Do(_survey.Identify(CoarseColumns, CoarseRows, Lens.Ideal));
 
         IReadOnlyList<Sighting> coarse = _survey.Sightings;
         int shown = _survey.Shown;
         LensFit fit = Fit(coarse, shown);
-        foreach (CalibrationPhase phase in _survey.Take(FineColumns, FineRows, fit.Lens))
-        {
-            yield return phase;
-        }
+        yield return WorkStep.Do(_survey.Take(FineColumns, FineRows, fit.Lens));
 
         ThrowIfLate();
         shown += _survey.Shown;
         IReadOnlyList<Sighting> fitted = [.. coarse, .. _survey.Sightings];
         fit = Fit(fitted, shown);
-        foreach (CalibrationPhase phase in _survey.Take(CheckColumns, CheckRows, fit.Lens))
-        {
-            yield return phase;
-        }
+        yield return WorkStep.Do(_survey.Take(CheckColumns, CheckRows, fit.Lens));
 
         ThrowIfLate();
         ReprojectionError validation = CalibrationJudge.Validate(

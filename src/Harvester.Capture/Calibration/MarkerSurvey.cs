@@ -2,6 +2,7 @@ using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
 
@@ -45,15 +46,12 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
     /// <param name="rows">Rows.</param>
     /// <param name="lens">The lens as far as it is known.</param>
     /// <exception cref="CalibrationException">The world does not stand still, or no image can be grabbed.</exception>
-    public IEnumerable<CalibrationPhase> Take(int columns, int rows, Lens lens)
+    public IEnumerable<WorkStep> Take(int columns, int rows, Lens lens)
     {
         Sightings = [];
         ExcessiveLagTicks = null;
         markers.Clear();
-        foreach (CalibrationPhase phase in Picture(_without))
-        {
-            yield return phase;
-        }
+        yield return WorkStep.Do(Picture(_without));
 
         CameraState state = game.World.ReadCamera();
         _camera = state;
@@ -64,15 +62,12 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
         {
             markers.Show(plan.Markers);
             long firstFrame = game.World.GameFrame + 1;
-            foreach (CalibrationPhase phase in Picture(_with))
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(Picture(_with));
 
             Sightings = MarkersIn(plan, camera.Pose);
-            foreach (CalibrationPhase phase in IsSeen ? [] : LateMarkers(plan, camera.Pose, firstFrame))
+            if (!IsSeen)
             {
-                yield return phase;
+                yield return WorkStep.Do(LateMarkers(plan, camera.Pose, firstFrame));
             }
         }
         finally
@@ -91,14 +86,11 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
     /// <param name="rows">Rows.</param>
     /// <param name="lens">The lens as far as it is known.</param>
     /// <exception cref="CalibrationException">The world does not stand still, or no image can be grabbed.</exception>
-    public IEnumerable<CalibrationPhase> Identify(int columns, int rows, Lens lens)
+    public IEnumerable<WorkStep> Identify(int columns, int rows, Lens lens)
     {
         Sightings = [];
         markers.Clear();
-        foreach (CalibrationPhase phase in Picture(_without))
-        {
-            yield return phase;
-        }
+        yield return WorkStep.Do(Picture(_without));
 
         CameraState state = game.World.ReadCamera();
         _camera = state;
@@ -111,10 +103,7 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
             for (int picture = 0; picture < MarkerCode.Pictures; picture++)
             {
                 markers.Show([.. plan.Markers.Where((_, marker) => MarkerCode.IsShown(marker, picture))]);
-                foreach (CalibrationPhase phase in Picture(_with))
-                {
-                    yield return phase;
-                }
+                yield return WorkStep.Do(Picture(_with));
 
                 identification.Add(picture, MarkerDetector.Find(_without, _with, options.MarkerRadiusPixels));
             }
@@ -159,11 +148,11 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
     /// <param name="plan">The markers.</param>
     /// <param name="camera">The camera, which does not move.</param>
     /// <param name="firstFrame">The first game frame whose state has the markers.</param>
-    private IEnumerable<CalibrationPhase> LateMarkers(MarkerPlan plan, Pose camera, long firstFrame)
+    private IEnumerable<WorkStep> LateMarkers(MarkerPlan plan, Pose camera, long firstFrame)
     {
         while (ExcessiveLagTicks is null && game.World.GameFrame < firstFrame + PictureLag.MaxTicks)
         {
-            yield return CalibrationPhase.Settling;
+            yield return WorkStep.Tick;
             (_without, _with) = (_with, _without);
             if (game.Screen.Grab(_with).Refusal is not null)
             {
@@ -176,15 +165,12 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
         }
     }
 
-    private IEnumerable<CalibrationPhase> Picture(PixelBuffer target)
+    private IEnumerable<WorkStep> Picture(PixelBuffer target)
     {
         string? refusal = null;
         for (int attempt = 0; attempt < GrabAttempts; attempt++)
         {
-            foreach (CalibrationPhase phase in Standstill())
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(Standstill());
 
             refusal = game.Screen.Grab(target).Refusal;
             if (refusal is null)
@@ -197,10 +183,10 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
     }
 
     /// <summary>Waits until the camera has stood still for as many game frames as the picture may be late.</summary>
-    private IEnumerable<CalibrationPhase> Standstill()
+    private IEnumerable<WorkStep> Standstill()
     {
         // What is shown from this tick on is part of the state of the next one.
-        yield return CalibrationPhase.Settling;
+        yield return WorkStep.Tick;
         CameraState first = game.World.ReadCamera();
         long since = game.World.GameFrame;
         for (int ticks = 0; game.World.GameFrame - since < options.MaxPictureLagTicks; ticks++)
@@ -210,7 +196,7 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
                 throw new CalibrationException("The camera does not stand still. Stop the car and try again.");
             }
 
-            yield return CalibrationPhase.Settling;
+            yield return WorkStep.Tick;
             CameraState now = game.World.ReadCamera();
             if (!Stands(first, now))
             {

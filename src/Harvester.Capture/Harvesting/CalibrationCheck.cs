@@ -4,6 +4,7 @@ using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.Harvesting;
@@ -36,7 +37,7 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
     /// <summary>Runs the check over several ticks; the game is frozen meanwhile.</summary>
     /// <exception cref="HarvestFaultException">The error of the model or the picture lag is larger than the options allow, or too few
     /// markers are visible.</exception>
-    public IEnumerable<HarvestPhase> Run()
+    public IEnumerable<WorkStep> Run()
     {
         if (options.MaxCalibrationErrorPixels is not { } allowed || game.Markers is not { } markers)
         {
@@ -53,10 +54,7 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
         game.Pause.Freeze();
         try
         {
-            foreach (CalibrationPhase phase in survey.Take(Columns, Rows, options.Lens))
-            {
-                yield return HarvestPhase.CheckingCalibration;
-            }
+            yield return WorkStep.Do(survey.Take(Columns, Rows, options.Lens));
         }
         finally
         {

@@ -5,6 +5,7 @@ using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.PixelMaps.Coded;
 using Harvester.Geometry.PixelMaps.Screens;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Harvesting;
@@ -55,7 +56,7 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
     /// <param name="camera">The camera of the frame.</param>
     /// <param name="targets">The objects of the frame.</param>
     /// <param name="picture">The picture with all objects; null for a frame of another shard, for which only time passes.</param>
-    public IEnumerable<HarvestPhase> Take(Camera camera, IReadOnlyList<MapTarget> targets, PixelBuffer? picture)
+    public IEnumerable<WorkStep> Take(Camera camera, IReadOnlyList<MapTarget> targets, PixelBuffer? picture)
     {
         Refusal = null;
         if (Warning is not null || targets.Count == 0)
@@ -73,7 +74,7 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
         IReadOnlyCollection<int>? hideable;
         while ((hideable = visibility.Announce([.. targets.Select(target => target.Entity)])) is null)
         {
-            yield return HarvestPhase.Photographing;
+            yield return WorkStep.Tick;
         }
 
         var allowed = new HashSet<int>(hideable);
@@ -85,10 +86,7 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
 
         if (_delay is null)
         {
-            foreach (HarvestPhase phase in MeasureDelay(visibility, hidden, picture ?? Grab()))
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(MeasureDelay(visibility, hidden, picture ?? Grab()));
         }
 
         if (_delay is { } delay && Refusal is null)
@@ -96,17 +94,11 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
             var screens = ScreenPlan.For(camera, hidden);
             if (_showsScreens is null && game.Sheets is { } sheets)
             {
-                foreach (HarvestPhase phase in TryScreens(sheets, screens, hidden, picture ?? Grab(), delay + SpareTicks))
-                {
-                    yield return phase;
-                }
+                yield return WorkStep.Do(TryScreens(sheets, screens, hidden, picture ?? Grab(), delay + SpareTicks));
             }
 
             IPicturePlan plan = _showsScreens == true ? screens : VisibilityCode.For(camera, hidden);
-            foreach (HarvestPhase phase in Photograph(visibility, plan, hidden, picture, delay + SpareTicks))
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(Photograph(visibility, plan, hidden, picture, delay + SpareTicks));
         }
     }
 
@@ -135,13 +127,7 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
     }
 
     /// <summary>Takes the pictures of a plan, and waits for each.</summary>
-    private IEnumerable<HarvestPhase> Photograph(
-        IVisibility visibility,
-        IPicturePlan plan,
-        MapTarget[] hidden,
-        PixelBuffer? picture,
-        int ticks
-    )
+    private IEnumerable<WorkStep> Photograph(IVisibility visibility, IPicturePlan plan, MapTarget[] hidden, PixelBuffer? picture, int ticks)
     {
         var pictures = new List<byte[]>();
         for (int number = 0; number < plan.PictureCount && Refusal is null; number++)
@@ -161,7 +147,7 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
 
             for (int tick = 0; number > 0 && tick < ticks; tick++)
             {
-                yield return HarvestPhase.Photographing;
+                yield return WorkStep.Tick;
             }
 
             if (picture is not null)
@@ -175,19 +161,19 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
         game.Sheets?.Clear();
         for (int tick = 0; tick < ticks; tick++)
         {
-            yield return HarvestPhase.Photographing;
+            yield return WorkStep.Tick;
         }
 
         Pictures = picture is null || Refusal is not null ? null : new CodedPictures(hidden, plan, pictures);
     }
 
     /// <summary>Shows the screens of all objects and looks whether the picture changes.</summary>
-    private IEnumerable<HarvestPhase> TryScreens(ISheets sheets, ScreenPlan plan, MapTarget[] targets, PixelBuffer before, int ticks)
+    private IEnumerable<WorkStep> TryScreens(ISheets sheets, ScreenPlan plan, MapTarget[] targets, PixelBuffer before, int ticks)
     {
         sheets.Show([.. Enumerable.Range(0, plan.PictureCount).SelectMany(plan.Sheets)]);
         for (int tick = 0; tick < ticks; tick++)
         {
-            yield return HarvestPhase.Photographing;
+            yield return WorkStep.Tick;
         }
 
         bool isChanged = ChangesBetween(before, Grab(), targets) > (2 * _noise) + ChangedPixels;
@@ -201,9 +187,9 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
     private static CaptureFault Unhidden(string why) => new(FaultCode.NothingHidden, $"Masks come from rays: {why}.");
 
     /// <summary>Hides everything, waits until the picture changes, and shows everything again.</summary>
-    private IEnumerable<HarvestPhase> MeasureDelay(IVisibility visibility, MapTarget[] targets, PixelBuffer before)
+    private IEnumerable<WorkStep> MeasureDelay(IVisibility visibility, MapTarget[] targets, PixelBuffer before)
     {
-        yield return HarvestPhase.Photographing;
+        yield return WorkStep.Tick;
         _noise = ChangesBetween(before, Grab(), targets);
         visibility.HideOnly([.. targets.Select(target => target.Entity)]);
         int most = MaxDelayTicks + maxTicks;
@@ -211,7 +197,7 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
         bool isChanged = false;
         while (!isChanged && ticks < most && Refusal is null)
         {
-            yield return HarvestPhase.Photographing;
+            yield return WorkStep.Tick;
             ticks++;
             PixelBuffer now = Grab();
             isChanged = ChangesBetween(before, now, targets) > (2 * _noise) + ChangedPixels;
@@ -232,7 +218,7 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
         // What was hidden comes back as late as it went.
         for (int tick = 0; tick < ticks + SpareTicks; tick++)
         {
-            yield return HarvestPhase.Photographing;
+            yield return WorkStep.Tick;
         }
     }
 

@@ -1,6 +1,7 @@
 using Harvester.Capture.Faults;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Harvesting;
@@ -44,7 +45,7 @@ internal sealed class ColourProbe(HarvestOptions options, GamePorts game, PixelB
         };
 
     /// <summary>Takes the two pictures, over several ticks. Nothing is drawn any more afterwards.</summary>
-    public IEnumerable<HarvestPhase> Run()
+    public IEnumerable<WorkStep> Run()
     {
         if (!options.ChecksDisplay || game.Card is not { } card)
         {
@@ -65,7 +66,7 @@ internal sealed class ColourProbe(HarvestOptions options, GamePorts game, PixelB
                 card.Show([Patch(0, left), Patch(1, right)]);
                 for (int tick = 0; tick < options.MaxPictureLagTicks + DisplayProbe.ChangeTicks; tick++)
                 {
-                    yield return HarvestPhase.CheckingDisplay;
+                    yield return WorkStep.Tick;
                 }
 
                 PixelBuffer picture = pool.Rent();
@@ -80,7 +81,7 @@ internal sealed class ColourProbe(HarvestOptions options, GamePorts game, PixelB
             Finding = FindingOf(pictures[0], pictures[1]);
             for (int tick = 0; tick < options.MaxPictureLagTicks + DisplayProbe.ChangeTicks; tick++)
             {
-                yield return HarvestPhase.CheckingDisplay;
+                yield return WorkStep.Tick;
             }
         }
         finally

@@ -1,5 +1,6 @@
 using Harvester.Capture.Faults;
 using Harvester.Capture.Ports;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Harvesting;
@@ -27,7 +28,7 @@ internal sealed class DisplayProbe(HarvestOptions options, GamePorts game, Pixel
             : null;
 
     /// <summary>Compares the pictures, over several ticks. The game runs again afterwards, with its display hidden.</summary>
-    public IEnumerable<HarvestPhase> Run()
+    public IEnumerable<WorkStep> Run()
     {
         if (!options.ChecksDisplay || !options.Freeze || game.Hud is not { } hud)
         {
@@ -51,7 +52,7 @@ internal sealed class DisplayProbe(HarvestOptions options, GamePorts game, Pixel
 
                 for (int tick = 0; tick < options.MaxPictureLagTicks + ChangeTicks; tick++)
                 {
-                    yield return HarvestPhase.CheckingDisplay;
+                    yield return WorkStep.Tick;
                 }
 
                 PixelBuffer picture = pool.Rent();

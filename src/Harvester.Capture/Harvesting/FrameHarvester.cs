@@ -1,4 +1,5 @@
 using Harvester.Capture.Labelling;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
 
@@ -24,12 +25,9 @@ internal sealed class FrameHarvester(
     public PictureWatch? Watch { get; init; }
 
     /// <summary>Harvests or discards one frame, or all views of one moment. Disposing the sequence resumes the game.</summary>
-    public IEnumerable<HarvestPhase> HarvestOne()
+    public IEnumerable<WorkStep> HarvestOne()
     {
-        foreach (HarvestPhase phase in flow.TakeFrame())
-        {
-            yield return phase;
-        }
+        yield return WorkStep.Do(flow.TakeFrame());
 
         if (flow.TakenSeconds is { } seconds && motion?.TakeBefore(seconds) is { } samples && flow.Taken.Count > 0)
         {
@@ -50,23 +48,17 @@ internal sealed class FrameHarvester(
 
         while (_drawing.IsOldestDue)
         {
-            foreach (HarvestPhase phase in HandOver())
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(HandOver());
         }
     }
 
     /// <summary>Hands over the frames that are left, one a tick.</summary>
-    public IEnumerable<HarvestPhase> Finish()
+    public IEnumerable<WorkStep> Finish()
     {
         while (_drawing.Count > 0)
         {
-            yield return HarvestPhase.WaitingForSink;
-            foreach (HarvestPhase phase in HandOver())
-            {
-                yield return phase;
-            }
+            yield return HarvestPhase.WaitingForSink.Tick();
+            yield return WorkStep.Do(HandOver());
         }
     }
 
@@ -85,12 +77,12 @@ internal sealed class FrameHarvester(
         }
     }
 
-    private IEnumerable<HarvestPhase> HandOver()
+    private IEnumerable<WorkStep> HandOver()
     {
         while (!TryHandOver())
         {
             counters.TicksWaitedForSink++;
-            yield return HarvestPhase.WaitingForSink;
+            yield return HarvestPhase.WaitingForSink.Tick();
         }
     }
 

@@ -1,5 +1,6 @@
 using Harvester.Capture.Faults;
 using Harvester.Capture.Ports;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Harvesting;
@@ -25,7 +26,7 @@ internal sealed class FreezeProbe(HarvestOptions options, GamePorts game, SceneR
             : null;
 
     /// <summary>Sets the freeze method to the one in the options or, over several ticks, to the better one.</summary>
-    public IEnumerable<HarvestPhase> Choose()
+    public IEnumerable<WorkStep> Choose()
     {
         if ((options.FreezeBy ?? Report?.Method) is { } known)
         {
@@ -38,10 +39,7 @@ internal sealed class FreezeProbe(HarvestOptions options, GamePorts game, SceneR
         {
             game.Pause.Method = method;
             var trial = new FreezeTrial(options, game, reader, pool);
-            foreach (HarvestPhase phase in trial.Run())
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(trial.Run());
 
             findings.Add(trial.Finding);
         }

@@ -1,5 +1,6 @@
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
 
@@ -43,12 +44,12 @@ internal sealed class FreezeTrial(HarvestOptions options, GamePorts game, SceneR
             PictureChange = double.IsNaN(_pictureChange) ? null : _pictureChange,
         };
 
-    public IEnumerable<HarvestPhase> Run()
+    public IEnumerable<WorkStep> Run()
     {
         SceneSnapshot first = reader.Read();
         for (int tick = 0; tick < RunningTicks + options.MaxPictureLagTicks; tick++)
         {
-            yield return HarvestPhase.MeasuringFreeze;
+            yield return WorkStep.Tick;
         }
 
         SceneSnapshot last = reader.Read();
@@ -58,17 +59,11 @@ internal sealed class FreezeTrial(HarvestOptions options, GamePorts game, SceneR
         game.Pause.Freeze();
         try
         {
-            foreach (HarvestPhase phase in Watch(last, reference, current))
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(Watch(last, reference, current));
 
             if (_settleTicks is not null && game.MountedCamera is { } camera)
             {
-                foreach (HarvestPhase phase in TryCamera(camera, reference, current))
-                {
-                    yield return phase;
-                }
+                yield return WorkStep.Do(TryCamera(camera, reference, current));
             }
         }
         finally
@@ -80,7 +75,7 @@ internal sealed class FreezeTrial(HarvestOptions options, GamePorts game, SceneR
     }
 
     /// <summary>Waits until the world has stood still long enough, and leaves the last image of it in the reference.</summary>
-    private IEnumerable<HarvestPhase> Watch(SceneSnapshot asked, PixelBuffer reference, PixelBuffer current)
+    private IEnumerable<WorkStep> Watch(SceneSnapshot asked, PixelBuffer reference, PixelBuffer current)
     {
         int stillTicks = options.MaxPictureLagTicks + StillTicks;
         var gate = new StillnessGate(_comparison);
@@ -97,7 +92,7 @@ internal sealed class FreezeTrial(HarvestOptions options, GamePorts game, SceneR
                 yield break;
             }
 
-            yield return HarvestPhase.MeasuringFreeze;
+            yield return WorkStep.Tick;
             SceneSnapshot snapshot = reader.Read();
             gate.Observe(snapshot);
             if (gate.StillTicks == 0)
@@ -121,7 +116,7 @@ internal sealed class FreezeTrial(HarvestOptions options, GamePorts game, SceneR
         _pictureChange = change;
     }
 
-    private IEnumerable<HarvestPhase> TryCamera(IMountedCamera camera, PixelBuffer reference, PixelBuffer current)
+    private IEnumerable<WorkStep> TryCamera(IMountedCamera camera, PixelBuffer reference, PixelBuffer current)
     {
         Vector3D start = game.World.ReadCamera().Pose.Position;
         double noise = LagRecord.MovementOverNoise * _pictureChange;
@@ -132,7 +127,7 @@ internal sealed class FreezeTrial(HarvestOptions options, GamePorts game, SceneR
             camera.Shift(new Vector3D(ShiftMetres, 0, 0));
             for (int tick = 0; tick < options.MaxPictureLagTicks + CameraTicks && !(isReported && isSeen); tick++)
             {
-                yield return HarvestPhase.MeasuringFreeze;
+                yield return WorkStep.Tick;
                 isReported |= (game.World.ReadCamera().Pose.Position - start).Length > ShiftMetres / 2;
 
                 // Without an image the reported state cannot be contradicted; nor can it be without an earlier one.

@@ -1,5 +1,6 @@
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Harvesting;
@@ -26,7 +27,7 @@ internal sealed class FrozenFlow(
     PairPhotographer? pairs
 ) : ICaptureFlow
 {
-    private readonly FrozenScene _scene = new(options, reader, budget, counters, calls);
+    private readonly FrozenScene _scene = new(options, reader, counters, calls);
 
     public IReadOnlyList<TakenFrame> Taken { get; private set; } = [];
 
@@ -40,7 +41,7 @@ internal sealed class FrozenFlow(
     /// </summary>
     public required Func<bool> TakesNext { get; init; }
 
-    public IEnumerable<HarvestPhase> TakeFrame()
+    public IEnumerable<WorkStep> TakeFrame()
     {
         Taken = [];
         IsPassed = false;
@@ -50,10 +51,7 @@ internal sealed class FrozenFlow(
         game.Pause.Freeze();
         try
         {
-            foreach (HarvestPhase phase in _scene.Settle())
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(_scene.Settle());
 
             if (_scene.Settled is not { } snapshot)
             {
@@ -67,18 +65,10 @@ internal sealed class FrozenFlow(
                 yield break;
             }
 
+            PreparedFrame frame = labeller.Prepare(snapshot);
             if (photographer is not null)
             {
-                foreach (
-                    HarvestPhase phase in photographer.Take(
-                        labeller.CameraOf(snapshot),
-                        labeller.TargetsOf(snapshot),
-                        picture?.WaitForPixels()
-                    )
-                )
-                {
-                    yield return phase;
-                }
+                yield return HarvestPhase.Photographing.Do(photographer.Take(frame.Camera, frame.Targets, picture?.WaitForPixels()));
 
                 calls.Charge(HarvestPhase.Photographing);
                 if (photographer.Refusal is { } failed)
@@ -88,37 +78,25 @@ internal sealed class FrozenFlow(
                 }
             }
 
-            FrameDraft? draft = null;
             budget.BeginSteps();
-            if (!isOurs)
+            if (isOurs)
             {
-                labeller.Pass(snapshot);
+                yield return HarvestPhase.Labelling.Do(labeller.Label(frame, static () => true, photographer?.Pictures));
             }
-
-            foreach (FrameDraft? slice in isOurs ? labeller.Label(snapshot, static () => true, photographer?.Pictures) : [])
+            else
             {
-                draft = slice;
-                if (slice is null && budget.IsSpent)
-                {
-                    yield return HarvestPhase.Labelling;
-                }
+                labeller.Pass(frame);
             }
 
             if (pairs is not null)
             {
                 photographer?.Release();
-                foreach (HarvestPhase phase in isOurs ? pairs.Take(draft!, picture!.WaitForPixels()) : pairs.Pass())
-                {
-                    yield return phase;
-                }
+                yield return HarvestPhase.Photographing.Do(isOurs ? pairs.Take(frame.Draft, picture!.WaitForPixels()) : pairs.Pass());
 
                 calls.Charge(HarvestPhase.Photographing);
             }
 
-            foreach (HarvestPhase phase in _scene.Read(HarvestPhase.Labelling))
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(_scene.Read(HarvestPhase.Labelling));
 
             if (_scene.Comparison.FirstDifference(snapshot, _scene.Latest!) is { } difference)
             {
@@ -132,10 +110,10 @@ internal sealed class FrozenFlow(
             {
                 if (pairs is { Taken: { Count: > 0 } pictures })
                 {
-                    draft!.Add(new PairPictures(pictures));
+                    frame.Draft.Add(new PairPictures(pictures));
                 }
 
-                Taken = [new TakenFrame(draft!, picture!)];
+                Taken = [new TakenFrame(frame.Draft, picture!)];
                 picture = null;
             }
         }

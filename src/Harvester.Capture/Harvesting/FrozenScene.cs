@@ -1,11 +1,13 @@
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>The scene of a frozen game: waits until it stands still, and reads it again to see that it still does.</summary>
-internal sealed class FrozenScene(HarvestOptions options, SceneReader reader, TickBudget budget, HarvestCounters counters, PhaseCalls calls)
+internal sealed class FrozenScene(HarvestOptions options, SceneReader reader, HarvestCounters counters, PhaseCalls calls)
 {
     private readonly SceneComparison _comparison = new(options.StillToleranceMetres);
+    private readonly WorkResult<SceneSnapshot> _read = new();
 
     /// <summary>The latest reading.</summary>
     public SceneSnapshot? Latest { get; private set; }
@@ -17,7 +19,7 @@ internal sealed class FrozenScene(HarvestOptions options, SceneReader reader, Ti
     public SceneComparison Comparison => _comparison;
 
     /// <summary>Reads until nothing has moved for as long as a picture may lag.</summary>
-    public IEnumerable<HarvestPhase> Settle()
+    public IEnumerable<WorkStep> Settle()
     {
         Settled = null;
         var gate = new StillnessGate(_comparison);
@@ -31,13 +33,10 @@ internal sealed class FrozenScene(HarvestOptions options, SceneReader reader, Ti
 
             if (readings > 0)
             {
-                yield return HarvestPhase.Settling;
+                yield return HarvestPhase.Settling.Tick();
             }
 
-            foreach (HarvestPhase phase in Read(HarvestPhase.Settling))
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(Read(HarvestPhase.Settling));
 
             gate.Observe(Latest!);
         }
@@ -46,21 +45,12 @@ internal sealed class FrozenScene(HarvestOptions options, SceneReader reader, Ti
         counters.Settled((int)gate.MovingTicks);
     }
 
-    /// <summary>Reads the scene into <see cref="Latest"/>, and gives the tick back wherever its budget is spent.</summary>
-    public IEnumerable<HarvestPhase> Read(HarvestPhase phase)
+    /// <summary>Reads the scene into <see cref="Latest"/>, which may take several ticks.</summary>
+    /// <param name="phase">The phase of the harvest meanwhile.</param>
+    public IEnumerable<WorkStep> Read(HarvestPhase phase)
     {
-        foreach (SceneSnapshot? snapshot in reader.ReadInSteps())
-        {
-            if (snapshot is not null)
-            {
-                Latest = snapshot;
-            }
-            else if (budget.IsSpent)
-            {
-                yield return phase;
-            }
-        }
-
+        yield return phase.Do(reader.ReadInSteps(_read));
+        Latest = _read.Value;
         calls.Charge(phase);
     }
 }

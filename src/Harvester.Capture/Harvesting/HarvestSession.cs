@@ -2,6 +2,7 @@ using Harvester.Capture.Calibration;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Harvesting;
@@ -21,7 +22,7 @@ public sealed class HarvestSession : IDisposable
     private readonly HarvestOptions _options;
     private readonly GamePorts _game;
     private readonly IFrameSink _sink;
-    private readonly IEnumerator<HarvestPhase> _run;
+    private readonly WorkRun _run;
     private readonly PictureWatch? _watch;
     private readonly TickBudget _budget;
     private readonly MotionRecorder? _motion;
@@ -76,7 +77,7 @@ public sealed class HarvestSession : IDisposable
         Calls = new PhaseCalls(game.Calls);
         _motion = options.Motion ? new MotionRecorder(game.World) : null;
         _watch = options.Rig is null ? new PictureWatch(options.Image) : null;
-        _run = Run().GetEnumerator();
+        _run = new WorkRun(Run(), () => _budget.IsSpent);
     }
 
     /// <summary>The counters of the harvest.</summary>
@@ -153,9 +154,9 @@ public sealed class HarvestSession : IDisposable
                 Calls.Charge(HarvestPhase.Waiting);
             }
 
-            if (_run.MoveNext())
+            if (_run.Advance())
             {
-                _phase = _run.Current;
+                _phase = (HarvestPhase)_run.Phase!.Value;
                 Calls.Charge(_phase);
             }
             else
@@ -198,43 +199,28 @@ public sealed class HarvestSession : IDisposable
     /// <summary>Ends the harvest like <see cref="Stop"/>; the caller disposes the sink.</summary>
     public void Dispose() => Stop();
 
-    private IEnumerable<HarvestPhase> Run()
+    private IEnumerable<WorkStep> Run()
     {
         var pool = new PixelBufferPool(_options.Image);
         var reader = new SceneReader(_game.World, _options);
         var freeze = new FreezeProbe(_options, _game, reader, pool);
-        foreach (HarvestPhase phase in freeze.Choose())
-        {
-            yield return phase;
-        }
+        yield return HarvestPhase.MeasuringFreeze.Do(freeze.Choose());
 
         Freezing = freeze.Report;
         var display = new DisplayProbe(_options, _game, pool);
-        foreach (HarvestPhase phase in display.Run())
-        {
-            yield return phase;
-        }
+        yield return HarvestPhase.CheckingDisplay.Do(display.Run());
 
         Display = display.Finding;
         var colours = new ColourProbe(_options, _game, pool);
-        foreach (HarvestPhase phase in colours.Run())
-        {
-            yield return phase;
-        }
+        yield return HarvestPhase.CheckingDisplay.Do(colours.Run());
 
         Colours = colours.Finding;
         var check = new CalibrationCheck(_options, _game);
-        foreach (HarvestPhase phase in check.Run())
-        {
-            yield return phase;
-        }
+        yield return HarvestPhase.CheckingCalibration.Do(check.Run());
 
         CalibrationErrorPixels = check.ErrorPixels;
         Open();
-        foreach (HarvestPhase phase in FindLag(reader, pool))
-        {
-            yield return phase;
-        }
+        yield return HarvestPhase.Probing.Do(FindLag(reader, pool));
 
         bool isLagOpen = Lag is null && check.ErrorPixels is null && (_options.ProbeLag || check.Warning is not null);
         CaptureFault?[] warnings = [freeze.Warning, display.Warning, colours.Warning, check.Warning, isLagOpen ? LagUnchecked : null];
@@ -250,23 +236,17 @@ public sealed class HarvestSession : IDisposable
             Calls.Charge(HarvestPhase.Waiting);
             if (schedule.TakeIfDue(_timeSeconds))
             {
-                foreach (HarvestPhase phase in frames.HarvestOne())
-                {
-                    yield return phase;
-                }
+                yield return WorkStep.Do(frames.HarvestOne());
 
                 if (Counters.Taken == _options.MaxFrames)
                 {
-                    foreach (HarvestPhase phase in frames.Finish())
-                    {
-                        yield return phase;
-                    }
+                    yield return WorkStep.Do(frames.Finish());
 
                     yield break;
                 }
             }
 
-            yield return HarvestPhase.Waiting;
+            yield return HarvestPhase.Waiting.Tick();
         }
     }
 
@@ -287,7 +267,7 @@ public sealed class HarvestSession : IDisposable
         _opened = true;
     }
 
-    private IEnumerable<HarvestPhase> FindLag(SceneReader reader, PixelBufferPool pool)
+    private IEnumerable<WorkStep> FindLag(SceneReader reader, PixelBufferPool pool)
     {
         if (!_options.Freeze && _options.LiveLag is { } known)
         {
@@ -296,10 +276,7 @@ public sealed class HarvestSession : IDisposable
         else if (_options.ProbeLag)
         {
             var probe = new LagProbe(_options, _game, reader, pool) { IsLagWithinLimit = CalibrationErrorPixels is not null };
-            foreach (HarvestPhase phase in probe.Measure(_options.Freeze))
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(probe.Measure(_options.Freeze));
 
             Lag = probe.Lag;
         }

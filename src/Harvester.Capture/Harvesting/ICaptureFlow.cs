@@ -1,3 +1,5 @@
+using Harvester.Geometry.Work;
+
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
@@ -17,5 +19,5 @@ internal interface ICaptureFlow
     /// <summary>
     /// Takes one frame or moment. Each element is a tick that ends in the given phase; disposing the sequence resumes the game.
     /// </summary>
-    IEnumerable<HarvestPhase> TakeFrame();
+    IEnumerable<WorkStep> TakeFrame();
 }

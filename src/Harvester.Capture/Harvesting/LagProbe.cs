@@ -1,5 +1,6 @@
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Text;
 
@@ -37,7 +38,7 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
     /// <summary>Measures until one lag has been found often enough, or too many attempts have failed.</summary>
     /// <param name="isCheckOnly">Whether one measurement within the limit is enough, as for a harvest that does not need the lag.</param>
     /// <exception cref="HarvestFaultException">The lag is greater than the options allow.</exception>
-    public IEnumerable<HarvestPhase> Measure(bool isCheckOnly)
+    public IEnumerable<WorkStep> Measure(bool isCheckOnly)
     {
         var votes = new Dictionary<PictureLag, int>();
         int measured = 0;
@@ -49,10 +50,7 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
             }
 
             var record = new LagRecord();
-            foreach (HarvestPhase phase in Watch(record))
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(Watch(record));
 
             if (record.LagOf(RunningTicks, MaxTicks) is { } lag)
             {
@@ -66,7 +64,7 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
         // Entities that are reported late must be moving again before the first frame.
         for (int tick = 0; tick < RunningTicks; tick++)
         {
-            yield return HarvestPhase.Probing;
+            yield return WorkStep.Tick;
         }
 
         if (Lag is { } found && !IsAllowed(found))
@@ -78,14 +76,14 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
 
     private bool IsAllowed(PictureLag lag) => Math.Max(lag.CameraTicks, lag.EntityTicks) <= options.MaxPictureLagTicks;
 
-    private IEnumerable<HarvestPhase> Watch(LagRecord record)
+    private IEnumerable<WorkStep> Watch(LagRecord record)
     {
         // The first images of the record may show any of these states; the game has been running again for only a tick or two since the
         // last freeze.
         for (int tick = 0; tick < MaxTicks + RunningTicks; tick++)
         {
             record.Add(reader.Read());
-            yield return HarvestPhase.Probing;
+            yield return WorkStep.Tick;
         }
 
         PixelBuffer current = pool.Rent();
@@ -110,7 +108,7 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
                 record.Add(snapshot, good ? change : double.NaN);
                 gate.Observe(snapshot);
                 (before, current) = (current, before);
-                yield return HarvestPhase.Probing;
+                yield return WorkStep.Tick;
             }
         }
         finally

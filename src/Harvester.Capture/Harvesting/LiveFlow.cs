@@ -1,5 +1,6 @@
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
 
@@ -26,7 +27,7 @@ internal sealed class LiveFlow(
 
     public double? TakenSeconds { get; private set; }
 
-    public IEnumerable<HarvestPhase> TakeFrame()
+    public IEnumerable<WorkStep> TakeFrame()
     {
         Taken = [];
         TakenSeconds = null;
@@ -48,7 +49,7 @@ internal sealed class LiveFlow(
             {
                 if (tick > 0)
                 {
-                    yield return HarvestPhase.Following;
+                    yield return HarvestPhase.Following.Tick();
                 }
 
                 if (game.World.GameFrame - firstGameFrame != tick)
@@ -73,7 +74,8 @@ internal sealed class LiveFlow(
                 if (tick == readTick)
                 {
                     scene = scene! with { Camera = camera! };
-                    draft = LabelNow(scene);
+                    budget.BeginSteps();
+                    draft = labeller.LabelAtOnce(scene, () => !budget.IsSpent);
                 }
             }
 
@@ -87,17 +89,5 @@ internal sealed class LiveFlow(
         {
             picture?.Dispose();
         }
-    }
-
-    private FrameDraft LabelNow(SceneSnapshot scene)
-    {
-        FrameDraft? draft = null;
-        budget.BeginSteps();
-        foreach (FrameDraft? slice in labeller.Label(scene, () => !budget.IsSpent))
-        {
-            draft = slice;
-        }
-
-        return draft!;
     }
 }

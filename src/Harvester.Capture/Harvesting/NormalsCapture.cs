@@ -1,6 +1,7 @@
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Semantics;
@@ -31,7 +32,7 @@ internal sealed class NormalsCapture() : CaptureChannel(FrameChannels.Normals)
 
         public string RaysKey => FrameChannels.Normals.RaysKey;
 
-        public IEnumerable<bool> Label(FrameDraft draft, Func<bool> mayCastRays)
+        public IEnumerable<WorkStep> Label(FrameDraft draft, Func<bool> mayCastRays)
         {
             var map = new PixelBuffer(draft.Camera.Image);
             if (truth is not null)
@@ -47,10 +48,7 @@ internal sealed class NormalsCapture() : CaptureChannel(FrameChannels.Normals)
             }
 
             var surfaces = new FrameSurfaces(rays, draft);
-            foreach (bool step in surfaces.Sample(mayCastRays))
-            {
-                yield return step;
-            }
+            yield return WorkStep.Do(surfaces.Sample(mayCastRays));
 
             // Each pixel has the normal of the surface that its depth would be taken from: that of the nearest sample on the same object.
             int[] sources = surfaces.Complete().Sources;

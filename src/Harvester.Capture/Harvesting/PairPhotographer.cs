@@ -1,6 +1,7 @@
 using Harvester.Capture.Faults;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
@@ -62,7 +63,7 @@ internal sealed class PairPhotographer
     /// <summary>Takes the pictures of a moment. <see cref="Release"/> must be called afterwards, whatever happens.</summary>
     /// <param name="draft">The labels of the moment.</param>
     /// <param name="picture">The picture of the frame.</param>
-    public IEnumerable<HarvestPhase> Take(FrameDraft draft, PixelBuffer picture)
+    public IEnumerable<WorkStep> Take(FrameDraft draft, PixelBuffer picture)
     {
         _isActive = true;
         _isAnnounced = false;
@@ -70,27 +71,17 @@ internal sealed class PairPhotographer
         _settled.Begin();
         _settled.Observe(picture);
         IReadOnlyList<HiddenVariant> variants = HiddenVariant.Of(draft, _options.Without);
-        foreach (
-            HarvestPhase phase in Hide(draft.Snapshot.Environment, variants, picture)
-                .Concat(ShowSkies(draft.Snapshot.Environment, variants))
-                .Concat(Restore())
-        )
+        yield return WorkStep.Do(Hide(draft.Snapshot.Environment, variants, picture));
+        yield return WorkStep.Do(ShowSkies(draft.Snapshot.Environment, variants));
+        yield return WorkStep.Do(Restore());
+        while (_options.TakesAllTicks && _ticks < AllTicks)
         {
-            _ticks++;
-            yield return phase;
-        }
-
-        while (_options.TakesAllTicks && _ticks++ < AllTicks)
-        {
-            yield return HarvestPhase.Photographing;
+            yield return Tick();
         }
     }
 
     /// <summary>Lets the time pass that the pictures of a moment take, for a moment of another shard.</summary>
-    public IEnumerable<HarvestPhase> Pass()
-    {
-        return Enumerable.Repeat(HarvestPhase.Photographing, _options.TakesAllTicks ? AllTicks : 0);
-    }
+    public IEnumerable<WorkStep> Pass() => Enumerable.Repeat(WorkStep.Tick, _options.TakesAllTicks ? AllTicks : 0);
 
     /// <summary>Gives the sky back, shows everything again and returns the buffers. Calling it again has no effect.</summary>
     public void Release()
@@ -115,7 +106,7 @@ internal sealed class PairPhotographer
     private int AllTicks => (_options.Pictures + 3) * _options.MaxTicks;
 
     /// <summary>Takes the pictures without objects under the sky of the moment.</summary>
-    private IEnumerable<HarvestPhase> Hide(EnvironmentState moment, IReadOnlyList<HiddenVariant> variants, PixelBuffer picture)
+    private IEnumerable<WorkStep> Hide(EnvironmentState moment, IReadOnlyList<HiddenVariant> variants, PixelBuffer picture)
     {
         if (variants.Count == 0)
         {
@@ -125,11 +116,11 @@ internal sealed class PairPhotographer
         IReadOnlyCollection<int>? hideable;
         while ((hideable = _visibility.Announce([.. variants.SelectMany(variant => variant.Handles).Distinct()])) is null)
         {
-            yield return HarvestPhase.Photographing;
+            yield return Tick();
         }
 
         _isAnnounced = hideable.Count > 0;
-        yield return HarvestPhase.Photographing;
+        yield return Tick();
         PixelBuffer again = _pool.Rent();
         try
         {
@@ -137,18 +128,12 @@ internal sealed class PairPhotographer
             foreach (HiddenVariant variant in variants)
             {
                 int begun = _ticks;
-                foreach (HarvestPhase phase in Watch(() => Show(variant), 0))
-                {
-                    yield return phase;
-                }
+                yield return WorkStep.Do(Watch(() => Show(variant), 0));
 
                 variant.IsHidden = variant.Handles.All(hideable.Contains) && _shown is not null && change.IsSeen(_shown, variant.Boxes);
                 _drop ??= variant.IsHidden ? null : PairDrop.NotHidden;
                 _hidingTicks = Math.Max(_hidingTicks, variant.IsHidden ? _ticks - begun : 0);
-                foreach (HarvestPhase phase in Record(SkyCondition.OfMoment(moment), variant))
-                {
-                    yield return phase;
-                }
+                yield return WorkStep.Do(Record(SkyCondition.OfMoment(moment), variant));
             }
         }
         finally
@@ -158,17 +143,14 @@ internal sealed class PairPhotographer
     }
 
     /// <summary>Takes the pictures under all skies. Under every other one they are taken in the opposite order.</summary>
-    private IEnumerable<HarvestPhase> ShowSkies(EnvironmentState moment, IReadOnlyList<HiddenVariant> variants)
+    private IEnumerable<WorkStep> ShowSkies(EnvironmentState moment, IReadOnlyList<HiddenVariant> variants)
     {
         HiddenVariant?[] order = [.. variants.Where(variant => variant.IsHidden).Reverse(), null];
         HiddenVariant[] others = [.. variants.Where(variant => !variant.IsHidden)];
         if (others.Length > 0 && _options.Conditions > 0)
         {
             // What could not be hidden was hidden last, perhaps too late to be seen.
-            foreach (HarvestPhase phase in Watch(() => Show(order[0]), _hidingTicks))
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(Watch(() => Show(order[0]), _hidingTicks));
         }
 
         foreach (SkyCondition condition in SkyCondition.AllOf(_options, moment))
@@ -177,20 +159,15 @@ internal sealed class PairPhotographer
             {
                 HiddenVariant? variant = order[number];
                 Action change = number == 0 ? () => _sky.Set(condition.SetWeather, condition.SetTimeOfDay) : () => Show(variant);
-                foreach (HarvestPhase phase in Watch(change, number == 0 ? 0 : _hidingTicks).Concat(Record(condition, variant)))
-                {
-                    yield return phase;
-                }
+                yield return WorkStep.Do(Watch(change, number == 0 ? 0 : _hidingTicks));
+                yield return WorkStep.Do(Record(condition, variant));
             }
 
             foreach (HiddenVariant variant in others)
             {
                 ReturnShown();
                 _drop = PairDrop.NotHidden;
-                foreach (HarvestPhase phase in Record(condition, variant))
-                {
-                    yield return phase;
-                }
+                yield return WorkStep.Do(Record(condition, variant));
             }
 
             Array.Reverse(order);
@@ -198,15 +175,15 @@ internal sealed class PairPhotographer
     }
 
     /// <summary>Gives back the sky of the moment and all objects, and waits until the picture shows them.</summary>
-    private IEnumerable<HarvestPhase> Restore()
+    private IEnumerable<WorkStep> Restore()
     {
         if (_taken.Count == 0)
         {
             yield break;
         }
 
-        foreach (
-            HarvestPhase phase in Watch(
+        yield return WorkStep.Do(
+            Watch(
                 () =>
                 {
                     Show(null);
@@ -214,10 +191,7 @@ internal sealed class PairPhotographer
                 },
                 _hidingTicks
             )
-        )
-        {
-            yield return phase;
-        }
+        );
     }
 
     private void Show(HiddenVariant? without)
@@ -229,7 +203,7 @@ internal sealed class PairPhotographer
     }
 
     /// <summary>Asks for a change and waits until the picture has settled, which then is <see cref="_shown"/>.</summary>
-    private IEnumerable<HarvestPhase> Watch(Action change, int minTicks)
+    private IEnumerable<WorkStep> Watch(Action change, int minTicks)
     {
         ReturnShown();
         _drop = null;
@@ -237,7 +211,7 @@ internal sealed class PairPhotographer
         change();
         for (int ticks = 1; _shown is null && _drop is null; ticks++)
         {
-            yield return HarvestPhase.Photographing;
+            yield return Tick();
             PixelBuffer now = _pool.Rent();
             if (_game.Screen.Grab(now).Refusal is not null)
             {
@@ -258,7 +232,7 @@ internal sealed class PairPhotographer
     }
 
     /// <summary>Adds the settled picture, or why there is none, to those of the moment.</summary>
-    private IEnumerable<HarvestPhase> Record(SkyCondition condition, HiddenVariant? without)
+    private IEnumerable<WorkStep> Record(SkyCondition condition, HiddenVariant? without)
     {
         while (_drop is null && !Background.IsDone(nameof(BackgroundEncoder), () => !_encoder.IsFull))
         {
@@ -268,7 +242,7 @@ internal sealed class PairPhotographer
             }
             else
             {
-                yield return HarvestPhase.Photographing;
+                yield return Tick();
             }
         }
 
@@ -292,6 +266,12 @@ internal sealed class PairPhotographer
             _taken.Add(picture with { Content = _encoder.Encode(_shown!) });
             _shown = null;
         }
+    }
+
+    private WorkStep Tick()
+    {
+        _ticks++;
+        return WorkStep.Tick;
     }
 
     private void ReturnShown()

@@ -2,6 +2,7 @@ using Harvester.Capture.Faults;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Lidar;
 using Harvester.Sessions.Rigs;
@@ -39,7 +40,7 @@ internal sealed class RigFlow : ICaptureFlow
     )
     {
         (_options, _game, _rig, _budget, _counters, _calls) = (options, game, rig, budget, counters, calls);
-        _scene = new FrozenScene(options, reader, budget, counters, calls);
+        _scene = new FrozenScene(options, reader, counters, calls);
         _views =
         [
             .. rig.Cameras.Select(camera => new ViewCapture(
@@ -61,7 +62,7 @@ internal sealed class RigFlow : ICaptureFlow
     /// <summary>Whether the next moment is to be taken, as in <see cref="FrozenFlow"/>.</summary>
     public required Func<bool> TakesNext { get; init; }
 
-    public IEnumerable<HarvestPhase> TakeFrame()
+    public IEnumerable<WorkStep> TakeFrame()
     {
         Taken = [];
         IsPassed = false;
@@ -71,10 +72,7 @@ internal sealed class RigFlow : ICaptureFlow
         _game.Pause.Freeze();
         try
         {
-            foreach (HarvestPhase phase in _scene.Settle())
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(_scene.Settle());
 
             if (_scene.Settled is not { } moment)
             {
@@ -88,10 +86,7 @@ internal sealed class RigFlow : ICaptureFlow
 
             foreach (ViewCapture view in _views)
             {
-                foreach (HarvestPhase phase in Take(view, moment, isOurs ? taken : null))
-                {
-                    yield return phase;
-                }
+                yield return WorkStep.Do(Take(view, moment, isOurs ? taken : null));
 
                 if (view.Refusal is { } refusal)
                 {
@@ -100,15 +95,12 @@ internal sealed class RigFlow : ICaptureFlow
                 }
             }
 
-            foreach (HarvestPhase phase in isOurs ? Measure(moment, [.. taken.Select(static view => view.Draft)]) : [])
+            if (isOurs)
             {
-                yield return phase;
+                yield return HarvestPhase.Labelling.Do(Measure(moment, [.. taken.Select(static view => view.Draft)]));
             }
 
-            foreach (HarvestPhase phase in _scene.Read(HarvestPhase.Labelling))
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(_scene.Read(HarvestPhase.Labelling));
 
             if (_scene.Comparison.FirstDifference(moment with { Camera = _scene.Latest!.Camera }, _scene.Latest) is { } difference)
             {
@@ -131,18 +123,15 @@ internal sealed class RigFlow : ICaptureFlow
     }
 
     /// <summary>Takes one view; it sets the view's refusal if the picture cannot be used.</summary>
-    private IEnumerable<HarvestPhase> Take(ViewCapture view, SceneSnapshot moment, List<TakenFrame>? taken)
+    private IEnumerable<WorkStep> Take(ViewCapture view, SceneSnapshot moment, List<TakenFrame>? taken)
     {
         view.Refusal = null;
-        foreach (HarvestPhase phase in Show(view, moment.Ego.Pose))
-        {
-            yield return phase;
-        }
+        yield return WorkStep.Do(Show(view, moment.Ego.Pose));
 
-        SceneSnapshot snapshot = SeenFrom(_game.World.ReadCamera(), moment);
+        PreparedFrame frame = view.Labeller.Prepare(SeenFrom(_game.World.ReadCamera(), moment));
         if (taken is null)
         {
-            view.Labeller.Pass(snapshot);
+            view.Labeller.Pass(frame);
             yield break;
         }
 
@@ -154,40 +143,34 @@ internal sealed class RigFlow : ICaptureFlow
             yield break;
         }
 
-        FrameDraft? draft = null;
+        bool isGood = false;
         try
         {
             _budget.BeginSteps();
-            foreach (FrameDraft? slice in view.Labeller.Label(snapshot, static () => true))
-            {
-                draft = slice;
-                if (slice is null && _budget.IsSpent)
-                {
-                    yield return HarvestPhase.Labelling;
-                }
-            }
+            yield return HarvestPhase.Labelling.Do(view.Labeller.Label(frame, static () => true));
 
             // A camera that moved while its view was labelled shows another picture than the labels say.
-            view.Refusal = IsAt(view, moment.Ego.Pose) ? null : "cameraMoved";
+            isGood = IsAt(view, moment.Ego.Pose);
+            view.Refusal = isGood ? null : "cameraMoved";
         }
         finally
         {
-            if (draft is null || view.Refusal is not null)
+            if (!isGood)
             {
                 picture.Dispose();
             }
         }
 
-        if (view.Refusal is null)
+        if (isGood)
         {
-            draft!.View = view.View;
-            taken.Add(new TakenFrame(draft, picture));
+            frame.Draft.View = view.View;
+            taken.Add(new TakenFrame(frame.Draft, picture));
         }
     }
 
     /// <summary>Moves the camera to a view, and waits until it has stood there for as long as a picture may lag.</summary>
     /// <exception cref="HarvestFaultException">The camera does not come to its place.</exception>
-    private IEnumerable<HarvestPhase> Show(ViewCapture view, Pose ego)
+    private IEnumerable<WorkStep> Show(ViewCapture view, Pose ego)
     {
         _game.RigCamera!.Show(view.View.Camera, view.Mount);
         long stillSince = IsAt(view, ego) ? _game.World.GameFrame : -1;
@@ -204,7 +187,7 @@ internal sealed class RigFlow : ICaptureFlow
                 );
             }
 
-            yield return HarvestPhase.Settling;
+            yield return HarvestPhase.Settling.Tick();
             stillSince =
                 !IsAt(view, ego) ? -1
                 : stillSince < 0 ? _game.World.GameFrame
@@ -229,26 +212,19 @@ internal sealed class RigFlow : ICaptureFlow
         return moment with { Camera = camera, Entities = [.. byRange[true]], Distant = [.. byRange[false]] };
     }
 
-    private IEnumerable<HarvestPhase> Measure(SceneSnapshot moment, IReadOnlyList<FrameDraft> views)
+    private IEnumerable<WorkStep> Measure(SceneSnapshot moment, IReadOnlyList<FrameDraft> views)
     {
         var sweeps = new List<LidarSweep>();
+        var swept = new WorkResult<LidarSweep>();
         _budget.BeginSteps();
         foreach (LidarScanner lidar in _lidars)
         {
-            foreach (LidarSweep? sweep in lidar.Scan(moment))
+            yield return WorkStep.Do(lidar.Scan(moment, swept));
+            LidarSweep sweep = swept.Value!;
+            sweeps.Add(sweep);
+            foreach (FrameDraft view in views)
             {
-                if (sweep is not null)
-                {
-                    sweeps.Add(sweep);
-                    foreach (FrameDraft view in views)
-                    {
-                        SweptDepth.Add(view, lidar.ExactPointsOf(sweep, moment));
-                    }
-                }
-                else if (_budget.IsSpent)
-                {
-                    yield return HarvestPhase.Labelling;
-                }
+                SweptDepth.Add(view, lidar.ExactPointsOf(sweep, moment));
             }
         }
 

@@ -1,5 +1,6 @@
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
@@ -17,28 +18,19 @@ internal sealed class SceneReader(IWorld world, HarvestOptions options)
     }
 
     /// <summary>Reads the scene of a frozen game in steps; where the world cannot be read in steps, at once.</summary>
-    /// <returns>Null after each step; the snapshot at the end, with the frame count of that moment.</returns>
-    public IEnumerable<SceneSnapshot?> ReadInSteps()
+    /// <param name="snapshot">Receives the snapshot, with the frame count of the moment in which the work ends.</param>
+    public IEnumerable<WorkStep> ReadInSteps(WorkResult<SceneSnapshot> snapshot)
     {
         if (world is not IStepwiseWorld stepwise)
         {
-            yield return Read();
+            snapshot.Value = Read();
             yield break;
         }
 
         CameraState camera = world.ReadCamera();
         var entities = new List<EntityState>();
-        foreach (EntityState? entity in stepwise.ReadEntitiesInSteps(CentreFor(camera), _range))
-        {
-            if (entity is not null)
-            {
-                entities.Add(entity);
-            }
-
-            yield return null;
-        }
-
-        yield return SnapshotOf(camera, entities);
+        yield return WorkStep.Do(stepwise.ReadEntitiesInSteps(CentreFor(camera), _range, entities));
+        snapshot.Value = SnapshotOf(camera, entities);
     }
 
     /// <summary>The place around which entities are read: the camera, or the vehicle, which stands while a rig's camera moves.</summary>

@@ -2,6 +2,7 @@ using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.PixelMaps.Coded;
 using Harvester.Geometry.Visibility;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Labels;
 
 namespace Harvester.Capture.Labelling;
@@ -33,15 +34,11 @@ internal sealed class CodedMapMaker(
 
     /// <summary>Makes the map, in steps.</summary>
     /// <param name="mayCastRays">Called before each ray.</param>
-    public IEnumerable<bool> Make(Func<bool> mayCastRays)
+    public IEnumerable<WorkStep> Make(Func<bool> mayCastRays)
     {
         IMaskDecoder decoder = pictures.Plan.Decoder(pictures.Pictures);
-        while (decoder.Step())
-        {
-            yield return true;
-        }
-
-        CodedMask mask = decoder.Finish();
+        yield return WorkStep.Do(decoder.Decode());
+        CodedMask mask = decoder.Mask!;
         MapTarget[] missing =
         [
             .. targets.Where(target => !mask.Amodal.TryGetValue(target.Number, out PixelMap? amodal) || amodal.Count == 0),
@@ -55,7 +52,7 @@ internal sealed class CodedMapMaker(
         );
         while (mayCastRays() && mapper.Step())
         {
-            yield return true;
+            yield return WorkStep.Pause;
         }
 
         AdaptivePixelMap rest = mapper.Finish();

@@ -1,5 +1,6 @@
 using Harvester.Geometry.Depth;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Labels;
 
 namespace Harvester.Capture.Labelling;
@@ -16,13 +17,10 @@ internal sealed class DepthLabeller(FrameRays rays) : IChannelLabeller
     public string RaysKey => FrameChannels.Depth.RaysKey;
 
     /// <inheritdoc />
-    public IEnumerable<bool> Label(FrameDraft draft, Func<bool> mayCastRays)
+    public IEnumerable<WorkStep> Label(FrameDraft draft, Func<bool> mayCastRays)
     {
         var surfaces = new FrameSurfaces(rays, draft);
-        foreach (bool step in surfaces.Sample(mayCastRays))
-        {
-            yield return step;
-        }
+        yield return WorkStep.Do(surfaces.Sample(mayCastRays));
 
         var sparse = new InstanceMap(draft.Camera.Image);
         foreach ((int column, int row, double depth) in surfaces.Hits)

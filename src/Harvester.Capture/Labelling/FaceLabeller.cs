@@ -3,6 +3,7 @@ using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
@@ -31,12 +32,12 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
     /// <summary>Labels the faces of entities in steps.</summary>
     /// <param name="draft">The frame with its entities; receives each face in the image.</param>
     /// <param name="mayCastRays">Called before each face; if it returns false, the face has no occlusion.</param>
-    public IEnumerable<bool> Label(FrameDraft draft, Func<bool> mayCastRays)
+    public IEnumerable<WorkStep> Label(FrameDraft draft, Func<bool> mayCastRays)
     {
         (Camera camera, SceneSnapshot snapshot) = (draft.Camera, draft.Snapshot);
         foreach (FaceCandidate? candidate in CandidatesOf(camera, snapshot))
         {
-            yield return true;
+            yield return WorkStep.Pause;
             if (candidate is null)
             {
                 continue;
@@ -54,7 +55,7 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
                 {
                     if (step is null)
                     {
-                        yield return true;
+                        yield return WorkStep.Pause;
                     }
 
                     occlusion = step ?? default;

@@ -1,7 +1,7 @@
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
-using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 
@@ -36,40 +36,82 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
     /// <summary>Tells how much of each object the drawing hides; null to leave it open.</summary>
     public IDrawnOcclusion? DrawnOcclusion { get; init; }
 
+    /// <summary>Finds out what follows from a snapshot alone.</summary>
+    public PreparedFrame Prepare(SceneSnapshot snapshot)
+    {
+        Camera camera = options.CameraOf(snapshot.Camera);
+        return new PreparedFrame(new FrameDraft(snapshot, camera), _objects.CandidatesOf(camera, snapshot));
+    }
+
     /// <summary>
-    /// Labels a snapshot in steps. Each element is null until the work is done; the last is the result. The caller may pause after any step
-    /// and continue in a later tick, as long as the game stands still.
+    /// Labels a frame in steps, into its draft. The work may be interrupted after any step and go on in a later tick, as long as the game
+    /// stands still.
     /// </summary>
-    /// <param name="snapshot">The scene.</param>
+    /// <param name="frame">The frame.</param>
     /// <param name="mayCastRays">
     /// Called before each object and each ray of a mask. If it returns false, an object has no occlusion and a mask gets no further rays.
     /// </param>
     /// <param name="pictures">The photographs for a coded mask; null if there are none.</param>
-    public IEnumerable<FrameDraft?> Label(SceneSnapshot snapshot, Func<bool> mayCastRays, CodedPictures? pictures = null)
+    public IEnumerable<WorkStep> Label(PreparedFrame frame, Func<bool> mayCastRays, CodedPictures? pictures = null)
     {
         rays.Begin();
-        Camera camera = options.CameraOf(snapshot.Camera);
-        var draft = new FrameDraft(snapshot, camera);
-        List<LabelCandidate> candidates = _objects.CandidatesOf(camera, snapshot);
-        IEnumerable<bool> objects = options.Masks
-            ? new MapLabeller(options, _objects, rays) { Comparison = Comparison }.Label(draft, candidates, mayCastRays, pictures)
-            : LabelByRays(draft, candidates, mayCastRays);
-        foreach (bool _ in objects)
+        (FrameDraft draft, SceneSnapshot snapshot) = (frame.Draft, frame.Snapshot);
+        yield return WorkStep.Do(
+            options.Masks
+                ? new MapLabeller(options, _objects, rays) { Comparison = Comparison }.Label(frame, mayCastRays, pictures)
+                : LabelByRays(frame, mayCastRays)
+        );
+        yield return WorkStep.Do(LabelChannels(ChannelTurn.AfterObjects, draft, mayCastRays));
+        if (Faces is not null)
         {
-            yield return null;
+            rays.Begin(RayPhase.Faces);
+            yield return WorkStep.Do(Faces.Label(draft, mayCastRays));
         }
 
-        foreach (bool _ in LabelChannels(ChannelTurn.AfterObjects, draft, mayCastRays))
+        yield return WorkStep.Do(LookAtDistant(frame, mayCastRays));
+        if (Lanes is not null)
         {
-            yield return null;
+            var lanes = new WorkResult<LanesLabel>();
+            rays.Begin(RayPhase.Lanes);
+            yield return WorkStep.Do(Lanes.Label(snapshot, frame.Camera, mayCastRays, lanes));
+            draft.Lanes = lanes.Value;
         }
 
-        rays.Begin(RayPhase.Faces);
-        foreach (bool _ in Faces?.Label(draft, mayCastRays) ?? [])
+        draft.Ids = registry.IdsOf(snapshot.Entities);
+        rays.Begin(RayPhase.Joints);
+        yield return WorkStep.Do(_joints.Label(draft, mayCastRays));
+        yield return WorkStep.Do(LabelChannels(ChannelTurn.Last, draft, mayCastRays));
+        if (DrawnOcclusion is { } drawn)
         {
-            yield return null;
+            DrawnOcclusions.Add(draft, options.Image, drawn);
         }
 
+        draft.Rays = rays.Counts;
+    }
+
+    /// <summary>Labels a snapshot in the tick in hand.</summary>
+    /// <param name="snapshot">The scene.</param>
+    /// <param name="mayCastRays">As for <see cref="Label"/>.</param>
+    public FrameDraft LabelAtOnce(SceneSnapshot snapshot, Func<bool> mayCastRays)
+    {
+        PreparedFrame frame = Prepare(snapshot);
+        WorkRun.Complete(Label(frame, mayCastRays));
+        return frame.Draft;
+    }
+
+    /// <summary>
+    /// Passes over a frame that is not labelled. The state kept from frame to frame, the ids of objects and the road, is afterwards as if
+    /// it had been labelled.
+    /// </summary>
+    public void Pass(PreparedFrame frame)
+    {
+        Faces?.Pass(frame.Camera, frame.Snapshot);
+        Lanes?.Pass(frame.Snapshot);
+    }
+
+    private IEnumerable<WorkStep> LookAtDistant(PreparedFrame frame, Func<bool> mayCastRays)
+    {
+        (FrameDraft draft, SceneSnapshot snapshot, Camera camera) = (frame.Draft, frame.Snapshot, frame.Camera);
         rays.Begin(RayPhase.IgnoreRegions);
         foreach (DistantCandidate candidate in _distant.CandidatesOf(camera, snapshot.Distant))
         {
@@ -80,7 +122,7 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
                 {
                     if (step is null)
                     {
-                        yield return null;
+                        yield return WorkStep.Pause;
                     }
 
                     sight = step ?? sight;
@@ -88,72 +130,23 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
             }
 
             draft.Add(new DistantEntity(candidate.Entity, sight), DistantLabeller.RegionOf(camera, candidate, sight));
-            yield return null;
+            yield return WorkStep.Pause;
         }
-
-        rays.Begin(RayPhase.Lanes);
-        foreach (LanesLabel? slice in Lanes?.Label(snapshot, camera, mayCastRays) ?? [])
-        {
-            draft.Lanes = slice;
-            yield return null;
-        }
-
-        draft.Ids = registry.IdsOf(snapshot.Entities);
-        rays.Begin(RayPhase.Joints);
-        foreach (bool _ in _joints.Label(draft, mayCastRays))
-        {
-            yield return null;
-        }
-
-        foreach (bool _ in LabelChannels(ChannelTurn.Last, draft, mayCastRays))
-        {
-            yield return null;
-        }
-
-        if (DrawnOcclusion is { } drawn)
-        {
-            DrawnOcclusions.Add(draft, options.Image, drawn);
-        }
-
-        draft.Rays = rays.Counts;
-        yield return draft;
     }
 
-    /// <summary>The camera of a snapshot.</summary>
-    public Camera CameraOf(SceneSnapshot snapshot) => options.CameraOf(snapshot.Camera);
-
-    /// <summary>The objects of a snapshot that a mask may show, with the numbers that they have until it is finished.</summary>
-    public IReadOnlyList<MapTarget> TargetsOf(SceneSnapshot snapshot) =>
-        MapLabeller.TargetsOf(_objects.CandidatesOf(CameraOf(snapshot), snapshot));
-
-    /// <summary>
-    /// Passes over a snapshot that is not labelled. The state kept from frame to frame, the ids of objects and the road, is afterwards as
-    /// if it had been labelled.
-    /// </summary>
-    public void Pass(SceneSnapshot snapshot)
-    {
-        Camera camera = options.CameraOf(snapshot.Camera);
-        _objects.CandidatesOf(camera, snapshot);
-        Faces?.Pass(camera, snapshot);
-        Lanes?.Pass(snapshot);
-    }
-
-    private IEnumerable<bool> LabelChannels(ChannelTurn turn, FrameDraft draft, Func<bool> mayCastRays)
+    private IEnumerable<WorkStep> LabelChannels(ChannelTurn turn, FrameDraft draft, Func<bool> mayCastRays)
     {
         foreach (IChannelLabeller channel in Channels.Where(channel => channel.Turn == turn))
         {
             rays.Begin(channel.RaysKey);
-            foreach (bool step in channel.Label(draft, mayCastRays))
-            {
-                yield return step;
-            }
+            yield return WorkStep.Do(channel.Label(draft, mayCastRays));
         }
     }
 
-    private IEnumerable<bool> LabelByRays(FrameDraft draft, List<LabelCandidate> candidates, Func<bool> mayCastRays)
+    private IEnumerable<WorkStep> LabelByRays(PreparedFrame frame, Func<bool> mayCastRays)
     {
-        Camera camera = draft.Camera;
-        int egoHandle = draft.Snapshot.Ego.Handle;
+        (FrameDraft draft, Camera camera, List<LabelCandidate> candidates) = (frame.Draft, frame.Camera, frame.Candidates);
+        int egoHandle = frame.Snapshot.Ego.Handle;
         rays.Begin(RayPhase.Occlusion);
         foreach (LabelCandidate candidate in candidates)
         {
@@ -178,7 +171,7 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
                 {
                     if (step is null)
                     {
-                        yield return true;
+                        yield return WorkStep.Pause;
                     }
 
                     occlusion = step ?? default;
@@ -191,7 +184,7 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
                 _objects.LabelOf(camera, candidate, occlusion),
                 ObjectLabeller.RegionOf(camera, candidate, occlusion)
             );
-            yield return true;
+            yield return WorkStep.Pause;
         }
     }
 }

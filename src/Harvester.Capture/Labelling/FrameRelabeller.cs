@@ -1,6 +1,7 @@
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
@@ -194,8 +195,9 @@ public sealed class FrameRelabeller
             return recorded is null || isLensSame ? recorded : RecordedLanes.SeenBy(camera, recorded);
         }
 
-        LanesLabel? lanes = _lanes.Label(snapshot, camera, static () => false).LastOrDefault();
-        if (lanes is null)
+        var labelled = new WorkResult<LanesLabel>();
+        WorkRun.Complete(_lanes.Label(snapshot, camera, static () => false, labelled));
+        if (labelled.Value is not { } lanes)
         {
             return null;
         }

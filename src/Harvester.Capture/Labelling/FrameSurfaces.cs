@@ -3,6 +3,7 @@ using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Depth;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
+using Harvester.Geometry.Work;
 
 namespace Harvester.Capture.Labelling;
 
@@ -53,11 +54,11 @@ internal sealed class FrameSurfaces
 
     /// <summary>Casts further rays, in steps.</summary>
     /// <param name="mayCastRays">Called before each part.</param>
-    public IEnumerable<bool> Sample(Func<bool> mayCastRays)
+    public IEnumerable<WorkStep> Sample(Func<bool> mayCastRays)
     {
         while (mayCastRays() && _mapper.Step())
         {
-            yield return true;
+            yield return WorkStep.Pause;
         }
     }
 

@@ -1,3 +1,5 @@
+using Harvester.Geometry.Work;
+
 namespace Harvester.Capture.Labelling;
 
 /// <summary>Produces the part of one channel in each frame.</summary>
@@ -12,5 +14,5 @@ internal interface IChannelLabeller
     /// <summary>Produces the part, in steps; the caller may pause after any step.</summary>
     /// <param name="draft">The frame with its mask and objects; receives the part.</param>
     /// <param name="mayCastRays">Called before each part of the work that casts rays.</param>
-    IEnumerable<bool> Label(FrameDraft draft, Func<bool> mayCastRays);
+    IEnumerable<WorkStep> Label(FrameDraft draft, Func<bool> mayCastRays);
 }

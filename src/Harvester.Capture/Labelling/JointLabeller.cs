@@ -1,6 +1,7 @@
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 
@@ -12,7 +13,7 @@ internal sealed class JointLabeller(LabellingOptions options, FrameRays rays)
     /// <summary>Labels the people of a frame in steps of a few rays.</summary>
     /// <param name="draft">The frame with its objects, which receive their joints, and their ids.</param>
     /// <param name="mayCastRays">Called before each person; if it returns false, visibility is unknown.</param>
-    public IEnumerable<bool> Label(FrameDraft draft, Func<bool> mayCastRays)
+    public IEnumerable<WorkStep> Label(FrameDraft draft, Func<bool> mayCastRays)
     {
         var found = new Dictionary<int, JointsLabel>();
         var listed = new HashSet<int>(draft.Objects.Select(label => label.Id));
@@ -27,12 +28,12 @@ internal sealed class JointLabeller(LabellingOptions options, FrameRays rays)
                     seen[(int)asked[i]] = VisibilityOf(draft.Camera, entity, asked[i], draft.Snapshot.Ego.Handle);
                     if ((i + 1) % OcclusionEstimator.RaysOfAStep == 0)
                     {
-                        yield return true;
+                        yield return WorkStep.Pause;
                     }
                 }
 
                 found[id] = JointLabels.Of(draft.Camera, skeleton, joint => seen[(int)joint]);
-                yield return true;
+                yield return WorkStep.Pause;
             }
         }
 

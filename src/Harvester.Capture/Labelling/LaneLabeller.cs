@@ -1,6 +1,7 @@
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 
@@ -14,17 +15,20 @@ internal sealed class LaneLabeller(IRoads roads, IRoadPaint? paint, FrameRays? r
 
     private readonly LaneTracker _tracker = new(roads, entity => registry.IdOf(entity));
 
-    /// <summary>
-    /// Labels the lanes in steps; each element is null until the last, which is the label. The sequence is empty if no roads are known.
-    /// </summary>
-    public IEnumerable<LanesLabel?> Label(SceneSnapshot snapshot, Camera camera, Func<bool> mayCastRays)
+    /// <summary>Labels the lanes in steps.</summary>
+    /// <param name="snapshot">The scene.</param>
+    /// <param name="camera">The camera of the saved image.</param>
+    /// <param name="mayCastRays">Called before each line; if it returns false, the visibility of its points is unknown.</param>
+    /// <param name="lanes">Receives the label; null if no roads are known.</param>
+    public IEnumerable<WorkStep> Label(SceneSnapshot snapshot, Camera camera, Func<bool> mayCastRays, WorkResult<LanesLabel> lanes)
     {
+        lanes.Value = null;
         if (_tracker.Observe(snapshot.Ego, snapshot.Entities) is not { } known)
         {
             yield break;
         }
 
-        yield return null;
+        yield return WorkStep.Pause;
 
         LaneObservation seen = known.Seen;
         var boundaries = new List<LaneLineView>();
@@ -35,17 +39,18 @@ internal sealed class LaneLabeller(IRoads roads, IRoadPaint? paint, FrameRays? r
             foreach (LaneLine line in Painted(stretch, carOffset))
             {
                 markings!.AddRange(Project(line));
-                yield return null;
+                yield return WorkStep.Pause;
             }
 
             foreach (LaneLine line in LaneLineTracer.Trace(stretch, carOffset, 0, LineReach))
             {
                 boundaries.AddRange(Project(line));
-                yield return null;
+                yield return WorkStep.Pause;
             }
         }
 
-        yield return LanesLabel.Of(seen, known.Source, boundaries, markings);
+        lanes.Value = LanesLabel.Of(seen, known.Source, boundaries, markings);
+        yield return WorkStep.Pause;
 
         IReadOnlyList<LaneLineView> Project(LaneLine line) =>
             LaneLineProjector.Project(

@@ -1,6 +1,7 @@
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Lidar;
 using Harvester.Sessions.Rigs;
 using Harvester.Sessions.Scenes;
@@ -30,8 +31,10 @@ internal sealed class LidarScanner(RigLidar lidar, Pose mount, LabellingOptions 
         }
     }
 
-    /// <summary>Measures a moment in steps: null after each firing, and the sweep at the end.</summary>
-    public IEnumerable<LidarSweep?> Scan(SceneSnapshot moment)
+    /// <summary>Measures a moment in steps, one for each firing.</summary>
+    /// <param name="moment">The moment.</param>
+    /// <param name="sweep">Receives the sweep.</param>
+    public IEnumerable<WorkStep> Scan(SceneSnapshot moment, WorkResult<LidarSweep> sweep)
     {
         Pose sensor = moment.Ego.Pose.Compose(mount);
         Dictionary<int, (ushort Id, SemanticClass Class)> entities = moment.Entities.ToDictionary(
@@ -39,11 +42,27 @@ internal sealed class LidarScanner(RigLidar lidar, Pose mount, LabellingOptions 
             entity => (HasId(entity, sensor.Position) ? registry.IdOf(entity) : (ushort)0, SemanticClasses.Of(entity.Class))
         );
         var rays = new LidarRays(lidar, mount, _directions, game, moment);
-        LidarReturn?[,]? returns = null;
-        foreach (LidarReturn?[,]? made in Returns(rays))
+        var returns = new LidarReturn?[lidar.Columns, lidar.BeamsDegrees.Count];
+        var turn = IsInterpolated ? new LidarTurn(lidar, rays) : null;
+        if (turn is not null)
         {
-            returns = made;
-            yield return null;
+            while (turn.Step())
+            {
+                yield return WorkStep.Pause;
+            }
+
+            returns = turn.Complete();
+            yield return WorkStep.Pause;
+        }
+
+        for (int column = 0; turn is null && column < lidar.Columns; column++)
+        {
+            for (int beam = 0; beam < lidar.BeamsDegrees.Count; beam++)
+            {
+                returns[column, beam] = rays.Cast(column, beam);
+            }
+
+            yield return WorkStep.Pause;
         }
 
         var noise = new LidarNoise(lidar, moment.GameFrame);
@@ -53,7 +72,7 @@ internal sealed class LidarScanner(RigLidar lidar, Pose mount, LabellingOptions 
             for (int beam = 0; beam < lidar.BeamsDegrees.Count; beam++)
             {
                 if (
-                    returns![column, beam] is { } met
+                    returns[column, beam] is { } met
                     && noise.Measured(met.Hit.Distance) is var distance
                     && distance >= lidar.MinRangeMetres
                     && distance <= lidar.RangeMetres
@@ -73,7 +92,7 @@ internal sealed class LidarScanner(RigLidar lidar, Pose mount, LabellingOptions 
             }
         }
 
-        yield return new LidarSweep(lidar.Name, points, rays.RaysCast);
+        sweep.Value = new LidarSweep(lidar.Name, points, rays.RaysCast);
     }
 
     /// <summary>
@@ -89,33 +108,9 @@ internal sealed class LidarScanner(RigLidar lidar, Pose mount, LabellingOptions 
                 .Select(point => sensor.ToWorld(new Vector3D(point.X, point.Y, point.Z)));
     }
 
-    /// <summary>The returns by column and beam, in steps: null until they are known.</summary>
-    private IEnumerable<LidarReturn?[,]?> Returns(LidarRays rays)
-    {
-        // Interpolation needs the planes of the surfaces.
-        if (lidar.RayFraction < 1 && game.SurfaceRays is not null && lidar is { Columns: > 1, BeamsDegrees.Count: > 1 })
-        {
-            var turn = new LidarTurn(lidar, rays);
-            while (turn.Step())
-            {
-                yield return null;
-            }
-
-            yield return turn.Complete();
-            yield break;
-        }
-
-        var returns = new LidarReturn?[lidar.Columns, lidar.BeamsDegrees.Count];
-        for (int column = 0; column < lidar.Columns; column++)
-        {
-            for (int beam = 0; beam < lidar.BeamsDegrees.Count; beam++)
-            {
-                returns[column, beam] = rays.Cast(column, beam);
-            }
-
-            yield return column + 1 < lidar.Columns ? null : returns;
-        }
-    }
+    /// <summary>Whether only a part of the rays is cast: interpolation needs the planes of the surfaces.</summary>
+    private bool IsInterpolated =>
+        lidar.RayFraction < 1 && game.SurfaceRays is not null && lidar is { Columns: > 1, BeamsDegrees.Count: > 1 };
 
     private LidarPoint PointOf(
         RayHit hit,

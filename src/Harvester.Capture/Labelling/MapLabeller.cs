@@ -2,6 +2,7 @@ using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 
@@ -13,39 +14,21 @@ internal sealed class MapLabeller(LabellingOptions options, ObjectLabeller objec
     /// <summary>Compares masks of both methods; null if they are not compared.</summary>
     public MaskComparison? Comparison { get; init; }
 
-    /// <summary>The targets of a map: which objects are kept is known only after it, so until then they have consecutive numbers.</summary>
-    public static MapTarget[] TargetsOf(IReadOnlyList<LabelCandidate> candidates) =>
-        [
-            .. candidates.Select(
-                (candidate, index) => new MapTarget(candidate.Entity.Handle, (ushort)(index + 1), candidate.Cuboid, candidate.Projection)
-            ),
-        ];
-
     /// <summary>Labels the objects of a frame, in steps.</summary>
-    /// <param name="draft">The frame; receives labels, occlusions and mask. Rays pass through the vehicle that carries its camera.</param>
-    /// <param name="candidates">The objects.</param>
+    /// <param name="frame">The frame; its draft receives labels, occlusions and mask. Rays pass through the camera's vehicle.</param>
     /// <param name="mayCastRays">Called before each ray of the map, and before each object.</param>
     /// <param name="pictures">The photographs for a coded mask; null for a mask from rays.</param>
-    public IEnumerable<bool> Label(
-        FrameDraft draft,
-        List<LabelCandidate> candidates,
-        Func<bool> mayCastRays,
-        CodedPictures? pictures = null
-    )
+    public IEnumerable<WorkStep> Label(PreparedFrame frame, Func<bool> mayCastRays, CodedPictures? pictures = null)
     {
-        Camera camera = draft.Camera;
-        int egoHandle = draft.Snapshot.Ego.Handle;
-        MapTarget[] targets = TargetsOf(candidates);
+        (FrameDraft draft, Camera camera, List<LabelCandidate> candidates) = (frame.Draft, frame.Camera, frame.Candidates);
+        IReadOnlyList<MapTarget> targets = frame.Targets;
+        int egoHandle = frame.Snapshot.Ego.Handle;
         rays.Begin(RayPhase.Map);
         MadeMap? coded = null;
         if (pictures is not null)
         {
             var maker = new CodedMapMaker(options, camera, targets, egoHandle, rays, pictures);
-            foreach (bool _ in maker.Make(mayCastRays))
-            {
-                yield return true;
-            }
-
+            yield return WorkStep.Do(maker.Make(mayCastRays));
             coded = maker.Made;
         }
 
@@ -61,7 +44,7 @@ internal sealed class MapLabeller(LabellingOptions options, ObjectLabeller objec
             );
             while (mayCastRays() && mapper.Step())
             {
-                yield return true;
+                yield return WorkStep.Pause;
             }
 
             fromRays = MadeMap.Of(mapper.Finish());
@@ -73,13 +56,13 @@ internal sealed class MapLabeller(LabellingOptions options, ObjectLabeller objec
             Comparison!.Add(candidates, coded.Map, fromRays.Map);
         }
 
-        yield return true;
+        yield return WorkStep.Pause;
 
         rays.Begin(RayPhase.Occlusion);
         Box2D?[] bounds = InstanceBounds.Of(map.Map);
         var estimator = new MapOcclusionEstimator(camera, map.Map, egoHandle, rays, options.OcclusionSamples);
-        var numbers = new ushort[targets.Length + 1];
-        for (int i = 0; i < targets.Length; i++)
+        var numbers = new ushort[targets.Count + 1];
+        for (int i = 0; i < targets.Count; i++)
         {
             LabelCandidate candidate = candidates[i];
             ushort number = targets[i].Number;
@@ -95,7 +78,7 @@ internal sealed class MapLabeller(LabellingOptions options, ObjectLabeller objec
                 label is null ? null : label with { Box2DVisible = bounds[number], AmodalMask = map.AmodalOf(number) },
                 ObjectLabeller.RegionOf(camera, candidate, occlusion)
             );
-            yield return true;
+            yield return WorkStep.Pause;
         }
 
         for (int i = 0; i < map.Map.Ids.Length; i++)

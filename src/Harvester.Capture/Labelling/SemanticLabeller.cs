@@ -4,6 +4,7 @@ using Harvester.Geometry.Cameras;
 using Harvester.Geometry.ClassMaps;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Semantics;
@@ -32,7 +33,7 @@ internal sealed class SemanticLabeller(LabellingOptions options, FrameRays rays,
     public string RaysKey => FrameChannels.ClassMaps.RaysKey;
 
     /// <inheritdoc />
-    public IEnumerable<bool> Label(FrameDraft draft, Func<bool> mayCastRays)
+    public IEnumerable<WorkStep> Label(FrameDraft draft, Func<bool> mayCastRays)
     {
         Dictionary<int, SemanticClass> entities = EntityClasses(draft.Snapshot);
         if (options.Semantics == SemanticsMethod.Exact && truth is not null)
@@ -47,7 +48,7 @@ internal sealed class SemanticLabeller(LabellingOptions options, FrameRays rays,
         var mapper = new ClassMapper(camera.Image, ObjectPixels(draft), SampleAt, HorizonRow(camera), budget);
         while (mayCastRays() && mapper.Step())
         {
-            yield return true;
+            yield return WorkStep.Pause;
         }
 
         (InstanceMap map, int interpolated) = mapper.Finish();

@@ -1,4 +1,5 @@
 using Harvester.Geometry;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Ports;
@@ -12,6 +13,6 @@ public interface IStepwiseWorld : IWorld
     /// <summary>Reads what <see cref="IWorld.ReadEntities"/> reads, a few natives at a time.</summary>
     /// <param name="centre">Metres, world.</param>
     /// <param name="range">Metres; greater than 0.</param>
-    /// <returns>After each step the entity that was read; null if the step has read none.</returns>
-    IEnumerable<EntityState?> ReadEntitiesInSteps(Vector3D centre, double range);
+    /// <param name="entities">Receives the entities.</param>
+    IEnumerable<WorkStep> ReadEntitiesInSteps(Vector3D centre, double range, List<EntityState> entities);
 }

@@ -1,3 +1,4 @@
+using Harvester.Geometry.Work;
 using Harvester.Sessions.SelfTests;
 
 namespace Harvester.Capture.SelfTests;
@@ -12,7 +13,7 @@ internal sealed class CameraReportCheck(SelfTestContext context) : SelfCheck(con
 
     public override IReadOnlyList<string> Checks => [SelfTestChecks.Lag, SelfTestChecks.CameraReport];
 
-    public override IEnumerable<SelfTestPhase> Run()
+    public override IEnumerable<WorkStep> Run()
     {
         NeedPictures();
         if (Game.MountedCamera is not { } camera || Context.BestFreeze is not { MovesCamera: true })
@@ -20,16 +21,10 @@ internal sealed class CameraReportCheck(SelfTestContext context) : SelfCheck(con
             throw new SelfTestException("the camera cannot be moved in the frozen world.");
         }
 
-        foreach (SelfTestPhase phase in Freeze())
-        {
-            yield return phase;
-        }
+        yield return WorkStep.Do(Freeze());
 
         var shift = new CameraShift(Context);
-        foreach (SelfTestPhase phase in shift.Run(camera))
-        {
-            yield return phase;
-        }
+        yield return WorkStep.Do(shift.Run(camera));
 
         if (shift is not { SeenTicks: { } seen, ReportedTicks: { } reported })
         {

@@ -1,6 +1,7 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.SelfTests;
@@ -27,13 +28,13 @@ internal sealed class CameraShift(SelfTestContext context)
     public int? SeenTicks { get; private set; }
 
     /// <summary>Moves the camera and back; the world is frozen.</summary>
-    public IEnumerable<SelfTestPhase> Run(IMountedCamera camera)
+    public IEnumerable<WorkStep> Run(IMountedCamera camera)
     {
         var still = new List<BlockMeans>();
         for (int tick = 0; tick < StillPictures && context.ArePicturesUsable; tick++)
         {
             still.Add(BlockMeans.Of(context.Grab()));
-            yield return SelfTestPhase.Running;
+            yield return WorkStep.Tick;
         }
 
         double noise = still.Count == 0 ? 0 : still.Max(a => still.Max(b => a.DifferenceTo(b).Greatest));
@@ -48,7 +49,7 @@ internal sealed class CameraShift(SelfTestContext context)
                     break;
                 }
 
-                yield return SelfTestPhase.Running;
+                yield return WorkStep.Tick;
                 if ((context.Game.World.ReadCamera().Pose.Position - start).Length > Up.Length / 2)
                 {
                     ReportedTicks ??= tick;
@@ -70,7 +71,7 @@ internal sealed class CameraShift(SelfTestContext context)
         // The picture is the old one again before the next check.
         for (int tick = 0; tick < (SeenTicks ?? 0) + 1; tick++)
         {
-            yield return SelfTestPhase.Running;
+            yield return WorkStep.Tick;
         }
     }
 }

@@ -1,6 +1,7 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.SelfTests;
 
@@ -54,7 +55,7 @@ internal sealed class ColourCheck(SelfTestContext context) : SelfCheck(context)
     public override IReadOnlyList<string> Checks =>
         [SelfTestChecks.Window, SelfTestChecks.Scale, SelfTestChecks.Exposure, SelfTestChecks.Tones];
 
-    public override IEnumerable<SelfTestPhase> Run()
+    public override IEnumerable<WorkStep> Run()
     {
         if (Game.Card is not { } card)
         {
@@ -66,10 +67,7 @@ internal sealed class ColourCheck(SelfTestContext context) : SelfCheck(context)
         for (int number = 0; number < pictures.Length; number++)
         {
             card.Show(Card(number == 1 ? SecondCardShift : 0));
-            foreach (SelfTestPhase phase in Wait(Context.PictureTicks))
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(Wait(Context.PictureTicks));
 
             pictures[number] = Context.Grab();
         }

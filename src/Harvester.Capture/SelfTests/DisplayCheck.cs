@@ -1,6 +1,7 @@
 using System.Globalization;
 using Harvester.Capture.Harvesting;
 using Harvester.Geometry;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.SelfTests;
 
@@ -21,7 +22,7 @@ internal sealed class DisplayCheck(SelfTestContext context) : SelfCheck(context)
 
     public override IReadOnlyList<string> Checks => [SelfTestChecks.Display];
 
-    public override IEnumerable<SelfTestPhase> Run()
+    public override IEnumerable<WorkStep> Run()
     {
         NeedPictures();
         if (Context.Lines.Any(line => line.Check == SelfTestChecks.Hud && line.Verdict == SelfTestVerdict.Problem))
@@ -35,19 +36,13 @@ internal sealed class DisplayCheck(SelfTestContext context) : SelfCheck(context)
         }
 
         Game.Hud?.Hide();
-        foreach (SelfTestPhase phase in Freeze())
-        {
-            yield return phase;
-        }
+        yield return WorkStep.Do(Freeze());
 
         var edges = new StaticEdges(Context.Options.Image);
         foreach (Vector3D place in Places)
         {
             camera.Shift(place);
-            foreach (SelfTestPhase phase in Wait(Context.PictureTicks + 1))
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(Wait(Context.PictureTicks + 1));
 
             PixelBuffer picture = Context.Grab();
             edges.Add(picture);

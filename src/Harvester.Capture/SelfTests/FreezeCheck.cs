@@ -1,5 +1,6 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.SelfTests;
 
@@ -40,13 +41,10 @@ internal sealed class FreezeCheck(SelfTestContext context, FreezeMethod method) 
 
     private string Camera => Checks[3];
 
-    public override IEnumerable<SelfTestPhase> Run()
+    public override IEnumerable<WorkStep> Run()
     {
         SceneSnapshot first = Context.Reader.Read();
-        foreach (SelfTestPhase phase in Wait(RunningTicks))
-        {
-            yield return phase;
-        }
+        yield return WorkStep.Do(Wait(RunningTicks));
 
         SceneSnapshot anchor = Context.Reader.Read();
         bool sawMovement = _comparison.FirstDifference(first, anchor) is not null;
@@ -58,7 +56,7 @@ internal sealed class FreezeCheck(SelfTestContext context, FreezeMethod method) 
         int tick = 0;
         while (tick - moved < StillTicks && tick < Context.Options.MaxSettleTicks + StillTicks)
         {
-            yield return SelfTestPhase.Running;
+            yield return WorkStep.Tick;
             tick++;
             SceneSnapshot now = Context.Reader.Read();
             (SceneSnapshot before, SceneSnapshot after) = Shared(anchor, now);
@@ -77,10 +75,7 @@ internal sealed class FreezeCheck(SelfTestContext context, FreezeMethod method) 
         if (holds && Game.MountedCamera is { } camera)
         {
             var shift = new CameraShift(Context);
-            foreach (SelfTestPhase phase in shift.Run(camera))
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(shift.Run(camera));
 
             movesCamera = shift.ReportedTicks is not null && (shift.SeenTicks is not null || !Context.ArePicturesUsable);
             Context.Add(

@@ -2,6 +2,7 @@ using Harvester.Capture.Harvesting;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.SelfTests;
@@ -32,7 +33,7 @@ internal sealed class HidingCheck(SelfTestContext context) : SelfCheck(context)
 
     public override IReadOnlyList<string> Checks => [SelfTestChecks.Hiding, SelfTestChecks.HidingDelay];
 
-    public override IEnumerable<SelfTestPhase> Run()
+    public override IEnumerable<WorkStep> Run()
     {
         NeedPictures();
         if (Game.Visibility is not { } visibility)
@@ -40,16 +41,13 @@ internal sealed class HidingCheck(SelfTestContext context) : SelfCheck(context)
             throw new SelfTestException("this game offers no way to hide objects.");
         }
 
-        foreach (SelfTestPhase phase in Freeze())
-        {
-            yield return phase;
-        }
+        yield return WorkStep.Do(Freeze());
 
         (int Entity, Box2D Box)[] objects = [.. Visible().Take(MaxObjects)];
         IReadOnlyCollection<int>? allowed;
         while ((allowed = visibility.Announce([.. objects.Select(each => each.Entity)])) is null)
         {
-            yield return SelfTestPhase.Running;
+            yield return WorkStep.Tick;
         }
 
         objects = [.. objects.Where(each => allowed.Contains(each.Entity))];
@@ -62,14 +60,14 @@ internal sealed class HidingCheck(SelfTestContext context) : SelfCheck(context)
         foreach ((int entity, Box2D box) in objects)
         {
             PixelBuffer before = Context.Grab();
-            yield return SelfTestPhase.Running;
+            yield return WorkStep.Tick;
             int noise = PicturePixels.ChangedIn(box, before, Context.Grab(), ChangedLevels);
             visibility.HideOnly([entity]);
             int ticks = 0;
             bool isGone = false;
             while (!isGone && ticks < MaxDelayTicks + Context.PictureTicks)
             {
-                yield return SelfTestPhase.Running;
+                yield return WorkStep.Tick;
                 ticks++;
                 isGone = PicturePixels.ChangedIn(box, before, Context.Grab(), ChangedLevels) > (2 * noise) + MinPixels;
             }
@@ -80,10 +78,7 @@ internal sealed class HidingCheck(SelfTestContext context) : SelfCheck(context)
             }
 
             visibility.HideOnly([]);
-            foreach (SelfTestPhase phase in Wait(ticks + 1))
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(Wait(ticks + 1));
         }
 
         Judge(objects.Length, delays);

@@ -1,4 +1,5 @@
 using Harvester.Capture.Harvesting;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.SelfTests;
 
@@ -11,7 +12,7 @@ internal sealed class HudCheck(SelfTestContext context) : SelfCheck(context)
 
     public override IReadOnlyList<string> Checks => [SelfTestChecks.Hud];
 
-    public override IEnumerable<SelfTestPhase> Run()
+    public override IEnumerable<WorkStep> Run()
     {
         NeedPictures();
         if (Game.Hud is not { } hud)
@@ -19,19 +20,13 @@ internal sealed class HudCheck(SelfTestContext context) : SelfCheck(context)
             throw new SelfTestException("this game has no display of its own.");
         }
 
-        foreach (SelfTestPhase phase in Freeze())
-        {
-            yield return phase;
-        }
+        yield return WorkStep.Do(Freeze());
 
         var pictures = new List<PixelBuffer>();
         for (int number = 0; number < 3; number++)
         {
             (number == 1 ? hud.Restore : new Action(hud.Hide))();
-            foreach (SelfTestPhase phase in Wait(Context.PictureTicks))
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(Wait(Context.PictureTicks));
 
             pictures.Add(Context.Grab());
         }

@@ -1,6 +1,7 @@
 using Harvester.Capture.Calibration;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.SelfTests;
 
@@ -20,7 +21,7 @@ internal sealed class LensCheck(SelfTestContext context) : SelfCheck(context), I
 
     public override IReadOnlyList<string> Checks => [SelfTestChecks.Lens];
 
-    public override IEnumerable<SelfTestPhase> Run()
+    public override IEnumerable<WorkStep> Run()
     {
         NeedPictures();
         if (Game.Markers is null || Context.Lines.Any(line => line.Check == SelfTestChecks.Markers && line.Verdict != SelfTestVerdict.Good))
@@ -40,7 +41,7 @@ internal sealed class LensCheck(SelfTestContext context) : SelfCheck(context), I
         );
         while (_session.Step() == CalibrationPhase.Settling)
         {
-            yield return SelfTestPhase.Running;
+            yield return WorkStep.Tick;
         }
 
         if (_session.Result is not { } result)

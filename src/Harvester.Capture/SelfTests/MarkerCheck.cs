@@ -1,6 +1,7 @@
 using Harvester.Capture.Calibration;
 using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.SelfTests;
@@ -29,7 +30,7 @@ internal sealed class MarkerCheck(SelfTestContext context) : SelfCheck(context)
 
     private double Radius => Math.Max(1.5, Context.Options.Image.Height / 100.0);
 
-    public override IEnumerable<SelfTestPhase> Run()
+    public override IEnumerable<WorkStep> Run()
     {
         NeedPictures();
         if (Game.Markers is not { } markers)
@@ -37,10 +38,7 @@ internal sealed class MarkerCheck(SelfTestContext context) : SelfCheck(context)
             throw new SelfTestException("this game draws no markers.");
         }
 
-        foreach (SelfTestPhase phase in Freeze())
-        {
-            yield return phase;
-        }
+        yield return WorkStep.Do(Freeze());
 
         CameraState state = Game.World.ReadCamera();
         var camera = new Camera(
@@ -59,10 +57,7 @@ internal sealed class MarkerCheck(SelfTestContext context) : SelfCheck(context)
         foreach (PlannedMarker[] part in shown)
         {
             markers.Show(part);
-            foreach (SelfTestPhase phase in Wait(Context.PictureTicks))
-            {
-                yield return phase;
-            }
+            yield return WorkStep.Do(Wait(Context.PictureTicks));
 
             PixelBuffer with = Context.Grab();
             found.Add(MarkerDetector.Find(without, with, Radius).Count);

@@ -1,5 +1,6 @@
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.SelfTests;
 
@@ -18,19 +19,16 @@ internal sealed class RayCheck(SelfTestContext context) : SelfCheck(context)
 
     public override IReadOnlyList<string> Checks => [SelfTestChecks.Materials, SelfTestChecks.Cost];
 
-    public override IEnumerable<SelfTestPhase> Run()
+    public override IEnumerable<WorkStep> Run()
     {
-        foreach (SelfTestPhase phase in Freeze())
-        {
-            yield return phase;
-        }
+        yield return WorkStep.Do(Freeze());
 
         long natives = Game.Calls?.Natives ?? 0;
         double begin = Game.Clock.Milliseconds;
         SceneSnapshot scene = Context.Reader.Read();
         double readMilliseconds = Game.Clock.Milliseconds - begin;
         long readNatives = (Game.Calls?.Natives ?? 0) - natives;
-        yield return SelfTestPhase.Running;
+        yield return WorkStep.Tick;
 
         CameraState state = scene.Camera;
         var camera = new Camera(
@@ -53,7 +51,7 @@ internal sealed class RayCheck(SelfTestContext context) : SelfCheck(context)
             }
 
             milliseconds += Game.Clock.Milliseconds - begin;
-            yield return SelfTestPhase.Running;
+            yield return WorkStep.Tick;
         }
 
         Context.Add(

@@ -1,4 +1,5 @@
 using Harvester.Capture.Ports;
+using Harvester.Geometry.Work;
 
 namespace Harvester.Capture.SelfTests;
 
@@ -16,16 +17,16 @@ internal abstract class SelfCheck(SelfTestContext context)
     protected GamePorts Game => Context.Game;
 
     /// <summary>Runs the check; an exception leaves the checks without a line untested.</summary>
-    public abstract IEnumerable<SelfTestPhase> Run();
+    public abstract IEnumerable<WorkStep> Run();
 
     /// <summary>Gives back what the check took of the game, whatever happened.</summary>
     public virtual void Release() { }
 
-    protected static IEnumerable<SelfTestPhase> Wait(int ticks)
+    protected static IEnumerable<WorkStep> Wait(int ticks)
     {
         for (int tick = 0; tick < ticks; tick++)
         {
-            yield return SelfTestPhase.Running;
+            yield return WorkStep.Tick;
         }
     }
 
@@ -39,7 +40,7 @@ internal abstract class SelfCheck(SelfTestContext context)
     }
 
     /// <summary>Freezes the world by the better method, and waits until it stands.</summary>
-    protected IEnumerable<SelfTestPhase> Freeze()
+    protected IEnumerable<WorkStep> Freeze()
     {
         if (Context.BestFreeze is not { } best)
         {

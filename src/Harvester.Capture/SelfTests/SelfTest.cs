@@ -1,6 +1,7 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.SelfTests;
 
 namespace Harvester.Capture.SelfTests;
@@ -14,7 +15,7 @@ public sealed class SelfTest : IDisposable
 {
     private readonly SelfTestContext _context;
     private readonly SelfCheck[] _checks;
-    private readonly IEnumerator<SelfTestPhase> _run;
+    private readonly WorkRun _run;
     private readonly int _pauseTicks;
     private int _current;
 
@@ -44,7 +45,7 @@ public sealed class SelfTest : IDisposable
             new ShapeCheck(_context),
             new RayCheck(_context),
         ];
-        _run = Run().GetEnumerator();
+        _run = new WorkRun(Run());
     }
 
     /// <summary>Where it is.</summary>
@@ -78,7 +79,7 @@ public sealed class SelfTest : IDisposable
     /// <summary>Does the work of one tick. After the end it does nothing.</summary>
     public SelfTestPhase Step()
     {
-        if (Phase == SelfTestPhase.Running && !_run.MoveNext())
+        if (Phase == SelfTestPhase.Running && !_run.Advance())
         {
             Phase = SelfTestPhase.Done;
         }
@@ -99,17 +100,17 @@ public sealed class SelfTest : IDisposable
 
     private static bool IsSound(FreezeFinding finding) => finding is { HoldsWorld: true, HoldsEnvironment: true, MovesCamera: not false };
 
-    private IEnumerable<SelfTestPhase> Run()
+    private IEnumerable<WorkStep> Run()
     {
         for (_current = 0; _current < _checks.Length; _current++)
         {
             SelfCheck check = _checks[_current];
-            using IEnumerator<SelfTestPhase> steps = check.Run().GetEnumerator();
+            using var steps = new WorkRun(check.Run());
             try
             {
                 while (Advance(check, steps))
                 {
-                    yield return SelfTestPhase.Running;
+                    yield return WorkStep.Tick;
                 }
             }
             finally
@@ -121,16 +122,16 @@ public sealed class SelfTest : IDisposable
             for (int tick = 0; tick < _pauseTicks; tick++)
             {
                 IsPictureNear = tick + _context.PictureTicks >= _pauseTicks;
-                yield return SelfTestPhase.Running;
+                yield return WorkStep.Tick;
             }
         }
     }
 
-    private bool Advance(SelfCheck check, IEnumerator<SelfTestPhase> steps)
+    private bool Advance(SelfCheck check, WorkRun steps)
     {
         try
         {
-            return steps.MoveNext();
+            return steps.Advance();
         }
 #pragma warning disable CA1031 // The game's script loop must not see an exception of ours, whatever its type.
         catch (Exception exception) when (exception is not ThreadAbortException)

@@ -1,5 +1,6 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.SelfTests;
 
 namespace Harvester.Capture.SelfTests;
@@ -31,7 +32,7 @@ internal sealed class ShapeCheck(SelfTestContext context) : SelfCheck(context), 
 
     public override IReadOnlyList<string> Checks => [SelfTestChecks.Rays, SelfTestChecks.Dimensions];
 
-    public override IEnumerable<SelfTestPhase> Run()
+    public override IEnumerable<WorkStep> Run()
     {
         NeedPictures();
         if (Context.Lines.Any(line => line.Check == SelfTestChecks.Hiding && line.Verdict != SelfTestVerdict.Good))
@@ -68,7 +69,7 @@ internal sealed class ShapeCheck(SelfTestContext context) : SelfCheck(context), 
         );
         while (!_session.Step().IsOver)
         {
-            yield return SelfTestPhase.Running;
+            yield return WorkStep.Tick;
         }
 
         JudgeRays(_session);

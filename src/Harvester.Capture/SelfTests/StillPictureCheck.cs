@@ -1,4 +1,5 @@
 using Harvester.Capture.Harvesting;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.SelfTests;
 
@@ -30,14 +31,11 @@ internal sealed class StillPictureCheck(SelfTestContext context) : SelfCheck(con
 
     public override IReadOnlyList<string> Checks => [SelfTestChecks.Noise, SelfTestChecks.Textures, SelfTestChecks.LevelOfDetail];
 
-    public override IEnumerable<SelfTestPhase> Run()
+    public override IEnumerable<WorkStep> Run()
     {
         NeedPictures();
         Game.Hud?.Hide();
-        foreach (SelfTestPhase phase in Freeze())
-        {
-            yield return phase;
-        }
+        yield return WorkStep.Do(Freeze());
 
         var last = new Queue<PixelBuffer>();
         var differences = new List<double>();
@@ -54,7 +52,7 @@ internal sealed class StillPictureCheck(SelfTestContext context) : SelfCheck(con
             }
 
             last.Enqueue(now);
-            yield return SelfTestPhase.Running;
+            yield return WorkStep.Tick;
         }
 
         Judge(differences, changed);

@@ -1,5 +1,6 @@
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Scenes;
 using Harvester.TestSupport;
 
@@ -21,17 +22,18 @@ internal sealed class SlowWorld(FakeGame game, int ticks) : IStepwiseWorld
 
     public IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range) => game.ReadEntities(centre, range);
 
-    public IEnumerable<EntityState?> ReadEntitiesInSteps(Vector3D centre, double range)
+    public IEnumerable<WorkStep> ReadEntitiesInSteps(Vector3D centre, double range, List<EntityState> entities)
     {
         for (int step = 0; step < ticks; step++)
         {
             game.Work(MillisecondsOfAStep);
-            yield return null;
+            yield return WorkStep.Pause;
         }
 
         foreach (EntityState entity in game.ReadEntities(centre, range))
         {
-            yield return entity;
+            entities.Add(entity);
+            yield return WorkStep.Pause;
         }
     }
 

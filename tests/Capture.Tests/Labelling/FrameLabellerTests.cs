@@ -182,9 +182,7 @@ public sealed class FrameLabellerTests
     {
         var labeller = Labeller(Options, new CuboidRays([]), new ObjectRegistry(1));
 
-        IgnoreRegion region = Assert.Single(
-            labeller.Label(Snapshot([]) with { Distant = [Near] }, static () => true).Last()!.IgnoreRegions
-        );
+        IgnoreRegion region = Assert.Single(labeller.LabelAtOnce(Snapshot([]) with { Distant = [Near] }, static () => true).IgnoreRegions);
 
         Assert.Equal(IgnoreReason.Undetermined, region.Reason);
     }
@@ -195,8 +193,7 @@ public sealed class FrameLabellerTests
     public void Object_that_no_ray_hits_is_an_ignore_region_without_label(bool masks)
     {
         FrameDraft draft = Labeller(Options with { Masks = masks }, new CuboidRays([]), new ObjectRegistry(1))
-            .Label(Snapshot([Near]), static () => true)
-            .Last()!;
+            .LabelAtOnce(Snapshot([Near]), static () => true);
 
         Assert.Empty(draft.Objects);
         Assert.Equal(
@@ -239,8 +236,7 @@ public sealed class FrameLabellerTests
                 new CuboidRays([rightEnd]),
                 new ObjectRegistry(1)
             )
-            .Label(Snapshot([wide]), static () => true)
-            .Last()!;
+            .LabelAtOnce(Snapshot([wide]), static () => true);
 
         Assert.Empty(draft.Objects);
         Assert.Empty(draft.IgnoreRegions);
@@ -262,8 +258,7 @@ public sealed class FrameLabellerTests
         {
             var counted = new CountedRays(new CuboidRays([.. entities, distant]));
             FrameDraft draft = Labeller(Options with { Masks = masks, RayBudget = budget }, counted, new ObjectRegistry(1))
-                .Label(Snapshot(entities) with { Distant = [distant] }, static () => true)
-                .Last()!;
+                .LabelAtOnce(Snapshot(entities) with { Distant = [distant] }, static () => true);
             RayCounts rays = draft.Rays!;
 
             Assert.Equal(counted.Count, rays.Total);
@@ -275,15 +270,14 @@ public sealed class FrameLabellerTests
 
     private static FrameDraft LabelWithDistant(HarvestOptions options, EntityState[] entities, EntityState[] distant) =>
         Labeller(options, new CuboidRays([.. entities, .. distant]), new ObjectRegistry(1))
-            .Label(Snapshot(entities) with { Distant = distant }, static () => true)
-            .Last()!;
+            .LabelAtOnce(Snapshot(entities) with { Distant = distant }, static () => true);
 
     private static FrameDraft Label(HarvestOptions options, params EntityState[] entities) =>
         Label(options, new ObjectRegistry(1), entities);
 
     private static FrameDraft Label(HarvestOptions options, ObjectRegistry registry, params EntityState[] entities)
     {
-        return Labeller(options, new CuboidRays(entities), registry).Label(Snapshot(entities), static () => true).Last()!;
+        return Labeller(options, new CuboidRays(entities), registry).LabelAtOnce(Snapshot(entities), static () => true);
     }
 
     private static FrameLabeller Labeller(HarvestOptions options, IRayCaster rays, ObjectRegistry registry) =>

@@ -109,7 +109,7 @@ public sealed class JointLabellerTests
         );
         var rays = new FrameRays(new JointRays(cast), options.RayBudget);
         var labeller = new FrameLabeller(options, rays, new ObjectRegistry(1));
-        return labeller.Label(snapshot, static () => true).Last()!.Label(0, default);
+        return labeller.LabelAtOnce(snapshot, static () => true).Label(0, default);
     }
 
     /// <summary>Rays for joints end at them, those for silhouettes do not.</summary>

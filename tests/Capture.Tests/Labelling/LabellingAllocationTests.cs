@@ -46,7 +46,7 @@ public sealed class LabellingAllocationTests : IRayCaster
         Label();
         return GC.GetAllocatedBytesForCurrentThread() - before;
 
-        FrameDraft Label() => labeller.Label(snapshot, static () => false).Last()!;
+        FrameDraft Label() => labeller.LabelAtOnce(snapshot, static () => false);
     }
 
     /// <summary>Cars side by side in rows, all in view of a camera at the origin that looks north, or all behind it.</summary>

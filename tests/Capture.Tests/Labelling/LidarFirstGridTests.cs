@@ -2,6 +2,7 @@ using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Lidar;
 using Harvester.Sessions.Rigs;
 using Harvester.Sessions.Scenes;
@@ -54,10 +55,9 @@ public sealed class LidarFirstGridTests : ISurfaceRays
             new EnvironmentState("clear", TimeSpan.Zero)
         );
         var game = new GamePorts(null!, this, null!, null!, null!) { SurfaceRays = this };
-        LidarSweep sweep = new LidarScanner(lidar, lidar.Mount, new LabellingOptions(), game, new ObjectRegistry(1))
-            .Scan(moment)
-            .OfType<LidarSweep>()
-            .Single();
+        var result = new WorkResult<LidarSweep>();
+        WorkRun.Complete(new LidarScanner(lidar, lidar.Mount, new LabellingOptions(), game, new ObjectRegistry(1)).Scan(moment, result));
+        LidarSweep sweep = result.Value!;
 
         // Columns 0, 24, ..., 1080 and 1084, beams 0, 4, ..., 28 and 31; a hundredth of the 34,720 rays are only 347.
         const int corners = 47 * 9;

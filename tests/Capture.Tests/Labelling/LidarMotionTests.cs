@@ -2,6 +2,7 @@ using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Lidar;
 using Harvester.Sessions.Rigs;
 using Harvester.Sessions.Scenes;
@@ -136,6 +137,8 @@ public sealed class LidarMotionTests : IRayCaster
             new EnvironmentState("clear", TimeSpan.Zero)
         );
         var scanner = new LidarScanner(lidar, lidar.Mount, new LabellingOptions(), game, new ObjectRegistry(1));
-        return [.. scanner.Scan(moment).OfType<LidarSweep>().Single().Points];
+        var sweep = new WorkResult<LidarSweep>();
+        WorkRun.Complete(scanner.Scan(moment, sweep));
+        return [.. sweep.Value!.Points];
     }
 }

@@ -1,4 +1,5 @@
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Work;
 
 namespace Harvester.Geometry.PixelMaps.Coded;
 
@@ -33,11 +34,9 @@ public sealed class CodedMaskDecoder : IMaskDecoder
     private readonly ObjectPlane[] _planes;
     private readonly Box2D[] _shadows;
     private readonly ShadowLight _light = new();
-    private readonly IEnumerator<bool> _work;
     private readonly ushort[][] _order;
     private readonly float[] _margins;
     private readonly NoiseMap _noise;
-    private CodedMask? _result;
 
     /// <summary>Prepares to decode pictures.</summary>
     /// <param name="camera">The camera of the pictures.</param>
@@ -68,19 +67,10 @@ public sealed class CodedMaskDecoder : IMaskDecoder
         _noise = new NoiseMap(pictures, image);
         _order = new ushort[image.PixelCount][];
         _margins = new float[image.PixelCount];
-        _work = Work().GetEnumerator();
     }
 
     /// <inheritdoc/>
-    public bool Step() => _work.MoveNext();
-
-    /// <inheritdoc/>
-    public CodedMask Finish()
-    {
-        while (Step()) { }
-
-        return _result!;
-    }
+    public CodedMask? Mask { get; private set; }
 
     private static Box2D ShadowOf(Box2D box)
     {
@@ -88,7 +78,8 @@ public sealed class CodedMaskDecoder : IMaskDecoder
         return new Box2D(box.XMin - more, box.YMin - more, box.XMax + more, box.YMax + more);
     }
 
-    private IEnumerable<bool> Work()
+    /// <inheritdoc/>
+    public IEnumerable<WorkStep> Decode()
     {
         List<int> candidates = [];
         List<int> casters = [];
@@ -97,7 +88,7 @@ public sealed class CodedMaskDecoder : IMaskDecoder
         for (int row = 0; row < _image.Height; row += ShadowStep)
         {
             FindShadows(row, candidates, casters);
-            yield return true;
+            yield return WorkStep.Pause;
         }
 
         // Then each pixel is explained by itself.
@@ -105,7 +96,7 @@ public sealed class CodedMaskDecoder : IMaskDecoder
         for (int row = 0; row < _image.Height; row++)
         {
             FitRow(row, candidates, casters);
-            yield return true;
+            yield return WorkStep.Pause;
         }
 
         // Last, each object is looked at as a whole: its shadow is separated, then its outline is settled.
@@ -115,10 +106,10 @@ public sealed class CodedMaskDecoder : IMaskDecoder
         {
             separator.Separate(plane);
             edges.Settle(plane);
-            yield return true;
+            yield return WorkStep.Pause;
         }
 
-        _result = Assembled();
+        Mask = Assembled();
     }
 
     private void Gather(int column, int row, List<int> candidates, List<int> casters)

@@ -1,12 +1,13 @@
+using Harvester.Geometry.Work;
+
 namespace Harvester.Geometry.PixelMaps.Coded;
 
-/// <summary>Decodes a mask from pictures, in steps, so that the work can be spread over ticks.</summary>
+/// <summary>Decodes a mask from pictures.</summary>
 public interface IMaskDecoder
 {
-    /// <summary>Does a small part of the work.</summary>
-    /// <returns>False if nothing is left to do.</returns>
-    bool Step();
+    /// <summary>The mask; null before the end of <see cref="Decode"/>.</summary>
+    CodedMask? Mask { get; }
 
-    /// <summary>Does what is left of the work and returns the result.</summary>
-    CodedMask Finish();
+    /// <summary>Decodes the pictures, in small steps. Call it once.</summary>
+    IEnumerable<WorkStep> Decode();
 }

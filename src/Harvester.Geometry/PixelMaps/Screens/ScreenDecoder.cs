@@ -1,5 +1,6 @@
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps.Coded;
+using Harvester.Geometry.Work;
 
 namespace Harvester.Geometry.PixelMaps.Screens;
 
@@ -20,8 +21,6 @@ internal sealed class ScreenDecoder : IMaskDecoder
     private readonly ScreenPlan _plan;
     private readonly IReadOnlyList<byte[]> _pictures;
     private readonly ScreenMatte[] _mattes;
-    private readonly IEnumerator<bool> _work;
-    private CodedMask? _result;
 
     public ScreenDecoder(Camera camera, IReadOnlyList<MapTarget> targets, ScreenPlan plan, IReadOnlyList<byte[]> pictures)
     {
@@ -33,21 +32,13 @@ internal sealed class ScreenDecoder : IMaskDecoder
         }
 
         _mattes = new ScreenMatte[targets.Count];
-        _work = Work().GetEnumerator();
     }
 
     /// <inheritdoc/>
-    public bool Step() => _work.MoveNext();
+    public CodedMask? Mask { get; private set; }
 
     /// <inheritdoc/>
-    public CodedMask Finish()
-    {
-        while (Step()) { }
-
-        return _result!;
-    }
-
-    private IEnumerable<bool> Work()
+    public IEnumerable<WorkStep> Decode()
     {
         // First each object by itself, with all pixels of its screen.
         double darkest = FrameShadows.Darkest(_camera.Image, _plan.Screens, _pictures[0], _pictures[1]);
@@ -67,7 +58,7 @@ internal sealed class ScreenDecoder : IMaskDecoder
             );
             _mattes[i] = new ScreenMatte(view, darkest);
             amodal[_targets[i].Number] = Collect(i, owners, several);
-            yield return true;
+            yield return WorkStep.Pause;
         }
 
         // Then the pixels that several objects claim vote on the order of each pair.
@@ -77,7 +68,7 @@ internal sealed class ScreenDecoder : IMaskDecoder
             order.Vote(pixel.Value, pixel.Key % _camera.Image.Width, pixel.Key / _camera.Image.Width);
         }
 
-        yield return true;
+        yield return WorkStep.Pause;
 
         // Last, each pixel goes to its only object or to the one in front.
         for (int pixel = 0; pixel < owners.Length; pixel++)
@@ -91,12 +82,12 @@ internal sealed class ScreenDecoder : IMaskDecoder
 
             if (pixel % StepPixels == 0)
             {
-                yield return true;
+                yield return WorkStep.Pause;
             }
         }
 
         MarkUndetermined(map, undetermined);
-        _result = new CodedMask(map, undetermined, amodal);
+        Mask = new CodedMask(map, undetermined, amodal);
     }
 
     /// <summary>The pixels of an object, which become those of the map too.</summary>

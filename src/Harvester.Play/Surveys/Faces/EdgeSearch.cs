@@ -1,3 +1,5 @@
+using Harvester.Geometry.Work;
+
 namespace Harvester.Play.Surveys.Faces;
 
 /// <summary>
@@ -29,7 +31,7 @@ internal sealed class EdgeSearch(Func<double, double, bool> isOn, double step, i
 
     /// <summary>Searches; each element is a few rays.</summary>
     /// <param name="known">Points on the shape, across the direction and along it, metres; at least one.</param>
-    public IEnumerable<bool> Run(IEnumerable<(double Across, double Along)> known)
+    public IEnumerable<WorkStep> Run(IEnumerable<(double Across, double Along)> known)
     {
         (double Across, double Along)[] places = [.. known];
         (_across, End) = places.OrderByDescending(place => sign * place.Along).First();
@@ -39,7 +41,7 @@ internal sealed class EdgeSearch(Func<double, double, bool> isOn, double step, i
         )
         {
             Try(across);
-            yield return true;
+            yield return WorkStep.Pause;
         }
 
         double beside = Stride * step;
@@ -47,10 +49,10 @@ internal sealed class EdgeSearch(Func<double, double, bool> isOn, double step, i
         {
             while (Try(_across - beside) || Try(_across + beside))
             {
-                yield return true;
+                yield return WorkStep.Pause;
             }
 
-            yield return true;
+            yield return WorkStep.Pause;
             beside /= 2;
         }
     }

@@ -1,3 +1,5 @@
+using Harvester.Geometry.Work;
+
 namespace Harvester.Play.Surveys.Faces;
 
 /// <summary>
@@ -19,14 +21,11 @@ internal sealed class FaceFinder(StageProbe probe, StagedModel model)
     public List<MeasuredFace> Faces { get; } = [];
 
     /// <summary>Measures the model; each element is a few rays.</summary>
-    public IEnumerable<bool> Run()
+    public IEnumerable<WorkStep> Run()
     {
         double area = (model.Max.X - model.Min.X) * (model.Max.Z - model.Min.Z);
         var grid = new ModelDepths(model.Min.X, model.Min.Z, model.Max.X, model.Max.Z, Math.Max(FinestStep, Math.Sqrt(area / MaxRays)));
-        foreach (bool ray in grid.Fill(probe))
-        {
-            yield return ray;
-        }
+        yield return WorkStep.Do(grid.Fill(probe));
 
         if (SignPost.Find(grid) is not { } post)
         {
@@ -36,10 +35,7 @@ internal sealed class FaceFinder(StageProbe probe, StagedModel model)
         foreach ((int first, int last) in Bands(grid, post))
         {
             var plate = new PlateFinder(probe, grid, post, first, last);
-            foreach (bool rays in plate.Run())
-            {
-                yield return rays;
-            }
+            yield return WorkStep.Do(plate.Run());
 
             if (plate.Found is { } face && face.Max.Z - face.Min.Z >= MinFaceHeight && !Faces.Any(other => AreOne(face, other)))
             {

@@ -1,6 +1,7 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Scenes;
 
@@ -23,7 +24,7 @@ public sealed class FaceSurvey : IDisposable
     private readonly List<SurveyedModel> _models;
     private readonly ModelPhotographer? _photographer;
     private readonly TickBudget _budget;
-    private readonly IEnumerator<bool> _run;
+    private readonly WorkRun _run;
     private readonly HashSet<string> _asked = new(StringComparer.Ordinal);
     private string? _next;
     private int _standing;
@@ -49,7 +50,7 @@ public sealed class FaceSurvey : IDisposable
         _models = [.. models ?? throw new ArgumentNullException(nameof(models))];
         _photographer = camera is null ? null : new ModelPhotographer(camera, folder);
         _budget = new TickBudget(clock, budgetMilliseconds);
-        _run = Run().GetEnumerator();
+        _run = new WorkRun(Run(), () => _budget.IsSpent);
     }
 
     /// <summary>Number of models in the list.</summary>
@@ -84,7 +85,7 @@ public sealed class FaceSurvey : IDisposable
         try
         {
             _budget.BeginTick();
-            if (!_run.MoveNext())
+            if (!_run.Advance())
             {
                 End();
             }
@@ -106,7 +107,7 @@ public sealed class FaceSurvey : IDisposable
     /// <summary>Ends the survey and removes what it placed.</summary>
     public void Dispose() => End();
 
-    private IEnumerable<bool> Run()
+    private IEnumerable<WorkStep> Run()
     {
         SurveyedModel[] left = [.. _models.Where(model => !_folder.IsDone(model.Name))];
         Done = _models.Count - left.Length;
@@ -114,10 +115,7 @@ public sealed class FaceSurvey : IDisposable
         {
             Current = left[i].Name;
             _next = i + 1 < left.Length ? left[i + 1].Name : null;
-            foreach (bool tick in Measure(left[i]))
-            {
-                yield return tick;
-            }
+            yield return WorkStep.Do(Measure(left[i]));
 
             Done++;
         }
@@ -125,18 +123,18 @@ public sealed class FaceSurvey : IDisposable
         // A slow disk may report the failure of the last model's rows when all are measured.
         while (_folder.IsWriting)
         {
-            yield return true;
+            yield return WorkStep.Tick;
         }
 
         _folder.Wait(TimeSpan.Zero);
     }
 
-    private IEnumerable<bool> Measure(SurveyedModel model)
+    private IEnumerable<WorkStep> Measure(SurveyedModel model)
     {
         ModelLoading loading = Ask(model.Name);
         for (int ticks = 0; loading == ModelLoading.Loading && ticks < MaxLoadingTicks; ticks++)
         {
-            yield return true;
+            yield return WorkStep.Tick;
             loading = Ask(model.Name);
         }
 
@@ -151,7 +149,7 @@ public sealed class FaceSurvey : IDisposable
         _stage.Hold(_standing);
         for (int ticks = 0; ticks < SettlingTicks; ticks++)
         {
-            yield return true;
+            yield return WorkStep.Tick;
         }
 
         AssertStanding(model.Name);
@@ -160,18 +158,12 @@ public sealed class FaceSurvey : IDisposable
         var faces = new FaceFinder(probe, staged);
         var heads = new HeadFinder(probe, staged);
         bool isLight = staged.Heads.Count > 0;
-        foreach (bool ray in isLight ? heads.Run() : faces.Run())
-        {
-            if (_budget.IsSpent)
-            {
-                yield return ray;
-            }
-        }
+        yield return WorkStep.Do(isLight ? heads.Run() : faces.Run());
 
         IReadOnlyList<MeasuredFace> found = isLight ? heads.Heads : faces.Faces;
-        foreach (bool tick in _photographer?.Take(staged, model.Name, found) ?? [])
+        if (_photographer is not null)
         {
-            yield return tick;
+            yield return WorkStep.Do(_photographer.Take(staged, model.Name, found));
         }
 
         AssertStanding(model.Name);
@@ -185,7 +177,7 @@ public sealed class FaceSurvey : IDisposable
             rows.Length == 0 ? "noFace" : "measured",
             rows.Length == 0 ? [] : KeptFaces.BesideFound(rows, own.Count > 0 ? own : model.Known)
         );
-        yield return true;
+        yield return WorkStep.Tick;
     }
 
     private void AssertStanding(string model)

@@ -1,4 +1,5 @@
 using Harvester.Geometry;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Faces;
 
 namespace Harvester.Play.Surveys.Faces;
@@ -27,15 +28,12 @@ internal sealed class HeadFinder(StageProbe probe, StagedModel model)
     public List<MeasuredFace> Heads { get; } = [];
 
     /// <summary>Measures the model; each element is about one ray.</summary>
-    public IEnumerable<bool> Run()
+    public IEnumerable<WorkStep> Run()
     {
         foreach (Vector3D bone in model.Heads)
         {
             var grid = new ModelDepths(bone.X - Reach, bone.Z - Reach, bone.X + Reach, bone.Z + Reach, Step);
-            foreach (bool ray in grid.Fill(probe))
-            {
-                yield return ray;
-            }
+            yield return WorkStep.Do(grid.Fill(probe));
 
             if (Measure(grid) is { } head)
             {

@@ -1,3 +1,5 @@
+using Harvester.Geometry.Work;
+
 namespace Harvester.Play.Surveys.Faces;
 
 /// <summary>
@@ -49,15 +51,12 @@ internal sealed class ModelDepths
     public int ColumnOf(double x) => (int)Math.Floor((x - _left) / Step);
 
     /// <summary>Casts the rays, one per element.</summary>
-    public IEnumerable<bool> Fill(StageProbe probe)
+    public IEnumerable<WorkStep> Fill(StageProbe probe)
     {
         int below = 0;
         for (int row = 0; row < Rows; row = row == Rows - 1 ? Rows : Math.Min(row + Stride, Rows - 1))
         {
-            foreach (bool ray in FillRow(probe, row, below))
-            {
-                yield return ray;
-            }
+            yield return WorkStep.Do(FillRow(probe, row, below));
 
             bool isSame = Enumerable.Range(0, Columns).All(column => IsSame(_depths[column, below], _depths[column, row]));
             for (int between = below + 1; between < row; between++)
@@ -68,10 +67,7 @@ internal sealed class ModelDepths
                     continue;
                 }
 
-                foreach (bool ray in FillRow(probe, between, below))
-                {
-                    yield return ray;
-                }
+                yield return WorkStep.Do(FillRow(probe, between, below));
             }
 
             below = row;
@@ -110,7 +106,7 @@ internal sealed class ModelDepths
         one is { } first && other is { } second ? Math.Abs(first - second) <= SameSurface : one is null && other is null;
 
     /// <summary>Casts a row: at each stride and where another row changes, and then between neighbours that differ.</summary>
-    private IEnumerable<bool> FillRow(StageProbe probe, int row, int other)
+    private IEnumerable<WorkStep> FillRow(StageProbe probe, int row, int other)
     {
         bool isWhole = row % WholeEvery == 0;
         int last = -1;
@@ -122,14 +118,14 @@ internal sealed class ModelDepths
             }
 
             _depths[column, row] = probe.FromBehind(XOf(column + 0.5), ZOf(row + 0.5));
-            yield return true;
+            yield return WorkStep.Pause;
             bool isSame = last >= 0 && IsSame(_depths[last, row], _depths[column, row]);
             for (int between = last + 1; between < column; between++)
             {
                 _depths[between, row] = isSame ? _depths[last, row] : probe.FromBehind(XOf(between + 0.5), ZOf(row + 0.5));
                 if (!isSame)
                 {
-                    yield return true;
+                    yield return WorkStep.Pause;
                 }
             }
 

@@ -1,4 +1,5 @@
 using Harvester.Geometry;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Imaging;
 
@@ -25,7 +26,7 @@ internal sealed class ModelPhotographer(ISurveyCamera camera, SurveyFolder folde
     public bool IsAtWork { get; private set; }
 
     /// <summary>Takes the photographs, one tick per element.</summary>
-    public IEnumerable<bool> Take(StagedModel model, string name, IReadOnlyList<MeasuredFace> faces)
+    public IEnumerable<WorkStep> Take(StagedModel model, string name, IReadOnlyList<MeasuredFace> faces)
     {
         Vector3D min = faces.Count == 0 ? model.Min : Least(faces.Select(face => face.Min));
         Vector3D max = faces.Count == 0 ? model.Max : -Least(faces.Select(face => -face.Max));
@@ -41,13 +42,13 @@ internal sealed class ModelPhotographer(ISurveyCamera camera, SurveyFolder folde
 
             for (int tick = 0; tick < SettlingTicks; tick++)
             {
-                yield return true;
+                yield return WorkStep.Tick;
             }
 
             PixelBuffer? picture = camera.Grab();
             for (int grabs = 1; picture is null && grabs < MaxGrabs; grabs++)
             {
-                yield return true;
+                yield return WorkStep.Tick;
                 picture = camera.Grab();
             }
 

@@ -1,3 +1,4 @@
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Faces;
 
 namespace Harvester.Play.Surveys.Faces;
@@ -22,12 +23,12 @@ internal sealed class PlateFinder(StageProbe probe, ModelDepths grid, SignPost p
     public MeasuredFace? Found { get; private set; }
 
     /// <summary>Measures the plate; each element is a few rays.</summary>
-    public IEnumerable<bool> Run()
+    public IEnumerable<WorkStep> Run()
     {
         int middle = (first + last) / 2;
         double behind = grid.MedianDepth(middle, column => !post.HasColumn(column))!.Value;
         FindSide(middle, behind);
-        yield return true;
+        yield return WorkStep.Pause;
 
         (int Column, int Row)[] known = [.. Known(behind, middle)];
         if (known.Length == 0)
@@ -44,19 +45,15 @@ internal sealed class PlateFinder(StageProbe probe, ModelDepths grid, SignPost p
                 grid.Step,
                 i % 2 == 0 ? -1 : 1
             );
-            foreach (
-                bool rays in edge.Run(
+            yield return WorkStep.Do(
+                edge.Run(
                     known.Select(cell =>
                         isUpright
                             ? (grid.XOf(cell.Column + 0.5), grid.ZOf(cell.Row + 0.5))
                             : (grid.ZOf(cell.Row + 0.5), grid.XOf(cell.Column + 0.5))
                     )
                 )
-            )
-            {
-                yield return rays;
-            }
-
+            );
             edges[i] = edge.End;
         }
 

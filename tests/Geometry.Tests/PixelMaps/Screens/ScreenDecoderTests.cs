@@ -3,6 +3,7 @@ using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.PixelMaps.Coded;
 using Harvester.Geometry.PixelMaps.Screens;
+using Harvester.Geometry.Work;
 
 namespace Harvester.Geometry.Tests.PixelMaps.Screens;
 
@@ -58,7 +59,9 @@ public sealed class ScreenDecoderTests
     {
         var world = new BallWorld(Camera, Balls, Post);
         ScreenPlan plan = ScreenPlan.For(Camera, Targets());
-        return (plan.Decoder([.. Enumerable.Range(0, plan.PictureCount).Select(number => world.Picture(plan, number))]).Finish(), world);
+        IMaskDecoder decoder = plan.Decoder([.. Enumerable.Range(0, plan.PictureCount).Select(number => world.Picture(plan, number))]);
+        WorkRun.Complete(decoder.Decode());
+        return (decoder.Mask!, world);
     }
 
     private static MapTarget[] Targets() =>

@@ -1,3 +1,4 @@
+using Harvester.Geometry.Work;
 using Harvester.Play.Surveys.Faces;
 
 namespace Harvester.Play.Tests.Surveys.Faces;
@@ -14,7 +15,7 @@ public sealed class EdgeSearchTests
         const double tip = 0.43;
         var search = new EdgeSearch((across, along) => along <= tip - Math.Abs(across - 0.07), Step, 1);
 
-        foreach (bool _ in search.Run([(0, 0), (Step, 0), (2 * Step, 0)])) { }
+        WorkRun.Complete(search.Run([(0, 0), (Step, 0), (2 * Step, 0)]));
 
         Assert.InRange(search.End, tip - tolerance, tip);
     }
