@@ -2,7 +2,9 @@ using System.Diagnostics;
 
 namespace Harvester.ImageLibraries;
 
-/// <summary>Decodes damaged copies of a file: one to three flipped bits, an end that is missing, or a declared size of 60,000 by 60,000.</summary>
+/// <summary>
+/// Decodes damaged copies of a file: one to three flipped bits, an end that is missing, or a declared size of 60,000 by 60,000.
+/// </summary>
 internal static class Damage
 {
     private const long Gigabyte = 1L << 30;
@@ -52,7 +54,7 @@ internal static class Damage
 
         if (i == 1)
         {
-            // Width and height of the header: those of a PNG stand at byte 16; of a JPEG, after the length and precision of its SOF0 segment.
+            // The lower halves of width and height: in a PNG from byte 16 on, in a JPEG after length and precision of its SOF0 segment.
             int at = copy[0] == 0x89 ? 18 : copy.AsSpan().IndexOf<byte>([0xFF, 0xC0]) + 5;
             (copy[at], copy[at + 1]) = (0xEA, 0x60);
             int next = copy[0] == 0x89 ? 22 : at + 2;

@@ -15,5 +15,6 @@ internal sealed class ImageSharpLibrary : IImageLibrary
         return pixels;
     }
 
-    public bool IsRefusal(Exception exception) => exception is ImageFormatException or SixLabors.ImageSharp.Memory.InvalidMemoryOperationException;
+    public bool IsRefusal(Exception exception) =>
+        exception is ImageFormatException or SixLabors.ImageSharp.Memory.InvalidMemoryOperationException;
 }

@@ -7,7 +7,10 @@ namespace Harvester.ImageLibraries;
 /// <summary>The project's decoders, which read files by their paths; the time of a write to a file in memory is part of theirs.</summary>
 internal sealed class OwnDecoders : IImageLibrary
 {
-    private static readonly string FilePath = Path.Combine(Directory.Exists("/dev/shm") ? "/dev/shm" : Path.GetTempPath(), Path.GetRandomFileName());
+    private static readonly string FilePath = Path.Combine(
+        Directory.Exists("/dev/shm") ? "/dev/shm" : Path.GetTempPath(),
+        Path.GetRandomFileName()
+    );
 
     public string Name => "this project";
 

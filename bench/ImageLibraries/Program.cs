@@ -9,7 +9,9 @@ if (args.Length == 0)
 }
 
 IImageLibrary[] libraries = [new OwnDecoders(), new ImageSharpLibrary(), new SkiaLibrary(), new StbLibrary()];
-Console.WriteLine("| library | file | decode, ms | pixels as ours | damaged: refused | other exception | differs unnoticed | > 1 s | > 1 GB |");
+Console.WriteLine(
+    "| library | file | decode, ms | pixels as ours | damaged: refused | other exception | differs unnoticed | > 1 s | > 1 GB |"
+);
 Console.WriteLine("|---|---|---|---|---|---|---|---|---|");
 foreach (string path in args)
 {
@@ -23,7 +25,8 @@ foreach (string path in args)
         Console.WriteLine(
             string.Create(
                 CultureInfo.InvariantCulture,
-                $"| {library.Name} | {Path.GetExtension(path)} | {milliseconds:0.0} | {(agrees ? "yes" : "no")} | {damage.Refused} | {damage.OtherExceptions} | {damage.Unnoticed} | {damage.Slow} | {damage.Large} |"
+                $"| {library.Name} | {Path.GetExtension(path)} | {milliseconds:0.0} | {(agrees ? "yes" : "no")} | {damage.Refused} | "
+                    + $"{damage.OtherExceptions} | {damage.Unnoticed} | {damage.Slow} | {damage.Large} |"
             )
         );
     }

@@ -1,4 +1,3 @@
-using Harvester.Exports.Aggregates;
 using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Exports;

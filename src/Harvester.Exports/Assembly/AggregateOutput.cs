@@ -1,6 +1,5 @@
 using System.Text;
 using Harvester.Datasets.Files;
-using Harvester.Exports.Aggregates;
 using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Exports.Assembly;

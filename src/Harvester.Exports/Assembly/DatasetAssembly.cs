@@ -1,7 +1,6 @@
 using System.Text;
 using System.Text.Json;
 using Harvester.Datasets.Files;
-using Harvester.Exports.Aggregates;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Reading.Json;

@@ -1,5 +1,4 @@
 using System.Text.Json;
-using Harvester.Exports.Aggregates;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;

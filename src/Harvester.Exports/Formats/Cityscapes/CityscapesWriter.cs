@@ -1,4 +1,3 @@
-using Harvester.Exports.Aggregates;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Semantics;

@@ -1,6 +1,5 @@
 using System.Text.Json;
 using Harvester.Datasets.Colours;
-using Harvester.Exports.Aggregates;
 using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Scenes;
 

@@ -1,6 +1,5 @@
 using System.Text.Json;
 using Harvester.Datasets.Masks.Pixels;
-using Harvester.Exports.Aggregates;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;

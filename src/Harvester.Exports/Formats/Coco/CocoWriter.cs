@@ -1,6 +1,5 @@
 using System.Text.Json;
 using Harvester.Datasets.Masks.Pixels;
-using Harvester.Exports.Aggregates;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading.Json;

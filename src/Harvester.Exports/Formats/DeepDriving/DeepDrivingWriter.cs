@@ -1,4 +1,3 @@
-using Harvester.Exports.Aggregates;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Imaging;

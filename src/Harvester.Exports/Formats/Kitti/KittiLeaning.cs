@@ -1,5 +1,4 @@
 using System.Globalization;
-using Harvester.Exports.Aggregates;
 
 namespace Harvester.Exports.Formats.Kitti;
 

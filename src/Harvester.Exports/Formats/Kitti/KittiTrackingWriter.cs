@@ -1,4 +1,3 @@
-using Harvester.Exports.Aggregates;
 using Harvester.Geometry;
 
 namespace Harvester.Exports.Formats.Kitti;

@@ -1,4 +1,3 @@
-using Harvester.Exports.Aggregates;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;

@@ -1,4 +1,3 @@
-using Harvester.Exports.Aggregates;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;

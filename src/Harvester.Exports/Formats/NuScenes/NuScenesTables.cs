@@ -1,5 +1,4 @@
 using System.Text.Json;
-using Harvester.Exports.Aggregates;
 using Harvester.Sessions.Reading.Json;
 
 namespace Harvester.Exports.Formats.NuScenes;

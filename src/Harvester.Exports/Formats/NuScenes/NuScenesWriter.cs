@@ -1,5 +1,4 @@
 using System.Text;
-using Harvester.Exports.Aggregates;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;

@@ -1,5 +1,3 @@
-using Harvester.Exports.Aggregates;
-
 namespace Harvester.Exports.Formats.OpenLabel;
 
 /// <summary>Writes ASAM OpenLABEL: a file per place, and its images. See docs/exports/openlabel.md.</summary>

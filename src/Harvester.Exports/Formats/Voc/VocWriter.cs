@@ -2,7 +2,6 @@ using System.Globalization;
 using System.Text;
 using System.Xml;
 using Harvester.Datasets.Colours;
-using Harvester.Exports.Aggregates;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
 

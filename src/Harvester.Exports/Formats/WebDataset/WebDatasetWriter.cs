@@ -1,7 +1,6 @@
 using System.Formats.Tar;
 using System.Text;
 using System.Text.Json.Nodes;
-using Harvester.Exports.Aggregates;
 using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Exports.Formats.WebDataset;

@@ -1,5 +1,4 @@
 using System.Text;
-using Harvester.Exports.Aggregates;
 
 namespace Harvester.Exports.Formats.Yolo;
 

@@ -1,5 +1,4 @@
 using Harvester.Datasets.Masks.Pixels;
-using Harvester.Exports.Aggregates;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Exports.Formats.Yolo;

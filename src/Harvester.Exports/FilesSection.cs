@@ -1,4 +1,4 @@
-namespace Harvester.Exports.Aggregates;
+namespace Harvester.Exports;
 
 /// <summary>The content of staged files, concatenated.</summary>
 internal sealed class FilesSection(string part) : AggregateSection

@@ -1,4 +1,4 @@
-namespace Harvester.Exports.Aggregates;
+namespace Harvester.Exports;
 
 /// <summary>An aggregate file that is being written, and what its sections are made of.</summary>
 internal interface IAggregateOutput

@@ -1,4 +1,4 @@
-namespace Harvester.Exports.Aggregates;
+namespace Harvester.Exports;
 
 /// <summary>A text that follows from all parts.</summary>
 internal sealed class SummarySection(string part, Action<TextWriter, IEnumerable<string>> write) : AggregateSection

@@ -1,4 +1,4 @@
-namespace Harvester.Exports.Aggregates;
+namespace Harvester.Exports;
 
 /// <summary>A file of a dataset that is assembled from parts of all frames.</summary>
 /// <param name="Path">Path within the dataset, with forward slashes.</param>

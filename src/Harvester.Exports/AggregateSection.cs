@@ -1,4 +1,4 @@
-namespace Harvester.Exports.Aggregates;
+namespace Harvester.Exports;
 
 /// <summary>
 /// A section of an aggregate file: fixed text, or what follows from the parts that frames wrote under one name, in the order of the frames.

@@ -1,4 +1,4 @@
-namespace Harvester.Exports.Aggregates;
+namespace Harvester.Exports;
 
 /// <summary>A file around the content of staged files.</summary>
 internal sealed class ContainerSection(string part, Action<Stream, IEnumerable<byte[]>> write) : AggregateSection

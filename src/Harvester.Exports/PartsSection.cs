@@ -1,4 +1,4 @@
-namespace Harvester.Exports.Aggregates;
+namespace Harvester.Exports;
 
 /// <summary>Parts, with a text between them and one after each.</summary>
 internal sealed class PartsSection(string part, string between, string after) : AggregateSection

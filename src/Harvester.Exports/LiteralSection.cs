@@ -1,4 +1,4 @@
-namespace Harvester.Exports.Aggregates;
+namespace Harvester.Exports;
 
 /// <summary>A fixed text.</summary>
 internal sealed class LiteralSection(string text) : AggregateSection

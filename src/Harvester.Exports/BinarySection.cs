@@ -1,4 +1,4 @@
-namespace Harvester.Exports.Aggregates;
+namespace Harvester.Exports;
 
 /// <summary>Bytes that follow from all parts.</summary>
 internal sealed class BinarySection(string part, Action<Stream, IEnumerable<string>> write) : AggregateSection

@@ -1,4 +1,4 @@
-namespace Harvester.Exports.Aggregates;
+namespace Harvester.Exports;
 
 /// <summary>Files of a dataset that all follow from the parts of one name, and are written side by side in one pass over them.</summary>
 /// <param name="Part">Name of the parts.</param>
