@@ -2,6 +2,7 @@ using System.Globalization;
 using BenchmarkDotNet.Running;
 using Harvester.Benchmarks;
 using Harvester.Benchmarks.Figures;
+using Harvester.Benchmarks.Occlusion;
 using Harvester.Benchmarks.PixelMaps;
 using Harvester.Geometry.Cameras;
 
@@ -19,6 +20,18 @@ if (args is ["pixel-maps" or "pixel-map-sweep", var width, var height, var seed,
         StrategySweep.Run(size, firstSeed);
     }
 
+    return;
+}
+
+// occlusion compares fractions with the renderer's: density, frames of a street, first and last seed.
+if (args is ["occlusion", var density, var ofStreet, var first, var last])
+{
+    OcclusionErrors.Run(
+        double.Parse(density, CultureInfo.InvariantCulture),
+        int.Parse(ofStreet, CultureInfo.InvariantCulture),
+        int.Parse(first, CultureInfo.InvariantCulture),
+        int.Parse(last, CultureInfo.InvariantCulture)
+    );
     return;
 }
 

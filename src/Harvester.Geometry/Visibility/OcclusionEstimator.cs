@@ -10,9 +10,9 @@ namespace Harvester.Geometry.Visibility;
 /// </summary>
 /// <remarks>
 /// Rays are spent where they decide something. The first samples are cast. If they see the object and nothing hides it, that is the result.
-/// A further sample is cast only where the samples around it disagree; elsewhere their answer is its answer. If no sample sees the object,
-/// second rays are cast only until one hits it: it is then hidden completely. If few samples of an object that is partly hidden are on it,
-/// or none at all, more follow: it may be thin, outside the image, or not hit by rays.
+/// A further sample is cast only where the samples around it disagree; elsewhere their answer is its answer, and so it is with second rays.
+/// If something lies in front of every sample, the object is hidden completely, without second rays. If few samples of an object that is
+/// partly hidden are on it, or none at all, more follow: it may be thin, outside the image, or not hit by rays.
 /// </remarks>
 public sealed class OcclusionEstimator
 {
@@ -27,6 +27,15 @@ public sealed class OcclusionEstimator
 
     /// <summary>An object is hardly seen until this part of the number of samples is on it: a sixteenth, 4 of 64.</summary>
     private const int HardlySeen = 16;
+
+    /// <summary>A part of an object of this many pixels is plainly there.</summary>
+    private const double PlainPixels = 64;
+
+    /// <summary>
+    /// Number of samples cast in the area of such a part before an object may count as hidden. The first samples lie in few columns: with
+    /// 4, a slit of 3 x 15 pixels is missed.
+    /// </summary>
+    private const int SamplesOfAPlainPart = 8;
 
     private readonly int _samples;
     private readonly int _all;
@@ -46,8 +55,8 @@ public sealed class OcclusionEstimator
         _all = samples + (samples / 4);
 
         // 12 for 64, and 28 where something is known to be in front.
-        _first = Math.Min(_all, Math.Max(SampleNeighbours.Count, samples * 3 / 16));
-        _firstOfOverlapped = Math.Min(_all, Math.Max(SampleNeighbours.Count, samples * 7 / 16));
+        _first = Math.Min(_all, Math.Max(NearestSamples<bool>.Count, samples * 3 / 16));
+        _firstOfOverlapped = Math.Min(_all, Math.Max(NearestSamples<bool>.Count, samples * 7 / 16));
 
         // 16 for 64: a car has them at once, a mast seldom.
         _enoughOnObject = samples / 4;
@@ -133,8 +142,12 @@ public sealed class OcclusionEstimator
 
         var probe = new CuboidProbe(camera.Pose.Position, cuboid, entity, ignoredEntity, rays);
         var known = new SampleNeighbours(box);
-        var unexamined = new Queue<Ray>();
+        var unexamined = new Queue<(Ray Ray, Vector2D Pixel)>();
         int first = isOverlapped ? _firstOfOverlapped : _first;
+        double firstOfHidden = Math.Max(
+            _first,
+            Math.Min(_samples, SamplesOfAPlainPart * SilhouetteSamples.AreaOf(projection) / PlainPixels)
+        );
         int cast = 0;
         int visible = 0;
         int hidden = 0;
@@ -163,10 +176,17 @@ public sealed class OcclusionEstimator
                 continue;
             }
 
-            // The samples around one on a thin object are all beside it, so those of an object that is hardly seen are cast; and before an
-            // object counts as hidden completely, all samples asked for are.
-            bool mayInfer = onCuboid >= first && (visible >= _samples / HardlySeen || (stopped == onCuboid && onCuboid >= _samples));
-            SampleFinding? finding = mayInfer ? known.Infer(pixel) : null;
+            // The samples around one on a thin object are all beside it, so those of an object that is hardly seen are cast.
+            SampleFinding? finding = null;
+            if (onCuboid >= first && visible >= _samples / HardlySeen)
+            {
+                finding = known.Infer(pixel);
+            }
+            else if (onCuboid >= firstOfHidden && stopped == onCuboid && known.IsBehindOneThing(pixel))
+            {
+                finding = SampleFinding.Stopped;
+            }
+
             onCuboid++;
             if (finding is null)
             {
@@ -188,7 +208,7 @@ public sealed class OcclusionEstimator
                     }
                 }
 
-                known.Add(pixel, finding.Value, hit);
+                known.Add(pixel, finding.Value, ray, hit);
             }
 
             visible += finding == SampleFinding.OnObject ? 1 : 0;
@@ -196,12 +216,12 @@ public sealed class OcclusionEstimator
             if (finding == SampleFinding.Stopped)
             {
                 stopped++;
-                unexamined.Enqueue(ray);
+                unexamined.Enqueue((ray, pixel));
             }
         }
 
-        // How many hidden samples are on the object counts only beside samples that see it.
-        while (unexamined.Count > 0 && (visible > 0 || hidden == 0))
+        // How many hidden samples are on the object counts only beside samples that see it; whether any is, if some samples pass.
+        while (unexamined.Count > 0 && (visible > 0 || (hidden == 0 && stopped < onCuboid)))
         {
             Examine();
             if (IsStepOver())
@@ -225,7 +245,7 @@ public sealed class OcclusionEstimator
         }
         else if (stopped == onCuboid)
         {
-            // Nothing is visible at all, and second rays met nothing: the object is hidden as far as its cuboid shows.
+            // Nothing is visible at all: the object is hidden as far as its cuboid shows.
             yield return new OcclusionEstimate(1, onCuboid, cast, OcclusionMethod.CuboidRays) { Sight = Sight.Unseen };
         }
         else
@@ -269,8 +289,16 @@ public sealed class OcclusionEstimator
 
         void Examine()
         {
-            cast++;
-            hidden += probe.Meets(unexamined.Dequeue()) ? 1 : 0;
+            (Ray ray, Vector2D pixel) = unexamined.Dequeue();
+            bool? isObject = visible > 0 ? known.InferShape(pixel) : null;
+            if (isObject is null)
+            {
+                cast++;
+                isObject = probe.Meets(ray);
+                known.AddShape(pixel, isObject.Value);
+            }
+
+            hidden += isObject.Value ? 1 : 0;
         }
 
         bool IsStepOver() => cast % RaysOfAStep == 0;

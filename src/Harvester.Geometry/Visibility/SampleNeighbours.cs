@@ -7,12 +7,6 @@ namespace Harvester.Geometry.Visibility;
 /// <param name="box">The box around the silhouette; distances between samples are measured in its width and height.</param>
 internal sealed class SampleNeighbours(Box2D box)
 {
-    /// <summary>
-    /// Number of neighbours that must agree. In simulated streets, 3 missed more of the small hidden or visible parts, and 5 needed 3 %
-    /// more rays.
-    /// </summary>
-    public const int Count = 4;
-
     /// <summary>Hits on the world are on one surface if the farthest is at most this fraction farther than the nearest.</summary>
     private const double SameSurface = 0.1;
 
@@ -21,89 +15,60 @@ internal sealed class SampleNeighbours(Box2D box)
     /// </summary>
     private const double Reach = 0.4;
 
-    private readonly List<(double X, double Y, SampleFinding Finding, RayHit? Hit)> _samples = [];
-    private readonly (double Squared, int Index)[] _nearest = new (double, int)[Count];
+    /// <summary>The same for neighbours that show one thing without gaps.</summary>
+    private const double ReachOfOneThing = 0.5;
+
+    /// <summary>The same for neighbours that show where the object is behind what hides it; they must also surround the sample.</summary>
+    private const double ReachOfShape = 0.25;
+
+    private readonly NearestSamples<(SampleFinding Finding, double Distance, SurfacePoint Point)> _cast = new(box);
+    private readonly NearestSamples<bool> _shape = new(box);
 
     /// <summary>Adds a sample that was cast.</summary>
-    public void Add(Vector2D pixel, SampleFinding finding, RayHit? hit)
+    public void Add(Vector2D pixel, SampleFinding finding, Ray ray, RayHit? hit)
     {
-        (double x, double y) = Placed(pixel);
-        _samples.Add((x, y, finding, hit));
+        _cast.Add(pixel, (finding, hit?.Distance ?? 0, hit is { } met ? SurfacePoint.Of(ray, met) : default));
+        if (finding != SampleFinding.Stopped)
+        {
+            AddShape(pixel, finding != SampleFinding.Gap);
+        }
     }
+
+    /// <summary>Adds whether the object is at a sample, hidden or not.</summary>
+    public void AddShape(Vector2D pixel, bool isObject) => _shape.Add(pixel, isObject);
 
     /// <summary>What a sample would find; null if the nearest samples do not agree.</summary>
-    public SampleFinding? Infer(Vector2D pixel)
+    public SampleFinding? Infer(Vector2D pixel) =>
+        _cast.Near(pixel, Reach) is not { } near ? null
+        : near.All(static sample => sample.Finding is SampleFinding.OnObject or SampleFinding.Gap) ? near[0].Finding
+        : AreStopped(near) && AreEquallyFar(near) ? SampleFinding.Stopped
+        : null;
+
+    /// <summary>
+    /// Whether something is in front of an object of which no sample has seen anything yet. A gap between things at similar distances may
+    /// show it, so they must be one thing without gaps.
+    /// </summary>
+    public bool IsBehindOneThing(Vector2D pixel) =>
+        _cast.Near(pixel, ReachOfOneThing) is { } near
+        && AreStopped(near)
+        && SurfacePoint.AreOnOneThing([.. near.Select(static sample => sample.Point)]);
+
+    /// <summary>Whether the object is at a sample in front of which something lies; null if the nearest samples do not agree.</summary>
+    public bool? InferShape(Vector2D pixel) =>
+        _shape.Near(pixel, ReachOfShape) is { } near && near.All(isObject => isObject == near[0]) && _shape.Surround(pixel)
+            ? near[0]
+            : null;
+
+    private static bool AreStopped(IReadOnlyList<(SampleFinding Finding, double Distance, SurfacePoint Point)> near) =>
+        near.All(static sample => sample.Finding == SampleFinding.Stopped);
+
+    private static bool AreEquallyFar(IReadOnlyList<(SampleFinding Finding, double Distance, SurfacePoint Point)> near)
     {
-        if (_samples.Count < Count)
-        {
-            return null;
-        }
-
-        FindNearest(pixel);
-        if (_nearest[Count - 1].Squared > Square(Reach))
-        {
-            return null;
-        }
-
-        SampleFinding nearest = _samples[_nearest[0].Index].Finding;
-        return nearest switch
-        {
-            SampleFinding.Stopped => AreStoppedByOneThing() ? nearest : null,
-            SampleFinding.OnObject or SampleFinding.Gap => AreNotHidden() ? nearest : null,
-            _ => null,
-        };
+        int thing = near[0].Point.Entity;
+        return near.All(sample => sample.Point.Entity == thing)
+            && (
+                thing != RayHit.World
+                || near.Max(static sample => sample.Distance) <= near.Min(static sample => sample.Distance) * (1 + SameSurface)
+            );
     }
-
-    private (double X, double Y) Placed(Vector2D pixel) => ((pixel.X - box.XMin) / box.Width, (pixel.Y - box.YMin) / box.Height);
-
-    /// <summary>Finds the nearest samples, in the order of their distances.</summary>
-    private void FindNearest(Vector2D pixel)
-    {
-        (double x, double y) = Placed(pixel);
-        int found = 0;
-        for (int i = 0; i < _samples.Count; i++)
-        {
-            double squared = Square(_samples[i].X - x) + Square(_samples[i].Y - y);
-            int at = found < Count ? found++ : Count;
-            while (at > 0 && squared < _nearest[at - 1].Squared)
-            {
-                at--;
-                if (at < Count - 1)
-                {
-                    _nearest[at + 1] = _nearest[at];
-                }
-            }
-
-            if (at < Count)
-            {
-                _nearest[at] = (squared, i);
-            }
-        }
-    }
-
-    private bool AreStoppedByOneThing()
-    {
-        double min = double.PositiveInfinity;
-        double max = 0;
-        int thing = HitOf(0).Entity;
-        for (int i = 0; i < Count; i++)
-        {
-            if (_samples[_nearest[i].Index].Finding != SampleFinding.Stopped || HitOf(i).Entity != thing)
-            {
-                return false;
-            }
-
-            min = Math.Min(min, HitOf(i).Distance);
-            max = Math.Max(max, HitOf(i).Distance);
-        }
-
-        return thing != RayHit.World || max <= min * (1 + SameSurface);
-    }
-
-    private bool AreNotHidden() =>
-        Array.TrueForAll(_nearest, near => _samples[near.Index].Finding is SampleFinding.OnObject or SampleFinding.Gap);
-
-    private RayHit HitOf(int neighbour) => _samples[_nearest[neighbour].Index].Hit!.Value;
-
-    private static double Square(double value) => value * value;
 }

@@ -15,6 +15,12 @@ public static class SightFinder
     /// </summary>
     private const int StoppedRays = 8;
 
+    /// <summary>Minimum number of rays stopped by one thing: three points of the world are always on a plane.</summary>
+    private const int StoppedByOneThing = 4;
+
+    /// <summary>Maximum number of pixels of the silhouette for each ray stopped by one thing: half of what is plainly there.</summary>
+    private const double PixelsOfARay = 32;
+
     /// <summary>
     /// Masts with an arm fill a twentieth of their cuboid's silhouette: this many rays all miss them once in 700 times, 0.95^128.
     /// </summary>
@@ -87,6 +93,8 @@ public static class SightFinder
 
         int asked = 0;
         bool allStopped = true;
+        var stoppers = new List<SurfacePoint>();
+        double enough = Math.Max(StoppedByOneThing, SilhouetteSamples.AreaOf(projection) / PixelsOfARay);
         foreach (Vector2D pixel in SilhouetteSamples.Of(projection, box, MaxSamples))
         {
             Ray ray = camera.RayThrough(pixel.X, pixel.Y);
@@ -103,8 +111,13 @@ public static class SightFinder
             }
 
             asked++;
-            allStopped &= first is { } blocker && blocker.Distance < span.Entry;
-            if (allStopped && asked == StoppedRays)
+            if (first is { } blocker && blocker.Distance < span.Entry)
+            {
+                stoppers.Add(SurfacePoint.Of(ray, blocker));
+            }
+
+            allStopped = stoppers.Count == asked;
+            if (allStopped && (asked == StoppedRays || (asked >= enough && SurfacePoint.AreOnOneThing(stoppers))))
             {
                 break;
             }

@@ -39,5 +39,9 @@ internal static class SilhouetteSamples
         }
     }
 
+    /// <summary>Area of the part of a silhouette inside the image, square pixels.</summary>
+    public static double AreaOf(CuboidProjection projection) =>
+        ConvexPolygon.Area(projection.Silhouette) * (1 - projection.TruncatedFraction);
+
     private static double Fraction(double value) => value - Math.Floor(value);
 }

@@ -78,8 +78,43 @@ public sealed class OcclusionEstimatorTests(ITestOutputHelper output)
     {
         OcclusionEstimate estimate = Estimate([(Car, Target), (RayHit.World, new(new(0, 10, 0), new(50, 0.1, 50), Axes.Identity))]);
 
+        Assert.Equal((1, OcclusionMethod.CuboidRays, Sight.Unseen), (estimate.OccludedFraction, estimate.Method, estimate.Sight));
+    }
+
+    [Fact]
+    public void Estimate_behind_one_wall_takes_a_ray_for_8_pixels()
+    {
+        // The cuboid's front, 4 m wide and 78 m away, has 15 x 15 pixels, or 30 times 8.
+        Cuboid far = new(new(0, 80, 0), new(2, 2, 2), Axes.Identity);
+        var world = new CuboidWorld([(Car, far), (RayHit.World, new(new(0, 10, 0), new(50, 0.1, 50), Axes.Identity))]);
+        OcclusionEstimate estimate = new OcclusionEstimator().Estimate(Camera, far, CuboidProjector.Project(Camera, far), Car, Ego, world);
+
         Assert.Equal(1, estimate.OccludedFraction);
-        Assert.Equal(OcclusionMethod.Rays, estimate.Method);
+        Assert.InRange(world.RaysCast, 12, 32);
+    }
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(0.5)]
+    public void Estimate_object_seen_through_a_gap_between_walls_is_seen(double step)
+    {
+        // Two walls at depths 10 and 10 + step, less than a tenth apart, leave a slit of 3 x 15 pixels, 46 in all, wherever it lies.
+        const double slit = 0.1;
+        Cuboid far = new(new(0, 80, 0), new(2, 2, 2), Axes.Identity);
+        for (double left = -0.24; left <= 0.14; left += 0.02)
+        {
+            var world = new CuboidWorld([
+                (Car, far),
+                (RayHit.World, new(new(left - 50, 10, 0), new(50, 0.01, 50), Axes.Identity)),
+                (RayHit.World, new(new(left + slit + 50, 10 + step, 0), new(50, 0.01, 50), Axes.Identity)),
+            ]);
+            CuboidProjection projection = CuboidProjector.Project(Camera, far);
+
+            OcclusionEstimate estimate = new OcclusionEstimator().Estimate(Camera, far, projection, Car, Ego, world);
+
+            Assert.Equal(Sight.Seen, estimate.Sight);
+            Assert.InRange(estimate.OccludedFraction, 0.6, 0.95);
+        }
     }
 
     [Fact]

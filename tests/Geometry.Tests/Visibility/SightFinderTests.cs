@@ -37,6 +37,17 @@ public sealed class SightFinderTests
     }
 
     [Fact]
+    public void Small_object_behind_one_wall_is_unseen_by_four_rays()
+    {
+        // 4 m at 180 m are 9 x 9 pixels, fewer than four times 32.
+        Cuboid small = new(new(0, 180, 0), new(2, 2, 2), Axes.Identity);
+        var world = new CuboidWorld([(Car, small), (RayHit.World, Wall)]);
+
+        Assert.Equal(Sight.Unseen, Find(small, world));
+        Assert.Equal(4, world.RaysCast);
+    }
+
+    [Fact]
     public void Object_in_a_corner_of_its_cuboid_that_is_covered_is_unseen()
     {
         // The wall covers the image's left half and so all of the object, but only half of its cuboid.
