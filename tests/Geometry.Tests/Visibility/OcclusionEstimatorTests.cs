@@ -31,9 +31,9 @@ public sealed class OcclusionEstimatorTests(ITestOutputHelper output)
         Assert.Equal(0, estimate.OccludedFraction);
         Assert.Equal(OcclusionMethod.Rays, estimate.Method);
 
-        // Seven in sixteen of 256 are cast before an object that may be hidden counts as whole.
-        Assert.Equal(112, estimate.SamplesOnObject);
-        Assert.Equal(112, estimate.RaysCast);
+        // Six in sixteen of 256 are cast before an object that may be hidden counts as whole.
+        Assert.Equal(96, estimate.SamplesOnObject);
+        Assert.Equal(96, estimate.RaysCast);
     }
 
     [Fact]
@@ -134,7 +134,7 @@ public sealed class OcclusionEstimatorTests(ITestOutputHelper output)
 
         Assert.Equal(0, estimate.OccludedFraction);
 
-        // Half of the 320 samples, a quarter more than asked for.
+        // Half of the 288 samples, an eighth more than asked for.
         Assert.InRange(estimate.SamplesOnObject, 140, 180);
     }
 
