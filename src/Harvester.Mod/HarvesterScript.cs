@@ -9,7 +9,6 @@ using Harvester.Play.Screen.Windows;
 using Harvester.Play.Settings;
 using Harvester.Play.Setup;
 using Harvester.Play.Tapes;
-using Harvester.Sessions.Scenes;
 
 namespace Harvester.Mod;
 

@@ -1,6 +1,7 @@
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
+using Harvester.Geometry.Work;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 
@@ -17,11 +18,28 @@ internal sealed class DistantLabeller(LabellingOptions options)
         where candidate is not null
         select candidate;
 
-    /// <summary>Whether a candidate is visible, found with few rays: null after each step, the finding at the end.</summary>
-    public IEnumerable<Sight?> LookInSteps(Camera camera, DistantCandidate candidate, int egoHandle, IRayCaster rays) =>
-        options.IsWithinReach(camera, candidate.Cuboid)
-            ? SightFinder.FindInSteps(camera, candidate.Cuboid, candidate.Projection, candidate.Entity.Handle, egoHandle, rays)
-            : [Sight.Undetermined];
+    /// <summary>Finds out with few rays whether a candidate is visible, in steps.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <param name="candidate">The candidate.</param>
+    /// <param name="egoHandle">Handle of the vehicle with the camera.</param>
+    /// <param name="rays">The ray caster.</param>
+    /// <param name="sight">Receives the finding.</param>
+    public IEnumerable<WorkStep> LookInSteps(
+        Camera camera,
+        DistantCandidate candidate,
+        int egoHandle,
+        IRayCaster rays,
+        WorkResult<Sight> sight
+    )
+    {
+        if (options.IsWithinReach(camera, candidate.Cuboid))
+        {
+            return SightFinder.FindInSteps(camera, candidate.Cuboid, candidate.Projection, candidate.Entity.Handle, egoHandle, rays, sight);
+        }
+
+        sight.Value = Sight.Undetermined;
+        return [];
+    }
 
     /// <summary>The ignore region of a candidate; null if it is not visible.</summary>
     public static IgnoreRegion? RegionOf(Camera camera, DistantCandidate candidate, Sight sight) =>

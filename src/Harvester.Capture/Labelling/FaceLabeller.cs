@@ -35,6 +35,7 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
     public IEnumerable<WorkStep> Label(FrameDraft draft, Func<bool> mayCastRays)
     {
         (Camera camera, SceneSnapshot snapshot) = (draft.Camera, draft.Snapshot);
+        var estimate = new WorkResult<OcclusionEstimate>();
         foreach (FaceCandidate? candidate in CandidatesOf(camera, snapshot))
         {
             yield return WorkStep.Pause;
@@ -51,15 +52,8 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
             }
             else if (mayCastRays() && rays?.Left >= _occlusion.MaxRays)
             {
-                foreach (OcclusionEstimate? step in EstimateInSteps(camera, candidate, snapshot.Ego.Handle, rays))
-                {
-                    if (step is null)
-                    {
-                        yield return WorkStep.Pause;
-                    }
-
-                    occlusion = step ?? default;
-                }
+                yield return WorkStep.Do(EstimateInSteps(camera, candidate, snapshot.Ego.Handle, rays, estimate));
+                occlusion = estimate.Value;
             }
 
             Add(draft, candidate, occlusion);
@@ -142,12 +136,18 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
         };
     }
 
-    private IEnumerable<OcclusionEstimate?> EstimateInSteps(Camera camera, FaceCandidate candidate, int egoHandle, IRayCaster caster)
+    private IEnumerable<WorkStep> EstimateInSteps(
+        Camera camera,
+        FaceCandidate candidate,
+        int egoHandle,
+        IRayCaster caster,
+        WorkResult<OcclusionEstimate> estimate
+    )
     {
         LabelCandidate seen = candidate.Seen;
         int parent = seen.Entity.Handle;
         FaceRays rays = new(caster, parent, seen.Cuboid, MarginOf(candidate.Face));
-        return _occlusion.EstimateInSteps(camera, seen.Cuboid, seen.Projection, parent, egoHandle, rays);
+        return _occlusion.EstimateInSteps(camera, seen.Cuboid, seen.Projection, parent, egoHandle, rays, estimate);
     }
 
     private static Vector3D MarginOf(ModelFace face)

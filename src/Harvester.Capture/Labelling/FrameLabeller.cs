@@ -112,21 +112,15 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
     private IEnumerable<WorkStep> LookAtDistant(PreparedFrame frame, Func<bool> mayCastRays)
     {
         (FrameDraft draft, SceneSnapshot snapshot, Camera camera) = (frame.Draft, frame.Snapshot, frame.Camera);
+        var found = new WorkResult<Sight>();
         rays.Begin(RayPhase.IgnoreRegions);
         foreach (DistantCandidate candidate in _distant.CandidatesOf(camera, snapshot.Distant))
         {
             Sight sight = Sight.NotAsked;
             if (mayCastRays() && rays.Left >= SightFinder.MaxRays)
             {
-                foreach (Sight? step in _distant.LookInSteps(camera, candidate, snapshot.Ego.Handle, rays))
-                {
-                    if (step is null)
-                    {
-                        yield return WorkStep.Pause;
-                    }
-
-                    sight = step ?? sight;
-                }
+                yield return WorkStep.Do(_distant.LookInSteps(camera, candidate, snapshot.Ego.Handle, rays, found));
+                sight = found.Value;
             }
 
             draft.Add(new DistantEntity(candidate.Entity, sight), DistantLabeller.RegionOf(camera, candidate, sight));
@@ -147,6 +141,7 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
     {
         (FrameDraft draft, Camera camera, List<LabelCandidate> candidates) = (frame.Draft, frame.Camera, frame.Candidates);
         int egoHandle = frame.Snapshot.Ego.Handle;
+        var estimate = new WorkResult<OcclusionEstimate>();
         rays.Begin(RayPhase.Occlusion);
         foreach (LabelCandidate candidate in candidates)
         {
@@ -157,25 +152,19 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
             }
             else if (mayCastRays() && rays.Left >= _occlusion.MaxRays)
             {
-                foreach (
-                    OcclusionEstimate? step in _occlusion.EstimateInSteps(
+                yield return WorkStep.Do(
+                    _occlusion.EstimateInSteps(
                         camera,
                         candidate.Cuboid,
                         candidate.Projection,
                         candidate.Entity.Handle,
                         egoHandle,
                         rays,
+                        estimate,
                         ObjectLabeller.IsOverlapped(camera, candidate, candidates)
                     )
-                )
-                {
-                    if (step is null)
-                    {
-                        yield return WorkStep.Pause;
-                    }
-
-                    occlusion = step ?? default;
-                }
+                );
+                occlusion = estimate.Value;
             }
 
             draft.Add(

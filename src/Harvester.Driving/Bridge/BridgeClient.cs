@@ -13,7 +13,6 @@ internal sealed class BridgeClient : IDisposable
     private readonly TcpClient _connection;
     private readonly NetworkStream _stream;
     private readonly SocketReception _reception;
-    private readonly FrameCredit _credit = new();
     private readonly object _sending = new();
     private bool _isPending = true;
     private volatile bool _isClosed;
@@ -47,11 +46,8 @@ internal sealed class BridgeClient : IDisposable
         new Thread(client.Receive) { IsBackground = true, Name = "Harvester socket bridge: receive" }.Start();
     }
 
-    /// <summary>Whether the client has answered the last frame.</summary>
-    public bool HasAnswered => _credit.IsAnswered;
-
-    /// <summary>Whether the client may be sent a frame now; if so, the frame counts as sent.</summary>
-    public bool MayGet(BridgeState state) => _credit.TrySpend(state);
+    /// <summary>Decides when the client may be sent a frame.</summary>
+    public FrameCredit Credit { get; } = new();
 
     /// <summary>Sends a message; a client that does not receive it is disconnected.</summary>
     public void Send(byte[] header, ArraySegment<byte> payload)
@@ -99,7 +95,14 @@ internal sealed class BridgeClient : IDisposable
         {
             while (SocketFraming.ReadHeader(_stream) is { } header)
             {
-                Take(header);
+                if (_isPending)
+                {
+                    BeIntroduced(header);
+                }
+                else
+                {
+                    Deliver(ClientMessageParser.Parse(header));
+                }
             }
 
             Dispose();
@@ -119,18 +122,6 @@ internal sealed class BridgeClient : IDisposable
         _reception.Inbox.Leave(this);
     }
 
-    private void Take(string header)
-    {
-        if (_isPending)
-        {
-            BeIntroduced(header);
-        }
-        else
-        {
-            Deliver(ClientMessageParser.Parse(header));
-        }
-    }
-
     private void Deliver(ClientMessage word)
     {
         if (word is RestartMessage && !_reception.Options.CanRestart)
@@ -144,7 +135,7 @@ internal sealed class BridgeClient : IDisposable
         }
 
         // After the message: a game that sees a frame awaited finds the answer.
-        _credit.Receive(word);
+        Credit.Receive(word);
         _reception.Outbox.Wake();
     }
 

@@ -71,7 +71,7 @@ public sealed class SocketBridge : IAwaitableBridge
     public bool HasClientGone => _reception.Inbox.HasClientGone;
 
     /// <inheritdoc/>
-    public bool IsFrameAwaited => _reception.Outbox.IsEmpty && _reception.Inbox.Client is { HasAnswered: true };
+    public bool IsFrameAwaited => _reception.Outbox.IsEmpty && _reception.Inbox.Client is { Credit.IsAnswered: true };
 
     /// <inheritdoc/>
     public bool Publish(BridgeState state, PixelBuffer picture) => _reception.Outbox.Put(state, picture, () => HasClientGone);
@@ -157,7 +157,7 @@ public sealed class SocketBridge : IAwaitableBridge
             bool MayGo(BridgeState waiting)
             {
                 client = _reception.Inbox.Client;
-                return client is null || client.MayGet(waiting);
+                return client is null || client.Credit.TrySpend(waiting);
             }
         }
     }

@@ -1,5 +1,6 @@
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Work;
 
 namespace Harvester.Geometry.Visibility;
 
@@ -88,13 +89,9 @@ public sealed class OcclusionEstimator
         bool isOverlapped = true
     )
     {
-        OcclusionEstimate estimate = default;
-        foreach (OcclusionEstimate? step in EstimateInSteps(camera, cuboid, projection, entity, ignoredEntity, rays, isOverlapped))
-        {
-            estimate = step ?? default;
-        }
-
-        return estimate;
+        var estimate = new WorkResult<OcclusionEstimate>();
+        WorkRun.Complete(EstimateInSteps(camera, cuboid, projection, entity, ignoredEntity, rays, estimate, isOverlapped));
+        return estimate.Value;
     }
 
     /// <summary>Estimates as <see cref="Estimate"/> does, a few rays at a time.</summary>
@@ -104,15 +101,17 @@ public sealed class OcclusionEstimator
     /// <param name="entity">The entity's handle.</param>
     /// <param name="ignoredEntity">Handle of an entity that hides nothing; <see cref="RayHit.World"/> if there is none.</param>
     /// <param name="rays">The ray caster.</param>
+    /// <param name="estimate">Receives the estimate.</param>
     /// <param name="isOverlapped">Whether something nearer is known to overlap it in the image.</param>
-    /// <returns>Null after each <see cref="RaysOfAStep"/> rays; the estimate at the end.</returns>
-    public IEnumerable<OcclusionEstimate?> EstimateInSteps(
+    /// <returns>The steps: a pause after each <see cref="RaysOfAStep"/> rays.</returns>
+    public IEnumerable<WorkStep> EstimateInSteps(
         Camera camera,
         Cuboid cuboid,
         CuboidProjection projection,
         int entity,
         int ignoredEntity,
         IRayCaster rays,
+        WorkResult<OcclusionEstimate> estimate,
         bool isOverlapped = true
     )
     {
@@ -120,22 +119,24 @@ public sealed class OcclusionEstimator
         Guard.NotNull(cuboid, nameof(cuboid));
         Guard.NotNull(projection, nameof(projection));
         Guard.NotNull(rays, nameof(rays));
-        return Steps(camera, cuboid, projection, entity, ignoredEntity, rays, isOverlapped);
+        Guard.NotNull(estimate, nameof(estimate));
+        return Steps(camera, cuboid, projection, entity, ignoredEntity, rays, estimate, isOverlapped);
     }
 
-    private IEnumerable<OcclusionEstimate?> Steps(
+    private IEnumerable<WorkStep> Steps(
         Camera camera,
         Cuboid cuboid,
         CuboidProjection projection,
         int entity,
         int ignoredEntity,
         IRayCaster rays,
+        WorkResult<OcclusionEstimate> estimate,
         bool isOverlapped
     )
     {
         if (projection.Box is not { } box)
         {
-            yield return new OcclusionEstimate(0, 0, 0, OcclusionMethod.None) { Sight = Sight.Unseen };
+            estimate.Value = new OcclusionEstimate(0, 0, 0, OcclusionMethod.None) { Sight = Sight.Unseen };
             yield break;
         }
 
@@ -160,7 +161,7 @@ public sealed class OcclusionEstimator
                 Examine();
                 if (IsStepOver())
                 {
-                    yield return null;
+                    yield return WorkStep.Pause;
                 }
             }
 
@@ -193,7 +194,7 @@ public sealed class OcclusionEstimator
                 RayHit? hit = rays.Cast(ray, span.Exit + CuboidProbe.Margin, ignoredEntity);
                 if (IsStepOver())
                 {
-                    yield return null;
+                    yield return WorkStep.Pause;
                 }
 
                 finding = FindingOf(hit, span, entity);
@@ -203,7 +204,7 @@ public sealed class OcclusionEstimator
                     finding = probe.MeetsBehind(ray, hit!.Value.Distance) ? finding : SampleFinding.Gap;
                     if (IsStepOver())
                     {
-                        yield return null;
+                        yield return WorkStep.Pause;
                     }
                 }
 
@@ -225,7 +226,7 @@ public sealed class OcclusionEstimator
             Examine();
             if (IsStepOver())
             {
-                yield return null;
+                yield return WorkStep.Pause;
             }
         }
 
@@ -233,35 +234,26 @@ public sealed class OcclusionEstimator
         int onObject = visible + hidden;
         if (onObject > 0)
         {
-            yield return new OcclusionEstimate((double)hidden / onObject, onObject, cast, OcclusionMethod.Rays)
+            estimate.Value = new OcclusionEstimate((double)hidden / onObject, onObject, cast, OcclusionMethod.Rays)
             {
                 Sight = visible > 0 ? Sight.Seen : Sight.Unseen,
             };
         }
         else if (onCuboid == 0)
         {
-            yield return new OcclusionEstimate(0, 0, 0, OcclusionMethod.None) { Sight = Sight.Unseen };
+            estimate.Value = new OcclusionEstimate(0, 0, 0, OcclusionMethod.None) { Sight = Sight.Unseen };
         }
         else if (stopped == onCuboid)
         {
             // Nothing is visible at all: the object is hidden as far as its cuboid shows.
-            yield return new OcclusionEstimate(1, onCuboid, cast, OcclusionMethod.CuboidRays) { Sight = Sight.Unseen };
+            estimate.Value = new OcclusionEstimate(1, onCuboid, cast, OcclusionMethod.CuboidRays) { Sight = Sight.Unseen };
         }
         else
         {
             // Rays pass through the cuboid without meeting the object: is it elsewhere in the cuboid, or do rays not meet it at all?
-            Sight? sight = null;
-            foreach (Sight? found in SightFinder.FindUnhit(probe))
-            {
-                cast++;
-                sight = found;
-                if (sight is null && IsStepOver())
-                {
-                    yield return null;
-                }
-            }
-
-            yield return new OcclusionEstimate(0, 0, cast, OcclusionMethod.None) { Sight = sight!.Value };
+            var unhit = new WorkResult<(Sight Sight, int Cast)>();
+            yield return WorkStep.Do(SightFinder.FindUnhit(probe, cast, unhit));
+            estimate.Value = new OcclusionEstimate(0, 0, unhit.Value.Cast, OcclusionMethod.None) { Sight = unhit.Value.Sight };
         }
 
         bool IsEnough()

@@ -1,5 +1,6 @@
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Work;
 
 namespace Harvester.Geometry.Visibility;
 
@@ -43,13 +44,9 @@ public static class SightFinder
     /// <returns>The finding; unseen also if nothing of the cuboid is in the image.</returns>
     public static Sight Find(Camera camera, Cuboid cuboid, CuboidProjection projection, int entity, int ignoredEntity, IRayCaster rays)
     {
-        Sight found = Sight.Unseen;
-        foreach (Sight? step in FindInSteps(camera, cuboid, projection, entity, ignoredEntity, rays))
-        {
-            found = step ?? found;
-        }
-
-        return found;
+        var found = new WorkResult<Sight>();
+        WorkRun.Complete(FindInSteps(camera, cuboid, projection, entity, ignoredEntity, rays, found));
+        return found.Value;
     }
 
     /// <summary>Examines an entity as <see cref="Find"/> does, a few rays at a time.</summary>
@@ -59,35 +56,39 @@ public static class SightFinder
     /// <param name="entity">The entity's handle.</param>
     /// <param name="ignoredEntity">Handle of an entity that hides nothing; <see cref="RayHit.World"/> if there is none.</param>
     /// <param name="rays">The ray caster.</param>
-    /// <returns>Null after each <see cref="OcclusionEstimator.RaysOfAStep"/> rays; the finding at the end.</returns>
-    public static IEnumerable<Sight?> FindInSteps(
+    /// <param name="found">Receives the finding.</param>
+    /// <returns>The steps: a pause after each <see cref="OcclusionEstimator.RaysOfAStep"/> rays.</returns>
+    public static IEnumerable<WorkStep> FindInSteps(
         Camera camera,
         Cuboid cuboid,
         CuboidProjection projection,
         int entity,
         int ignoredEntity,
-        IRayCaster rays
+        IRayCaster rays,
+        WorkResult<Sight> found
     )
     {
         Guard.NotNull(camera, nameof(camera));
         Guard.NotNull(cuboid, nameof(cuboid));
         Guard.NotNull(projection, nameof(projection));
         Guard.NotNull(rays, nameof(rays));
-        return Steps(camera, cuboid, projection, entity, ignoredEntity, rays);
+        Guard.NotNull(found, nameof(found));
+        return Steps(camera, cuboid, projection, entity, ignoredEntity, rays, found);
     }
 
-    private static IEnumerable<Sight?> Steps(
+    private static IEnumerable<WorkStep> Steps(
         Camera camera,
         Cuboid cuboid,
         CuboidProjection projection,
         int entity,
         int ignoredEntity,
-        IRayCaster rays
+        IRayCaster rays,
+        WorkResult<Sight> found
     )
     {
         if (projection.Box is not { } box)
         {
-            yield return Sight.Unseen;
+            found.Value = Sight.Unseen;
             yield break;
         }
 
@@ -106,7 +107,7 @@ public static class SightFinder
             RayHit? first = rays.Cast(ray, span.Exit + CuboidProbe.Margin, ignoredEntity);
             if (first is { } hit && hit.Entity == entity)
             {
-                yield return Sight.Seen;
+                found.Value = Sight.Seen;
                 yield break;
             }
 
@@ -124,44 +125,45 @@ public static class SightFinder
 
             if (asked % OcclusionEstimator.RaysOfAStep == 0)
             {
-                yield return null;
+                yield return WorkStep.Pause;
             }
         }
 
         if (allStopped)
         {
-            yield return Sight.Unseen;
+            found.Value = Sight.Unseen;
             yield break;
         }
 
-        foreach (Sight? found in FindUnhit(new CuboidProbe(camera.Pose.Position, cuboid, entity, ignoredEntity, rays)))
-        {
-            asked++;
-            if (found is not null || asked % OcclusionEstimator.RaysOfAStep == 0)
-            {
-                yield return found;
-            }
-        }
+        var unhit = new WorkResult<(Sight Sight, int Cast)>();
+        yield return WorkStep.Do(FindUnhit(new CuboidProbe(camera.Pose.Position, cuboid, entity, ignoredEntity, rays), asked, unhit));
+        found.Value = unhit.Value.Sight;
     }
 
     /// <summary>
     /// Distinguishes an unseen object from one that rays do not hit, by rays all over its cuboid, inside and outside the image.
     /// </summary>
     /// <param name="probe">The object's probe.</param>
-    /// <returns>Null after each ray except the last; unseen or undetermined after that.</returns>
-    internal static IEnumerable<Sight?> FindUnhit(CuboidProbe probe)
+    /// <param name="cast">Number of rays cast for the object before.</param>
+    /// <param name="found">Receives unseen or undetermined, and the number of all rays cast for the object.</param>
+    internal static IEnumerable<WorkStep> FindUnhit(CuboidProbe probe, int cast, WorkResult<(Sight Sight, int Cast)> found)
     {
         int left = Probes;
         foreach (Ray ray in probe.Through(Probes))
         {
+            cast++;
             left--;
-            if (probe.Meets(ray))
+            bool isHit = probe.Meets(ray);
+            if (isHit || left == 0)
             {
-                yield return Sight.Unseen;
+                found.Value = (isHit ? Sight.Unseen : Sight.Undetermined, cast);
                 yield break;
             }
 
-            yield return left > 0 ? null : Sight.Undetermined;
+            if (cast % OcclusionEstimator.RaysOfAStep == 0)
+            {
+                yield return WorkStep.Pause;
+            }
         }
     }
 }

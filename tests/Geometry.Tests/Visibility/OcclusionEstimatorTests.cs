@@ -3,6 +3,7 @@ using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Tests.Scenes;
 using Harvester.Geometry.Visibility;
+using Harvester.Geometry.Work;
 using Harvester.TestSupport;
 using Xunit.Abstractions;
 
@@ -250,10 +251,22 @@ public sealed class OcclusionEstimatorTests(ITestOutputHelper output)
                 var world = new CuboidWorld([(hit, part), .. drawn.Skip(1).Select(solid => (RayHit.World, solid))]);
                 CuboidProjection projection = CuboidProjector.Project(camera, drawn[0]);
                 int before = 0;
-                foreach (OcclusionEstimate? _ in new OcclusionEstimator(32).EstimateInSteps(camera, drawn[0], projection, Car, Ego, world))
+                using var run = new WorkRun(
+                    new OcclusionEstimator(32).EstimateInSteps(
+                        camera,
+                        drawn[0],
+                        projection,
+                        Car,
+                        Ego,
+                        world,
+                        new WorkResult<OcclusionEstimate>()
+                    ),
+                    static () => true
+                );
+                for (bool isLeft = true; isLeft; before = world.RaysCast)
                 {
+                    isLeft = run.Advance();
                     most = Math.Max(most, world.RaysCast - before);
-                    before = world.RaysCast;
                 }
             }
         );

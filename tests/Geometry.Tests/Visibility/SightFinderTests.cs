@@ -2,6 +2,7 @@ using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Tests.Scenes;
 using Harvester.Geometry.Visibility;
+using Harvester.Geometry.Work;
 
 namespace Harvester.Geometry.Tests.Visibility;
 
@@ -78,10 +79,14 @@ public sealed class SightFinderTests
         CuboidProjection projection = CuboidProjector.Project(Camera, Target);
         int most = 0;
         int before = 0;
-        foreach (Sight? _ in SightFinder.FindInSteps(Camera, Target, projection, Car, Ego, world))
+        using var run = new WorkRun(
+            SightFinder.FindInSteps(Camera, Target, projection, Car, Ego, world, new WorkResult<Sight>()),
+            static () => true
+        );
+        for (bool isLeft = true; isLeft; before = world.RaysCast)
         {
+            isLeft = run.Advance();
             most = Math.Max(most, world.RaysCast - before);
-            before = world.RaysCast;
         }
 
         Assert.Equal(OcclusionEstimator.RaysOfAStep, most);

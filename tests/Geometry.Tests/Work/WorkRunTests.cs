@@ -122,9 +122,11 @@ public sealed class WorkRunTests
             }
             finally
             {
-                throw new InvalidOperationException("fails");
+                Fail();
             }
         }
+
+        static void Fail() => throw new InvalidOperationException("fails");
     }
 
     [Fact]
