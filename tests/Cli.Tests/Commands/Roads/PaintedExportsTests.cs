@@ -3,7 +3,6 @@ using System.Security.Cryptography;
 using System.Text.Json;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry;
-using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
