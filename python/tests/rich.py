@@ -28,6 +28,7 @@ _LINE = {
     "widthMetres": 0.15,
     "painted": [True],
 }
+_MEASURED = {**_LINE, "source": "paint", "sigmaMetres": 0.02}
 _LANES: Dict[str, Any] = {
     "status": "known",
     "source": "simulation",
@@ -47,7 +48,8 @@ _LANES: Dict[str, Any] = {
     "atCar": {"indicators": _NUMBERS, "valid": _FLAGS},
     "vehicles": [{"id": 7, "lane": 1, "oncoming": False, "distanceMetres": 9, "bumperDistanceMetres": 5}],
     "boundaries": [_LINE],
-    "markings": [_LINE],
+    "markings": [_MEASURED],
+    "laneWidthsMetres": [3.5, 4.5],
 }
 
 

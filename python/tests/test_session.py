@@ -159,6 +159,10 @@ def test_records_are_shown_in_a_line(handmade: HandmadeSession, tmp_path: Path) 
     assert repr(open_session(rich.write(tmp_path / "rich"))[0].lanes) == (
         "Lanes(known, lane 0 of 2, +0.50 m from its centre, 1 vehicles, 1 boundaries, 1 markings)"
     )
+    lanes = open_session(tmp_path / "rich")[0].lanes
+    assert lanes is not None and lanes.markings is not None and lanes.lane_widths_metres == (3.5, 4.5)
+    assert (lanes.markings[0].source, lanes.markings[0].sigma_metres) == ("paint", 0.02)
+    assert (lanes.boundaries[0].source, lanes.boundaries[0].sigma_metres) == (None, None)
     handmade.lines[0]["timeSeconds"] = "x"
     assert repr(open_session(handmade.write())[0]) == f"<damaged label: {session.folder / 'labels.jsonl'}, line 1>"
 

@@ -71,7 +71,8 @@ class LaneLine:
     """A boundary or painted marking in the image, nearest point first.
 
     points: (n, 3), metres, world. in_camera: (n, 3), metres. pixels: (n, 2). hidden: one of True, False, None (no ray) for each point.
-    style, colour, width_metres and painted are None for a boundary.
+    style, colour, width_metres and painted are None for a boundary. source ("paint") and sigma_metres, the standard deviation of the
+    line's position across the road, are those of a measured marking; None for others.
     """
 
     index: int
@@ -84,6 +85,8 @@ class LaneLine:
     colour: Optional[str]
     width_metres: Optional[float]
     painted: Optional[Tuple[bool, ...]]
+    source: Optional[str]
+    sigma_metres: Optional[float]
 
     @staticmethod
     def from_json(line: Mapping[str, Any]) -> LaneLine:
@@ -99,6 +102,8 @@ class LaneLine:
             optional(text, line.get("colour")),
             optional(number, line.get("widthMetres")),
             None if line.get("painted") is None else each(flag, line["painted"]),
+            optional(text, line.get("source")),
+            optional(number, line.get("sigmaMetres")),
         )
 
     def __repr__(self) -> str:
@@ -118,7 +123,10 @@ def _hidden(value: Any) -> Optional[bool]:
 
 @dataclass(frozen=True, repr=False)
 class Lanes:
-    """The lanes around the car, the vehicles in them, and the thirteen indicators."""
+    """The lanes around the car, the vehicles in them, and the thirteen indicators.
+
+    lane_widths_metres is None if all lanes have the same width.
+    """
 
     status: str
     source: str
@@ -138,6 +146,7 @@ class Lanes:
     vehicles: Tuple[VehicleInLane, ...]
     boundaries: Tuple[LaneLine, ...]
     markings: Optional[Tuple[LaneLine, ...]]
+    lane_widths_metres: Optional[Tuple[float, ...]]
 
     @staticmethod
     def from_json(lanes: Mapping[str, Any]) -> Lanes:
@@ -162,6 +171,7 @@ class Lanes:
             each(VehicleInLane.from_json, lanes["vehicles"]),
             each(LaneLine.from_json, lanes["boundaries"]),
             None if markings is None else each(LaneLine.from_json, markings),
+            None if lanes.get("laneWidthsMetres") is None else each(number, lanes["laneWidthsMetres"]),
         )
 
     def __repr__(self) -> str:

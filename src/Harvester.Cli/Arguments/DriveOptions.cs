@@ -34,6 +34,8 @@ internal sealed class DriveOptions
             HelpName = "FILE",
         };
 
+    private Option<FileInfo?> Paint { get; } = LaneOptions.Paint();
+
     private Option<string[]> Near { get; } =
         new("--near")
         {
@@ -110,7 +112,7 @@ internal sealed class DriveOptions
     /// <summary>Adds the options to a command.</summary>
     public void AddTo(Command command)
     {
-        Option[] own = [Seed, Seeds, Roads, Near, Places, Jobs, Distance, Duration, Traffic, Speed, Noise, LookAhead, Perturb];
+        Option[] own = [Seed, Seeds, Roads, Paint, Near, Places, Jobs, Distance, Duration, Traffic, Speed, Noise, LookAhead, Perturb];
         foreach (Option option in own)
         {
             command.Options.Add(option);
@@ -136,6 +138,7 @@ internal sealed class DriveOptions
             Seed = seed,
             Seeds = parsed.GetValue(Seeds) is { } seeds ? [.. seeds.All] : [],
             Roads = roads,
+            Paint = parsed.GetValue(Paint)?.FullName,
             Starts = parsed.GetValue(Places) is { } places
                 ? RandomPlaces.On(roads!, places, seed)
                 : [.. parsed.GetRequiredValue(Near).Select(ParsePlace)],
@@ -173,6 +176,11 @@ internal sealed class DriveOptions
             ["dayOfYear"] = plan.DayOfYear.ToString(CultureInfo.InvariantCulture),
             ["timeOfDay"] = plan.TimeOfDay.ToString(@"hh\:mm", CultureInfo.InvariantCulture),
         };
+        if (parsed.GetValue(Paint) is { } paint)
+        {
+            settings["paint"] = paint.Name;
+        }
+
         if (plan.Controller.Speed is { } speed)
         {
             settings["speed"] = speed.ToString(CultureInfo.InvariantCulture);

@@ -150,6 +150,7 @@ internal sealed class HarvestCommand
         );
 
     private Option<LookAhead> LaneLookAhead { get; } = LaneOptions.LookAhead();
+    private Option<FileInfo?> Paint { get; } = LaneOptions.Paint();
     private Option<double> LaneWidth { get; } = LaneOptions.LaneWidth();
     private Option<double> NarrowLaneWidth { get; } = LaneOptions.NarrowLaneWidth();
 
@@ -213,6 +214,7 @@ internal sealed class HarvestCommand
             Range,
             IgnoreRange,
             LaneLookAhead,
+            Paint,
             LaneWidth,
             NarrowLaneWidth,
             Classes,
@@ -334,6 +336,7 @@ internal sealed class HarvestCommand
             Seed = parsed.GetValue(Seed),
             FovDegrees = parsed.GetValue(Fov),
             Roads = parsed.GetValue(Roads)?.FullName,
+            Paint = parsed.GetValue(Paint)?.FullName,
             Props = [.. parsed.GetRequiredValue(Props).Select(file => file.FullName)],
             Faces = parsed.GetValue(Faces) is { } spaces ? Path.TrimEndingDirectorySeparator(spaces.FullName) : null,
             Near = parsed.GetValue(Near),

@@ -95,6 +95,8 @@ internal static class StatsCommand
                     (indicator, i) => Text($"{indicator.Name}: {100 * lanes.ActiveFraction(i):0.0} % of {lanes.FramesWith(i)}")
                 )
             );
+            yield return $"lane geometry, of frames with known lanes: {LaneSourceText.OfFrames(statistics.LaneSources)}";
+            yield return Listed("lane lines", new[] { LaneSourceText.OfLines(statistics.LaneSources) }.Where(text => text.Length > 0));
             yield return Text($"lateral offset, m: standard deviation {lanes.OffsetDeviationMetres:0.00}, ")
                 + Text($"{lanes.MinOffsetMetres:0.00} to {lanes.MaxOffsetMetres:0.00}");
         }

@@ -45,7 +45,7 @@ internal static class OptionGroups
         ),
         new("Objects", ["--classes", "--range", "--ignore-range", "--spaces", "--true-occlusion", "--rays", "--ray-reach"]),
         new("Further data", ["--masks", "--semantics", "--materials", .. Switches, "--motion", "--no-scenes"]),
-        new("Lanes", ["--look-ahead", "--lane-width", "--narrow-lane-width"]),
+        new("Lanes", ["--look-ahead", "--paint", "--lane-width", "--narrow-lane-width"]),
         new("Pairs of pictures", ["--pair-weathers", "--pair-hours", "--pair-without", "--pair-ticks"]),
         new("Faults of the game", ["--quirks", "--freeze", "--max-picture-lag", "--max-camera-error"]),
     ];
@@ -55,7 +55,7 @@ internal static class OptionGroups
     public static IReadOnlyList<OptionGroup> OfDrive { get; } =
     [
         new("Output", ["--out", "--overwrite", "--min-free"]),
-        new("Route", ["--seed", "--seeds", "--roads", "--near", "--places", "--distance", "--duration", "--jobs"]),
+        new("Route", ["--seed", "--seeds", "--roads", "--paint", "--near", "--places", "--distance", "--duration", "--jobs"]),
         new("World", ["--traffic", "--weather", "--time", "--date"]),
         new("Controller", ["--controller", "--speed", "--emergency-brake", "--look-ahead", "--noise", "--perturb"]),
         new("Recording", ["--record", "--record-every", "--size"]),

@@ -70,6 +70,7 @@ public static class NodeDatabaseWriter
             LaneWidthSource.Calibrated => "calibrated",
             LaneWidthSource.NarrowConstant => "narrowConstant",
             LaneWidthSource.Paint => "paint",
+            LaneWidthSource.PartlyPaint => "partlyPaint",
             _ => "constant",
         };
 

@@ -83,6 +83,9 @@ public sealed class SessionStatistics
     /// <summary>How the car's position in its lane varies.</summary>
     public LaneVariety Lanes { get; } = new();
 
+    /// <summary>Where the geometry of the lanes comes from.</summary>
+    public LaneSources LaneSources { get; } = new();
+
     /// <summary>Number of labels whose box is lower than <see cref="SmallPixels"/>.</summary>
     public int SmallLabels { get; private set; }
 
@@ -128,6 +131,7 @@ public sealed class SessionStatistics
         {
             Add(lanes.Indicators);
             Lanes.Add(lanes);
+            LaneSources.Add(lanes);
         }
 
         foreach (ObjectLabel item in label.Objects)

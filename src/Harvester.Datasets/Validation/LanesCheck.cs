@@ -24,17 +24,30 @@ internal static class LanesCheck
             yield return $"lanes.lane is {lane}, but lanes.laneCount is {count}.";
         }
 
-        // The lane width is known at the look-ahead point only; at the car it may differ.
-        double atLookAhead = (lanes.LaneWidthMetres ?? LaneSection.TorcsLaneWidth) / LaneSection.TorcsLaneWidth;
+        if (lanes.LaneWidthsMetres is { } laneWidths && !laneWidths.All(static width => width > 0))
+        {
+            yield return "lanes.laneWidthsMetres must be greater than 0.";
+        }
+
+        foreach (LaneLineView marking in (lanes.Markings ?? []).Where(static line => line.SigmaMetres < 0))
+        {
+            yield return FormattableString.Invariant($"lanes.markings: sigmaMetres is {marking.SigmaMetres}; it must be 0 or more.");
+        }
+
+        // The lane widths are known at the look-ahead point only; at the car they may differ.
+        IReadOnlyList<double> widths = lanes.LaneWidthsMetres is { Count: > 0 } each
+            ? each
+            : [lanes.LaneWidthMetres ?? LaneSection.TorcsLaneWidth];
+        (double Least, double Most) atLookAhead = (widths.Min() / LaneSection.TorcsLaneWidth, widths.Max() / LaneSection.TorcsLaneWidth);
         foreach (
-            (string name, LaneIndicators indicators, double? scaleOfMarkings) in new (
+            (string name, LaneIndicators indicators, (double, double)? scaleOfMarkings) in new (
                 string Name,
                 LaneIndicators Indicators,
-                double? Scale
+                (double Least, double Most)? Scale
             )[]
             {
                 ("indicators", lanes.Indicators, atLookAhead),
-                ("torcsEquivalent", lanes.TorcsEquivalent, 1),
+                ("torcsEquivalent", lanes.TorcsEquivalent, (1, 1)),
                 ("atCar.indicators", lanes.IndicatorsAtCar, null),
             }
         )
@@ -49,7 +62,7 @@ internal static class LanesCheck
         }
     }
 
-    private static string? Problem(IndicatorDefinition definition, Indicator indicator, double? scale)
+    private static string? Problem(IndicatorDefinition definition, Indicator indicator, (double Least, double Most)? scale)
     {
         bool isToMarking = definition.Quantity == IndicatorQuantity.ToMarking;
         IndicatorRange range = definition.Range;
@@ -65,9 +78,11 @@ internal static class LanesCheck
             return null;
         }
 
-        double by = isToMarking ? scale!.Value : 1;
-        return indicator.Value < (range.Min * by) - Rounding || indicator.Value > (range.Max * by) + Rounding
-            ? FormattableString.Invariant($"{indicator.Value}; it must be {range.Min * by:0.##} to {range.Max * by:0.##}.")
+        (double least, double most) = isToMarking ? scale!.Value : (1, 1);
+        double from = Math.Min(range.Min * least, range.Min * most);
+        double to = Math.Max(range.Max * least, range.Max * most);
+        return indicator.Value < from - Rounding || indicator.Value > to + Rounding
+            ? FormattableString.Invariant($"{indicator.Value}; it must be {from:0.##} to {to:0.##}.")
             : null;
     }
 }

@@ -45,8 +45,8 @@ public static class IndicatorCalculator
         }
 
         // The car is in its lane while its distance from the lane's centre, scaled to a lane of 4 m, is at most InLaneReach.
-        double fromCentre = offset - ((lane + 0.5) * section.LaneWidth);
-        if (Math.Abs(fromCentre) * section.TorcsScale > InLaneReach)
+        double fromCentre = offset - section.MiddleOf(lane);
+        if (Math.Abs(fromCentre) * LaneSection.TorcsLaneWidth / section.WidthOf(lane) > InLaneReach)
         {
             return indicators;
         }
@@ -73,8 +73,9 @@ public static class IndicatorCalculator
     )
     {
         // The nearest marking k, 0 at the left edge of the road, and the car's distance from it, scaled to a lane of 4 m.
-        int marking = (int)Math.Max(0, Math.Min(section.LaneCount, Math.Round(offset / section.LaneWidth)));
-        double toTheRight = (offset - (marking * section.LaneWidth)) * section.TorcsScale;
+        int marking = section.NearestEdge(offset);
+        double laneWidth = section.WidthOf(section.NearestLane(offset));
+        double toTheRight = (offset - section.Edge(marking)) * LaneSection.TorcsLaneWidth / laneWidth;
         double reach = section.LaneCount >= 3 ? MarkingReachOfThreeLanes : MarkingReachOfFewerLanes;
         bool hasLeft = marking > 0;
         bool hasRight = marking < section.LaneCount;
@@ -96,8 +97,7 @@ public static class IndicatorCalculator
     }
 
     // Distances to markings are positive to the right.
-    private static Indicator ToMarking(int marking, double offset, LaneSection section) =>
-        Indicator.Of((marking * section.LaneWidth) - offset);
+    private static Indicator ToMarking(int marking, double offset, LaneSection section) => Indicator.Of(section.Edge(marking) - offset);
 
     private static Indicator Nearest(int lane, IReadOnlyList<VehicleAhead> vehicles)
     {

@@ -69,7 +69,7 @@ public static class LaneLineProjector
     {
         if (run.Count > 1)
         {
-            views.Add(new LaneLineView(line.Index, line.IsLeftOfCar, run) { Paint = line.Paint });
+            views.Add(new LaneLineView(line.Index, line.IsLeftOfCar, run) { Paint = line.Paint, SigmaMetres = line.SigmaMetres });
         }
 
         run = [];

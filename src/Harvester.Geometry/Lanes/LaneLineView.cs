@@ -8,4 +8,7 @@ public sealed record LaneLineView(int Index, bool IsLeftOfCar, IReadOnlyList<Lan
 {
     /// <summary>How it is painted; null for a boundary of lanes.</summary>
     public MarkingPaint? Paint { get; init; }
+
+    /// <summary>Standard deviation of measured paint across the road, metres; null for other lines.</summary>
+    public double? SigmaMetres { get; init; }
 }

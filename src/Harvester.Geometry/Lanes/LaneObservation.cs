@@ -14,7 +14,9 @@ public sealed record LaneObservation
     /// <summary>The road behind and ahead; null without a road.</summary>
     public RoadStretch? Stretch { get; init; }
 
-    /// <summary>Where the lane width comes from; null without a road.</summary>
+    /// <summary>
+    /// Where the lane width comes from: at the car and, if it is measured there, at the look-ahead point too; null without a road.
+    /// </summary>
     public LaneWidthSource? WidthSource { get; init; }
 
     /// <summary>
@@ -24,6 +26,9 @@ public sealed record LaneObservation
 
     /// <summary>The lanes at the look-ahead point.</summary>
     public LaneSection? Section { get; init; }
+
+    /// <summary>The car's position, metres to the right of the left edge of the lanes at the look-ahead point; 0 if unknown.</summary>
+    public double OffsetFromLeftEdge { get; init; }
 
     /// <summary>The indicators measured at the look-ahead point.</summary>
     public LaneIndicators Indicators { get; init; } = LaneIndicators.Unknown;

@@ -110,7 +110,9 @@ public sealed class LaneObserver
         return observation with
         {
             LookAheadMetres = lookAhead,
+            WidthSource = WidthSourceOf(observation.WidthSource, _lanes.WidthOf(there.Link, there.IsForward).Source),
             Section = there.Section,
+            OffsetFromLeftEdge = offset - there.LeftEdge,
             Indicators = IndicatorCalculator.Compute(
                 AngleOf(there.DirectionAt(parameter), headingDegrees),
                 offset - there.LeftEdge,
@@ -124,6 +126,10 @@ public sealed class LaneObserver
             Vehicles = inLanes,
         };
     }
+
+    /// <summary>The source of the lanes at the car, or the one at the look-ahead point where only those at the car are painted.</summary>
+    private static LaneWidthSource? WidthSourceOf(LaneWidthSource? here, LaneWidthSource there) =>
+        here is LaneWidthSource.Paint or LaneWidthSource.PartlyPaint && there != LaneWidthSource.Paint ? there : here;
 
     private static double AngleOf(Vector2D road, double headingDegrees)
     {

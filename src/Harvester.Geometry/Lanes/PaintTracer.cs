@@ -37,7 +37,10 @@ public static class PaintTracer
         var lines = new List<LaneLine>();
         foreach (PaintedLine painted in Guard.NotNull(paint, nameof(paint)))
         {
-            lines.AddRange(Along(stretch, carOffset, from, to, painted).Select(line => line with { Paint = painted.Paint }));
+            lines.AddRange(
+                Along(stretch, carOffset, from, to, painted)
+                    .Select(line => line with { Paint = painted.Paint, SigmaMetres = painted.SigmaMetres })
+            );
         }
 
         return [.. lines.OrderBy(line => line.Index)];

@@ -63,7 +63,7 @@ public sealed record StretchPiece(
         var boundaries = new Dictionary<int, double>();
         for (int i = 0; i <= Section.LaneCount; i++)
         {
-            boundaries.Add(i, LeftEdge + (i * Section.LaneWidth));
+            boundaries.Add(i, LeftEdge + Section.Edge(i));
         }
 
         if (Oncoming is { } oncoming)
@@ -73,7 +73,7 @@ public sealed record StretchPiece(
             bool hasMedian = LeftEdge + oncoming.LeftEdge > NoMedian;
             for (int i = hasMedian ? 0 : 1; i <= oncoming.Section.LaneCount; i++)
             {
-                boundaries.Add(-i - 1, -(oncoming.LeftEdge + (i * oncoming.Section.LaneWidth)));
+                boundaries.Add(-i - 1, -(oncoming.LeftEdge + oncoming.Section.Edge(i)));
             }
         }
 

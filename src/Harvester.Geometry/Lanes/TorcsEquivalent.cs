@@ -16,19 +16,24 @@ public static class TorcsEquivalent
     /// </summary>
     /// <param name="indicators">Metres and radians, at the look-ahead point.</param>
     /// <param name="section">The lanes at the look-ahead point.</param>
+    /// <param name="offset">The car's position, metres to the right of the left edge of these lanes.</param>
     /// <param name="angleAtCar">The angle between road and car at the car, radians.</param>
     /// <exception cref="ArgumentNullException"><paramref name="indicators"/> is null.</exception>
-    public static LaneIndicators Of(LaneIndicators indicators, LaneSection section, Indicator angleAtCar) =>
-        Of(indicators, section) with
+    public static LaneIndicators Of(LaneIndicators indicators, LaneSection section, double offset, Indicator angleAtCar) =>
+        Guard
+            .NotNull(indicators, nameof(indicators))
+            .Select(toMarking => toMarking.IsValid ? Indicator.Of(section.TorcsDistance(offset, toMarking.Value)) : toMarking, Cut) with
         {
             Angle = angleAtCar,
         };
 
-    /// <summary>Scales indicators measured at the car on lanes of a given width.</summary>
+    /// <summary>Scales indicators measured at the car on lanes of a given mean width.</summary>
     public static LaneIndicators Of(LaneIndicators indicators, LaneSection section) =>
         Guard.NotNull(indicators, nameof(indicators)).Select(toMarking => Scaled(toMarking, section.TorcsScale), Cut);
 
-    /// <summary>The inverse: indicators of a TORCS road in metres on lanes of a given width. Distances to vehicles stay limited.</summary>
+    /// <summary>
+    /// The inverse: indicators of a TORCS road in metres on lanes of a given mean width. Distances to vehicles stay limited.
+    /// </summary>
     public static LaneIndicators InMetres(LaneIndicators torcsEquivalent, LaneSection section) =>
         Guard
             .NotNull(torcsEquivalent, nameof(torcsEquivalent))

@@ -213,7 +213,7 @@ public sealed class JunctionExtents
         bool keepsRight = !onLeft;
         if (_lanes.LanesOf(link, looksForward == keepsRight) is { } lanes)
         {
-            return lanes.LeftEdge + (lanes.Section.LaneCount * lanes.Section.LaneWidth);
+            return lanes.LeftEdge + lanes.Section.Width;
         }
 
         // A one-way road driven the other way: it is as wide on either side of its line.

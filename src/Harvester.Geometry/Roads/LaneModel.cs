@@ -39,14 +39,14 @@ public sealed class LaneModel
         }
     }
 
-    /// <summary>Width of the lanes of one direction of a link, metres, and its source.</summary>
+    /// <summary>Mean width of the lanes of one direction of a link, metres, and its source.</summary>
     /// <param name="link">Index of the link.</param>
     /// <param name="isForward">True for the direction from start to end, false for the opposite one.</param>
     public (double Width, LaneWidthSource Source) WidthOf(int link, bool isForward)
     {
         if (_measured.TryGetValue((link, isForward), out MeasuredSection measured))
         {
-            return (measured.LaneWidth, LaneWidthSource.Paint);
+            return (measured.Section.LaneWidth, measured.IsWhole ? LaneWidthSource.Paint : LaneWidthSource.PartlyPaint);
         }
 
         if (_calibrated.TryGetValue(link, out double width))
@@ -75,7 +75,7 @@ public sealed class LaneModel
 
         if (_measured.TryGetValue((link, isForward), out MeasuredSection measured))
         {
-            return (new LaneSection(lanes, measured.LaneWidth), measured.LeftEdge);
+            return (measured.Section, measured.LeftEdge);
         }
 
         double width = WidthOf(link, isForward).Width;

@@ -12,6 +12,12 @@ public enum LaneWidthSource
     /// <summary>Derived from the edges of this road that the game reported.</summary>
     Calibrated,
 
-    /// <summary>Measured from the lines painted on this road.</summary>
+    /// <summary>Measured from the lines painted on this road, including both outer edges.</summary>
     Paint,
+
+    /// <summary>
+    /// Measured from some lines of this road: an outer edge is not, or all lines are on the road next to it. The other lanes and edges
+    /// follow from these.
+    /// </summary>
+    PartlyPaint,
 }

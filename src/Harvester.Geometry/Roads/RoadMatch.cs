@@ -51,5 +51,5 @@ public readonly record struct RoadMatch
     public bool HasRoad => Outcome >= RoadMatchOutcome.BesideTheLanes;
 
     /// <summary>How far the car is to the right of the middle of its lane, metres; null outside the lanes.</summary>
-    public double? OffsetFromLaneCentre => Lane is { } lane ? OffsetFromLeftEdge - ((lane + 0.5) * Section.LaneWidth) : null;
+    public double? OffsetFromLaneCentre => Lane is { } lane ? OffsetFromLeftEdge - Section.MiddleOf(lane) : null;
 }

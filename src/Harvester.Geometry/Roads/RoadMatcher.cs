@@ -156,7 +156,7 @@ public sealed class RoadMatcher
         }
 
         double offset = right - there.LeftEdge;
-        double width = there.Section.LaneCount * there.Section.LaneWidth;
+        double width = there.Section.Width;
         double outside = Math.Max(0, Math.Max(-offset, offset - width));
         if (outside > _options.MaxDistanceBeside)
         {
@@ -170,8 +170,8 @@ public sealed class RoadMatcher
         }
 
         // 0 in the middle of a lane, 1 at its edge and outside the lanes.
-        double withinLane = offset / there.Section.LaneWidth;
-        double fromMiddle = outside > 0 ? 1 : Math.Abs(withinLane - Math.Floor(withinLane) - 0.5) * 2;
+        int nearest = there.Section.NearestLane(offset);
+        double fromMiddle = outside > 0 ? 1 : Math.Abs(offset - there.Section.MiddleOf(nearest)) * 2 / there.Section.WidthOf(nearest);
 
         // -2 ln of the likelihood of independent normal misfits, up to a constant: the sum of squared misfits in units of their deviations.
         double cost =
@@ -259,12 +259,9 @@ public sealed class RoadMatcher
         double unknown = Math.Exp((found.Cost - _options.CostOfUnknownRoad) / 2);
         double other = runnerUp is { } second ? Math.Exp((found.Cost - second.Cost) / 2) : 0;
         double confidence = 1 / (1 + unknown + other);
-        double width = found.Section.LaneCount * found.Section.LaneWidth;
+        double width = found.Section.Width;
         double outside = Math.Max(-found.Offset, found.Offset - width);
-        int? lane =
-            outside * found.Section.TorcsScale > _options.EdgeTolerance
-                ? null
-                : Math.Max(0, Math.Min(found.Section.LaneCount - 1, (int)Math.Floor(found.Offset / found.Section.LaneWidth)));
+        int? lane = outside * found.Section.TorcsScale > _options.EdgeTolerance ? null : found.Section.NearestLane(found.Offset);
         return new RoadMatch
         {
             Outcome =
@@ -288,7 +285,7 @@ public sealed class RoadMatcher
         Junctions.Contains(candidate.Link, _curves.Of(candidate.Link).StationAt(candidate.Parameter));
 
     private double RightEdge(int link, bool isForward) =>
-        _lanes.LanesOf(link, isForward) is { } lanes ? lanes.LeftEdge + (lanes.Section.LaneCount * lanes.Section.LaneWidth) : 0;
+        _lanes.LanesOf(link, isForward) is { } lanes ? lanes.LeftEdge + lanes.Section.Width : 0;
 
     private static double Square(double value) => value * value;
 }

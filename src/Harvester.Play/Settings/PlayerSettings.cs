@@ -34,6 +34,9 @@ public sealed record PlayerSettings
     /// <summary>The road file; null to survey the roads in the game.</summary>
     public required string? RoadFile { get; init; }
 
+    /// <summary>The table of the paint measured on the roads of <see cref="RoadFile"/>; null without one.</summary>
+    public required string? PaintFile { get; init; }
+
     /// <summary>Width of the lanes of an ordinary road, metres.</summary>
     public required double LaneWidthMetres { get; init; }
 
@@ -46,6 +49,7 @@ public sealed record PlayerSettings
             new("lookAhead", LookAhead.Thesis.ToString()),
             new("laneWidth", LaneWidthMetres.ToString(CultureInfo.InvariantCulture)),
             new("narrowLaneWidth", NarrowLaneWidthMetres.ToString(CultureInfo.InvariantCulture)),
+            .. PaintFile is null ? [] : new KeyValuePair<string, string>[] { new("paint", Path.GetFileName(PaintFile)) },
         ];
 
     /// <summary>The file of the road survey.</summary>
@@ -101,6 +105,7 @@ public sealed record PlayerSettings
         string pictures = Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.MyPictures), "GtaDataHarvester");
         string folder = PathOf(ini.Text("Harvest", "Folder", pictures));
         string roads = ini.Text("Roads", "File", string.Empty);
+        string paint = ini.Text("Roads", "Paint", string.Empty);
         string plan = ini.Text("Plan", "File", string.Empty);
         return new PlayerSettings
         {
@@ -111,6 +116,7 @@ public sealed record PlayerSettings
             Options = HarvestSettings.Read(ini),
             Folder = folder,
             RoadFile = roads.Length > 0 ? PathOf(roads) : null,
+            PaintFile = paint.Length > 0 ? PathOf(paint) : null,
             LaneWidthMetres = ini.Number("Roads", "LaneWidth", RoadGeometry.LaneWidth, 2, 10),
             NarrowLaneWidthMetres = ini.Number("Roads", "NarrowLaneWidth", RoadGeometry.NarrowLaneWidth, 2, 10),
             SurveyFile = Path.Combine(folder, "roads.csv"),

@@ -41,6 +41,7 @@ internal sealed class HarvestPorts
         Game = new GamePorts(Scene.World, adapters.Rays, setup.Screen, adapters.Time, setup.Clock, Markers)
         {
             Roads = Roads,
+            Paint = player.PaintFile is null ? null : Roads,
             Lights = Lights,
             MountedCamera = features.Mount,
             RigCamera = features.Mount,

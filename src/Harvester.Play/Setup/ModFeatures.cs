@@ -166,7 +166,15 @@ public sealed class ModFeatures
     {
         if (_setup.Player.RoadFile is { } file)
         {
-            _ports.Roads.Prepare(() => RoadSurveyFile.Load(file) ?? throw new FileNotFoundException($"There is no {file}."), "roadFile");
+            _ports.Roads.Prepare(
+                () => RoadSurveyFile.Load(file) ?? throw new FileNotFoundException($"There is no {file}."),
+                "roadFile",
+                _setup.Player.PaintFile is { } paint ? network => MeasuredPaintFile.Load(paint, network) : null
+            );
+        }
+        else if (_setup.Player.PaintFile is not null)
+        {
+            _setup.Folder.Complain("Paint under [Roads] is not used: it needs File, the road file on which it was measured.");
         }
 
         return new RoadSurveying(

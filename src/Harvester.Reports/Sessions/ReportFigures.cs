@@ -48,6 +48,17 @@ internal static class ReportFigures
             json.WriteString("Seed", Text($"{seed}"));
         }
 
+        foreach (
+            (string name, string shares) in new[]
+            {
+                ("Lane geometry, frames", LaneSourceText.OfFrames(statistics.LaneSources)),
+                ("Lane geometry, lines", LaneSourceText.OfLines(statistics.LaneSources)),
+            }.Where(fact => fact.Item2.Length > 0)
+        )
+        {
+            json.WriteString(name, shares);
+        }
+
         json.WriteEndObject();
     }
 

@@ -94,7 +94,9 @@ public sealed class DirectDrive(SimulatedGame game, IRoads roads, Func<IControll
         LaneIndicators indicators = seen?.Indicators ?? LaneIndicators.Unknown;
         return new DrivingState(
             indicators,
-            seen?.Section is { } section ? TorcsEquivalent.Of(indicators, section, seen.IndicatorsAtCar.Angle) : indicators,
+            seen?.Section is { } section
+                ? TorcsEquivalent.Of(indicators, section, seen.OffsetFromLeftEdge, seen.IndicatorsAtCar.Angle)
+                : indicators,
             seen?.IsFast ?? false,
             ego.Velocity.Length
         )

@@ -22,6 +22,9 @@ public sealed record DriveSettings
     /// <summary>The road network; null for a town generated from the seed.</summary>
     public RoadNetwork? Roads { get; init; }
 
+    /// <summary>Table of the paint measured on the roads; null for none.</summary>
+    public string? Paint { get; init; }
+
     /// <summary>Start positions of the drives, world, metres; empty for the middle of the road network.</summary>
     public IReadOnlyList<Vector2D> Starts { get; init; } = [];
 

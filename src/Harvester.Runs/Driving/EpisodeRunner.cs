@@ -1,13 +1,16 @@
 using System.Runtime.ExceptionServices;
 using Harvester.Capture.Ports;
+using Harvester.Datasets.Roads;
 using Harvester.Driving.Controllers;
 using Harvester.Driving.Session;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Roads;
 using Harvester.Runs.Evaluation.Figures;
 using Harvester.Runs.Evaluation.Noise;
 using Harvester.Runs.Evaluation.Scores;
 using Harvester.Runs.Faults;
+using Harvester.Sessions.Reading.Files;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Settings;
 
@@ -22,9 +25,7 @@ public sealed class EpisodeRunner(DriveSettings plan, TextWriter messages)
     private readonly DriveEpisode?[] _episodes = new DriveEpisode?[plan.Episodes.Count];
 
     /// <summary>Roads of a file are prepared once for all starts; each generated town has its own.</summary>
-    private readonly Lazy<FixedRoads>? _roads = plan.Roads is { } roads
-        ? new(() => new FixedRoads(roads, "roadFile", LookAhead.OfMetres(plan.Controller.LookAheadMetres)))
-        : null;
+    private readonly Lazy<FixedRoads>? _roads = plan.Roads is { } roads ? new(() => Prepared(plan, roads, "roadFile")) : null;
 
     private readonly Lock _reporting = new();
     private double _metres;
@@ -44,6 +45,7 @@ public sealed class EpisodeRunner(DriveSettings plan, TextWriter messages)
     /// <exception cref="UsageException">There is no road near a start position.</exception>
     /// <exception cref="IOException">A bridge cannot be opened or fails, or the other side does not answer.</exception>
     /// <exception cref="GameFaultException">The game failed.</exception>
+    /// <exception cref="DatasetFormatException">The table of paint is invalid, or belongs to other roads.</exception>
     public void Run(Action<int> report, CancellationToken cancellation)
     {
         var faults = new ExceptionDispatchInfo?[_plans.Count];
@@ -64,7 +66,8 @@ public sealed class EpisodeRunner(DriveSettings plan, TextWriter messages)
                 {
                     Drive(i, report, cancellation);
                 }
-                catch (Exception e) when (e is IOException or UnauthorizedAccessException or GameFaultException or UsageException)
+                catch (Exception e)
+                    when (e is IOException or UnauthorizedAccessException or GameFaultException or UsageException or DatasetFormatException)
                 {
                     faults[i] = ExceptionDispatchInfo.Capture(e);
                     loop.Break();
@@ -87,11 +90,19 @@ public sealed class EpisodeRunner(DriveSettings plan, TextWriter messages)
     private IController Noisy(IController controller, int seed) =>
         plan.Noise is { } noise ? new NoisyIndicators(controller, noise, seed) : controller;
 
+    private static FixedRoads Prepared(DriveSettings plan, RoadNetwork roads, string source) =>
+        new(
+            roads,
+            source,
+            LookAhead.OfMetres(plan.Controller.LookAheadMetres),
+            paint: plan.Paint is { } paint ? PaintFile.Read(paint, roads) : null
+        );
+
     private void Drive(int index, Action<int> report, CancellationToken cancellation)
     {
         (int seed, Vector2D? start) = _plans[index];
         SimulatedGame game = Build(start, seed);
-        IRoads roads = _roads?.Value ?? new FixedRoads(game.Roads, "simulation", LookAhead.OfMetres(plan.Controller.LookAheadMetres));
+        IRoads roads = _roads?.Value ?? Prepared(plan, game.Roads, "simulation");
         using GameRecording? recording = Recording?.Of(game, roads, seed);
         List<DriveSample> samples = [];
         bool isStopped = true;

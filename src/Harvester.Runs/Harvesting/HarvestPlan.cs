@@ -38,6 +38,9 @@ public sealed record HarvestPlan
     /// <summary>File of the road network; null for a town generated from the seed.</summary>
     public required string? Roads { get; init; }
 
+    /// <summary>Table of the paint measured on the roads; null for none.</summary>
+    public string? Paint { get; init; }
+
     /// <summary>Files of traffic lights and street lamps; empty to generate them.</summary>
     public required IReadOnlyList<string> Props { get; init; }
 

@@ -8,6 +8,7 @@ using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Runs.Faults;
 using Harvester.Sessions.Faces;
@@ -33,22 +34,25 @@ public sealed class SimulatedHarvest
     private readonly FaceTable _faces;
 
     private readonly IReadOnlyList<Vector2D> _places;
+    private readonly PaintTable? _paint;
 
-    private SimulatedHarvest(HarvestPlan plan, SimulatedGame game, FaceTable faces, IReadOnlyList<Vector2D> places)
+    private SimulatedHarvest(HarvestPlan plan, SimulatedGame game, FaceTable faces, IReadOnlyList<Vector2D> places, PaintTable? paint)
     {
         _places = places;
+        _paint = paint;
         _plan = plan;
         _game = game;
         _faces = faces;
     }
 
     /// <summary>Reads the files of the plan and builds the world.</summary>
-    /// <exception cref="DatasetFormatException">A file of roads, props or faces is invalid.</exception>
+    /// <exception cref="DatasetFormatException">A file of roads, paint, props or faces is invalid.</exception>
     /// <exception cref="UsageException">There is no road near the start position.</exception>
     public static SimulatedHarvest Build(HarvestPlan plan, Action<string> warn)
     {
         SimulatedGame.BeginModels();
         RoadNetwork? roads = plan.Roads is null ? null : RoadImporter.Import(plan.Roads).Network;
+        PaintTable? paint = plan.Paint is { } table ? PaintFile.Read(table, roads ?? TownBuilder.Build(plan.Seed)) : null;
         FaceTable faces = FaceFile.AsWritten(
             plan.Faces is null ? ModelFaces.Table : ModelFaces.Table.OverriddenBy(FaceFile.ReadValid(plan.Faces, warn))
         );
@@ -85,7 +89,7 @@ public sealed class SimulatedHarvest
 
             plan.Trial?.Drive.Begin(game);
 
-            return new SimulatedHarvest(plan, game, faces, places);
+            return new SimulatedHarvest(plan, game, faces, places, paint);
         }
         catch (ArgumentException e)
         {
@@ -193,8 +197,10 @@ public sealed class SimulatedHarvest
                 _plan.Roads is null ? "simulation" : "roadFile",
                 _plan.LookAhead,
                 _plan.LaneWidth,
-                _plan.NarrowLaneWidth
+                _plan.NarrowLaneWidth,
+                _paint
             ),
+            Paint = _paint is null ? _game.Ports.Paint : new MeasuredPaint(_paint),
         };
 
     /// <summary>Where the session of a plan comes from.</summary>
@@ -219,6 +225,11 @@ public sealed class SimulatedHarvest
         if (plan.Roads is { } roads)
         {
             yield return new("roads", Path.GetFileName(roads));
+        }
+
+        if (plan.Paint is { } paint)
+        {
+            yield return new("paint", Path.GetFileName(paint));
         }
 
         if (plan.Props.Count > 0)

@@ -25,8 +25,9 @@ internal static class LanesJson
             .Key("lane")
             .Integer(lanes.Lane)
             .Key("laneWidthMetres")
-            .Number(lanes.LaneWidthMetres, LabelDecimals.Metres)
-            .Key("laneWidthSource")
+            .Number(lanes.LaneWidthMetres, LabelDecimals.Metres);
+        AppendWidths(json, lanes.LaneWidthsMetres);
+        json.Key("laneWidthSource")
             .String(lanes.LaneWidthSource is { } source ? JsonName.Of(source) : null)
             .Key("offsetFromLaneCentreMetres")
             .Number(lanes.OffsetFromLaneCentreMetres, LabelDecimals.Metres)
@@ -55,6 +56,22 @@ internal static class LanesJson
         }
 
         json.EndObject();
+    }
+
+    private static void AppendWidths(JsonText json, IReadOnlyList<double>? widths)
+    {
+        if (widths is null)
+        {
+            return;
+        }
+
+        json.Key("laneWidthsMetres").BeginArray();
+        foreach (double width in widths)
+        {
+            json.Number(width, LabelDecimals.Metres);
+        }
+
+        json.EndArray();
     }
 
     private static void AppendValues(JsonText json, LaneIndicators indicators)
@@ -116,6 +133,11 @@ internal static class LanesJson
                     .String(JsonName.Of(paint.Colour))
                     .Key("widthMetres")
                     .Number(paint.WidthMetres, LabelDecimals.Metres);
+                if (line.SigmaMetres is { } sigma)
+                {
+                    json.Key("source").String("paint").Key("sigmaMetres").Number(sigma, LabelDecimals.Metres);
+                }
+
                 AppendEach(json.Key("painted"), line, point => json.Boolean(point.IsPainted));
             }
 

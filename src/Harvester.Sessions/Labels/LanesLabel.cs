@@ -26,8 +26,13 @@ public sealed record LanesLabel
     /// <summary>The car's lane, 0 the leftmost of its direction; null unless the lanes are known.</summary>
     public int? Lane { get; init; }
 
-    /// <summary>Width of a lane at the look-ahead point, metres; null unless the lanes are known.</summary>
+    /// <summary>Mean width of the lanes at the look-ahead point, metres; null unless the lanes are known.</summary>
     public double? LaneWidthMetres { get; init; }
+
+    /// <summary>
+    /// Width of each lane at the look-ahead point from left to right, metres; null unless the lanes are known to have different widths.
+    /// </summary>
+    public IReadOnlyList<double>? LaneWidthsMetres { get; init; }
 
     /// <summary>Where the lane width comes from; null without a road.</summary>
     public LaneWidthSource? LaneWidthSource { get; init; }
@@ -92,6 +97,7 @@ public sealed record LanesLabel
             LaneCount = isKnown ? seen.SectionAtCar?.LaneCount : null,
             Lane = isKnown ? seen.Match.Lane : null,
             LaneWidthMetres = isKnown ? seen.Section?.LaneWidth : null,
+            LaneWidthsMetres = isKnown ? seen.Section?.LaneWidths : null,
             LaneWidthSource = seen.WidthSource,
             OffsetFromLaneCentreMetres = isKnown ? seen.Match.OffsetFromLaneCentre : null,
             LookAheadMetres = seen.LookAheadMetres,
@@ -99,7 +105,7 @@ public sealed record LanesLabel
             IsFast = seen.IsFast,
             Indicators = seen.Indicators,
             TorcsEquivalent = seen.Section is { } section
-                ? Geometry.Lanes.TorcsEquivalent.Of(seen.Indicators, section, seen.IndicatorsAtCar.Angle)
+                ? Geometry.Lanes.TorcsEquivalent.Of(seen.Indicators, section, seen.OffsetFromLeftEdge, seen.IndicatorsAtCar.Angle)
                 : LaneIndicators.Unknown,
             IndicatorsAtCar = seen.IndicatorsAtCar,
             Vehicles = seen.Vehicles,

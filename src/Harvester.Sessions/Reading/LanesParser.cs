@@ -20,6 +20,7 @@ internal static class LanesParser
             LaneCount = lanes.Has("laneCount") ? lanes.Integer("laneCount") : null,
             Lane = lanes.Has("lane") ? lanes.Integer("lane") : null,
             LaneWidthMetres = lanes.OptionalNumber("laneWidthMetres"),
+            LaneWidthsMetres = lanes.Has("laneWidthsMetres") ? lanes.Numbers("laneWidthsMetres") : null,
             LaneWidthSource = lanes.Has("laneWidthSource") ? lanes.Name<LaneWidthSource>("laneWidthSource") : null,
             OffsetFromLaneCentreMetres = lanes.OptionalNumber("offsetFromLaneCentreMetres"),
             LookAheadMetres = lanes.Number("lookAheadMetres"),
@@ -59,6 +60,7 @@ internal static class LanesParser
                     marking.Name<MarkingColour>("colour"),
                     marking.Number("widthMetres")
                 ),
+                SigmaMetres = marking.OptionalNumber("sigmaMetres"),
             };
     }
 

@@ -1,6 +1,6 @@
 using Harvester.Cli.Terminals;
+using Harvester.Cli.Tests.Repetition;
 using Harvester.Geometry.Lanes;
-using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
@@ -25,7 +25,7 @@ public sealed class RelabelPaintTests(SmallSession small) : IClassFixture<SmallS
     [Fact]
     public void Lanes_are_as_wide_as_painted()
     {
-        Write(RecordedRoads());
+        SolidPaint.Write(RecordedRoads(), Table, PaintedWidth);
 
         CliRun run = CliRun.Of("relabel", small.Folder, "--paint", Table, "--out", Made, "--no-report");
 
@@ -41,13 +41,7 @@ public sealed class RelabelPaintTests(SmallSession small) : IClassFixture<SmallS
     [Fact]
     public void Paint_of_other_roads_is_refused()
     {
-        RoadNetwork roads = RecordedRoads();
-        Write(
-            new RoadNetwork(
-                [.. roads.Nodes.Select(node => node with { Position = node.Position + new Geometry.Vector3D(7, 0, 0) })],
-                roads.Links
-            )
-        );
+        SolidPaint.Write(SolidPaint.Moved(RecordedRoads()), Table, PaintedWidth);
 
         CliRun run = CliRun.Of("relabel", small.Folder, "--paint", Table, "--out", Made, "--no-report");
 
@@ -57,43 +51,22 @@ public sealed class RelabelPaintTests(SmallSession small) : IClassFixture<SmallS
         Assert.False(Directory.Exists(Made));
     }
 
+    [Fact]
+    public void Session_without_roads_needs_a_network()
+    {
+        string roads = _folder.File("roads.csv", WritingCommand.Roads);
+        string session = _folder.PathOf("session");
+        SharedHarvest.CopyTo(session, "--frames", "1", "--seed", "6", "--size", "80x60", "--no-report", "--roads", roads);
+        SolidPaint.Write(RecordedRoads(), Table, PaintedWidth);
+
+        CliRun
+            .Of("relabel", session, "--paint", Table, "--out", Made, "--no-report")
+            .AssertFailed(ExitCode.BadData, "has no recorded roads. To use measured paint, name a road network with --roads.");
+        Assert.False(Directory.Exists(Made));
+    }
+
     private static bool IsKnown(LanesLabel lanes) => lanes.Status == LaneStatus.Known;
 
     private RoadNetwork RecordedRoads() =>
         RoadCsvReader.Read(new StringReader(File.ReadAllText(Path.Combine(small.Folder, FramePaths.Roads))));
-
-    /// <summary>A table in which every boundary of lanes is painted as a solid line: yellow at left edges, white elsewhere.</summary>
-    private void Write(RoadNetwork roads)
-    {
-        var curves = new RoadCurves(roads);
-        using var text = new StreamWriter(Table);
-        PaintCsvWriter.Write(new PaintTable(roads, Enumerable.Range(0, roads.Links.Count).Select(link => Painted(curves, link))), text);
-    }
-
-    private static LinkPaint Painted(RoadCurves curves, int link)
-    {
-        RoadLink road = curves.Network.Links[link];
-        double length = curves.Of(link).Length;
-        double left = road.IsOneWay ? -road.LanesForward * PaintedWidth / 2 : (road.MedianWidth ?? 0) / 2;
-        LinePaint Line(double offset, MarkingColour colour) =>
-            new(0, length, offset, offset, new MarkingPaint(MarkingStyle.Solid, colour, 0.15)) { SigmaMetres = 0.02, Images = 3 };
-        List<LinePaint> lines = [];
-        if (road.LanesForward > 0)
-        {
-            lines.Add(Line(left, MarkingColour.Yellow));
-            lines.Add(Line(left + (road.LanesForward * PaintedWidth), MarkingColour.White));
-        }
-
-        if (road.LanesBackward > 0)
-        {
-            double edge = road.LanesForward > 0 ? left : -road.LanesBackward * PaintedWidth / 2;
-            lines.Add(Line(-edge - (road.LanesBackward * PaintedWidth), MarkingColour.White));
-            if (edge != 0 || road.LanesForward == 0)
-            {
-                lines.Add(Line(-edge, MarkingColour.Yellow));
-            }
-        }
-
-        return new LinkPaint(link, 0, length, lines);
-    }
 }

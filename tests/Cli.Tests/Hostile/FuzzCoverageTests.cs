@@ -9,8 +9,6 @@ public sealed class FuzzCoverageTests
     private static readonly Dictionary<string, string> NotFuzzed = new()
     {
         ["calibrate"] = "It reads no file.",
-        ["drive"] = "Its roads, rig and lens are read as by roads info, plan check and project.",
-        ["harvest"] = "Its roads, props, rig, faces and lens are read as by contact-sheet, plan check, spaces check and project.",
         ["plan init"] = "It reads no file.",
         ["plan run"] = "The plan is read as by plan check.",
         ["serve"] = "Its roads are read as by roads info; what clients send is damaged by the tests of the bridge.",

@@ -200,7 +200,9 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             "paint.csv",
             folder => PaintFile.Read(In(folder, "paint.csv"), RoadImporter.Import(In(folder, "straight.csv")).Network),
             "lanes --roads {0}/straight.csv --paint {0}/paint.csv --position 2,-100,30 --heading 0",
-            "relabel {0}/people --roads {0}/straight.csv --paint {0}/paint.csv --no-report --out {0}/out"
+            "relabel {0}/people --roads {0}/straight.csv --paint {0}/paint.csv --no-report --out {0}/out",
+            "harvest --roads {0}/straight.csv --paint {0}/paint.csv --frames 1 --size 64x48 --no-report --out {0}/out",
+            "drive --roads {0}/straight.csv --paint {0}/paint.csv --distance 1 --out {0}/out"
         ),
         new("places", "places.csv", folder => PlaceList.Read(In(folder, "places.csv")), $"{Sheet} --list {{0}}/places.csv"),
         new("props", "props.json", folder => PropPlacementImporter.Import(In(folder, "props.json")), $"{Sheet} --props {{0}}/props.json"),

@@ -17,7 +17,7 @@ public sealed class PaintedSectionsTests
         MeasuredSection section = Sections(2, 0, (-6.3, Yellow), (-0.2, Dashed), (5.9, White))[(0, true)];
 
         Assert.Equal(-6.3, section.LeftEdge, 9);
-        Assert.Equal(6.1, section.LaneWidth, 9);
+        Assert.Equal(6.1, section.Section.LaneWidth, 9);
     }
 
     [Fact]
@@ -38,6 +38,79 @@ public sealed class PaintedSectionsTests
         Assert.Equal((-4.5, 3.5), Rounded(Sections(3, 0, (-1, Dashed), (2.5, Dashed))[(0, true)]));
         Assert.Empty(Sections(3, 0, (-1, Dashed)));
         Assert.Equal((-4.5, 3.5), Rounded(Sections(3, 0, (-4.5, Yellow), (-1, Dashed), (6, White))[(0, true)]));
+    }
+
+    [Fact]
+    public void Each_lane_lies_between_its_own_lines()
+    {
+        // Lanes of 3.4, 3.7 and 3 m; backward, with a median, of 3.1 and 3.3 m.
+        MeasuredSection oneWay = Sections(3, 0, (-5, Yellow), (-1.6, Dashed), (2.1, Dashed), (5.1, White))[(0, true)];
+        Assert.Equal([3.4, 3.7, 3], oneWay.Section.LaneWidths!.Select(width => Math.Round(width, 9)));
+
+        IReadOnlyDictionary<(int, bool), MeasuredSection> sections = Sections(
+            1,
+            2,
+            (-8.4, White),
+            (-5.1, Dashed),
+            (-2, Yellow),
+            (2, Yellow),
+            (5.5, White)
+        );
+        Assert.Equal((2, 3.5), Rounded(sections[(0, true)]));
+        Assert.Equal(2, sections[(0, false)].LeftEdge, 9);
+        Assert.Equal([3.1, 3.3], sections[(0, false)].Section.LaneWidths!.Select(width => Math.Round(width, 9)));
+    }
+
+    [Fact]
+    public void Unpainted_edge_is_a_mean_lane_beyond_the_last_line()
+    {
+        // The right edge is not painted: (2.5 - -4.5) / 2 = 3.5 beyond 2.5.
+        MeasuredSection section = Sections(3, 0, (-4.5, Yellow), (-1.2, Dashed), (2.5, Dashed))[(0, true)];
+
+        Assert.Equal([3.3, 3.7, 3.5], section.Section.LaneWidths!.Select(width => Math.Round(width, 9)));
+    }
+
+    [Fact]
+    public void Edge_that_is_not_seen_is_that_of_the_next_link()
+    {
+        // Links 0 and 1 are one road of two lanes one way, which ends at a junction of link 1 with links 2 and 3.
+        RoadNode[] nodes =
+        [
+            .. new[] { (0, 0), (0, 40), (0, 80), (0, 120), (40, 80) }.Select(
+                (place, i) => new RoadNode(0, i, new Vector3D(place.Item1, place.Item2, 0), "", RoadNodeFlags.None)
+            ),
+        ];
+        RoadLink Link(int from, int to) => new(from, to, 2, 0, null, RoadLinkFlags.None);
+        var network = new RoadNetwork(nodes, [Link(0, 1), Link(1, 2), Link(2, 3), Link(2, 4)]);
+        var table = new PaintTable(
+            network,
+            [Painted(0, (-3.5, Yellow), (0.1, Dashed), (3.1, White)), Painted(1, (-3.5, Yellow), (0.1, Dashed))]
+        );
+
+        IReadOnlyDictionary<(int Link, bool), MeasuredSection> sections = PaintedSections.Of(table);
+
+        Assert.Equal([0, 1], sections.Keys.Select(key => key.Link).Order());
+        Assert.Equal([3.6, 3], sections[(1, true)].Section.LaneWidths!.Select(width => Math.Round(width, 9)));
+        Assert.True(sections[(1, true)].IsWhole);
+    }
+
+    [Fact]
+    public void Lanes_of_unpainted_links_are_partly_those_of_paint()
+    {
+        RoadNode[] nodes = [.. Enumerable.Range(0, 3).Select(i => new RoadNode(0, i, new Vector3D(0, i * 40, 0), "", RoadNodeFlags.None))];
+        var network = new RoadNetwork(
+            nodes,
+            [new RoadLink(0, 1, 1, 1, null, RoadLinkFlags.None), new RoadLink(2, 1, 1, 1, null, RoadLinkFlags.None)]
+        );
+        var table = new PaintTable(network, [Painted(0, (-3.5, White), (0.2, Dashed), (4.2, White))]);
+
+        var model = new LaneModel(network, measured: PaintedSections.Of(table));
+
+        Assert.Equal((4, LaneWidthSource.Paint), Rounded(model.WidthOf(0, isForward: true)));
+
+        // Link 1 runs the other way.
+        Assert.Equal((4, LaneWidthSource.PartlyPaint), Rounded(model.WidthOf(1, isForward: false)));
+        Assert.Equal((3.7, LaneWidthSource.PartlyPaint), Rounded(model.WidthOf(1, isForward: true)));
     }
 
     [Fact]
@@ -62,7 +135,10 @@ public sealed class PaintedSectionsTests
     }
 
     private static (double LeftEdge, double LaneWidth) Rounded(MeasuredSection section) =>
-        (Math.Round(section.LeftEdge, 9), Math.Round(section.LaneWidth, 9));
+        (Math.Round(section.LeftEdge, 9), Math.Round(section.Section.LaneWidth, 9));
+
+    private static (double Width, LaneWidthSource Source) Rounded((double Width, LaneWidthSource Source) width) =>
+        (Math.Round(width.Width, 9), width.Source);
 
     private static IReadOnlyDictionary<(int Link, bool IsForward), MeasuredSection> Sections(
         int lanesForward,
@@ -76,16 +152,14 @@ public sealed class PaintedSectionsTests
             [.. Enumerable.Range(0, 2).Select(i => new RoadNode(0, i, new Vector3D(0, i * 40, 0), "", RoadNodeFlags.None))],
             [new RoadLink(0, 1, lanesForward, lanesBackward, null, RoadLinkFlags.None)]
         );
-        return new PaintTable(
-            network,
-            [
-                new LinkPaint(
-                    0,
-                    0,
-                    40,
-                    [.. lines.Select(line => new LinePaint(0, 40, line.Offset, line.Offset, line.Paint) { SigmaMetres = 0.02, Images = 5 })]
-                ),
-            ]
-        );
+        return new PaintTable(network, [Painted(0, lines)]);
     }
+
+    private static LinkPaint Painted(int link, params (double Offset, MarkingPaint Paint)[] lines) =>
+        new(
+            link,
+            0,
+            40,
+            [.. lines.Select(line => new LinePaint(0, 40, line.Offset, line.Offset, line.Paint) { SigmaMetres = 0.02, Images = 5 })]
+        );
 }

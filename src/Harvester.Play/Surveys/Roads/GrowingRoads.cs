@@ -1,5 +1,7 @@
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
+using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Play.Surveys.Roads;
@@ -10,10 +12,13 @@ namespace Harvester.Play.Surveys.Roads;
 /// </summary>
 /// <param name="laneWidth">Width of the lanes of an ordinary road, metres.</param>
 /// <param name="narrowLaneWidth">Width of the lanes of a narrow road, metres.</param>
-public sealed class GrowingRoads(double laneWidth = RoadGeometry.LaneWidth, double narrowLaneWidth = RoadGeometry.NarrowLaneWidth) : IRoads
+public sealed class GrowingRoads(double laneWidth = RoadGeometry.LaneWidth, double narrowLaneWidth = RoadGeometry.NarrowLaneWidth)
+    : IRoads,
+        IRoadPaint
 {
-    private Task<KnownRoads?>? _preparing;
+    private Task<(KnownRoads Known, MeasuredPaint? Paint)?>? _preparing;
     private KnownRoads? _known;
+    private MeasuredPaint? _paint;
 
     /// <summary>Whether roads are being prepared; until then others are not accepted.</summary>
     public bool IsPreparing => _preparing is { } preparing && !Background.IsDone(nameof(GrowingRoads), () => preparing.IsCompleted);
@@ -24,11 +29,17 @@ public sealed class GrowingRoads(double laneWidth = RoadGeometry.LaneWidth, doub
         if (_preparing is { } prepared && Background.IsDone(nameof(Near), () => prepared.Status == TaskStatus.RanToCompletion))
         {
             _preparing = null;
-            _known = prepared.Result ?? _known;
+            if (prepared.Result is { } ready)
+            {
+                (_known, _paint) = ready;
+            }
         }
 
         return _known;
     }
+
+    /// <inheritdoc/>
+    public IEnumerable<PaintedLine> Near(Vector3D place, double range) => _paint?.Near(place, range) ?? [];
 
     /// <summary>Why the last roads could not be prepared; returned once. The earlier roads stay in use. Null if nothing failed.</summary>
     public Exception? TakeFailure()
@@ -41,15 +52,24 @@ public sealed class GrowingRoads(double laneWidth = RoadGeometry.LaneWidth, doub
     /// <summary>Starts preparing a network; until it is ready, the current one stays in use.</summary>
     /// <param name="read">Returns the network; called on another thread.</param>
     /// <param name="source">Its source, as a short camelCase word for the labels.</param>
-    public void Prepare(Func<RoadNetwork> read, string source)
+    /// <param name="readPaint">Returns the paint measured on the network; called on another thread. Null for none.</param>
+    public void Prepare(Func<RoadNetwork> read, string source, Func<RoadNetwork, PaintTable>? readPaint = null)
     {
         if (!IsPreparing)
         {
-            _preparing = Task.Run<KnownRoads?>(() =>
-            {
-                RoadNetwork network = read();
-                return network.Links.Count > 0 ? new FixedRoads(network, source, null, laneWidth, narrowLaneWidth).Near(default) : null;
-            });
+            _preparing = Task.Run(() => Prepared(read(), source, readPaint));
         }
+    }
+
+    private (KnownRoads Known, MeasuredPaint? Paint)? Prepared(RoadNetwork network, string source, Func<RoadNetwork, PaintTable>? readPaint)
+    {
+        if (network.Links.Count == 0)
+        {
+            return null;
+        }
+
+        PaintTable? paint = readPaint?.Invoke(network);
+        var roads = new FixedRoads(network, source, null, laneWidth, narrowLaneWidth, paint);
+        return roads.Near(default) is { } known ? (known, paint is null ? null : new MeasuredPaint(paint)) : null;
     }
 }

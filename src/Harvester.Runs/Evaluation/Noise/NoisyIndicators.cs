@@ -46,6 +46,7 @@ public sealed class NoisyIndicators : IController
                 TorcsEquivalent = TorcsEquivalent.Of(
                     metres,
                     new LaneSection(1, LaneSection.TorcsLaneWidth * scale),
+                    offset: 0,
                     WithErrorOf(state.TorcsEquivalent.Angle, truth.Angle, metres.Angle)
                 ),
             }

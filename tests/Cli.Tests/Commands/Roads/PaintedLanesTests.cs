@@ -1,0 +1,107 @@
+using Harvester.Datasets.Roads;
+using Harvester.Geometry;
+using Harvester.Geometry.Roads;
+using Harvester.Runs.Relabelling;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Reading;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Game;
+using Harvester.Simulation.Settings;
+using Harvester.TestSupport;
+using Xunit.Abstractions;
+
+namespace Harvester.Cli.Tests.Commands.Roads;
+
+/// <summary>
+/// Indicators with measured paint, and with the constant lane width, against the true lanes of roads whose widths and paint are drawn at
+/// random. The seeds and places were not used to choose the method's constants.
+/// </summary>
+[Trait("Category", "Heavy")]
+public sealed class PaintedLanesTests(ITestOutputHelper output) : IDisposable
+{
+    /// <summary>The requirements of indicators: metres and radians.</summary>
+    private const double MaxMetres = 0.05;
+    private const double MaxRadians = 0.002;
+
+    private const string Frames = "160";
+
+    /// <summary>A distance that takes in a whole world, metres.</summary>
+    private const double Everywhere = 1e6;
+
+    private readonly TemporaryFolder _folder = new();
+    private readonly LaneJudge _painted = new();
+    private readonly LaneJudge _constant = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public void Indicators_follow_the_paint_of_random_towns()
+    {
+        foreach (int seed in Seeds("201,202,203"))
+        {
+            Judge(new SimulationOptions { Seed = seed, HasVariedRoads = true }, "--places", "6");
+        }
+
+        Required();
+    }
+
+    [RealWorldFact("nodes.zip")]
+    public void Indicators_follow_the_paint_of_the_games_roads()
+    {
+        string roads = _folder.PathOf("roads.csv");
+        CliRun.Of("roads", "import", RealWorldFactAttribute.PathOf("nodes.zip")!, "--out", roads).AssertDone();
+        RoadNetwork network = RoadImporter.Import(roads).Network;
+        foreach (Vector2D near in new Vector2D[] { new(0, -1000), new(-700, 1000), new(-300, 6200), new(2000, 3000) })
+        {
+            var world = new SimulationOptions
+            {
+                Seed = 204,
+                Roads = network,
+                Near = near,
+                HasVariedRoads = true,
+            };
+            Judge(world, "--roads", roads, FormattableString.Invariant($"--near={near.X},{near.Y}"), "--wander", "1");
+        }
+
+        Required();
+    }
+
+    /// <summary>The seeds of the test, or those of a variable of the environment while the method is developed.</summary>
+    private static IEnumerable<int> Seeds(string seeds) =>
+        (Environment.GetEnvironmentVariable("GTADATAHARVESTER_PAINT_SEEDS") ?? seeds).Split(',').Select(int.Parse);
+
+    private void Judge(SimulationOptions world, params string[] options)
+    {
+        string session = _folder.PathOf("session");
+        string painted = _folder.PathOf("painted");
+        string table = _folder.PathOf("paint.csv");
+        string seed = FormattableString.Invariant($"{world.Seed}");
+        string[] harvest = ["harvest", "--out", session, "--overwrite", "--varied-roads", "--seed", seed, "--frames", Frames, "--hz", "2"];
+        CliRun.Of([.. harvest, "--no-report", .. options]).AssertDone();
+        string[] roads = world.Roads is null ? [] : ["--roads", _folder.PathOf("roads.csv")];
+        CliRun.Of(["roads", "paint", session, "--out", table, .. roads]).AssertDone();
+        string[] relabel = ["relabel", session, "--paint", table, "--out", painted, "--overwrite", "--no-report"];
+        CliRun.Of([.. relabel, .. roads]).AssertDone();
+        var game = new SimulatedGame(world);
+        _constant.Enter(game, game.Ports.Paint!.Near(Vector3D.Zero, Everywhere));
+        _painted.Enter(game, game.Ports.Paint!.Near(Vector3D.Zero, Everywhere));
+        IEnumerable<FrameLabel> labels = new SessionReader(painted).ReadLabels();
+        foreach (((FrameLabel label, RecordedScene scene), FrameLabel measured) in RecordedSession.Open(new(session)).Frames().Zip(labels))
+        {
+            _constant.Judge(label, scene.Snapshot.Ego);
+            _painted.Judge(measured, scene.Snapshot.Ego);
+        }
+
+        output.WriteLine($"constant: {_constant.Text(onlyPaint: false)}");
+        output.WriteLine($"paint:    {_painted.Text(onlyPaint: false)}");
+        output.WriteLine($"of these: {_painted.Text(onlyPaint: true)}");
+    }
+
+    private void Required()
+    {
+        _painted.Faults.ForEach(output.WriteLine);
+        Assert.InRange(_painted.Metres(0.5, onlyPaint: true), 0, MaxMetres);
+        Assert.InRange(_painted.Angle(0.5, onlyPaint: true), 0, MaxRadians);
+        Assert.True(_painted.Metres(0.5, onlyPaint: false) < _constant.Metres(0.5, onlyPaint: false));
+    }
+}
