@@ -3,11 +3,13 @@ using System.Globalization;
 using Harvester.Datasets.Roads;
 using Harvester.Driving.Controllers;
 using Harvester.Geometry;
+using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Runs.Driving;
 using Harvester.Runs.Evaluation.Noise;
 using Harvester.Runs.Faults;
 using Harvester.Sessions.Reading;
+using Harvester.Simulation.World;
 
 namespace Harvester.Cli.Arguments;
 
@@ -132,13 +134,12 @@ internal sealed class DriveOptions
         CheckStarts(parsed);
         RoadNetwork? roads = parsed.GetValue(Roads) is { } file ? RoadImporter.Import(file.FullName).Network : null;
         int seed = parsed.GetValue(Seed);
-        return new DriveSettings
+        var settings = new DriveSettings
         {
             Controller = Controller.Parse(parsed) with { Speed = parsed.GetValue(Speed), LookAheadMetres = parsed.GetValue(LookAhead) },
             Seed = seed,
             Seeds = parsed.GetValue(Seeds) is { } seeds ? [.. seeds.All] : [],
             Roads = roads,
-            Paint = parsed.GetValue(Paint)?.FullName,
             Starts = parsed.GetValue(Places) is { } places
                 ? RandomPlaces.On(roads!, places, seed)
                 : [.. parsed.GetRequiredValue(Near).Select(ParsePlace)],
@@ -152,6 +153,21 @@ internal sealed class DriveOptions
             TimeOfDay = Moment.TimeOfDay(parsed),
             DayOfYear = Moment.DayOfYear(parsed),
         };
+        return settings with { Paint = PaintOf(parsed.GetValue(Paint), settings) };
+    }
+
+    /// <summary>Reads the table of paint, before anything is written.</summary>
+    private static PaintTable? PaintOf(FileInfo? file, DriveSettings settings)
+    {
+        if (file is null)
+        {
+            return null;
+        }
+
+        int[] towns = settings.Roads is null ? [.. settings.Episodes.Select(episode => episode.Seed).Distinct()] : [];
+        return towns.Length > 1
+            ? throw new UsageException("--paint belongs to one road network. Name it with --roads, or drive in one town.")
+            : PaintFile.Read(file.FullName, settings.Roads ?? TownBuilder.Build(towns[0]));
     }
 
     /// <summary>The settings of a drive, by name, for drive.json.</summary>

@@ -1,6 +1,7 @@
 using Harvester.Driving.Controllers;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Runs.Evaluation.Noise;
 using Harvester.Simulation.Settings;
@@ -22,8 +23,8 @@ public sealed record DriveSettings
     /// <summary>The road network; null for a town generated from the seed.</summary>
     public RoadNetwork? Roads { get; init; }
 
-    /// <summary>Table of the paint measured on the roads; null for none.</summary>
-    public string? Paint { get; init; }
+    /// <summary>The paint measured on the roads; null for none.</summary>
+    public PaintTable? Paint { get; init; }
 
     /// <summary>Start positions of the drives, world, metres; empty for the middle of the road network.</summary>
     public IReadOnlyList<Vector2D> Starts { get; init; } = [];

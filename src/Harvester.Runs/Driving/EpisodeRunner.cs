@@ -1,6 +1,5 @@
 using System.Runtime.ExceptionServices;
 using Harvester.Capture.Ports;
-using Harvester.Datasets.Roads;
 using Harvester.Driving.Controllers;
 using Harvester.Driving.Session;
 using Harvester.Geometry;
@@ -10,7 +9,6 @@ using Harvester.Runs.Evaluation.Figures;
 using Harvester.Runs.Evaluation.Noise;
 using Harvester.Runs.Evaluation.Scores;
 using Harvester.Runs.Faults;
-using Harvester.Sessions.Reading.Files;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Settings;
 
@@ -45,7 +43,6 @@ public sealed class EpisodeRunner(DriveSettings plan, TextWriter messages)
     /// <exception cref="UsageException">There is no road near a start position.</exception>
     /// <exception cref="IOException">A bridge cannot be opened or fails, or the other side does not answer.</exception>
     /// <exception cref="GameFaultException">The game failed.</exception>
-    /// <exception cref="DatasetFormatException">The table of paint is invalid, or belongs to other roads.</exception>
     public void Run(Action<int> report, CancellationToken cancellation)
     {
         var faults = new ExceptionDispatchInfo?[_plans.Count];
@@ -66,8 +63,7 @@ public sealed class EpisodeRunner(DriveSettings plan, TextWriter messages)
                 {
                     Drive(i, report, cancellation);
                 }
-                catch (Exception e)
-                    when (e is IOException or UnauthorizedAccessException or GameFaultException or UsageException or DatasetFormatException)
+                catch (Exception e) when (e is IOException or UnauthorizedAccessException or GameFaultException or UsageException)
                 {
                     faults[i] = ExceptionDispatchInfo.Capture(e);
                     loop.Break();
@@ -91,12 +87,7 @@ public sealed class EpisodeRunner(DriveSettings plan, TextWriter messages)
         plan.Noise is { } noise ? new NoisyIndicators(controller, noise, seed) : controller;
 
     private static FixedRoads Prepared(DriveSettings plan, RoadNetwork roads, string source) =>
-        new(
-            roads,
-            source,
-            LookAhead.OfMetres(plan.Controller.LookAheadMetres),
-            paint: plan.Paint is { } paint ? PaintFile.Read(paint, roads) : null
-        );
+        new(roads, source, LookAhead.OfMetres(plan.Controller.LookAheadMetres), paint: plan.Paint);
 
     private void Drive(int index, Action<int> report, CancellationToken cancellation)
     {

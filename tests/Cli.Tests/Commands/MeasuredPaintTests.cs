@@ -105,6 +105,16 @@ public sealed class MeasuredPaintTests(SmallSession small) : IClassFixture<Small
     [InlineData(false)]
     public void Missing_table_is_refused(bool isHarvest) => Refused(isHarvest, ExitCode.InputOutput, Table);
 
+    [Fact]
+    public void Paint_of_several_towns_is_refused()
+    {
+        SolidPaint.Write(RecordedRoads(), Table, PaintedWidth);
+
+        CliRun
+            .Of("drive", "--seeds", "6-7", "--paint", Table, "--distance", "15", "--out", Made)
+            .AssertFailed(ExitCode.Usage, "--paint belongs to one road network.");
+    }
+
     private void Refused(bool isHarvest, int exitCode, string message)
     {
         CliRun run = CliRun.Of([.. isHarvest ? Harvest : Drive, "--paint", Table]);
@@ -112,8 +122,7 @@ public sealed class MeasuredPaintTests(SmallSession small) : IClassFixture<Small
         Assert.Equal(exitCode, run.ExitCode);
         Assert.Contains(message, run.Error, StringComparison.OrdinalIgnoreCase);
         Assert.Single(run.Error.TrimEnd('\n').Split('\n'));
-        Assert.False(File.Exists(Path.Combine(Made, "labels.jsonl")));
-        Assert.False(File.Exists(Path.Combine(Made, "drive.json")));
+        Assert.False(Directory.Exists(Made));
     }
 
     private RoadNetwork RecordedRoads() =>
