@@ -28,7 +28,7 @@ internal static class SilhouetteSamples
         int found = 0;
         for (int i = 1; i <= count * TriesPerSample && found < count && tried.Count < pixels; i++)
         {
-            // Point i of the sequence, ½ + i·step modulo 1 and i mirrored at the point, scaled to the box, moved to the centre of its pixel.
+            // Point i of the sequence, ½ + i·step modulo 1 and i mirrored at the point, scaled to the box and moved to its pixel's centre.
             double x = Math.Floor(box.XMin + (box.Width * Fraction(0.5 + (i * StepX)))) + 0.5;
             double y = Math.Floor(box.YMin + (box.Height * Mirrored(i))) + 0.5;
             var centre = new Vector2D(x, y);

@@ -247,8 +247,8 @@ public sealed class FrameLabellerTests
     [InlineData(true)]
     public void Rays_of_a_frame_are_counted_by_phase_and_bounded(bool masks)
     {
-        // Half of the rays of 60 objects are more than one object may take.
-        EntityState[] entities = [.. Enumerable.Range(0, 60).Select(i => Entity(100 + i, (3 * (i % 12)) - 18, 12 + i))];
+        // Half of the rays of 240 objects are more than one object may take.
+        EntityState[] entities = [.. Enumerable.Range(0, 240).Select(i => Entity(100 + i, (3 * (i % 12)) - 18, 12 + (i / 4)))];
         EntityState distant = Entity(50, 6, 20);
         int all = LabelWith(50_000).Total;
         Assert.InRange(LabelWith(all / 2).Total, 1, all / 2);

@@ -1,6 +1,5 @@
 using Google.Protobuf;
 using Google.Protobuf.Reflection;
-using Gtaharvest;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
 

@@ -24,8 +24,8 @@ public sealed class PaintedExportsTests(ITestOutputHelper output) : IDisposable
     private const double MaxPixels = 2;
 
     /// <summary>
-    /// Share of the points that have it: the rest are points beside the car, where a pixel is a few millimetres, of lines that were
-    /// measured from another lane or in a bend.
+    /// Share of the points that have it so far: not all do, as is required. The rest are points beside the car, where a pixel is a few
+    /// millimetres, of lines that were measured from another lane or in a bend.
     /// </summary>
     private const double MinShare = 0.9;
 
