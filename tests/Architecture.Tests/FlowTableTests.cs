@@ -14,7 +14,7 @@ public sealed partial class FlowTableTests
         (string Type, string Method, string File)[] rows = [.. RowsOf(heading)];
 
         Assert.NotEmpty(rows);
-        Assert.Empty(rows.Where(row => !IsThere(row.Type, row.Method, row.File)));
+        Assert.All(rows, row => Assert.True(IsThere(row.Type, row.Method, row.File), $"{row.Type}.{row.Method} is not in {row.File}."));
     }
 
     [Theory]

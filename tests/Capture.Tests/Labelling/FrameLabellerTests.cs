@@ -22,12 +22,12 @@ public sealed class FrameLabellerTests
 
     private static readonly EntityState Near = Entity(20, 0, 10);
 
-    private static EntityState Entity(int handle, double east, double north) =>
+    private static EntityState Entity(int handle, double east, double north, double up = 0) =>
         new(
             handle,
             ObjectClass.Car,
             "box",
-            new Pose(new Vector3D(east, north, 0), Axes.Identity),
+            new Pose(new Vector3D(east, north, up), Axes.Identity),
             new Vector3D(-1, 0, -1),
             new Vector3D(1, 2, 1),
             new Vector3D(0, 3, 0)
@@ -247,8 +247,11 @@ public sealed class FrameLabellerTests
     [InlineData(true)]
     public void Rays_of_a_frame_are_counted_by_phase_and_bounded(bool masks)
     {
-        // Half of the rays of 240 objects are more than one object may take.
-        EntityState[] entities = [.. Enumerable.Range(0, 240).Select(i => Entity(100 + i, (3 * (i % 12)) - 18, 12 + (i / 4)))];
+        // Half of the rays of 192 objects beside and above each other are more than one object may take.
+        EntityState[] entities =
+        [
+            .. Enumerable.Range(0, 192).Select(i => Entity(100 + i, (2.2 * (i % 16)) - 17, north: 30, up: (2.2 * (i / 16)) - 13)),
+        ];
         EntityState distant = Entity(50, 6, 20);
         int all = LabelWith(50_000).Total;
         Assert.InRange(LabelWith(all / 2).Total, 1, all / 2);

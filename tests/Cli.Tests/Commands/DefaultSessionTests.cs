@@ -20,7 +20,7 @@ public sealed class DefaultSessionTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [LinuxX64Theory]
-    [InlineData("labels.jsonl", "31df2b69f66c89d30b5f6af423d18a7230a03a4b47c22ba03d3160743fd37cb9")]
+    [InlineData("labels.jsonl", "b984c87be4f21e497d3cdc92d47da89aa0def91e2d3c55c0551427f6b21f956c")]
     [InlineData("session.json", "8a9773ffb65713c05f9780d24c40b20779ad40942c8615cdd433b75fb2fe1ef6")]
     [InlineData("frames/00000000.png", "77b8a7f459ef16a9f2c2fb3afa143b70164b0b842e57c3636549e12360328bce")]
     [Trait("Category", "Heavy")]
