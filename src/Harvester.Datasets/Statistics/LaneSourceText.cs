@@ -22,6 +22,23 @@ public static class LaneSourceText
         return Shares([.. sources.Lines.Select(pair => (NameOf(pair.Key), pair.Value)), (Exact, sources.ExactLines)]);
     }
 
+    /// <summary>
+    /// One row for each source that occurs: its name, the number of frames with known lanes that have it, and the number of lane lines.
+    /// </summary>
+    public static IEnumerable<(string Name, int Frames, int Lines)> Rows(LaneSources sources)
+    {
+        ArgumentNullException.ThrowIfNull(sources);
+        foreach (LaneWidthSource source in sources.Frames.Keys.Union(sources.Lines.Keys).Order())
+        {
+            yield return (NameOf(source), sources.Frames.GetValueOrDefault(source), sources.Lines.GetValueOrDefault(source));
+        }
+
+        if (sources.ExactLines > 0)
+        {
+            yield return (Exact, 0, sources.ExactLines);
+        }
+    }
+
     private static string Shares((string Name, int Count)[] counts)
     {
         double all = counts.Sum(pair => pair.Count);

@@ -33,6 +33,7 @@ internal static class ReportFigures
         WriteCounts(json, "weathers", statistics.FramesOfWeathers);
         WriteCounts(json, "hours", statistics.FramesOfHours.Select(pair => KeyValuePair.Create(Text($"{pair.Key:00}:00"), pair.Value)));
         WriteIndicators(json, statistics.Indicators);
+        WriteLaneSources(json, statistics.LaneSources);
     }
 
     private static void WriteFacts(Utf8JsonWriter json, SessionInfo info, SessionStatistics statistics)
@@ -46,17 +47,6 @@ internal static class ReportFigures
         if (info.Seed is { } seed)
         {
             json.WriteString("Seed", Text($"{seed}"));
-        }
-
-        foreach (
-            (string name, string shares) in new[]
-            {
-                ("Lane geometry, frames", LaneSourceText.OfFrames(statistics.LaneSources)),
-                ("Lane geometry, lines", LaneSourceText.OfLines(statistics.LaneSources)),
-            }.Where(fact => fact.Item2.Length > 0)
-        )
-        {
-            json.WriteString(name, shares);
         }
 
         json.WriteEndObject();
@@ -140,6 +130,21 @@ internal static class ReportFigures
         }
 
         json.WriteEndObject();
+    }
+
+    private static void WriteLaneSources(Utf8JsonWriter json, LaneSources sources)
+    {
+        json.WriteStartArray("laneSources");
+        foreach ((string name, int frames, int lines) in LaneSourceText.Rows(sources))
+        {
+            json.WriteStartArray();
+            json.WriteStringValue(name);
+            json.WriteStringValue(Count(frames, 0));
+            json.WriteStringValue(Count(lines, 0));
+            json.WriteEndArray();
+        }
+
+        json.WriteEndArray();
     }
 
     private static string Count(double value, int decimals) =>

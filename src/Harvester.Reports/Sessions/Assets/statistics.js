@@ -15,6 +15,8 @@ function indicators() {
     [name, span.frames, `${fixed(span.least, 2)} ${span.unit}`, `${fixed(span.greatest, 2)} ${span.unit}`]);
   table("indicators", ["Lane indicator", "Frames", "Min", "Max"], rows);
   byId("lanes").hidden = rows.length === 0;
+  table("lane-sources", ["Lane geometry", "Frames", "Lines"], data.laneSources);
+  byId("lane-geometry").hidden = data.laneSources.length === 0;
 }
 
 function histogram(chart) {
@@ -38,7 +40,7 @@ function histogram(chart) {
 }
 
 function showStatistics() {
-  for (const id of ["counts", "comparison", "histograms", "weathers", "hours", "indicators"]) byId(id).replaceChildren();
+  for (const id of ["counts", "comparison", "histograms", "weathers", "hours", "indicators", "lane-sources"]) byId(id).replaceChildren();
   counts();
   table("comparison", ["Comparison", "This session", data.comparison.name], data.comparison.rows);
   data.histograms.forEach(histogram);
