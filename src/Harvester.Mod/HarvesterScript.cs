@@ -13,8 +13,8 @@ using Harvester.Play.Tapes;
 namespace Harvester.Mod;
 
 /// <summary>
-/// The script that the game's loader starts. It binds the keys to the features and catches all their exceptions. A feature that fails is
-/// stopped with a message; the others continue.
+/// The script that the game's loader starts. It binds the keys to the features and ticks them. <see cref="FeatureSet"/> stops a feature
+/// that fails, with a message; the others continue.
 /// </summary>
 #pragma warning disable CA1001 // The loader ends a script by Aborted, which disposes the harvest.
 public sealed class HarvesterScript : Script

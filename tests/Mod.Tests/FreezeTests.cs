@@ -114,7 +114,7 @@ public sealed class FreezeTests
     }
 
     /// <summary>A street on which the player's car and the one ahead drive north.</summary>
-    private static ScriptDriver Driving(string ini)
+    internal static ScriptDriver Driving(string ini)
     {
         var driver = new ScriptDriver(ini);
         HarvestTests.Street(driver.Game);

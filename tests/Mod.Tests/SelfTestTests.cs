@@ -1,4 +1,5 @@
 using System.Windows.Forms;
+using Harvester.Capture.Ports;
 using Harvester.Capture.SelfTests;
 using Harvester.Datasets.Diagnosis;
 using Harvester.Mod.Tests.Games;
@@ -26,6 +27,27 @@ public sealed class SelfTestTests
         string zip = Assert.Single(Directory.GetFiles(driver.Folder, "selftest-*.zip", SearchOption.AllDirectories));
         Assert.Equal(SelfTestChecks.All, Doctor.Examine(zip).SelfTest!.Lines.Select(line => line.Check));
         AssertGivenBack(driver);
+    }
+
+    [Fact]
+    [Trait("Category", "Heavy")]
+    public void Clear_answers_are_written_to_the_ini_and_a_copy_kept()
+    {
+        using ScriptDriver driver = FreezeTests.Driving(Ini);
+        driver.Game.HoldsCamera = FreezeMethod.Paused;
+        string ini = Path.Combine(driver.Folder, "GtaDataHarvester.ini");
+        string before = File.ReadAllText(ini);
+        driver.Press(Keys.T);
+        driver.UntilMessage("The self-test ended");
+        driver.Tick(2);
+
+        string zip = Assert.Single(Directory.GetFiles(driver.Folder, "selftest-*.zip", SearchOption.AllDirectories));
+        IReadOnlyList<string> changes = Doctor.Examine(zip).SelfTest!.Changes;
+        string after = File.ReadAllText(ini);
+        Assert.NotEmpty(changes);
+        Assert.All(changes, change => Assert.Contains(change, after, StringComparison.Ordinal));
+        Assert.Equal(before, File.ReadAllText(ini + ".before-selftest"));
+        Assert.Contains(driver.Game.Notifications, text => text.Contains("was written to the ini", StringComparison.Ordinal));
     }
 
     [Fact]

@@ -63,6 +63,23 @@ internal sealed class BlockMeans
     }
 
     /// <summary>
+    /// The fraction of blocks that changed after a number of pictures of a still world: by more than a factor times the block's own range
+    /// in those, |now - last| > factor (max - min) + levels.
+    /// </summary>
+    public double ChangedFraction(IReadOnlyList<BlockMeans> still, double factor, double levels)
+    {
+        BlockMeans last = still[still.Count - 1];
+        int changed = 0;
+        for (int i = 0; i < _means.Length; i++)
+        {
+            double range = still.Max(picture => picture._means[i]) - still.Min(picture => picture._means[i]);
+            changed += Math.Abs(_means[i] - last._means[i]) > (factor * range) + levels ? 1 : 0;
+        }
+
+        return (double)changed / _means.Length;
+    }
+
+    /// <summary>
     /// The difference that noise makes between two pictures, from three successive ones: by how much the middle one is off the line between
     /// the others. An even change does not count.
     /// </summary>

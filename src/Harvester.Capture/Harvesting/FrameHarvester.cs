@@ -24,7 +24,7 @@ internal sealed class FrameHarvester(
     /// <summary>Watches the pictures of a single camera; null for a rig.</summary>
     public PictureWatch? Watch { get; init; }
 
-    /// <summary>Harvests or discards one frame, or all views of one moment. Disposing the sequence resumes the game.</summary>
+    /// <summary>Harvests or discards one frame, or all views of one moment. Ending the work resumes the game.</summary>
     public IEnumerable<WorkStep> HarvestOne()
     {
         yield return WorkStep.Do(flow.TakeFrame());

@@ -16,8 +16,6 @@ internal interface ICaptureFlow
     /// <summary>Game time of the last flow's frame or moment, taken or skipped; null if it was discarded.</summary>
     double? TakenSeconds { get; }
 
-    /// <summary>
-    /// Takes one frame or moment. Each element is a tick that ends in the given phase; disposing the sequence resumes the game.
-    /// </summary>
+    /// <summary>Takes one frame or moment. Ending the work resumes the game.</summary>
     IEnumerable<WorkStep> TakeFrame();
 }

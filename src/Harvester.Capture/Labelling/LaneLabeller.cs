@@ -1,6 +1,7 @@
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Roads;
 using Harvester.Geometry.Work;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
@@ -32,13 +33,15 @@ internal sealed class LaneLabeller(IRoads roads, IRoadPaint? paint, FrameRays? r
 
         LaneObservation seen = known.Seen;
         var boundaries = new List<LaneLineView>();
-        List<LaneLineView>? markings = paint is null ? null : [];
+        List<LaneLineView> markings = [];
+        bool isPaintKnown = paint is { IsComplete: true } || seen.WidthSource is LaneWidthSource.Paint or LaneWidthSource.PartlyPaint;
         if (seen is { Status: LaneStatus.Known, Stretch: { } stretch })
         {
             double carOffset = seen.Match.LeftEdge + seen.Match.OffsetFromLeftEdge;
             foreach (LaneLine line in Painted(stretch, carOffset))
             {
-                markings!.AddRange(Project(line));
+                isPaintKnown = true;
+                markings.AddRange(Project(line));
                 yield return WorkStep.Pause;
             }
 
@@ -49,7 +52,7 @@ internal sealed class LaneLabeller(IRoads roads, IRoadPaint? paint, FrameRays? r
             }
         }
 
-        lanes.Value = LanesLabel.Of(seen, known.Source, boundaries, markings);
+        lanes.Value = LanesLabel.Of(seen, known.Source, boundaries, isPaintKnown ? markings : null);
         yield return WorkStep.Pause;
 
         IReadOnlyList<LaneLineView> Project(LaneLine line) =>

@@ -3,9 +3,12 @@ using Harvester.Geometry.Lanes;
 
 namespace Harvester.Capture.Ports;
 
-/// <summary>The paint on the roads of a game that reports it.</summary>
+/// <summary>The paint on roads, reported by the game or measured.</summary>
 public interface IRoadPaint
 {
+    /// <summary>Whether all paint is known. Measured paint is not: where there is no line, it may not have been seen.</summary>
+    bool IsComplete { get; }
+
     /// <summary>The lines along the roads that lie at least partly within a distance of a position.</summary>
     /// <param name="place">Metres, world.</param>
     /// <param name="range">Metres; greater than 0.</param>

@@ -11,5 +11,8 @@ public sealed class MeasuredPaint(PaintTable table) : IRoadPaint
     private readonly PlacedPaint _lines = new(table);
 
     /// <inheritdoc/>
+    public bool IsComplete => false;
+
+    /// <inheritdoc/>
     public IEnumerable<PaintedLine> Near(Vector3D place, double range) => _lines.Near(place, range);
 }

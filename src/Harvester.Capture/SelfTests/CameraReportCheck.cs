@@ -1,11 +1,12 @@
 using Harvester.Geometry.Work;
 using Harvester.Sessions.SelfTests;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.SelfTests;
 
 /// <summary>
-/// Measures by how many ticks the picture lags behind the reported camera. The camera of the frozen world is moved once, so that nothing
-/// else needs to move: the lag is the difference of the ticks in which the move is seen and reported.
+/// Measures by how many ticks the picture lags behind the game, and whether the camera is reported in time. In the frozen world the camera
+/// is moved once, so that nothing else needs to move, and markers are shown once, which are drawn at once.
 /// </summary>
 internal sealed class CameraReportCheck(SelfTestContext context) : SelfCheck(context)
 {
@@ -31,7 +32,12 @@ internal sealed class CameraReportCheck(SelfTestContext context) : SelfCheck(con
             throw new SelfTestException("a move of the camera was not seen.");
         }
 
-        int lag = Math.Max(0, seen - reported);
+        var markers = new MarkerDelay(Context);
+        yield return WorkStep.Do(markers.Run());
+
+        // Markers are in the picture of the next tick, so what they take beyond it is the lag of the picture: lag = seen(markers) - 1.
+        // Without markers, the report of the camera takes their place.
+        int lag = Math.Max(0, markers.SeenTicks is { } drawn ? drawn - 1 : seen - reported);
         Context.LagTicks = lag;
         SelfTestVerdict verdict =
             lag == 0 ? SelfTestVerdict.Good
@@ -40,13 +46,17 @@ internal sealed class CameraReportCheck(SelfTestContext context) : SelfCheck(con
         Context.Add(
             SelfTestChecks.Lag,
             verdict,
-            $"The picture is {lag} ticks behind the game; harvests allow {Context.Options.MaxPictureLagTicks}."
+            $"The picture is {Counted.Of(lag, "tick")} behind the game; harvests allow {Context.Options.MaxPictureLagTicks}."
         );
-        bool isLate = reported > seen;
+
+        // The move was rendered at seen - lag.
+        bool isLate = reported > seen - lag;
         Context.Add(
             SelfTestChecks.CameraReport,
             isLate ? SelfTestVerdict.Note : SelfTestVerdict.Good,
-            $"The camera is reported {(isLate ? "a tick after" : "in time for")} the picture that shows it."
+            $"The camera is reported {(isLate ? "after" : "in time for")} the picture that shows it."
         );
     }
+
+    public override void Release() => Game.Markers?.Clear();
 }

@@ -2,7 +2,6 @@ using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Work;
-using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.SelfTests;
 
@@ -18,8 +17,11 @@ internal sealed class CameraShift(SelfTestContext context)
     /// <summary>Ticks beyond the longest lag allowed.</summary>
     private const int SpareTicks = 5;
 
-    /// <summary>A picture that moved differs by so much more than those of the unmoved world.</summary>
+    /// <summary>A block that moved differs by so much more than it does in pictures of the unmoved world.</summary>
     private const double OverNoise = 2;
+
+    /// <summary>Fraction of the blocks that change with the camera: more than change where one vehicle appears or vanishes.</summary>
+    private const double MinChangedFraction = 0.1;
 
     /// <summary>Ticks until the move was reported; null if it never was.</summary>
     public int? ReportedTicks { get; private set; }
@@ -37,7 +39,6 @@ internal sealed class CameraShift(SelfTestContext context)
             yield return WorkStep.Tick;
         }
 
-        double noise = still.Count == 0 ? 0 : still.Max(a => still.Max(b => a.DifferenceTo(b).Greatest));
         Vector3D start = context.Game.World.ReadCamera().Pose.Position;
         try
         {
@@ -57,9 +58,8 @@ internal sealed class CameraShift(SelfTestContext context)
 
                 if (still.Count > 0 && SeenTicks is null)
                 {
-                    PixelBuffer now = context.Grab();
-                    double change = BlockMeans.Of(now).DifferenceTo(still[still.Count - 1]).Greatest;
-                    SeenTicks = change > (OverNoise * noise) + SettledPicture.ChangeLevels ? tick : null;
+                    double changed = BlockMeans.Of(context.Grab()).ChangedFraction(still, OverNoise, SettledPicture.ChangeLevels);
+                    SeenTicks = changed >= MinChangedFraction ? tick : null;
                 }
             }
         }

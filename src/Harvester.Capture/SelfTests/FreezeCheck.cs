@@ -3,6 +3,7 @@ using Harvester.Capture.Ports;
 using Harvester.Geometry.Work;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.SelfTests;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.SelfTests;
 
@@ -107,7 +108,7 @@ internal sealed class FreezeCheck(SelfTestContext context, FreezeMethod method) 
         Context.Add(
             World,
             moved <= PromptTicks ? SelfTestVerdict.Good : SelfTestVerdict.Note,
-            $"{method} stops the world after {moved} ticks.{doubt}"
+            $"{method} stops the world after {Counted.Of(moved, "tick")}.{doubt}"
         );
         Context.Add(
             Entities,

@@ -6,6 +6,7 @@ using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.SelfTests;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.SelfTests;
 
@@ -99,7 +100,7 @@ internal sealed class HidingCheck(SelfTestContext context) : SelfCheck(context)
             Context.Add(
                 SelfTestChecks.HidingDelay,
                 delay <= PromptTicks ? SelfTestVerdict.Good : SelfTestVerdict.Note,
-                $"A hidden object is gone from the picture after {delay} ticks."
+                $"A hidden object is gone from the picture after {Counted.Of(delay, "tick")}."
             );
         }
 

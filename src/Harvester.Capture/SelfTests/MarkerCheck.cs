@@ -1,9 +1,7 @@
 using Harvester.Capture.Calibration;
 using Harvester.Geometry.Calibration;
-using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
-using Harvester.Sessions.Scenes;
 using Harvester.Sessions.SelfTests;
 
 namespace Harvester.Capture.SelfTests;
@@ -28,8 +26,6 @@ internal sealed class MarkerCheck(SelfTestContext context) : SelfCheck(context)
 
     public override IReadOnlyList<string> Checks => [SelfTestChecks.Markers];
 
-    private double Radius => Math.Max(1.5, Context.Options.Image.Height / 100.0);
-
     public override IEnumerable<WorkStep> Run()
     {
         NeedPictures();
@@ -40,12 +36,7 @@ internal sealed class MarkerCheck(SelfTestContext context) : SelfCheck(context)
 
         yield return WorkStep.Do(Freeze());
 
-        CameraState state = Game.World.ReadCamera();
-        var camera = new Camera(
-            state.Pose,
-            new CameraIntrinsics(state.VerticalFovDegrees, Context.Options.Image, state.WindowAspect, state.NearClip, Context.Options.Lens)
-        );
-        IReadOnlyList<PlannedMarker> all = MarkerPlan.Across(camera, Columns, Rows, Radius, Depths).Markers;
+        IReadOnlyList<PlannedMarker> all = MarkerPlan.Across(Context.Camera, Columns, Rows, Context.MarkerRadius, Depths).Markers;
         PixelBuffer without = Context.Grab();
         var found = new List<int>();
         PlannedMarker[][] shown =
@@ -60,7 +51,7 @@ internal sealed class MarkerCheck(SelfTestContext context) : SelfCheck(context)
             yield return WorkStep.Do(Wait(Context.PictureTicks));
 
             PixelBuffer with = Context.Grab();
-            found.Add(MarkerDetector.Find(without, with, Radius).Count);
+            found.Add(MarkerDetector.Find(without, with, Context.MarkerRadius).Count);
             if (found.Count == shown.Length)
             {
                 Context.Keep("markers", with);

@@ -2,6 +2,7 @@ using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Scenes;
 using Harvester.Sessions.SelfTests;
 
 namespace Harvester.Capture.SelfTests;
@@ -27,11 +28,27 @@ internal sealed class SelfTestContext(HarvestOptions options, GamePorts game)
     /// <summary>The better freeze method; null if none stops the world.</summary>
     public FreezeFinding? BestFreeze => Freezes.Count > 0 && FreezeReport.Of(Freezes).Used is { HoldsWorld: true } best ? best : null;
 
-    /// <summary>Lag of the picture behind the camera, ticks; null if it is not known.</summary>
+    /// <summary>Lag of the picture behind the game, ticks; null if it is not known.</summary>
     public int? LagTicks { get; set; }
 
     /// <summary>Ticks after which a change is in the picture.</summary>
     public int PictureTicks => (LagTicks ?? Options.MaxPictureLagTicks) + 2;
+
+    /// <summary>Radius of markers in the picture, pixels.</summary>
+    public double MarkerRadius => Math.Max(1.5, Options.Image.Height / 100.0);
+
+    /// <summary>The camera that the game reports now, with the lens of the options.</summary>
+    public Camera Camera
+    {
+        get
+        {
+            CameraState state = Game.World.ReadCamera();
+            return new Camera(
+                state.Pose,
+                new CameraIntrinsics(state.VerticalFovDegrees, Options.Image, state.WindowAspect, state.NearClip, Options.Lens)
+            );
+        }
+    }
 
     /// <summary>The lens that was measured; null if none was.</summary>
     public Lens? MeasuredLens { get; set; }

@@ -14,7 +14,7 @@ public sealed class LaneSources
     public IReadOnlyDictionary<LaneWidthSource, int> Frames => _frames;
 
     /// <summary>
-    /// Number of lane lines of each source: measured markings are paint, boundaries have the source of the lanes at the car. Markings
+    /// Number of lane lines of each source: measured markings are paint, boundaries have the source of the label's lane width. Markings
     /// that the game itself reports are in <see cref="ExactLines"/> instead.
     /// </summary>
     public IReadOnlyDictionary<LaneWidthSource, int> Lines => _lines;

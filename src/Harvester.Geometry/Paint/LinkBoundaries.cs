@@ -11,7 +11,7 @@ internal static class LinkBoundaries
 
     /// <summary>
     /// On a road without a median, a line at most this far from the link's line is the one between the directions, metres: nodes are
-    /// stored to 0.25 m, and a road may be painted some way off its line, but no lane is narrower than twice this.
+    /// stored to 0.25 m, and a road may be painted some way off its line.
     /// </summary>
     private const double MaxFromLine = 1.25;
 

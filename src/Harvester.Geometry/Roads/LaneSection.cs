@@ -12,6 +12,9 @@ public readonly record struct LaneSection
     /// <summary>The lane width of TORCS, metres, for which the indicators' thresholds and ranges are published.</summary>
     public const double TorcsLaneWidth = 4.0;
 
+    /// <summary>Widths that differ by less are the same, metres: a digit less than labels have.</summary>
+    private const double SameWidth = 0.001;
+
     /// <summary>Offsets of the edges; null if all lanes have the same width.</summary>
     private readonly double[]? _edges;
 
@@ -69,8 +72,15 @@ public readonly record struct LaneSection
     /// <param name="lane">The lane, 0 the leftmost.</param>
     public double WidthOf(int lane) => _edges is null ? LaneWidth : _edges[lane + 1] - _edges[lane];
 
-    /// <summary>Widths of the lanes from left to right, metres; null if all have the same width.</summary>
-    public IReadOnlyList<double>? LaneWidths => _edges is null ? null : [.. Enumerable.Range(0, LaneCount).Select(WidthOf)];
+    /// <summary>Widths of the lanes from left to right, metres; null if all have the same width to a millimetre.</summary>
+    public IReadOnlyList<double>? LaneWidths
+    {
+        get
+        {
+            double[] widths = [.. Enumerable.Range(0, LaneCount).Select(WidthOf)];
+            return widths.Max() - widths.Min() < SameWidth ? null : widths;
+        }
+    }
 
     /// <summary>
     /// A distance across this road as it would be on a road of TORCS: each lane is stretched to 4 m, and what lies outside the lanes as the

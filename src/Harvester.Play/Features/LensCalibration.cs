@@ -40,6 +40,9 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
     /// <inheritdoc/>
     public bool IsOn => _session is not null;
 
+    /// <summary>Why it cannot begin; null if it can.</summary>
+    public Func<string?> Obstacle { get; init; } = static () => null;
+
     /// <summary>Whether the settings file is being written.</summary>
     public bool IsBusy => _disk.IsBusy;
 
@@ -53,9 +56,9 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
             return;
         }
 
-        if (_harvest.IsOn)
+        if ((_harvest.IsOn ? "End the harvest first, then calibrate." : Obstacle()) is { } obstacle)
         {
-            _messages.Tell("End the harvest first, then calibrate.");
+            _messages.Tell(obstacle);
             return;
         }
 

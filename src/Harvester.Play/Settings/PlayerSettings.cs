@@ -34,8 +34,11 @@ public sealed record PlayerSettings
     /// <summary>The road file; null to survey the roads in the game.</summary>
     public required string? RoadFile { get; init; }
 
-    /// <summary>The table of the paint measured on the roads of <see cref="RoadFile"/>; null without one.</summary>
+    /// <summary>The table of the paint measured on the roads of <see cref="RoadFile"/>; null without one, or without roads.</summary>
     public required string? PaintFile { get; init; }
+
+    /// <summary>Whether the settings name a table of paint but no roads.</summary>
+    public required bool HasPaintWithoutRoads { get; init; }
 
     /// <summary>Width of the lanes of an ordinary road, metres.</summary>
     public required double LaneWidthMetres { get; init; }
@@ -116,7 +119,8 @@ public sealed record PlayerSettings
             Options = HarvestSettings.Read(ini),
             Folder = folder,
             RoadFile = roads.Length > 0 ? PathOf(roads) : null,
-            PaintFile = paint.Length > 0 ? PathOf(paint) : null,
+            PaintFile = paint.Length > 0 && roads.Length > 0 ? PathOf(paint) : null,
+            HasPaintWithoutRoads = paint.Length > 0 && roads.Length == 0,
             LaneWidthMetres = ini.Number("Roads", "LaneWidth", RoadGeometry.LaneWidth, 2, 10),
             NarrowLaneWidthMetres = ini.Number("Roads", "NarrowLaneWidth", RoadGeometry.NarrowLaneWidth, 2, 10),
             SurveyFile = Path.Combine(folder, "roads.csv"),

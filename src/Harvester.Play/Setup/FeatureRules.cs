@@ -22,19 +22,19 @@ internal sealed class FeatureRules(ModFeatures features)
     /// <summary>Whether a harvest, a drive, a plan or the self-test is running, which a pause of the game interrupts.</summary>
     public bool IsRunning() => features.Harvest.IsOn || features.Drive.IsOn || features.Plan.IsOn || features.SelfTest.IsOn;
 
-    /// <summary>Why the list of unknown models cannot be made now; null if it can.</summary>
-    public string? Problem() =>
+    /// <summary>Why nothing that measures or drives can start now; null if it can.</summary>
+    public string? MeasurementObstacle() =>
         features.SelfTest.IsOn ? "The self-test is running: wait for its end, or end it by its key."
         : features.Calibration.IsOn ? "The calibration is running: wait for its end."
         : features.Signs.IsOn ? "The survey of signs is running: wait for its end, or end it by its key."
         : null;
 
-    /// <summary>Why no client can drive and no self-test can start now; null if they can.</summary>
+    /// <summary>Why no client can drive now; null if one can.</summary>
     public string? DriveObstacle() =>
         features.Plan.IsOn ? "A plan is running: end it by its key first."
-        : features.Harvest.IsOn ? "End the harvest first, then let a client drive."
-        : Problem();
+        : features.Harvest.IsOn ? "End the harvest first."
+        : MeasurementObstacle();
 
-    /// <summary>Why no plan can start now; null if one can.</summary>
+    /// <summary>Why no plan, self-test or calibration can start now; null if one can.</summary>
     public string? PlanObstacle() => features.Drive.IsOn ? "A client drives: end that first." : DriveObstacle();
 }

@@ -46,13 +46,13 @@ public sealed class ModFeatures
         Drive = MakeDrive();
         Harvest = new Harvest(player.Options, player.Folder, messages, Mount, _ports.Game, Origin)
         {
-            Problem = () => _rules.Problem() ?? folder.RigProblem,
+            Problem = () => _rules.MeasurementObstacle() ?? folder.RigProblem,
             FacesInUse = () => _faces.InUse,
         };
-        Calibration = new LensCalibration(Harvest, _ports.Game, Mount, messages, folder.SettingsPath);
+        Calibration = new LensCalibration(Harvest, _ports.Game, Mount, messages, folder.SettingsPath) { Obstacle = _rules.PlanObstacle };
         SelfTest = new SelfTesting(Harvest, _ports.Game, Mount, messages, player.Folder, folder.SettingsPath, Origin)
         {
-            Obstacle = _rules.DriveObstacle,
+            Obstacle = _rules.PlanObstacle,
         };
         Overlay = new Overlay(Harvest, _ports.Game, messages, new OverlayReader(_ports.Scene.Sight), adapters.Display)
         {
@@ -64,7 +64,7 @@ public sealed class ModFeatures
         Plan = MakePlan();
         UnknownModels = new UnknownModelsList(_ports.Scene.World, _ports.Scene.Props, () => _faces.InUse, player.FacesFolder, messages)
         {
-            Problem = _rules.Problem,
+            Problem = _rules.MeasurementObstacle,
         };
         Gaps = new TickGaps(messages, setup.Clock, _rules.IsRunning);
         All = new FeatureSet(
@@ -172,7 +172,7 @@ public sealed class ModFeatures
                 _setup.Player.PaintFile is { } paint ? network => MeasuredPaintFile.Load(paint, network) : null
             );
         }
-        else if (_setup.Player.PaintFile is not null)
+        else if (_setup.Player.HasPaintWithoutRoads)
         {
             _setup.Folder.Complain("Paint under [Roads] is not used: it needs File, the road file on which it was measured.");
         }

@@ -7,6 +7,8 @@ namespace Harvester.Simulation.Game;
 /// <summary>The lines that the world was painted with.</summary>
 internal sealed class PaintPort(SimulatedGame game) : IRoadPaint
 {
+    public bool IsComplete => true;
+
     public IEnumerable<PaintedLine> Near(Vector3D place, double range) => game.World.Paint.Where(line => IsNear(line, place, range));
 
     /// <summary>Points are close together, so the distance to one point shows how many of the next can be skipped.</summary>

@@ -49,6 +49,20 @@ public sealed class MeasuredPaintTests(SmallSession small) : IClassFixture<Small
     }
 
     [Fact]
+    public void Paint_of_a_road_that_the_table_lacks_is_unknown()
+    {
+        SolidPaint.Write(RecordedRoads(), Table, PaintedWidth);
+        KeepLastLink();
+
+        CliRun.Of([.. Harvest, "--paint", Table]).AssertDone();
+
+        LanesLabel[] known = [.. Lanes(Made).Where(lanes => lanes.Status == LaneStatus.Known)];
+        Assert.NotEmpty(known);
+        Assert.All(known, lanes => Assert.Null(lanes.Markings));
+        Assert.All(known, lanes => Assert.True(lanes.LaneWidthSource is LaneWidthSource.Constant or LaneWidthSource.NarrowConstant));
+    }
+
+    [Fact]
     public void Relabelling_gives_the_lanes_of_a_harvest_with_paint()
     {
         SolidPaint.Write(RecordedRoads(), Table, PaintedWidth);
@@ -130,4 +144,11 @@ public sealed class MeasuredPaintTests(SmallSession small) : IClassFixture<Small
 
     private static IEnumerable<LanesLabel> Lanes(string folder) =>
         new SessionReader(folder).ReadLabels().Select(label => label.Lanes).OfType<LanesLabel>();
+
+    private void KeepLastLink()
+    {
+        string[] lines = File.ReadAllLines(Table);
+        string[] kept = lines[Array.FindLastIndex(lines, line => line.StartsWith("link,", StringComparison.Ordinal))..^1];
+        File.WriteAllLines(Table, [lines[0], .. kept, $"end,1,{kept.Length - 1}"]);
+    }
 }

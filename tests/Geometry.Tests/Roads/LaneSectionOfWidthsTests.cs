@@ -26,6 +26,15 @@ public sealed class LaneSectionOfWidthsTests
     }
 
     [Fact]
+    public void Widths_are_listed_if_they_differ()
+    {
+        Assert.Equal([3.0, 4.0, 5.0], Section.LaneWidths!.Select(width => Math.Round(width, 9)));
+        Assert.Null(new LaneSection([3.5]).LaneWidths);
+        Assert.Null(new LaneSection([3.1, 3.1004]).LaneWidths);
+        Assert.Null(new LaneSection(3, 4).LaneWidths);
+    }
+
+    [Fact]
     public void Width_must_be_positive()
     {
         Assert.Throws<ArgumentOutOfRangeException>(() => new LaneSection([3.0, 0]));

@@ -2,10 +2,12 @@ using System.IO.Compression;
 using System.Text.RegularExpressions;
 using System.Windows.Forms;
 using Harvester.Capture.Ports;
+using Harvester.Datasets.Validation;
 using Harvester.Geometry.Cameras;
 using Harvester.Mod.Tests.Games;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Reading;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;
 using Harvester.TestSupport;
@@ -68,6 +70,9 @@ public sealed class GuideTests
         driver.Press(Keys.J);
         UntilMessage(driver, "The harvest ended");
         Draw(driver, scene, "6-ended");
+        driver.WaitForDisk();
+        string header = Assert.Single(Directory.GetFiles(driver.Output, "session.json", SearchOption.AllDirectories));
+        Assert.Empty(SessionValidator.Validate(new SessionReader(Path.GetDirectoryName(header)!)).Problems);
 
         string[] quoted = QuotedMessages();
         Assert.NotEmpty(quoted);

@@ -12,6 +12,7 @@ public sealed class ModFeaturesTests : IDisposable
     private readonly List<string> _told = [];
     private readonly IdleGame _game = new();
     private ModFeatures? _features;
+    private ModSetup? _setup;
 
     public void Dispose()
     {
@@ -54,6 +55,28 @@ public sealed class ModFeaturesTests : IDisposable
     }
 
     [Fact]
+    public void Self_test_and_calibration_wait_while_a_client_drives()
+    {
+        ModFeatures features = Make();
+        features.Drive.Toggle();
+        features.SelfTest.Toggle();
+        features.Calibration.Toggle();
+
+        Assert.False(features.SelfTest.IsOn);
+        Assert.False(features.Calibration.IsOn);
+        Assert.Equal(2, _told.Count(message => message.Contains("A client drives: end that first.", StringComparison.Ordinal)));
+    }
+
+    [Fact]
+    public void Paint_without_its_roads_is_not_used()
+    {
+        Make("[Roads]\nPaint = paint.csv\n");
+
+        Assert.Contains(_setup!.Folder.Complaints, text => text.Contains("Paint under [Roads] is not used", StringComparison.Ordinal));
+        Assert.DoesNotContain(_setup.Player.LaneSettings, setting => setting.Key == "paint");
+    }
+
+    [Fact]
     public void Client_waits_while_a_harvest_runs()
     {
         ModFeatures features = Make();
@@ -62,7 +85,7 @@ public sealed class ModFeaturesTests : IDisposable
         features.Drive.Toggle();
 
         Assert.False(features.Drive.IsOn);
-        Assert.Contains("End the harvest first, then let a client drive.", Told, StringComparison.Ordinal);
+        Assert.Contains("End the harvest first.", Told, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -95,19 +118,17 @@ public sealed class ModFeaturesTests : IDisposable
         File.WriteAllText(Path.Combine(_folder, "GtaDataHarvester.ini"), ini);
         var folder = new ModFolder(_folder);
         var clock = new TestClock();
-        return _features = new ModFeatures(
-            new ModSetup
-            {
-                Folder = folder,
-                Player = PlayerSettings.Read(folder.Settings, _folder),
-                Messages = new PlayerMessages(_folder, _told.Add, clock),
-                Screen = _game.Screen,
-                Clock = clock,
-                RealTime = clock,
-                GraphicsFile = Path.Combine(_folder, "settings.xml"),
-                Origin = new SessionOrigin { Game = "idle", Tool = "test" },
-            },
-            _game
-        );
+        _setup = new ModSetup
+        {
+            Folder = folder,
+            Player = PlayerSettings.Read(folder.Settings, _folder),
+            Messages = new PlayerMessages(_folder, _told.Add, clock),
+            Screen = _game.Screen,
+            Clock = clock,
+            RealTime = clock,
+            GraphicsFile = Path.Combine(_folder, "settings.xml"),
+            Origin = new SessionOrigin { Game = "idle", Tool = "test" },
+        };
+        return _features = new ModFeatures(_setup, _game);
     }
 }

@@ -17,93 +17,102 @@ internal sealed record QuirkCombination(GameQuirks Quirks, string[] Checks, Rend
     private static readonly FreezeQuirks Creeping = new() { CreepTicks = 12 };
     private static readonly RenderLens Bent = new(1.03, 0.01, -0.02, -0.05, 0.01);
 
-    /// <summary>Single quirks, and combinations of several.</summary>
-    public static IReadOnlyDictionary<string, QuirkCombination> All { get; } =
+    /// <summary>No quirk, and one that does no harm.</summary>
+    public static IReadOnlyDictionary<string, QuirkCombination> Harmless { get; } =
         new Dictionary<string, QuirkCombination>
         {
             ["none"] = new(new GameQuirks(), []),
             ["hud that can be hidden"] = new(new GameQuirks { ShowsHud = true }, []),
-            ["paused moves"] = new(new GameQuirks { Paused = Moving }, [SelfTestChecks.FreezePaused]),
-            ["time scale moves"] = new(new GameQuirks { TimeScale = Moving }, [SelfTestChecks.FreezeTimeScale]),
-            ["paused holds camera"] = new(new GameQuirks { Paused = HoldingCamera }, [SelfTestChecks.CameraPaused]),
-            ["time scale holds camera"] = new(new GameQuirks { TimeScale = HoldingCamera }, [SelfTestChecks.CameraTimeScale]),
-            ["paused weather"] = new(new GameQuirks { Paused = WithWeather }, [SelfTestChecks.SkyPaused]),
-            ["time scale weather"] = new(new GameQuirks { TimeScale = WithWeather }, [SelfTestChecks.SkyTimeScale]),
-            ["paused streams"] = new(new GameQuirks { Paused = Streaming }, [SelfTestChecks.EntitiesPaused]),
-            ["time scale streams"] = new(new GameQuirks { TimeScale = Streaming }, [SelfTestChecks.EntitiesTimeScale]),
-            ["lag of 2"] = new(new GameQuirks { PictureLagTicks = 2 }, [SelfTestChecks.Lag]),
-            ["lag of 9"] = new(new GameQuirks { PictureLagTicks = 9 }, [SelfTestChecks.Lag]),
-            ["late camera"] = new(new GameQuirks { IsCameraReportedLate = true }, [SelfTestChecks.CameraReport]),
-            ["lens"] = new(new GameQuirks(), [SelfTestChecks.Lens], Bent),
-            ["rays meet boxes"] = new(new GameQuirks { RaysMeetBoxes = true }, [SelfTestChecks.Rays]),
-            ["late hiding"] = new(new GameQuirks { VisibilityDelayTicks = 5 }, [SelfTestChecks.HidingDelay]),
-            ["nothing can be hidden"] = new(new GameQuirks { UnhideableFraction = 1 }, [SelfTestChecks.Hiding]),
-            ["noise"] = new(new GameQuirks { PictureNoiseLevels = 2 }, [SelfTestChecks.Noise]),
-            ["textures"] = new(new GameQuirks { TexturesMove = true }, [SelfTestChecks.Textures]),
-            ["hud stays"] = new(new GameQuirks { ShowsHud = true, HudStaysWhileFrozen = true }, [SelfTestChecks.Hud]),
-            ["foreign display"] = new(new GameQuirks { ShowsForeignDisplay = true }, [SelfTestChecks.Display]),
-            ["overexposed"] = new(new GameQuirks { PictureGain = 1.6 }, [SelfTestChecks.Exposure]),
-            ["washed out"] = new(new GameQuirks { PictureExponent = 0.7 }, [SelfTestChecks.Tones]),
-            ["darkened"] = new(new GameQuirks { PictureExponent = 1.3 }, [SelfTestChecks.Tones]),
-            ["scaled window"] = new(new GameQuirks { WindowScale = 1.25 }, [SelfTestChecks.Scale]),
-            ["other window"] = new(new GameQuirks { ShowsOtherWindow = true }, [SelfTestChecks.Window]),
-            ["few markers"] = new(new GameQuirks { MaxMarkers = 64 }, [SelfTestChecks.Markers]),
-            ["wide extents"] = new(new GameQuirks { ModelMarginMetres = 0.3 }, [SelfTestChecks.Dimensions]),
-            ["no materials"] = new(new GameQuirks { HidesMaterials = true }, [SelfTestChecks.Materials]),
-            ["level of detail"] = new(new GameQuirks { DetailChangesAfterTicks = 30 }, [SelfTestChecks.LevelOfDetail]),
-            ["hud stays, lag, time scale moves"] = new(
-                new GameQuirks
-                {
-                    ShowsHud = true,
-                    HudStaysWhileFrozen = true,
-                    PictureLagTicks = 2,
-                    TimeScale = Moving,
-                },
-                [SelfTestChecks.Hud, SelfTestChecks.Lag, SelfTestChecks.FreezeTimeScale]
-            ),
-            ["overexposed, boxes, no materials"] = new(
-                new GameQuirks
-                {
-                    PictureGain = 1.6,
-                    RaysMeetBoxes = true,
-                    HidesMaterials = true,
-                },
-                [SelfTestChecks.Exposure, SelfTestChecks.Rays, SelfTestChecks.Materials]
-            ),
-            ["display, late hiding, paused weather"] = new(
-                new GameQuirks
-                {
-                    ShowsForeignDisplay = true,
-                    VisibilityDelayTicks = 4,
-                    Paused = WithWeather,
-                },
-                [SelfTestChecks.Display, SelfTestChecks.HidingDelay, SelfTestChecks.SkyPaused]
-            ),
-            ["few markers, washed out, lag"] = new(
-                new GameQuirks
-                {
-                    MaxMarkers = 64,
-                    PictureExponent = 0.7,
-                    PictureLagTicks = 3,
-                },
-                [SelfTestChecks.Markers, SelfTestChecks.Tones, SelfTestChecks.Lag]
-            ),
-            ["noise, late camera, time scale holds camera"] = new(
-                new GameQuirks
-                {
-                    PictureNoiseLevels = 2,
-                    IsCameraReportedLate = true,
-                    TimeScale = HoldingCamera,
-                },
-                [SelfTestChecks.Noise, SelfTestChecks.CameraReport, SelfTestChecks.CameraTimeScale]
-            ),
-            ["scaled window, paused moves"] = new(
-                new GameQuirks { WindowScale = 1.5, Paused = Moving },
-                [SelfTestChecks.Scale, SelfTestChecks.FreezePaused]
-            ),
-            ["both methods creep"] = new(
-                new GameQuirks { Paused = Creeping, TimeScale = Creeping },
-                [SelfTestChecks.FreezePaused, SelfTestChecks.FreezeTimeScale]
-            ),
         };
+
+    /// <summary>Single quirks, each with the check that finds it.</summary>
+    private static readonly Dictionary<string, (Func<GameQuirks, GameQuirks> Add, string Check)> Faults = new()
+    {
+        ["paused moves"] = (quirks => quirks with { Paused = Moving }, SelfTestChecks.FreezePaused),
+        ["time scale moves"] = (quirks => quirks with { TimeScale = Moving }, SelfTestChecks.FreezeTimeScale),
+        ["paused creeps"] = (quirks => quirks with { Paused = Creeping }, SelfTestChecks.FreezePaused),
+        ["time scale creeps"] = (quirks => quirks with { TimeScale = Creeping }, SelfTestChecks.FreezeTimeScale),
+        ["paused holds camera"] = (quirks => quirks with { Paused = HoldingCamera }, SelfTestChecks.CameraPaused),
+        ["time scale holds camera"] = (quirks => quirks with { TimeScale = HoldingCamera }, SelfTestChecks.CameraTimeScale),
+        ["paused weather"] = (quirks => quirks with { Paused = WithWeather }, SelfTestChecks.SkyPaused),
+        ["time scale weather"] = (quirks => quirks with { TimeScale = WithWeather }, SelfTestChecks.SkyTimeScale),
+        ["paused streams"] = (quirks => quirks with { Paused = Streaming }, SelfTestChecks.EntitiesPaused),
+        ["time scale streams"] = (quirks => quirks with { TimeScale = Streaming }, SelfTestChecks.EntitiesTimeScale),
+        ["lag of 2"] = (quirks => quirks with { PictureLagTicks = 2 }, SelfTestChecks.Lag),
+        ["lag of 9"] = (quirks => quirks with { PictureLagTicks = 9 }, SelfTestChecks.Lag),
+        ["late camera"] = (quirks => quirks with { IsCameraReportedLate = true }, SelfTestChecks.CameraReport),
+        ["rays meet boxes"] = (quirks => quirks with { RaysMeetBoxes = true }, SelfTestChecks.Rays),
+        ["late hiding"] = (quirks => quirks with { VisibilityDelayTicks = 5 }, SelfTestChecks.HidingDelay),
+        ["nothing can be hidden"] = (quirks => quirks with { UnhideableFraction = 1 }, SelfTestChecks.Hiding),
+        ["noise"] = (quirks => quirks with { PictureNoiseLevels = 2 }, SelfTestChecks.Noise),
+        ["textures"] = (quirks => quirks with { TexturesMove = true }, SelfTestChecks.Textures),
+        ["hud stays"] = (quirks => quirks with { ShowsHud = true, HudStaysWhileFrozen = true }, SelfTestChecks.Hud),
+        ["foreign display"] = (quirks => quirks with { ShowsForeignDisplay = true }, SelfTestChecks.Display),
+        ["overexposed"] = (quirks => quirks with { PictureGain = 1.6 }, SelfTestChecks.Exposure),
+        ["washed out"] = (quirks => quirks with { PictureExponent = 0.7 }, SelfTestChecks.Tones),
+        ["darkened"] = (quirks => quirks with { PictureExponent = 1.3 }, SelfTestChecks.Tones),
+        ["scaled window"] = (quirks => quirks with { WindowScale = 1.25 }, SelfTestChecks.Scale),
+        ["other window"] = (quirks => quirks with { ShowsOtherWindow = true }, SelfTestChecks.Window),
+        ["few markers"] = (quirks => quirks with { MaxMarkers = 64 }, SelfTestChecks.Markers),
+        ["wide extents"] = (quirks => quirks with { ModelMarginMetres = 0.3 }, SelfTestChecks.Dimensions),
+        ["no materials"] = (quirks => quirks with { HidesMaterials = true }, SelfTestChecks.Materials),
+        ["level of detail"] = (quirks => quirks with { DetailChangesAfterTicks = 30 }, SelfTestChecks.LevelOfDetail),
+    };
+
+    /// <summary>Each quirk alone.</summary>
+    public static IReadOnlyDictionary<string, QuirkCombination> Single { get; } =
+        Faults
+            .ToDictionary(fault => fault.Key, fault => new QuirkCombination(fault.Value.Add(new GameQuirks()), [fault.Value.Check]))
+            .Append(new("lens", new QuirkCombination(new GameQuirks(), [SelfTestChecks.Lens], Bent)))
+            .ToDictionary(StringComparer.Ordinal);
+
+    /// <summary>Several quirks at once.</summary>
+    public static IReadOnlyDictionary<string, QuirkCombination> Combined { get; } =
+        new[]
+        {
+            "hud stays, lag of 2, time scale moves",
+            "overexposed, rays meet boxes, no materials",
+            "foreign display, late hiding, paused weather",
+            "few markers, washed out, lag of 2",
+            "noise, late camera, time scale holds camera",
+            "scaled window, paused moves",
+            "paused creeps, time scale creeps",
+            "time scale moves, lag of 9",
+            "time scale weather, rays meet boxes",
+            "time scale streams, no materials, few markers",
+            "paused holds camera, wide extents",
+            "paused streams, lag of 2",
+            "paused moves, washed out, rays meet boxes",
+            "time scale creeps, overexposed",
+            "late camera, lag of 2",
+            "late camera, few markers, no materials",
+            "late hiding, lag of 2",
+            "late hiding, rays meet boxes, time scale weather",
+            "nothing can be hidden, few markers",
+            "nothing can be hidden, time scale moves, no materials",
+            "noise, rays meet boxes",
+            "noise, few markers, time scale weather",
+            "textures, no materials",
+            "textures, lag of 2, few markers",
+            "hud stays, few markers",
+            "hud stays, overexposed, rays meet boxes",
+            "foreign display, time scale holds camera",
+            "foreign display, darkened",
+            "darkened, wide extents, no materials",
+            "scaled window, no materials, time scale streams",
+            "wide extents, lag of 2, time scale weather",
+            "level of detail, rays meet boxes",
+            "level of detail, lag of 2, no materials",
+            "paused weather, time scale holds camera, rays meet boxes",
+        }.ToDictionary(names => names, Of, StringComparer.Ordinal);
+
+    /// <summary>All of these.</summary>
+    public static IReadOnlyDictionary<string, QuirkCombination> All { get; } =
+        Harmless.Concat(Single).Concat(Combined).ToDictionary(StringComparer.Ordinal);
+
+    private static QuirkCombination Of(string names)
+    {
+        (Func<GameQuirks, GameQuirks> Add, string Check)[] faults = [.. names.Split(", ").Select(name => Faults[name])];
+        return new(faults.Aggregate(new GameQuirks(), (quirks, fault) => fault.Add(quirks)), [.. faults.Select(fault => fault.Check)]);
+    }
 }

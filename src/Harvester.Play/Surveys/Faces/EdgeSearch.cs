@@ -29,7 +29,7 @@ internal sealed class EdgeSearch(Func<double, double, bool> isOn, double step, i
     /// <summary>Where the shape ends, metres along the direction.</summary>
     public double End { get; private set; }
 
-    /// <summary>Searches; each element is a few rays.</summary>
+    /// <summary>Searches.</summary>
     /// <param name="known">Points on the shape, across the direction and along it, metres; at least one.</param>
     public IEnumerable<WorkStep> Run(IEnumerable<(double Across, double Along)> known)
     {

@@ -20,7 +20,7 @@ internal sealed class FaceFinder(StageProbe probe, StagedModel model)
     /// <summary>The faces found so far.</summary>
     public List<MeasuredFace> Faces { get; } = [];
 
-    /// <summary>Measures the model; each element is a few rays.</summary>
+    /// <summary>Measures the model.</summary>
     public IEnumerable<WorkStep> Run()
     {
         double area = (model.Max.X - model.Min.X) * (model.Max.Z - model.Min.Z);

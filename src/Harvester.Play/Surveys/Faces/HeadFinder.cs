@@ -27,7 +27,7 @@ internal sealed class HeadFinder(StageProbe probe, StagedModel model)
     /// <summary>The heads found so far.</summary>
     public List<MeasuredFace> Heads { get; } = [];
 
-    /// <summary>Measures the model; each element is about one ray.</summary>
+    /// <summary>Measures the model.</summary>
     public IEnumerable<WorkStep> Run()
     {
         foreach (Vector3D bone in model.Heads)

@@ -22,7 +22,7 @@ internal sealed class PlateFinder(StageProbe probe, ModelDepths grid, SignPost p
     /// <summary>The face; null before the end.</summary>
     public MeasuredFace? Found { get; private set; }
 
-    /// <summary>Measures the plate; each element is a few rays.</summary>
+    /// <summary>Measures the plate.</summary>
     public IEnumerable<WorkStep> Run()
     {
         int middle = (first + last) / 2;

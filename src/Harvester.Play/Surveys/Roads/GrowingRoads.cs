@@ -24,6 +24,9 @@ public sealed class GrowingRoads(double laneWidth = RoadGeometry.LaneWidth, doub
     public bool IsPreparing => _preparing is { } preparing && !Background.IsDone(nameof(GrowingRoads), () => preparing.IsCompleted);
 
     /// <inheritdoc/>
+    public bool IsComplete => false;
+
+    /// <inheritdoc/>
     public KnownRoads? Near(Vector3D position)
     {
         if (_preparing is { } prepared && Background.IsDone(nameof(Near), () => prepared.Status == TaskStatus.RanToCompletion))
