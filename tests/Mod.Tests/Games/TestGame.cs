@@ -105,6 +105,9 @@ internal sealed partial class TestGame : IGameHost
             .. IsDrivenByTask ? ["the player's task"] : Array.Empty<string>(),
             .. _ticksUntilLoaded.Select(model => $"model {model.Key}"),
             .. LightOverrides.Select(light => $"traffic light {light.Key}"),
+            .. IsRadarOn ? Array.Empty<string>() : ["the radar"],
+            .. IsHudOn ? Array.Empty<string>() : ["the HUD"],
+            .. Entities.Values.Where(entity => entity.IsHidden).Select(entity => $"hidden entity {entity.Name}"),
         ];
 
     public int Add(GameEntity entity)

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Windows.Forms;
 using GTA.Hosting;
 using Harvester.Geometry;
@@ -11,12 +12,13 @@ namespace Harvester.Mod.Tests.Soak;
 internal sealed class SoakPlay
 {
     /// <summary>Small pictures and few rays, so that a tick costs little; all features are on their keys.</summary>
-    public const string Ini =
+    private const string Ini =
         "[Bridge]\nKind = Folder\nFolder = out/bridge\nWidth = 40\nHeight = 30\nRecord = On\n"
-        + "[Harvest]\nWidth = 160\nHeight = 120\nRate = 2\nOcclusionRays = 4\nRays = 200\nDriveLights = On\nFreeze = Auto\nImageFormat = "
+        + "[Harvest]\nMasks = {0}\nWidth = 160\nHeight = 120\nRate = 2\nOcclusionRays = 4\nRays = 200\nDriveLights = On\nFreeze = Auto\nImageFormat = "
         + "Bmp\n"
         + PlanTests.Ini;
 
+    private static readonly string[] Masks = ["Off", "Coded"];
     private const double MillisecondsOfATick = 16;
 
     /// <summary>Longer than any time that the mod waits for something.</summary>
@@ -57,6 +59,9 @@ internal sealed class SoakPlay
         MakeWorld();
         File.WriteAllText(Path.Combine(driver.Folder, "plan.json"), PlanTests.Text);
     }
+
+    /// <summary>The settings of a soak: every second one hides objects for its masks.</summary>
+    public static string IniOf(int seed) => string.Format(CultureInfo.InvariantCulture, Ini, Masks[seed % Masks.Length]);
 
     public void Tick()
     {
@@ -174,6 +179,8 @@ internal sealed class SoakPlay
         CountIf(_game.Balls.Count > 0, "ball was drawn");
         CountIf(_game.IsFrozen, "game stood still");
         CountIf(_game.Objects.Any(prop => prop.Name == Prop), "model was put up");
+        CountIf(!_game.IsRadarOn && !_game.IsHudOn, "radar and HUD were off");
+        CountIf(_game.Entities.Values.Any(entity => entity.IsHidden), "entity was hidden");
         CountIf(_driver.Screen.Grabs > _grabs, "frame was harvested");
         _grabs = _driver.Screen.Grabs;
     }

@@ -18,7 +18,7 @@ public sealed class SoakTests(ITestOutputHelper output)
         for (int seed = 0; ticks < Ticks; seed++)
         {
             using var driver = new ScriptDriver(
-                SoakPlay.Ini,
+                SoakPlay.IniOf(seed),
                 game => game.BoolBytes = BoolSizes[seed % BoolSizes.Length],
                 faces: LightTests.TableOfOne
             );
