@@ -17,6 +17,7 @@ CaptureCase[] cases =
     .. ScalingCases.All,
     .. ProcessCases.All,
     .. DrawingCases.All,
+    .. DisplayCases.All,
     .. CostCases.All,
 ];
 foreach (CaptureCase test in cases)
