@@ -25,11 +25,25 @@ public sealed class ExportFrame
     private FrameSelection? _selection;
     private RecordedScene? _scene;
 
-    internal ExportFrame(SessionReader session, LabelLine line, ObjectSelector selector, ImageFormat? format)
+    /// <param name="session">The session.</param>
+    /// <param name="line">The label, and its line.</param>
+    /// <param name="selector">Selects objects.</param>
+    /// <param name="format">Format of exported images; null for that of the session.</param>
+    /// <param name="hasMeasuredPaint">
+    /// Whether the session has lanes from measured paint. A frame in which no paint was measured has no lane lines then: boundaries of a
+    /// constant width would stand beside measured lines of other frames.
+    /// </param>
+    internal ExportFrame(SessionReader session, LabelLine line, ObjectSelector selector, ImageFormat? format, bool hasMeasuredPaint)
     {
         Session = session;
         _selector = selector;
-        Label = line.Label!;
+        Label =
+            hasMeasuredPaint && line.Label is { Lanes: { Markings: null } lanes } label
+                ? label with
+                {
+                    Lanes = lanes with { Boundaries = [] },
+                }
+                : line.Label!;
         LabelText = line.Text;
         ImageExtension = format?.Extension() ?? Path.GetExtension(Label.Image);
     }

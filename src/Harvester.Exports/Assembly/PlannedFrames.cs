@@ -37,7 +37,7 @@ internal static class PlannedFrames
                 }
 
                 place = here;
-                yield return new ExportFrame(plan.Sessions[session], line, selector, plan.Options.ImageFormat)
+                yield return new ExportFrame(plan.Sessions[session], line, selector, plan.Options.ImageFormat, info.HasMeasuredPaint)
                 {
                     Index = index++,
                     SequenceIndex = sequences + view,

@@ -172,6 +172,13 @@ public sealed class RoadCurve
         return new Vector3D(centre.X + (direction.Y * offset), centre.Y - (direction.X * offset), centre.Z);
     }
 
+    /// <summary>A part of the curve, as a curve of its own.</summary>
+    /// <param name="from">Parameter where it begins.</param>
+    /// <param name="to">Parameter where it ends, greater than <paramref name="from"/>.</param>
+    public HermiteCurve Between(double from, double to) =>
+        // With u from 0 to 1 for t from a to b, dp/du = (b - a) dp/dt; a part of a cubic is the cubic with these ends and derivatives.
+        new(PointAt(from), PointAt(to), VelocityAt(from) * (to - from), VelocityAt(to) * (to - from));
+
     /// <summary>Whether every point of the curve is certainly farther than a distance from a position, by its bounding circle.</summary>
     internal bool IsBeyond(Vector2D place, double distance)
     {

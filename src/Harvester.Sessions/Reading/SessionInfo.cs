@@ -46,6 +46,9 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
     /// <summary>What became of known colours in the pictures: kept, clipped or changed; null if it was not checked.</summary>
     public string? ColourState { get; init; }
 
+    /// <summary>Whether its lanes come from a table of measured paint, where that shows them.</summary>
+    public bool HasMeasuredPaint { get; init; }
+
     /// <summary>The supported version of the format.</summary>
     private const int KnownFormatVersion = 1;
 
@@ -150,6 +153,7 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
                 session.Has("counters") && session.Fields("counters").Has("discards")
                     ? DiscardsOf(session.Fields("counters").Fields("discards"))
                     : [],
+            HasMeasuredPaint = session.Has("settings") && session.Fields("settings").Has("paint"),
             PictureWarning = session.Has("pictures") ? session.Fields("pictures").OptionalText("warning") : null,
             DoesDisplayStay =
                 session.Has("start")

@@ -1,3 +1,5 @@
+using System.Text.Json;
+using System.Text.RegularExpressions;
 using System.Xml.Linq;
 
 namespace Harvester.Cli.Tests.Commands;
@@ -157,7 +159,26 @@ public sealed class RoadsCommandTests : IDisposable
         CliRun.Of("roads", "map", from, "--out", svg, "--area=-10,0,10,40", "--size", "400");
         Assert.Contains(">unpaved</text>", File.ReadAllText(svg), StringComparison.Ordinal);
         CliRun.Of("roads", "map", from, "--out", svg, "--area=900,900,999,999").AssertFailed(2, "There are no roads in --area.");
-        CliRun.Of("roads", "map", from, "--out", "map.bmp").AssertFailed(2, "--out takes a file that ends in .png or .svg");
+        CliRun
+            .Of("roads", "map", from, "--out", "map.bmp")
+            .AssertFailed(2, "--out takes a file that ends in .png, .svg, .xodr or .geojson");
+    }
+
+    [Fact]
+    public void Lanes_are_written_as_the_ending_or_the_format_says()
+    {
+        string from = _folder.File("roads.txt", Ipl);
+        string xodr = _folder.PathOf("lanes.xodr");
+        string json = _folder.PathOf("lanes.json");
+
+        Assert.Matches($"^{Regex.Escape(xodr)}: [0-9]+ roads? with [0-9]+ lanes?, ", CliRun.Of("roads", "map", from, "--out", xodr).Out);
+        Assert.Equal(0, CliRun.Of("roads", "map", from, "--out", json, "--format", "geojson").ExitCode);
+
+        XElement[] lanes = [.. XDocument.Load(xodr).Descendants("lane").Where(lane => lane.Element("userData") is not null)];
+        using var features = JsonDocument.Parse(File.ReadAllText(json));
+        Assert.NotEmpty(lanes);
+        Assert.Equal(lanes.Length, features.RootElement.GetProperty("features").GetArrayLength());
+        CliRun.Of("roads", "map", from, "--out", json).AssertFailed(2, "--out takes a file that ends in");
     }
 
     [Fact]
@@ -166,6 +187,7 @@ public sealed class RoadsCommandTests : IDisposable
         string from = _folder.File("roads.txt", Ipl.Split("0, 1, 2, 2, 1, 0")[0] + "end\n");
 
         CliRun.Of("roads", "map", from, "--out", _folder.PathOf("map.png")).AssertFailed(2, "The road data has no roads to draw.");
+        CliRun.Of("roads", "map", from, "--out", _folder.PathOf("map.xodr")).AssertFailed(2, "The road data has no roads to draw.");
     }
 
     [Theory]

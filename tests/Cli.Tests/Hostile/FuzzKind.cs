@@ -265,6 +265,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             [
                 $"roads info {{0}}/{file}",
                 $"roads map {{0}}/{file} --out {{0}}/out.svg",
+                $"roads map {{0}}/{file} --out {{0}}/out.xodr",
                 $"roads import {{0}}/{file} --out {{0}}/out.csv",
                 $"roads nodes {{0}}/{file} --out {{0}}/out.csv",
                 $"roads compare {{0}}/{file} {{0}}/straight.csv",

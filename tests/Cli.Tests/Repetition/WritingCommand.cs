@@ -110,6 +110,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("report-still", "report {inputs}/session --still 1 --out {root}/still.png"),
         new("roads-import", "roads import {inputs}/roads.csv --out {root}/roads.csv.gz"),
         new("roads-map", "roads map {inputs}/roads.csv --size 64 --out {root}/map.png"),
+        new("roads-map-lanes", "roads map {inputs}/roads.csv --out {root}/map.xodr"),
         new("roads-nodes", "roads nodes {inputs}/roads.csv --out {root}/nodes.csv"),
         new("roads-paint", "roads paint {inputs}/lines --roads {inputs}/roads.csv --out {root}/paint.csv"),
         new("spaces-gallery", "spaces gallery {inputs}/session/scenes/spaces.csv --out {root}/gallery.html"),

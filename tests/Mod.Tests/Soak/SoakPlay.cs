@@ -14,8 +14,8 @@ internal sealed class SoakPlay
     /// <summary>Small pictures and few rays, so that a tick costs little; all features are on their keys.</summary>
     private const string Ini =
         "[Bridge]\nKind = Folder\nFolder = out/bridge\nWidth = 40\nHeight = 30\nRecord = On\n"
-        + "[Harvest]\nMasks = {0}\nWidth = 160\nHeight = 120\nRate = 2\nOcclusionRays = 4\nRays = 200\nDriveLights = On\nFreeze = Auto\nImageFormat = "
-        + "Bmp\n"
+        + "[Harvest]\nMasks = {0}\nWidth = 160\nHeight = 120\nRate = 2\nOcclusionRays = 4\nRays = 200\nDriveLights = On\nFreeze = Auto\n"
+        + "ImageFormat = Bmp\n"
         + PlanTests.Ini;
 
     private static readonly string[] Masks = ["Off", "Coded"];

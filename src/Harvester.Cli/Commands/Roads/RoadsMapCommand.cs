@@ -4,21 +4,28 @@ using System.IO.Compression;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
+using Harvester.Datasets.Roads;
 using Harvester.Datasets.Roads.Sources;
+using Harvester.Exports.Maps;
 using Harvester.Geometry;
+using Harvester.Geometry.Maps;
+using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Reports.Maps;
 using Harvester.Runs.Faults;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Reading;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands.Roads;
 
-/// <summary>harvester roads map: draws road data.</summary>
+/// <summary>harvester roads map: draws road data, or writes its lanes for programs that read maps.</summary>
 internal static class RoadsMapCommand
 {
-    /// <summary>The example in the help.</summary>
+    /// <summary>The example in the help of all commands for roads.</summary>
     public const string Example = "  harvester roads map session/scenes/roads.csv --out map.png --size 4000";
+
+    private const string LanesExample = "  harvester roads map session/scenes/roads.csv --out town.xodr";
 
     private const string Legend =
         "highways orange, one-way roads blue, streets grey, unpaved roads brown, roads that are not drivable light grey, "
@@ -35,53 +42,121 @@ internal static class RoadsMapCommand
     {
         Argument<string> from = RoadSourceArgument.Create();
         Option<LanesIn> lanesIn = RoadSourceArgument.LanesIn();
-        Option<string> output = RoadSourceArgument.Output("Image to write: .png or .svg");
-        Option<int> size = ValueParsers.Integer("--size", "PIXELS", "Length of the longer side, pixels", 16, MaxSize);
+        Option<string> output = RoadSourceArgument.Output("File to write: .png or .svg for an image, .xodr or .geojson for the lanes");
+        Option<RoadMapFormat?> format = ValueParsers.OptionalChoice<RoadMapFormat>(
+            "--format",
+            "What to write [default: as the ending of --out says]"
+        );
+        Option<double> laneWidth = LaneOptions.LaneWidth();
+        Option<double> narrowLaneWidth = LaneOptions.NarrowLaneWidth();
+        Option<FileInfo?> paint = LaneOptions.Paint();
+        Option<int> size = ValueParsers.Integer("--size", "PIXELS", "Images: length of the longer side, pixels", 16, MaxSize);
         size.DefaultValueFactory = _ => DefaultSize;
         Option<Box2D?> area = ValueParsers.Optional<Box2D>(
             "--area",
             "XMIN,YMIN,XMAX,YMAX",
-            "Part of the world to draw, metres [default: all]",
+            "Images: part of the world to draw, metres [default: all]",
             ParseArea,
             "the west, south, east and north edges, e.g. -500,-1500,1000,0"
         );
-        var command = new Command("map", "Draw road data as a map.") { from, lanesIn, output, size, area };
-        HelpWithNotes.AddTo(command, $"Colours: {Legend}.\n\n" + RoadSourceArgument.NotesWith("FROM is", Example));
+        var command = new Command("map", "Draw road data as a map, or write its lanes as OpenDRIVE or GeoJSON.")
+        {
+            from,
+            lanesIn,
+            output,
+            format,
+            size,
+            area,
+            laneWidth,
+            narrowLaneWidth,
+            paint,
+        };
+        HelpWithNotes.AddTo(
+            command,
+            $"Colours: {Legend}.\n\nLanes are derived from the road data: docs/maps.md says what is exact and what is not.\n\n"
+                + RoadSourceArgument.NotesWith("FROM is", Example, LanesExample)
+        );
         command.SetAction(parsed =>
         {
             string file = parsed.GetRequiredValue(output);
-            string extension = Path.GetExtension(file).ToUpperInvariant();
-            if (extension is not (".PNG" or ".SVG"))
-            {
-                throw new UsageException("--out takes a file that ends in .png or .svg.");
-            }
-
+            RoadMapFormat kind = parsed.GetValue(format) ?? FormatOf(file);
             RoadNetwork network = RoadSourceArgument.Import(parsed, from, lanesIn, terminal).Network;
             if (network.Nodes.Count == 0)
             {
                 throw new UsageException(NoRoads);
             }
 
-            Box2D? part = parsed.GetValue(area);
-            var map = new RoadMap(network, part, parsed.GetValue(size));
-            if (!map.HasRoads)
+            if (kind is RoadMapFormat.OpenDrive or RoadMapFormat.GeoJson)
             {
-                throw new UsageException(
-                    part is null ? NoRoads : "There are no roads in --area. Choose another area, or omit the option to draw all roads."
+                LaneNetwork lanes = LanesOf(network, parsed.GetValue(laneWidth), parsed.GetValue(narrowLaneWidth), parsed.GetValue(paint));
+                OutputFile.Write(file, stream => WriteLanes(lanes, kind, Path.GetFileNameWithoutExtension(file), stream));
+                terminal.Out.WriteLine(
+                    $"{file}: {Counted.Of(lanes.Segments.Count, "road")} with {Counted.Of(lanes.Segments.Sum(LaneCount), "lane")}, "
+                        + $"{Counted.Of(lanes.Junctions.Count, "junction")} with {Counted.Of(lanes.Junctions.Sum(WayCount), "way")}"
                 );
+                return ExitCode.Done;
             }
 
-            OutputFile.Write(file, stream => Write(map, extension, stream));
-            string metres = ThreeDigits(map.MetresPerPixel).ToString("0.###############", CultureInfo.InvariantCulture);
-            terminal.Out.WriteLine($"{file}: {map.Size.Width} x {map.Size.Height} pixels of {metres} m; {Legend}");
+            Draw(network, parsed.GetValue(area), parsed.GetValue(size), kind, file, terminal);
             return ExitCode.Done;
         });
         return command;
     }
 
-    private static void Write(RoadMap map, string extension, Stream stream)
+    private static int LaneCount(RoadSegment road) => road.Forward.Count + road.Backward.Count;
+
+    private static int WayCount(MapJunction junction) => junction.Ways.Count;
+
+    private static RoadMapFormat FormatOf(string file) =>
+        Path.GetExtension(file).ToUpperInvariant() switch
+        {
+            ".PNG" => RoadMapFormat.Png,
+            ".SVG" => RoadMapFormat.Svg,
+            ".XODR" => RoadMapFormat.OpenDrive,
+            ".GEOJSON" => RoadMapFormat.GeoJson,
+            _ => throw new UsageException("--out takes a file that ends in .png, .svg, .xodr or .geojson; or name a --format."),
+        };
+
+    private static LaneNetwork LanesOf(RoadNetwork network, double laneWidth, double narrowLaneWidth, FileInfo? paint)
     {
-        if (extension == ".PNG")
+        var curves = new RoadCurves(network);
+        PaintTable? table = paint is null ? null : PaintFile.Read(paint.FullName, network);
+        var map = LaneNetwork.Of(
+            curves,
+            new LaneModel(network, laneWidth, narrowLaneWidth, table is null ? null : PaintedSections.Of(table))
+        );
+        return map.Lanes.Count > 0 ? map : throw new UsageException(NoRoads);
+    }
+
+    private static void WriteLanes(LaneNetwork lanes, RoadMapFormat format, string name, Stream stream)
+    {
+        if (format == RoadMapFormat.OpenDrive)
+        {
+            OpenDriveMap.Write(lanes, name, stream);
+            return;
+        }
+
+        GeoJsonMap.Write(lanes, stream);
+    }
+
+    private static void Draw(RoadNetwork network, Box2D? area, int size, RoadMapFormat format, string file, Terminal terminal)
+    {
+        var map = new RoadMap(network, area, size);
+        if (!map.HasRoads)
+        {
+            throw new UsageException(
+                area is null ? NoRoads : "There are no roads in --area. Choose another area, or omit the option to draw all roads."
+            );
+        }
+
+        OutputFile.Write(file, stream => WriteImage(map, format, stream));
+        string metres = ThreeDigits(map.MetresPerPixel).ToString("0.###############", CultureInfo.InvariantCulture);
+        terminal.Out.WriteLine($"{file}: {map.Size.Width} x {map.Size.Height} pixels of {metres} m; {Legend}");
+    }
+
+    private static void WriteImage(RoadMap map, RoadMapFormat format, Stream stream)
+    {
+        if (format == RoadMapFormat.Png)
         {
             new PngEncoder(CompressionLevel.Optimal).Write(map.Draw(), stream);
             return;

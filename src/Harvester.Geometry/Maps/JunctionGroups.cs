@@ -1,0 +1,84 @@
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Geometry.Maps;
+
+/// <summary>
+/// Where roads end for junctions, and which nodes are one junction. Nodes between which a link lies within junctions from end to end are
+/// one.
+/// </summary>
+internal sealed class JunctionGroups
+{
+    /// <summary>
+    /// Length of road left to a junction, metres, where its extent is shorter because roads part or merge at a small angle: a way from one
+    /// lane to another needs some length.
+    /// </summary>
+    private const double MinReach = 8;
+
+    /// <summary>The largest part of a link that this takes at either end.</summary>
+    private const double MaxFraction = 0.3;
+
+    /// <summary>A shorter rest of a link between junctions is part of them, metres.</summary>
+    private const double MinRest = 1;
+
+    private readonly RoadNetwork _network;
+    private readonly int[] _group;
+    private readonly HashSet<int> _junctions = [];
+    private readonly (double FromStart, double FromEnd)[] _trims;
+
+    public JunctionGroups(RoadCurves curves, LaneModel lanes)
+    {
+        _network = curves.Network;
+        var extents = new JunctionExtents(curves, lanes);
+        _group = [.. Enumerable.Range(0, _network.Nodes.Count)];
+        _trims = new (double, double)[_network.Links.Count];
+        for (int link = 0; link < _trims.Length; link++)
+        {
+            RoadLink road = _network.Links[link];
+            double length = curves.Of(link).Length;
+            (double fromStart, double fromEnd) = extents.Of(link);
+            fromStart = AtLeast(road.From, fromStart, length);
+            fromEnd = AtLeast(road.To, fromEnd, length);
+            _trims[link] = (fromStart, fromEnd);
+            if (RoadContinuations.IsDrivable(_network, road) && !HasRest(link, length))
+            {
+                Join(road.From, road.To);
+            }
+        }
+
+        foreach (IGrouping<int, int> nodes in _group.Select((_, node) => node).GroupBy(GroupOf))
+        {
+            if (nodes.Count() > 1 || JunctionExtents.IsJunction(_network, nodes.Key))
+            {
+                _junctions.Add(nodes.Key);
+            }
+        }
+    }
+
+    /// <summary>The parts of a link that junctions take at its start and its end, metres.</summary>
+    public (double FromStart, double FromEnd) TrimsOf(int link) => _trims[link];
+
+    /// <summary>Whether anything of a link lies outside junctions.</summary>
+    public bool HasRest(int link, double length) => length - _trims[link].FromStart - _trims[link].FromEnd >= MinRest;
+
+    /// <summary>The least node of the junction that a node belongs to; null if it belongs to none.</summary>
+    public int? JunctionOf(int node) => _junctions.Contains(GroupOf(node)) ? GroupOf(node) : null;
+
+    private int GroupOf(int node)
+    {
+        while (_group[node] != node)
+        {
+            node = _group[node];
+        }
+
+        return node;
+    }
+
+    private double AtLeast(int node, double extent, double length) =>
+        JunctionExtents.IsJunction(_network, node) ? Math.Max(extent, Math.Min(MinReach, MaxFraction * length)) : extent;
+
+    private void Join(int a, int b)
+    {
+        (int first, int second) = (GroupOf(a), GroupOf(b));
+        _group[Math.Max(first, second)] = Math.Min(first, second);
+    }
+}

@@ -1,0 +1,239 @@
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Geometry.Maps;
+
+/// <summary>Makes the map of a network: roads between junctions, their lanes, and the ways through junctions.</summary>
+internal sealed class LaneNetworkBuilder
+{
+    /// <summary>The greatest distance of the points of lanes, metres.</summary>
+    private const double MaxStep = 4;
+
+    /// <summary>How far the line between two points may leave the curve, metres.</summary>
+    private const double MaxSagitta = 0.005;
+
+    /// <summary>Pieces in which the bend of a curve is summed.</summary>
+    private const int BendPieces = 8;
+
+    private readonly RoadCurves _curves;
+    private readonly RoadNetwork _network;
+    private readonly LaneModel _lanes;
+    private readonly JunctionGroups _groups;
+    private readonly MapNames _names;
+    private readonly Dictionary<int, int> _junctions = [];
+    private readonly Dictionary<int, RoadSegment> _segments = [];
+
+    public LaneNetworkBuilder(RoadCurves curves, LaneModel lanes)
+    {
+        _curves = Guard.NotNull(curves, nameof(curves));
+        _network = curves.Network;
+        _lanes = Guard.NotNull(lanes, nameof(lanes));
+        _groups = new JunctionGroups(curves, lanes);
+        _names = new MapNames(_network);
+    }
+
+    public LaneNetwork Build()
+    {
+        var nodesOf = new SortedDictionary<int, List<int>>();
+        for (int node = 0; node < _network.Nodes.Count; node++)
+        {
+            if (_groups.JunctionOf(node) is { } junction)
+            {
+                if (!nodesOf.TryGetValue(junction, out List<int>? nodes))
+                {
+                    _junctions.Add(junction, nodesOf.Count);
+                    nodesOf.Add(junction, nodes = []);
+                }
+
+                nodes.Add(node);
+            }
+        }
+
+        for (int link = 0; link < _network.Links.Count; link++)
+        {
+            if (RoadContinuations.IsDrivable(_network, _network.Links[link]) && _groups.HasRest(link, _curves.Of(link).Length))
+            {
+                _segments.Add(link, Segment(link));
+            }
+        }
+
+        RoadSegment[] segments = [.. _segments.OrderBy(segment => segment.Key).Select(segment => segment.Value)];
+        foreach (RoadSegment segment in segments)
+        {
+            Continue(segment, segment.End, segment.Forward);
+            Continue(segment, segment.Start, segment.Backward);
+        }
+
+        ILookup<int, JunctionArm> arms = segments.SelectMany(ArmsOf).ToLookup(arm => arm.Junction, arm => arm.Arm);
+        MapJunction[] junctions = [.. nodesOf.Select(group => JunctionOf(group.Key, group.Value, [.. arms[_junctions[group.Key]]]))];
+        return new LaneNetwork(_network, segments, junctions);
+    }
+
+    private RoadSegment Segment(int link)
+    {
+        RoadLink road = _network.Links[link];
+        RoadCurve curve = _curves.Of(link);
+        (double fromStart, double fromEnd) = _groups.TrimsOf(link);
+        HermiteCurve line = curve.Between(curve.ParameterAt(fromStart), curve.ParameterAt(curve.Length - fromEnd));
+        string name = _names.Segment(road);
+        MapLane[] forward = LanesOf(name, link, line, isForward: true);
+        MapLane[] backward = LanesOf(name, link, line.Reversed(), isForward: false);
+        if (forward.Length > 0 && backward.Length > 0 && !(road.MedianWidth > 0))
+        {
+            (forward[0].Oncoming, backward[0].Oncoming) = (backward[0], forward[0]);
+        }
+
+        return new RoadSegment(
+            name,
+            link,
+            line,
+            forward,
+            backward,
+            EndAt(road.From, _curves.Continuations.Of(link, beyondEnd: false)),
+            EndAt(road.To, _curves.Continuations.Of(link, beyondEnd: true))
+        )
+        {
+            ForwardLeftEdge = _lanes.LanesOf(link, isForward: true)?.LeftEdge ?? 0,
+            BackwardLeftEdge = _lanes.LanesOf(link, isForward: false)?.LeftEdge ?? 0,
+        };
+    }
+
+    private SegmentEnd EndAt(int node, int next) =>
+        _groups.JunctionOf(node) is { } junction ? new SegmentEnd(_junctions[junction], null, false)
+        : next == RoadContinuations.None ? default
+        : new SegmentEnd(null, next, _network.Links[next].From == node);
+
+    private MapLane[] LanesOf(string segment, int link, HermiteCurve line, bool isForward)
+    {
+        if (_lanes.LanesOf(link, isForward) is not { } lanes)
+        {
+            return [];
+        }
+
+        MapLane[] made =
+        [
+            .. Enumerable
+                .Range(0, lanes.Section.LaneCount)
+                .Select(index =>
+                {
+                    double left = lanes.LeftEdge + lanes.Section.Edge(index);
+                    double width = lanes.Section.WidthOf(index);
+                    return new MapLane(MapNames.Lane(segment, isForward, index))
+                    {
+                        Link = link,
+                        IsForward = isForward,
+                        Index = index,
+                        StartWidth = width,
+                        EndWidth = width,
+                        StartDirection = Unit(line.VelocityAt(0)),
+                        EndDirection = Unit(line.VelocityAt(1)),
+                        Left = Points(line, _ => left),
+                        Centre = Points(line, _ => left + (width / 2)),
+                        Right = Points(line, _ => left + width),
+                    };
+                }),
+        ];
+        for (int i = 1; i < made.Length; i++)
+        {
+            (made[i].LeftNeighbour, made[i - 1].RightNeighbour) = (made[i - 1], made[i]);
+        }
+
+        return made;
+    }
+
+    /// <summary>
+    /// Connects the lanes of a road to those of the road that continues it: each to the lane of the same number, and where their numbers
+    /// differ, to the outermost, so that lanes begin and end on the right.
+    /// </summary>
+    private void Continue(RoadSegment segment, SegmentEnd end, IReadOnlyList<MapLane> lanes)
+    {
+        if (end.Link is not { } next || !_segments.TryGetValue(next, out RoadSegment? onwards))
+        {
+            return;
+        }
+
+        IReadOnlyList<MapLane> targets = end.AtStartOfLink ? onwards.Forward : onwards.Backward;
+        for (int i = 0; targets.Count > 0 && lanes.Count > 0 && i < Math.Max(lanes.Count, targets.Count); i++)
+        {
+            lanes[Math.Min(i, lanes.Count - 1)].LeadsTo(targets[Math.Min(i, targets.Count - 1)]);
+        }
+    }
+
+    private static IEnumerable<(int Junction, JunctionArm Arm)> ArmsOf(RoadSegment segment)
+    {
+        if (segment.Start.Junction is { } start)
+        {
+            yield return (start, new JunctionArm(segment.Backward, segment.Forward, Unit(segment.Line.VelocityAt(0))));
+        }
+
+        if (segment.End.Junction is { } end)
+        {
+            yield return (end, new JunctionArm(segment.Forward, segment.Backward, Unit(segment.Line.VelocityAt(1)) * -1));
+        }
+    }
+
+    private MapJunction JunctionOf(int node, List<int> nodes, JunctionArm[] arms)
+    {
+        int number = _junctions[node];
+        MapLane[] ways = [.. arms.SelectMany(arm => TurnRules.WaysFrom(arm, arms)).Select(way => Way(number, way.From, way.To, way.Turn))];
+        return new MapJunction(_names.Junction(node), nodes, ways);
+    }
+
+    private static MapLane Way(int junction, MapLane from, MapLane to, MapTurn turn)
+    {
+        HermiteCurve curve = WayCurve.Of(from, to);
+        (double start, double end) = (from.EndWidth, to.StartWidth);
+        double HalfAt(double t) => (start + ((end - start) * t)) / 2;
+        var way = new MapLane($"{from.Id}>{to.Id}")
+        {
+            Junction = junction,
+            Index = from.Index,
+            IsForward = true,
+            Turn = turn,
+            Line = curve,
+            StartWidth = start,
+            EndWidth = end,
+            StartDirection = from.EndDirection,
+            EndDirection = to.StartDirection,
+            Left = Points(curve, t => -HalfAt(t)),
+            Centre = Points(curve, static _ => 0),
+            Right = Points(curve, HalfAt),
+        };
+        from.LeadsTo(way);
+        way.LeadsTo(to);
+        return way;
+    }
+
+    private static Vector3D[] Points(HermiteCurve line, Func<double, double> offset)
+    {
+        int steps = StepsOf(line);
+        var points = new Vector3D[steps + 1];
+        for (int i = 0; i <= steps; i++)
+        {
+            double t = (double)i / steps;
+            points[i] = line.PointBeside(t, offset(t));
+        }
+
+        return points;
+    }
+
+    /// <summary>
+    /// Of a curve of length l that bends by b, a piece of l / n bends by b / n and leaves its chord by s = l b / (8 n²), so that
+    /// n = √(l b / (8 s)).
+    /// </summary>
+    private static int StepsOf(HermiteCurve line)
+    {
+        double length = line.Length;
+        double bend = 0;
+        Vector2D before = line.VelocityAt(0);
+        for (int i = 1; i <= BendPieces; i++)
+        {
+            Vector2D now = line.VelocityAt(i / (double)BendPieces);
+            bend += Math.Abs(Math.Atan2(before.Cross(now), before.Dot(now)));
+            before = now;
+        }
+
+        return (int)Math.Ceiling(Math.Max(Math.Max(1, length / MaxStep), Math.Sqrt(length * bend / (8 * MaxSagitta))));
+    }
+
+    private static Vector2D Unit(Vector2D vector) => vector.Length > 0 ? vector * (1 / vector.Length) : new Vector2D(0, 1);
+}

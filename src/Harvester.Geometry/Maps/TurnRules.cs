@@ -1,0 +1,86 @@
+namespace Harvester.Geometry.Maps;
+
+/// <summary>
+/// Which lane leads to which through a junction: left turns from the leftmost lane into the leftmost, right turns from the rightmost into
+/// the rightmost, straight on from every lane. If nothing leads straight on, the lanes share the exits.
+/// </summary>
+internal static class TurnRules
+{
+    /// <summary>A bend of at most this leads straight on, radians: 35 degrees, at which roads merge and do not cross.</summary>
+    private const double MaxStraight = 0.6;
+
+    /// <summary>A sharper bend is a U-turn, radians: 137 degrees.</summary>
+    private const double MaxTurn = 2.4;
+
+    /// <summary>A lane of a fork leads into a branch whose nearest lane is at most this many lane widths aside.</summary>
+    private const double MaxAside = 0.75;
+
+    /// <summary>The ways from an arm.</summary>
+    /// <param name="arm">The arm.</param>
+    /// <param name="arms">All arms of the junction.</param>
+    public static IEnumerable<(MapLane From, MapLane To, MapTurn Turn)> WaysFrom(JunctionArm arm, IReadOnlyList<JunctionArm> arms)
+    {
+        (JunctionArm Arm, double Turn)[] exits =
+        [
+            .. arms.Where(exit => exit != arm && exit.Outgoing.Count > 0)
+                .Select(exit => (Arm: exit, Turn: arm.TurnInto(exit)))
+                .Where(exit => Math.Abs(exit.Turn) < MaxTurn)
+                .OrderByDescending(exit => exit.Turn),
+        ];
+        JunctionArm[] straight = [.. exits.Where(exit => IsStraight(exit.Turn)).Select(exit => exit.Arm)];
+        for (int lane = 0; lane < arm.Incoming.Count; lane++)
+        {
+            (JunctionArm Arm, double Turn)[] chosen =
+            [
+                .. exits.Where(exit =>
+                    IsStraight(exit.Turn) ? straight.Length == 1 || LeadsInto(arm.Incoming[lane], exit.Arm, straight)
+                    : exit.Turn > 0 ? lane == 0
+                    : lane == arm.Incoming.Count - 1
+                ),
+            ];
+            if (chosen.Length == 0 && exits.Length > 0)
+            {
+                chosen = [lane < arm.Incoming.Count / 2 ? exits[0] : exits[exits.Length - 1]];
+            }
+
+            foreach ((JunctionArm exit, double turn) in chosen)
+            {
+                yield return (arm.Incoming[lane], Target(arm, lane, exit, turn, arms), TurnOf(turn));
+            }
+        }
+    }
+
+    private static bool IsStraight(double turn) => Math.Abs(turn) <= MaxStraight;
+
+    private static MapTurn TurnOf(double turn) =>
+        IsStraight(turn) ? MapTurn.Straight
+        : turn > 0 ? MapTurn.Left
+        : MapTurn.Right;
+
+    private static MapLane Target(JunctionArm arm, int lane, JunctionArm exit, double turn, IReadOnlyList<JunctionArm> arms)
+    {
+        int exitLanes = exit.Outgoing.Count;
+        bool isMerge =
+            IsStraight(turn) && arms.Count(other => other.Incoming.Count > 0 && other != exit && IsStraight(other.TurnInto(exit))) > 1;
+        return isMerge ? Nearest(arm.Incoming[lane], exit)
+            : turn < -MaxStraight ? exit.Outgoing[Math.Max(0, exitLanes - arm.Incoming.Count + lane)]
+            : exit.Outgoing[Math.Min(lane, exitLanes - 1)];
+    }
+
+    /// <summary>Whether a lane of a fork leads into a branch: one that lies ahead of it, or else the one nearest to it.</summary>
+    private static bool LeadsInto(MapLane lane, JunctionArm branch, JunctionArm[] branches)
+    {
+        double aside = Aside(lane, Nearest(lane, branch));
+        return aside <= MaxAside * lane.EndWidth || branches.Min(other => Aside(lane, Nearest(lane, other))) >= aside;
+    }
+
+    private static MapLane Nearest(MapLane lane, JunctionArm exit) => exit.Outgoing.OrderBy(target => Aside(lane, target)).First();
+
+    /// <summary>How far a lane begins beside the continuation of another, metres.</summary>
+    private static double Aside(MapLane lane, MapLane target)
+    {
+        Vector3D end = lane.Centre[lane.Centre.Count - 1];
+        Vector3D start = target.Centre[0];
+        return Math.Abs(lane.EndDirection.Cross(new Vector2D(start.X - end.X, start.Y - end.Y)));
+    }
+}
