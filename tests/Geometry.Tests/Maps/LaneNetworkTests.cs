@@ -23,7 +23,7 @@ public sealed class LaneNetworkTests
     }
 
     [Fact]
-    public void Left_turns_start_from_the_leftmost_lane_and_right_turns_from_the_rightmost()
+    public void Turns_start_from_the_lane_on_their_side()
     {
         MapLane[] ways = [.. Crossing(2).Junctions[0].Ways];
 
@@ -44,7 +44,7 @@ public sealed class LaneNetworkTests
     }
 
     [Fact]
-    public void Neighbours_share_an_edge_and_the_oncoming_lane_is_on_the_left()
+    public void Neighbours_share_an_edge()
     {
         RoadSegment road = Crossing(2).Segments[0];
 
