@@ -40,7 +40,7 @@ public sealed class PlanPaintTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public void Trials_have_the_lanes_of_the_table_and_resume_tells_another_apart()
+    public void Trials_have_the_lanes_of_the_table_that_resume_needs()
     {
         CliRun.Of([.. _command, "--paint", Table("paint.csv", PaintedWidth)]).AssertDone();
 
@@ -67,7 +67,7 @@ public sealed class PlanPaintTests : IDisposable
     }
 
     [Fact]
-    public void Table_that_is_damaged_or_missing_or_of_other_roads_is_refused()
+    public void Unusable_table_is_refused()
     {
         Refused(ExitCode.BadData, "damaged.csv: line 2", _folder.File("damaged.csv", "harvester paint,1\nlink,0,0\n"));
         Refused(ExitCode.InputOutput, "missing.csv", _folder.PathOf("missing.csv"));
