@@ -40,8 +40,6 @@ internal sealed class MarkJudge(MarkKind kind)
 
     public int VisibleFound { get; private set; }
 
-    public double Recall => (double)VisibleFound / Visible;
-
     public List<string> Faults { get; } = [];
 
     /// <summary>Adds a table, what is painted on its roads, and the session in which it was measured.</summary>
