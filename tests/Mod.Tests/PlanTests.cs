@@ -4,6 +4,7 @@ using System.Text.RegularExpressions;
 using System.Windows.Forms;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
+using Harvester.Play.Surveys.Roads;
 
 namespace Harvester.Mod.Tests;
 
@@ -61,6 +62,35 @@ public sealed class PlanTests
         Assert.Equal(70, labels[1].GetProperty("camera").GetProperty("verticalFovDegrees").GetDouble(), 3);
         Assert.Single(labels[0].GetProperty("lidar").EnumerateArray());
         AssertGivenBack(driver.Game);
+    }
+
+    [Fact]
+    public void Trials_have_the_lanes_of_the_measured_paint()
+    {
+        using var folder = new TemporaryFolder();
+        string roads = Path.Combine(folder.Path, "roads.csv");
+        string paint = Path.Combine(folder.Path, "paint.csv");
+        RoadSurveyFile.Save(roads, RoadTests.Road());
+        File.WriteAllText(
+            paint,
+            "harvester paint,1\nlink,0,97.375,180.125,0,97.375,320.125,0,0,140\nline,0,0,140,0,0,solid,yellow,0.15,,,,0.02,3\n"
+                + "line,0,0,140,4.25,4.25,solid,white,0.15,,,,0.02,3\nend,1,2\n"
+        );
+        using var driver = new ScriptDriver($"{Ini}[Roads]\nFile = {roads}\nPaint = {paint}\n");
+        HarvestTests.Street(driver.Game);
+        driver.Press(Keys.I);
+        driver.Press(Keys.L);
+        driver.Until(() => driver.Game.Rectangles.Count > 0);
+        driver.Press(Keys.I);
+        driver.Press(Keys.L);
+        Run(driver);
+
+        string session = Path.Combine(driver.Output, "plans", "play", "trials", "street_foggy_0730_small_001");
+        string[] labels = File.ReadAllLines(Path.Combine(session, "labels.jsonl"));
+        Assert.Equal(2, labels.Length);
+        Assert.All(labels, label => Assert.Contains("\"laneWidthSource\":\"paint\"", label, StringComparison.Ordinal));
+        Assert.All(labels, label => Assert.Contains("\"source\":\"paint\",\"sigmaMetres\":0.02", label, StringComparison.Ordinal));
+        Assert.Contains("\"paint\": \"paint.csv\"", File.ReadAllText(Path.Combine(session, "session.json")), StringComparison.Ordinal);
     }
 
     [Fact]

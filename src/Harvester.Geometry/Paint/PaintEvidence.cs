@@ -13,6 +13,9 @@ public sealed class PaintEvidence
     /// <summary>The links that were seen, in ascending order.</summary>
     public IEnumerable<int> Links => _links.Keys;
 
+    /// <summary>What was seen of stop lines and crossings.</summary>
+    internal MarkEvidence Marks { get; } = new();
+
     /// <summary>Whether nothing was seen.</summary>
     public bool IsEmpty => _links.Count == 0;
 
@@ -31,7 +34,8 @@ public sealed class PaintEvidence
     /// <summary>Adds what other images show; of a row that was seen in many images, the first ones are kept.</summary>
     public void Add(PaintEvidence other)
     {
-        foreach (KeyValuePair<int, SortedDictionary<int, PaintRow>> link in Guard.NotNull(other, nameof(other))._links)
+        Marks.Add(Guard.NotNull(other, nameof(other)).Marks);
+        foreach (KeyValuePair<int, SortedDictionary<int, PaintRow>> link in other._links)
         {
             foreach (KeyValuePair<int, PaintRow> row in link.Value)
             {

@@ -33,6 +33,7 @@ public sealed class PaintRoads
         Curves = Guard.NotNull(curves, nameof(curves));
         Junctions = new JunctionExtents(curves, new LaneModel(curves.Network));
         _index = new RoadIndex(curves, _ => PaintScanner.MaxDistance);
+        Mouths = new JunctionMouths(this);
         _reaches = new Lazy<(float, float)[]>[curves.Network.Links.Count];
         for (int i = 0; i < _reaches.Length; i++)
         {
@@ -46,6 +47,9 @@ public sealed class PaintRoads
 
     /// <summary>The extents of junctions.</summary>
     public JunctionExtents Junctions { get; }
+
+    /// <summary>The mouths of roads at junctions.</summary>
+    internal JunctionMouths Mouths { get; }
 
     /// <summary>Number of rows of a link.</summary>
     /// <param name="link">Index of the link.</param>

@@ -14,21 +14,11 @@ public sealed class PaintScanner
     /// </summary>
     public const double MaxDistance = 30;
 
-    /// <summary>Nearest depth of ground, metres.</summary>
-    private const double MinDepth = 0.5;
-
     /// <summary>Widest pixel across the road, metres: two of them are the narrowest paint.</summary>
     private const double MaxPixelAcross = 0.05;
 
     /// <summary>Longest pixel along the road, metres: longer ones blur dashes into their gaps.</summary>
     private const double MaxPixelAlong = 1.2;
-
-    /// <summary>What is nearer than the ground by this fraction stands on it: 1 m in 20, the length of road behind 8 cm of
-    /// height.</summary>
-    private const double DepthTolerance = 0.05;
-
-    /// <summary>Distance between places of a row at which the height of the ground is taken, metres.</summary>
-    private const double KnotStep = 1;
 
     /// <summary>Profiles that are averaged for a row: a single one has the noise of single pixels.</summary>
     private const int ProfilesPerRow = 3;
@@ -46,15 +36,18 @@ public sealed class PaintScanner
     private const double Margin = 0.6;
 
     private readonly PaintRoads _roads;
-    private readonly StripeFinder _finder = new();
+    private readonly StripeFinder _finder = StripeFinder.OfLines();
     private readonly List<StripeFinder.Stripe> _stripes = [];
-    private float[] _bright = [];
-    private float[] _blue = [];
-    private int[] _count = [];
+    private readonly GroundProfile _profile = new();
+    private readonly MarkScanner _marks;
 
     /// <summary>Creates a scanner.</summary>
     /// <param name="roads">The roads.</param>
-    public PaintScanner(PaintRoads roads) => _roads = Guard.NotNull(roads, nameof(roads));
+    public PaintScanner(PaintRoads roads)
+    {
+        _roads = Guard.NotNull(roads, nameof(roads));
+        _marks = new MarkScanner(roads.Mouths, _profile);
+    }
 
     /// <summary>Scans an image.</summary>
     /// <param name="image">The image.</param>
@@ -82,6 +75,8 @@ public sealed class PaintScanner
                 }
             }
         }
+
+        _marks.Scan(image, number, evidence.Marks);
     }
 
     private void ScanRow(PaintImage image, int number, int link, int row, double station, PaintEvidence evidence)
@@ -105,19 +100,15 @@ public sealed class PaintScanner
 
         (float left, float right) = _roads.ReachAt(link, station);
         int cells = (int)((right - left) / StripeFinder.Cell);
-        Reserve(cells);
+        _profile.Clear(cells);
         for (int i = 0; i < ProfilesPerRow; i++)
         {
             double shift = (((i + 0.5) / ProfilesPerRow) - 0.5) * PaintRow.Length;
-            AddProfile(image, curve, curve.ParameterAt(station + shift), left, cells);
+            double place = curve.ParameterAt(station + shift);
+            _profile.Add(image, offset => curve.PointBeside(place, offset), left, cells);
         }
 
-        for (int cell = 0; cell < cells; cell++)
-        {
-            _bright[cell] /= ProfilesPerRow;
-            _blue[cell] /= ProfilesPerRow;
-        }
-
+        _profile.Average(cells, ProfilesPerRow);
         Vector2D direction = curve.DirectionAt(parameter);
         double cameraOffset = -((x * direction.Y) - (y * direction.X));
         var seen = new SeenSpan(
@@ -132,25 +123,15 @@ public sealed class PaintScanner
         {
             if (seen.SigmaAt(left + (cell * StripeFinder.Cell)) > MaxSigma)
             {
-                _count[cell] = 0;
+                _profile.Count[cell] = 0;
             }
         }
 
-        for (int begin = 0; begin < cells; begin++)
+        (int Begin, int End) run = _profile.NextSeen(0, cells, ProfilesPerRow);
+        while (run.Begin < run.End)
         {
-            if (_count[begin] < ProfilesPerRow)
-            {
-                continue;
-            }
-
-            int end = begin;
-            while (end < cells && _count[end] == ProfilesPerRow)
-            {
-                end++;
-            }
-
-            AddRun(link, row, left, begin, end, seen, evidence);
-            begin = end;
+            AddRun(link, row, left, run.Begin, run.End, seen, evidence);
+            run = _profile.NextSeen(run.End, cells, ProfilesPerRow);
         }
     }
 
@@ -165,7 +146,7 @@ public sealed class PaintScanner
         }
 
         _stripes.Clear();
-        _finder.Find(_bright, _blue, begin, end, _stripes);
+        _finder.Find(_profile.Bright, _profile.Blue, begin, end, _stripes);
         evidence.Add(link, row, seen with { Left = first, Right = last });
         foreach (StripeFinder.Stripe stripe in _stripes)
         {
@@ -181,104 +162,5 @@ public sealed class PaintScanner
                 );
             }
         }
-    }
-
-    /// <summary>
-    /// Adds the pixels of one line across the road. Between knots the ground is straight, so that the point in the camera's frame is linear
-    /// in the offset: P(o) = P0 + (P1 - P0) (o - o0) / (o1 - o0).
-    /// </summary>
-    private void AddProfile(PaintImage image, RoadCurve curve, double parameter, float left, int cells)
-    {
-        int perKnot = (int)(KnotStep / StripeFinder.Cell);
-        Vector3D? before = Knot(image, curve, parameter, left);
-        for (int first = 0; first < cells; first += perKnot)
-        {
-            Vector3D? after = Knot(image, curve, parameter, left + ((first + perKnot) * StripeFinder.Cell));
-            if (before is { } a && after is { } b)
-            {
-                Vector3D step = (b - a) / perKnot;
-                int last = Math.Min(cells, first + perKnot);
-                for (int cell = first; cell < last; cell++)
-                {
-                    AddPixel(image, a + (step * (cell - first + 0.5)), cell);
-                }
-            }
-
-            before = after;
-        }
-    }
-
-    /// <summary>The ground at an offset in the camera's frame; null if its height is unknown.</summary>
-    private static Vector3D? Knot(PaintImage image, RoadCurve curve, double parameter, double offset)
-    {
-        Vector3D place = curve.PointBeside(parameter, offset);
-        double height = image.Ground.HeightAt(place);
-        return double.IsNaN(height) ? null : image.Camera.Pose.ToLocal(place with { Z = height });
-    }
-
-    private void AddPixel(PaintImage image, Vector3D place, int cell)
-    {
-        if (place.Y < MinDepth)
-        {
-            return;
-        }
-
-        Vector2D pixel = image.Camera.PixelOf(place);
-        double x = pixel.X - 0.5;
-        double y = pixel.Y - 0.5;
-        int width = image.Camera.Image.Width;
-        if (!(x >= 0 && y >= 0 && x < width - 1 && y < image.Camera.Image.Height - 1))
-        {
-            return;
-        }
-
-        int column = (int)x;
-        int row = (int)y;
-        int at = (row * width) + column;
-        if (image.Hidden is { } hidden && (hidden[at] | hidden[at + 1] | hidden[at + width] | hidden[at + width + 1]) != 0)
-        {
-            return;
-        }
-
-        if (image.Depths is { } depths && depths[at] > 0 && depths[at] < place.Y * (1 - DepthTolerance))
-        {
-            return;
-        }
-
-        // Bilinear interpolation between the four pixels around the point.
-        float right = (float)(x - column);
-        float down = (float)(y - row);
-        byte[] rgb = image.Rgb;
-        int upper = 3 * at;
-        int lower = upper + (3 * width);
-        float upperLeft = (1 - right) * (1 - down);
-        float upperRight = right * (1 - down);
-        float lowerLeft = (1 - right) * down;
-        float lowerRight = right * down;
-        _bright[cell] +=
-            0.5f
-            * (
-                (upperLeft * (rgb[upper] + rgb[upper + 1]))
-                + (upperRight * (rgb[upper + 3] + rgb[upper + 4]))
-                + (lowerLeft * (rgb[lower] + rgb[lower + 1]))
-                + (lowerRight * (rgb[lower + 3] + rgb[lower + 4]))
-            );
-        _blue[cell] +=
-            (upperLeft * rgb[upper + 2]) + (upperRight * rgb[upper + 5]) + (lowerLeft * rgb[lower + 2]) + (lowerRight * rgb[lower + 5]);
-        _count[cell]++;
-    }
-
-    private void Reserve(int cells)
-    {
-        if (_bright.Length < cells)
-        {
-            _bright = new float[cells];
-            _blue = new float[cells];
-            _count = new int[cells];
-        }
-
-        Array.Clear(_bright, 0, cells);
-        Array.Clear(_blue, 0, cells);
-        Array.Clear(_count, 0, cells);
     }
 }

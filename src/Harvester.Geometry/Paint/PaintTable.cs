@@ -39,6 +39,9 @@ public sealed class PaintTable
     /// <summary>The links that were seen, by their index.</summary>
     public IReadOnlyList<LinkPaint> Links { get; }
 
+    /// <summary>The stop lines and crossings; empty if none was found.</summary>
+    public IReadOnlyList<MarkPaint> Marks { get; init; } = [];
+
     /// <summary>
     /// Number of links that the file has and the network does not. A table of the whole map is read with the network of a part of it.
     /// </summary>

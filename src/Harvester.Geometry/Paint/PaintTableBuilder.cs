@@ -2,7 +2,7 @@ using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Paint;
 
-/// <summary>Finds the painted lines in what images show of the links of a network.</summary>
+/// <summary>Finds the painted lines, stop lines and crossings in what images show of the links of a network.</summary>
 public static class PaintTableBuilder
 {
     /// <summary>Distance of the places at which a line's offset is computed, metres: short against the bends of roads.</summary>
@@ -38,7 +38,10 @@ public static class PaintTableBuilder
             }
         }
 
-        return new PaintTable(curves.Network, evidence.Links.Select(link => Seen(roads, evidence, link, lines[link])));
+        return new PaintTable(curves.Network, evidence.Links.Select(link => Seen(roads, evidence, link, lines[link])))
+        {
+            Marks = MarkCombiner.Of(roads.Mouths, evidence.Marks),
+        };
     }
 
     private static LinkPaint Seen(PaintRoads roads, PaintEvidence evidence, int link, List<LinePaint> lines)

@@ -1,20 +1,24 @@
 namespace Harvester.Geometry.Paint;
 
 /// <summary>
-/// Finds bright stripes in the brightness across a road. A stripe has a rising and a falling edge of similar strength, 6 to 36 cm apart,
-/// with darker ground on both sides: a shadow, a kerb or the border of the asphalt has one edge, a crack is dark, a tyre mark is wide.
+/// Finds bright stripes in the brightness along a line on the road. A stripe has a rising and a falling edge of similar strength, a known
+/// distance apart, with darker ground on both sides: a shadow, a kerb or the border of the asphalt has one edge, a crack is dark, a tyre
+/// mark is wide.
 /// </summary>
-internal sealed class StripeFinder
+/// <param name="minWidth">Narrowest stripe, metres.</param>
+/// <param name="maxWidth">Widest stripe, metres.</param>
+/// <param name="flank">Cells on each side of an edge whose means are compared; no more than the stripes' distance.</param>
+internal sealed class StripeFinder(double minWidth, double maxWidth, int flank)
 {
     /// <summary>Width of a cell of the profile, metres: a quarter of the narrowest paint.</summary>
     public const double Cell = 0.025;
 
-    /// <summary>Cells on each side of an edge whose means are compared; 7.5 cm, narrower than the gap of a double line.</summary>
-    private const int Flank = 3;
+    /// <summary>Narrowest and widest painted line, metres: paint is 8 to 30 cm wide, the bars of a crossing 40 cm and more.</summary>
+    private const double MinLine = 0.06;
+    private const double MaxLine = 0.36;
 
-    /// <summary>Narrowest and widest stripe, metres: paint is 8 to 30 cm wide, the bars of a crossing 40 cm and more.</summary>
-    private const double MinWidth = 0.06;
-    private const double MaxWidth = 0.36;
+    /// <summary>Cells beside an edge of a line: 7.5 cm, narrower than the gap of a double line.</summary>
+    private const int LineFlank = 3;
 
     /// <summary>An edge is this many standard deviations of the texture strong.</summary>
     private const double MinEdgeOverNoise = 3;
@@ -37,6 +41,9 @@ internal sealed class StripeFinder
     private readonly int[] _histogram = new int[256];
     private double[] _edges = [];
 
+    /// <summary>A finder of painted lines.</summary>
+    public static StripeFinder OfLines() => new(MinLine, MaxLine, LineFlank);
+
     /// <summary>A stripe: its edges in cells from the profile's first, its contrast and its blueness.</summary>
     public readonly record struct Stripe(double Left, double Right, double Contrast, double Blueness);
 
@@ -48,7 +55,7 @@ internal sealed class StripeFinder
     /// <param name="found">Receives the stripes.</param>
     public void Find(float[] bright, float[] blue, int from, int to, List<Stripe> found)
     {
-        if (to - from < 4 * Flank)
+        if (to - from < 4 * flank)
         {
             return;
         }
@@ -58,12 +65,12 @@ internal sealed class StripeFinder
             _edges = new double[bright.Length + 1];
         }
 
-        // Edge strength between two cells: g(i) = mean of the cells i to i + 2 - mean of the cells i - 3 to i - 1.
+        // Edge strength between two cells: g(i) = mean of the cells i to i + F - 1 - mean of the cells i - F to i - 1, with F = flank.
         double noise = Edges(bright, from, to);
         double level = Mean(bright, from, to);
         double least = Math.Max(MinEdge, Math.Max(MinEdgeOverNoise * noise, MinRelativeEdge * level));
-        int last = to - Flank - 1;
-        for (int rise = from + Flank + 1; rise <= last; rise++)
+        int last = to - flank - 1;
+        for (int rise = from + flank + 1; rise <= last; rise++)
         {
             if (_edges[rise] < least || !IsPeak(rise, 1))
             {
@@ -72,7 +79,7 @@ internal sealed class StripeFinder
 
             // Edges within the stripe that are much weaker than its own are wear.
             double strong = Math.Max(least, MinEdgeBalance * _edges[rise]);
-            for (int fall = rise + 1; fall <= Math.Min(last, rise + (int)(MaxWidth / Cell) + 1); fall++)
+            for (int fall = rise + 1; fall <= Math.Min(last, rise + (int)(maxWidth / Cell) + 1); fall++)
             {
                 if (_edges[fall] >= strong && IsPeak(fall, 1))
                 {
@@ -94,7 +101,7 @@ internal sealed class StripeFinder
         double right = SubCell(fall);
         double width = (right - left) * Cell;
         double balance = _edges[rise] / -_edges[fall];
-        if (width is < MinWidth or > MaxWidth || balance < MinEdgeBalance || balance > 1 / MinEdgeBalance)
+        if (width < minWidth || width > maxWidth || balance < MinEdgeBalance || balance > 1 / MinEdgeBalance)
         {
             return;
         }
@@ -102,8 +109,8 @@ internal sealed class StripeFinder
         // The outermost cells of a stripe and of its flanks are blurred into each other and left out where there are others.
         int trim = fall - rise > 2 ? 1 : 0;
         double inside = Mean(bright, rise + trim, fall - trim);
-        int before = Math.Max(from, rise - 1 - Flank);
-        int after = Math.Min(to, fall + 1 + Flank);
+        int before = Math.Max(from, rise - 1 - flank);
+        int after = Math.Min(to, fall + 1 + flank);
         double leftLevel = Mean(bright, before, rise - 1);
         double rightLevel = Mean(bright, fall + 1, after);
         double outside = Math.Max(leftLevel, rightLevel);
@@ -122,20 +129,20 @@ internal sealed class StripeFinder
         Array.Clear(_histogram, 0, _histogram.Length);
         double below = 0;
         double above = 0;
-        for (int i = from; i < from + Flank; i++)
+        for (int i = from; i < from + flank; i++)
         {
             below += bright[i];
-            above += bright[i + Flank];
+            above += bright[i + flank];
         }
 
         int count = 0;
-        for (int i = from + Flank; i <= to - Flank; i++)
+        for (int i = from + flank; i <= to - flank; i++)
         {
-            _edges[i] = (above - below) / Flank;
+            _edges[i] = (above - below) / flank;
             _histogram[Math.Min(255, (int)(4 * Math.Abs(_edges[i])))]++;
             count++;
-            below += bright[i] - bright[i - Flank];
-            above += i + Flank < to ? bright[i + Flank] - bright[i] : 0;
+            below += bright[i] - bright[i - flank];
+            above += i + flank < to ? bright[i + flank] - bright[i] : 0;
         }
 
         int median = 0;

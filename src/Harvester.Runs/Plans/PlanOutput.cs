@@ -73,8 +73,8 @@ public sealed class PlanOutput : IDisposable
             if (!results.Keep(World, world))
             {
                 throw new OccupiedFolderException(
-                    $"'{folder}' has results of other roads or of another detail. Give --roads and --detail as then, or name another "
-                        + "folder with --out."
+                    $"'{folder}' has results of other roads, other paint or another detail. Give --roads, --paint and --detail as then, or "
+                        + "name another folder with --out."
                 );
             }
 

@@ -2,6 +2,7 @@ using System.Globalization;
 using Harvester.Datasets.Roads;
 using Harvester.Driving.Controllers;
 using Harvester.Geometry;
+using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Runs.Faults;
 using Harvester.Runs.Harvesting;
@@ -25,25 +26,33 @@ namespace Harvester.Runs.Plans;
 /// <param name="Detail">How much of the light the pictures show.</param>
 public sealed record PlanWorld(string? Roads, Detail Detail)
 {
+    /// <summary>Table of the paint measured on the roads; null for none.</summary>
+    public string? Paint { get; init; }
+
     /// <summary>Distance of the lane's middle from a sign beside the road, to the left of the car that comes to it, metres.</summary>
     private const double LeftOfSpace = 4;
 
     private const double WholeWorld = 100_000;
 
-    /// <summary>What tells the world from others, as a file: a digest of the roads, and the detail.</summary>
-    /// <exception cref="DatasetFormatException">The roads cannot be read.</exception>
-    /// <exception cref="IOException">The roads cannot be read.</exception>
-    public string ToJson()
+    /// <summary>
+    /// What tells the world from others, as a file: digests of the roads and of the table of paint, if there is one, and the detail.
+    /// </summary>
+    /// <param name="plan">The plan.</param>
+    /// <exception cref="DatasetFormatException">The roads or the table cannot be read, or the table is of other roads.</exception>
+    /// <exception cref="IOException">The roads or the table cannot be read.</exception>
+    public string ToJson(Plan plan)
     {
-        string digest = "null";
-        if (Roads is not null)
+        ArgumentNullException.ThrowIfNull(plan);
+        RoadNetwork? imported = Roads is null ? null : RoadImporter.Import(Roads).Network;
+        string roads = imported is null ? "null" : DigestOf(text => RoadCsvWriter.Write(imported, text));
+        string paint = "";
+        if (Paint is not null)
         {
-            using var text = new StringWriter(CultureInfo.InvariantCulture);
-            RoadCsvWriter.Write(RoadImporter.Import(Roads).Network, text);
-            digest = $"\"{FileDigest.Of(text.ToString()).Sha256}\"";
+            PaintTable table = PaintFile.Read(Paint, imported ?? TownBuilder.Build(plan.Seed));
+            paint = $",\"paint\":{DigestOf(text => PaintCsvWriter.Write(table, text))}";
         }
 
-        return $"{{\"roads\":{digest},\"detail\":\"{JsonName.Of(Detail)}\"}}\n";
+        return $"{{\"roads\":{roads},\"detail\":\"{JsonName.Of(Detail)}\"{paint}}}\n";
     }
 
     /// <summary>The places of a plan with those that it leaves open chosen, in its order.</summary>
@@ -67,6 +76,13 @@ public sealed record PlanWorld(string? Roads, Detail Detail)
         return twice is null
             ? places
             : throw new UsageException($"Two places are called '{twice}' once the spread ones are chosen. Rename one in the plan.");
+    }
+
+    private static string DigestOf(Action<TextWriter> write)
+    {
+        using var text = new StringWriter(CultureInfo.InvariantCulture);
+        write(text);
+        return $"\"{FileDigest.Of(text.ToString()).Sha256}\"";
     }
 
     /// <summary>Several places all over the roads, chosen as for harvest --places.</summary>

@@ -53,6 +53,7 @@ public static class TrialPlan
             ),
             FovDegrees = trial.Camera.VerticalFovDegrees,
             Roads = world.Roads,
+            Paint = world.Paint,
             Props = [],
             Faces = null,
             Near = trial.Place.Start ?? throw new InvalidOperationException("The place of a trial is chosen before it begins."),

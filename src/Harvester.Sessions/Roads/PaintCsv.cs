@@ -1,12 +1,13 @@
 using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Sessions.Roads;
 
 /// <summary>
 /// The table of measured paint: comma-separated lines. The line of a link names it by the positions of its ends, so that the table can be
-/// used with another file of the same roads; the lines painted on the link follow it. The last line has the numbers of links and lines, so
-/// that a truncated file is detected.
+/// used with another file of the same roads; the lines painted on the link follow it. Stop lines and crossings follow all links. The last
+/// line has the numbers of links, lines and marks, so that a truncated file is detected; without marks it has two numbers.
 /// </summary>
 public static class PaintCsv
 {
@@ -19,6 +20,12 @@ public static class PaintCsv
     /// <summary>The fields of the line of a painted line.</summary>
     public const string LineColumns =
         "#line,index,fromStation,toStation,fromOffset,toOffset,style,colour,width,dashLength,dashPeriod,dashPhase,sigma,images";
+
+    /// <summary>The fields of the line of a stop line or crossing; x, y and z are repeated for each corner.</summary>
+    public const string MarkColumns = "#mark,class,sigma,images,x,y,z";
+
+    /// <summary>Fields of a mark before its corners.</summary>
+    internal const int MarkFields = 4;
 
     /// <summary>Decimals of a metre in the file.</summary>
     internal const int Decimals = 4;
@@ -43,6 +50,8 @@ public static class PaintCsv
             MarkingStyle.DoubleSolid => "doubleSolid",
             _ => "solid",
         };
+
+    internal static string NameOf(MarkKind kind) => kind == MarkKind.Crossing ? "crossing" : "stopLine";
 
     internal static string NameOf(MarkingColour colour) => colour == MarkingColour.Yellow ? "yellow" : "white";
 }

@@ -19,6 +19,13 @@ public sealed class PaintCsvReader
     /// <summary>Maximum number of lines in a file, which take about 400 MB of memory: forty for each of GTA V's 72,000 links.</summary>
     private const int MaxLines = 3_000_000;
 
+    /// <summary>Maximum number of stop lines and crossings: more than ten for each of GTA V's links.</summary>
+    private const int MaxMarks = 1_000_000;
+
+    /// <summary>Least and greatest number of corners of a mark.</summary>
+    private const int MinCorners = 3;
+    private const int MaxCorners = 64;
+
     /// <summary>Maximum coordinate, station and offset, metres: that of the road file.</summary>
     private const double MaxCoordinate = 100_000;
 
@@ -29,6 +36,7 @@ public sealed class PaintCsvReader
     private readonly RoadCurves _curves;
     private readonly Dictionary<LinkEnds, int> _linkByEnds = [];
     private readonly Dictionary<int, LinkPaint> _links = [];
+    private readonly List<MarkPaint> _marks = [];
     private List<LinePaint> _lines = [];
     private string _index = "";
     private int? _link;
@@ -90,7 +98,7 @@ public sealed class PaintCsvReader
             );
         }
 
-        return new PaintTable(_network, _links.Values, _linkCount - _links.Count);
+        return new PaintTable(_network, _links.Values, _linkCount - _links.Count) { Marks = _marks };
     }
 
     private void ReadRow(List<string> fields)
@@ -100,22 +108,42 @@ public sealed class PaintCsvReader
             case "link":
                 Require(fields.Count == 10, "a link has 10 fields.");
                 Require(++_linkCount <= MaxLinks, FormattableString.Invariant($"more than {MaxLinks} links."));
+                Require(_marks.Count == 0, "a link must come before the marks.");
                 ReadLink(fields);
                 break;
             case "line":
                 Require(fields.Count == 14, "a line has 14 fields.");
                 Require(++_lineCount <= MaxLines, FormattableString.Invariant($"more than {MaxLines} lines."));
-                Require(_linkCount > 0 && fields[1] == _index, "a line must follow its link.");
+                Require(_linkCount > 0 && _marks.Count == 0 && fields[1] == _index, "a line must follow its link.");
                 ReadLine(fields);
                 break;
+            case "mark":
+                int corners = (fields.Count - PaintCsv.MarkFields) / 3;
+                Require(
+                    fields.Count == PaintCsv.MarkFields + (3 * corners) && corners is >= MinCorners and <= MaxCorners,
+                    FormattableString.Invariant(
+                        $"a mark has {PaintCsv.MarkFields} fields and 3 for each of {MinCorners} to {MaxCorners} corners."
+                    )
+                );
+                Require(_marks.Count < MaxMarks, FormattableString.Invariant($"more than {MaxMarks} marks."));
+                ReadMark(fields, corners);
+                break;
             case "end":
-                Require(fields.Count == 3, "the last line must have 3 fields.");
+                Require(
+                    fields.Count == (_marks.Count > 0 ? 4 : 3),
+                    "the last line must have the numbers of links and lines, and of marks if there are any."
+                );
                 Whole(fields[1], "the count of links", _linkCount, _linkCount);
                 Whole(fields[2], "the count of lines", _lineCount, _lineCount);
+                if (_marks.Count > 0)
+                {
+                    Whole(fields[3], "the count of marks", _marks.Count, _marks.Count);
+                }
+
                 _ended = true;
                 break;
             default:
-                throw Wrong("a line must begin with link, line, end or #.");
+                throw Wrong("a line must begin with link, line, mark, end or #.");
         }
     }
 
@@ -164,6 +192,20 @@ public sealed class PaintCsvReader
             }
         );
     }
+
+    private void ReadMark(List<string> fields, int corners) =>
+        _marks.Add(
+            new MarkPaint(
+                new PaintedMark(
+                    Named<MarkKind>(fields[1], "class", PaintCsv.NameOf),
+                    [.. Enumerable.Range(0, corners).Select(i => Place(fields, PaintCsv.MarkFields + (3 * i)))]
+                )
+            )
+            {
+                SigmaMetres = Positive(fields[2], "sigma"),
+                Images = Whole(fields[3], "images", 1, int.MaxValue),
+            }
+        );
 
     private DashPattern Dashes(List<string> fields)
     {

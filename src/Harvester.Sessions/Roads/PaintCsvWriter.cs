@@ -9,7 +9,7 @@ namespace Harvester.Sessions.Roads;
 /// <summary>Writes measured paint in the format of <see cref="PaintCsv"/>: the same table gives the same bytes in every runtime.</summary>
 public static class PaintCsvWriter
 {
-    /// <summary>Writes a table: each link, followed by its lines.</summary>
+    /// <summary>Writes a table: each link, followed by its lines; then the marks.</summary>
     /// <exception cref="IOException">The file cannot be written.</exception>
     public static void Write(PaintTable table, TextWriter text)
     {
@@ -66,7 +66,26 @@ public static class PaintCsvWriter
             }
         }
 
-        Line(text, "end", Whole(table.Links.Count), Whole(table.Links.Sum(link => link.Lines.Count)));
+        WriteMarks(table.Marks, text);
+        string[] marks = table.Marks.Count > 0 ? [Whole(table.Marks.Count)] : [];
+        Line(text, ["end", Whole(table.Links.Count), Whole(table.Links.Sum(link => link.Lines.Count)), .. marks]);
+    }
+
+    private static void WriteMarks(IReadOnlyList<MarkPaint> marks, TextWriter text)
+    {
+        if (marks.Count > 0)
+        {
+            Line(text, PaintCsv.MarkColumns);
+        }
+
+        foreach (MarkPaint mark in marks)
+        {
+            string[] corners =
+            [
+                .. mark.Mark.Corners.SelectMany(static corner => new[] { Metres(corner.X), Metres(corner.Y), Metres(corner.Z) }),
+            ];
+            Line(text, ["mark", PaintCsv.NameOf(mark.Mark.Kind), Metres(mark.SigmaMetres), Whole(mark.Images), .. corners]);
+        }
     }
 
     private static string Exact(double value) => InvariantNumber.Format(value, RoadCsv.Decimals);

@@ -4,6 +4,7 @@ using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Paint;
 using Harvester.Geometry.PixelMaps.Coded;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Imaging;
@@ -96,6 +97,9 @@ public sealed class SimulatedGame
 
     /// <summary>The road network of the world.</summary>
     public RoadNetwork Roads => _world.Roads;
+
+    /// <summary>The stop lines and pedestrian crossings with which the world was painted.</summary>
+    public IReadOnlyList<PaintedMark> Marks => _world.Marks;
 
     /// <summary>The ground truth of the lanes.</summary>
     public RoadTruth Truth => _world.Truth;

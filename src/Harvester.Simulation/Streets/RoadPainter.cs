@@ -1,4 +1,5 @@
 using Harvester.Geometry;
+using Harvester.Geometry.Paint;
 using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Streets;
@@ -8,7 +9,11 @@ internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintedRun> runs,
 {
     private const double CrossingDepth = 3.2;
 
-    public void Paint()
+    private readonly List<PaintedMark> _marks = [];
+
+    /// <summary>Paints everything.</summary>
+    /// <returns>The stop lines and crossings.</returns>
+    public IReadOnlyList<PaintedMark> Paint()
     {
         foreach (PaintedRun run in runs)
         {
@@ -29,6 +34,8 @@ internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintedRun> runs,
                 PaintCrossing(arm);
             }
         }
+
+        return _marks;
     }
 
     private void PaintStopLine(RoadArm arm)
@@ -43,7 +50,9 @@ internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintedRun> runs,
             double b = layout.LaneCentre(towards, lanes - 1);
             double half = layout.LaneWidth / 2;
             (double from, double to) = Ordered(arm.DistanceAt(arm.Trim), arm.DistanceAt(arm.Trim + thickness));
-            Stripe(asphalt.Of(arm.Road), from, to, Math.Min(a, b) - half + 0.3, Math.Max(a, b) + half - 0.3, Palette.White);
+            (double left, double right) = (Math.Min(a, b) - half + 0.3, Math.Max(a, b) + half - 0.3);
+            Stripe(asphalt.Of(arm.Road), from, to, left, right, Palette.White);
+            AddMark(MarkKind.StopLine, arm, from, to, left, right);
         }
     }
 
@@ -54,14 +63,33 @@ internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintedRun> runs,
         (double from, double to) = Ordered(arm.DistanceAt(arm.Trim - 0.6), arm.DistanceAt(arm.Trim - CrossingDepth));
         RoadFacets facets = asphalt.Of(arm.Road);
         LaneLayout layout = arm.Road.Layout;
+        List<double> bars = [];
         for (double offset = layout.LeftEdge + barWidth; offset < layout.RightEdge - barWidth; offset += barPeriod)
         {
             Vector3D middle = arm.Road.Curve.OffsetAt((from + to) / 2, offset);
             if (!index.IsOnAnother(arm.Road, middle, 0))
             {
                 Stripe(facets, from, to, offset, offset + barWidth, Palette.White);
+                bars.Add(offset);
             }
         }
+
+        if (bars.Count > 0)
+        {
+            AddMark(MarkKind.Crossing, arm, from, to, bars[0], bars[^1] + barWidth);
+        }
+    }
+
+    private void AddMark(MarkKind kind, RoadArm arm, double from, double to, double left, double right)
+    {
+        RoadFacets facets = asphalt.Of(arm.Road);
+        Vector3D up = Horizontal.Up * PaintedRun.Height;
+        _marks.Add(
+            new PaintedMark(
+                kind,
+                [facets.At(from, left) + up, facets.At(from, right) + up, facets.At(to, right) + up, facets.At(to, left) + up]
+            )
+        );
     }
 
     private static (double From, double To) Ordered(double a, double b) => (Math.Min(a, b), Math.Max(a, b));

@@ -1,5 +1,6 @@
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
@@ -67,6 +68,7 @@ internal sealed class SimulatedWorld
         Roads = site.Network;
         Truth = new RoadTruth(site.Index);
         Paint = site.Paint;
+        Marks = site.Marks;
         ModelCatalogue catalogue = ModelCatalogue.Shared;
         Population population = new(seed, catalogue, handles);
         Placing placing = new(site.Lanes, seed);
@@ -158,6 +160,9 @@ internal sealed class SimulatedWorld
 
     /// <summary>The lines painted along the roads.</summary>
     public IReadOnlyList<PaintedLine> Paint { get; }
+
+    /// <summary>The stop lines and pedestrian crossings.</summary>
+    public IReadOnlyList<PaintedMark> Marks { get; }
 
     /// <summary>Seconds since the start.</summary>
     public double TimeSeconds { get; private set; }

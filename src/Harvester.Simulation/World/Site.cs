@@ -1,5 +1,6 @@
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Streets;
@@ -32,7 +33,7 @@ internal sealed class Site
         [
             .. plan.Roads.Where(road => !road.IsInner && !road.IsUnpaved).SelectMany(road => PaintedRun.Of(road, asphalt)),
         ];
-        new RoadPainter(plan, paint, Index, asphalt, ground).Paint();
+        Marks = new RoadPainter(plan, paint, Index, asphalt, ground).Paint();
         Paint = [.. paint.Select(run => run.Line())];
         Ground = [.. ground.Instances()];
     }
@@ -58,6 +59,9 @@ internal sealed class Site
 
     /// <summary>The lines painted along the roads.</summary>
     public IReadOnlyList<PaintedLine> Paint { get; }
+
+    /// <summary>The stop lines and pedestrian crossings.</summary>
+    public IReadOnlyList<PaintedMark> Marks { get; }
 
     /// <summary>The meshes of ground, roads and paint.</summary>
     public IReadOnlyList<MeshInstance> Ground { get; }

@@ -141,7 +141,7 @@ public sealed class PlanCommandTests : IDisposable
 
         CliRun
             .Of(value == "other" ? [.. command, option, other] : [.. command, "--roads", roads, option, value])
-            .AssertFailed(ExitCode.Usage, "has results of other roads or of another detail");
+            .AssertFailed(ExitCode.Usage, "has results of other roads, other paint or another detail");
         CliRun.Of([.. command, "--roads", roads]).AssertDone();
     }
 

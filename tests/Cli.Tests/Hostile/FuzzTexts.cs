@@ -8,7 +8,8 @@ internal static class FuzzTexts
     /// <summary>Paint on the first link of straight.csv.</summary>
     private const string Paint =
         "harvester paint,1\nlink,0,0,-200,30,0,0,30,0,200\nline,0,0,100,0,0,doubleSolid,yellow,0.4,,,,0.02,3\n"
-        + "line,0,0,100,4.1,4.1,dashed,white,0.15,3,9,1.5,0.02,2\nend,1,2\n";
+        + "line,0,0,100,4.1,4.1,dashed,white,0.15,3,9,1.5,0.02,2\n"
+        + "mark,stopLine,0.05,4,0.3,-10,30,4.8,-10,30,4.8,-9.5,30,0.3,-9.5,30\nend,1,2,1\n";
 
     private static readonly (string Name, string Content)[] All =
     [

@@ -69,7 +69,7 @@ public sealed class StripeFinderTests
         }
 
         var stripes = new List<StripeFinder.Stripe>();
-        new StripeFinder().Find(profile, profile, 0, cells, stripes);
+        StripeFinder.OfLines().Find(profile, profile, 0, cells, stripes);
         return stripes.ConvertAll(stripe =>
             ((stripe.Left + stripe.Right) / 2 * StripeFinder.Cell, (stripe.Right - stripe.Left) * StripeFinder.Cell)
         );

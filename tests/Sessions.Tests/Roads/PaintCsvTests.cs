@@ -35,6 +35,65 @@ public sealed class PaintCsvTests
         ]
     );
 
+    private static readonly PaintTable s_marked = new(s_network, s_table.Links)
+    {
+        Marks =
+        [
+            new MarkPaint(new PaintedMark(MarkKind.StopLine, [new(30, 0, 3), new(30.5, 0, 3), new(30.5, 5.1234, 3)]))
+            {
+                SigmaMetres = 0.05,
+                Images = 4,
+            },
+            new MarkPaint(new PaintedMark(MarkKind.Crossing, [new(32, -5, 3), new(35, -5, 3), new(35, 5, 3), new(32, 5, 3.25)]))
+            {
+                SigmaMetres = 0.1,
+                Images = 2,
+            },
+        ],
+    };
+
+    [Fact]
+    public void MarksSurviveTheFile()
+    {
+        string text = Text(s_marked);
+        PaintTable read = Read(text, s_network);
+
+        Assert.Equal(text, Text(read));
+        Assert.Equal(
+            s_marked.Marks.Select(mark => (mark.Mark.Kind, mark.SigmaMetres, mark.Images)),
+            read.Marks.Select(mark => (mark.Mark.Kind, mark.SigmaMetres, mark.Images))
+        );
+        Assert.Equal(s_marked.Marks.SelectMany(mark => mark.Mark.Corners), read.Marks.SelectMany(mark => mark.Mark.Corners));
+        Assert.Contains("mark,stopLine,0.05,4,30,0,3,30.5,0,3,30.5,5.1234,3\n", text, StringComparison.Ordinal);
+        Assert.EndsWith("\nend,2,2,2\n", text, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void MarksOfAPartOfTheRoadsAreKept() => Assert.Equal(2, Read(Text(s_marked), Network(80, 120)).Marks.Count);
+
+    [Theory]
+    [InlineData("mark,stopLine,", "mark,stop,", "line 9: unknown class: stop.")]
+    [InlineData(",0.05,4,", ",0,4,", "line 9: sigma must be greater than 0.")]
+    [InlineData(",0.05,4,", ",0.05,0,", "line 9: images must be a whole number from 1 to 2147483647, not 0.")]
+    [InlineData(",30.5,5.1234,3\n", "\n", "line 9: a mark has 4 fields and 3 for each of 3 to 64 corners.")]
+    [InlineData(",30.5,5.1234,3\n", ",30.5,5.1234\n", "line 9: a mark has 4 fields and 3 for each of 3 to 64 corners.")]
+    [InlineData(",5.1234,", ",1e3,", "line 9: y must be a number from -100000 to 100000, not 1e3.")]
+    [InlineData("mark,crossing", "link,1", "line 10: a link has 10 fields.")]
+    [InlineData("end,2,2,2", "end,2,2", "line 11: the last line must have the numbers of links and lines, and of marks if there are any.")]
+    [InlineData("end,2,2,2", "end,2,2,1", "line 11: the count of marks must be a whole number from 2 to 2, not 1.")]
+    public void DamagedMarkIsReportedWithItsLine(string text, string damage, string message) =>
+        AssertDamage(Text(s_marked), text, damage, message);
+
+    [Theory]
+    [InlineData("line,0,0,40,0,0,solid,white,0.15,,,,0.1,1", "line 5: a line must follow its link.")]
+    [InlineData("link,1,40,0,3,80,0,3,0,40", "line 5: a link must come before the marks.")]
+    public void NothingButMarksFollowsAMark(string row, string message)
+    {
+        string text = $"harvester paint,1\nlink,0,0,0,3,40,0,3,0,40\n\nmark,crossing,1,1,0,0,3,1,0,3,1,1,3\n{row}\nend,1,0,1\n";
+
+        Assert.Equal(message, Assert.Throws<FormatException>(() => Read(text, s_network)).Message);
+    }
+
     [Fact]
     public void TableSurvivesTheFile()
     {
@@ -80,9 +139,11 @@ public sealed class PaintCsvTests
     [InlineData("end,2,2", "end,2,1", "line 8: the count of lines must be a whole number from 2 to 2, not 1.")]
     [InlineData("end,2,2\n", "", "line 7: the file ends before its last line, which begins with end.")]
     [InlineData(",-3.1234,", ",NaN,", "line 5: fromOffset must be a number from -100000 to 100000, not NaN.")]
-    public void DamageIsReportedWithItsLine(string text, string damage, string message)
+    public void DamageIsReportedWithItsLine(string text, string damage, string message) =>
+        AssertDamage(Text(s_table), text, damage, message);
+
+    private static void AssertDamage(string whole, string text, string damage, string message)
     {
-        string whole = Text(s_table);
         Assert.Contains(text, whole, StringComparison.Ordinal);
 
         FormatException error = Assert.Throws<FormatException>(() =>

@@ -13,14 +13,16 @@ namespace Harvester.Cli.Commands.Plans;
 internal sealed class PlanRunCommand
 {
     private const string Notes =
-        "Every trial becomes a session in DIR/trials/ID. DIR also has a copy of the plan; world.json, which tells other roads and another\n"
-        + "detail apart; plan-status.jsonl, a line for each attempt that has ended; and heartbeat.json, renewed at most once a second.\n"
+        "Every trial becomes a session in DIR/trials/ID. DIR also has a copy of the plan; world.json, which tells other roads, other\n"
+        + "paint and another detail apart; plan-status.jsonl, a line for each attempt that has ended; and heartbeat.json, renewed at most\n"
+        + "once a second.\n"
         + "A trial that fails is repeated; after three failures it is skipped, and the exit code is 4. Whatever stopped the command,\n"
         + "--resume continues it, and the result has the bytes of a run that was not stopped. With --shard I/N, every N-th trial is run;\n"
         + "the shards may share DIR.\n\n"
         + "Examples:\n"
         + "  harvester plan run plan.json --out experiment\n"
         + "  harvester plan run plan.json --out experiment --resume\n"
+        + "  harvester plan run plan.json --roads roads.csv.gz --paint paint.csv --out experiment\n"
         + "  harvester plan run plan.json --out experiment --shard 2/8";
 
     private Option<string> Out { get; } =
@@ -35,6 +37,7 @@ internal sealed class PlanRunCommand
     private Option<SyncMode> Sync { get; } = SyncOption.Create();
     private Option<long?> MinFree { get; } = MinFreeOption.Create();
     private PlanWorldOptions World { get; } = new();
+    private Option<FileInfo?> Paint { get; } = LaneOptions.Paint();
 
     public static Command Create(Terminal terminal) => new PlanRunCommand().Build(terminal);
 
@@ -51,6 +54,7 @@ internal sealed class PlanRunCommand
             MinFree,
         };
         World.AddTo(command);
+        command.Options.Add(Paint);
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(
             (parsed, cancellation) =>
@@ -64,9 +68,9 @@ internal sealed class PlanRunCommand
         string folder = parsed.GetRequiredValue(Out);
         var disk = new PlanDisk(parsed.GetValue(Sync), MinFreeOption.BytesIn(parsed, MinFree));
         Shard shard = parsed.GetValue(ShardOf);
-        PlanWorld world = World.Parse(parsed);
+        PlanWorld world = World.Parse(parsed) with { Paint = parsed.GetValue(Paint)?.FullName };
         Trial[] trials = [.. TrialList.Of(file.Plan, world.PlacesOf(file.Plan)).Where((_, index) => shard.Takes(index))];
-        using var output = PlanOutput.Open(folder, file.Text, world.ToJson(), shard, parsed.GetValue(Resume), disk.MinFreeBytes);
+        using var output = PlanOutput.Open(folder, file.Text, world.ToJson(file.Plan), shard, parsed.GetValue(Resume), disk.MinFreeBytes);
         long images = trials
             .Where(trial => output.Status.NextAttempt(trial.Id) is not null)
             .Sum(trial => (long)PlanRun.ImagesOf(file, trial));

@@ -35,7 +35,12 @@ internal static class RoadsPaintCommand
             HelpName = "FILE",
         };
         Option<string> output = RoadSourceArgument.Output("Table to write, CSV");
-        var command = new Command("paint", "Measure the lines painted on roads in the images of sessions.") { sessions, roads, output };
+        var command = new Command("paint", "Measure the lines, stop lines and crossings painted on roads in images.")
+        {
+            sessions,
+            roads,
+            output,
+        };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(
             (parsed, cancellation) =>
@@ -73,12 +78,10 @@ internal static class RoadsPaintCommand
         PaintFile.Write(table, file);
         int lines = table.Links.Sum(link => link.Lines.Count);
         double metres = table.Links.Sum(link => link.Lines.Sum(line => line.ToStation - line.FromStation));
-        terminal.Out.WriteLine(
-            string.Create(
-                CultureInfo.InvariantCulture,
-                $"{file}: {Counted.Of(lines, "piece")} of lines, {metres / 1000:0.0} km, on {Counted.Of(table.Links.Count, "link")}"
-            )
-        );
+        string found = string.Create(CultureInfo.InvariantCulture, $"{Counted.Of(lines, "piece")} of lines, {metres / 1000:0.0} km");
+        string stopLines = Counted.Of(table.Marks.Count(static mark => mark.Mark.Kind == MarkKind.StopLine), "stop line");
+        string crossings = Counted.Of(table.Marks.Count(static mark => mark.Mark.Kind == MarkKind.Crossing), "crossing");
+        terminal.Out.WriteLine($"{file}: {found}, on {Counted.Of(table.Links.Count, "link")}; {stopLines}, {crossings}");
         return ExitCode.Done;
     }
 }

@@ -1,6 +1,10 @@
 using Harvester.Datasets.Roads;
 using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Reading;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Settings;
 using Harvester.TestSupport;
@@ -27,7 +31,11 @@ public sealed class PaintAccuracyTests(ITestOutputHelper output) : IDisposable
     /// <summary>A distance that takes in a whole world, metres.</summary>
     private const double Everywhere = 1e6;
 
+    /// <summary>At least this length of road is needed to say that there is less than one false line in it, metres.</summary>
+    private const double LongSample = 2000;
+
     private readonly TemporaryFolder _folder = new();
+    private readonly PaintRecall _recall = new();
 
     public void Dispose() => _folder.Dispose();
 
@@ -57,22 +65,29 @@ public sealed class PaintAccuracyTests(ITestOutputHelper output) : IDisposable
         Required(judge!);
     }
 
-    [Theory]
-    [InlineData("rain", "12:00")]
-    [InlineData("clear", "20:00")]
-    [InlineData("overcast", "12:00")]
-    public void Paint_in_other_conditions_is_reported(string weather, string time)
+    [Fact]
+    public void False_lines_are_rare_over_two_kilometres()
     {
-        PaintJudge judge = Towns(Seeds("105"), "--weather", weather, "--time", time);
+        PaintJudge judge = Towns(TestSeeds.Or("261,262,263,264,265"));
+
+        Assert.InRange(judge.RoadMetres, LongSample, double.PositiveInfinity);
+        Required(judge);
+    }
+
+    [Theory]
+    [InlineData("rain", "12:00", "plain")]
+    [InlineData("clear", "20:00", "plain")]
+    [InlineData("overcast", "12:00", "plain")]
+    [InlineData("clear", "12:00", "full")]
+    public void Paint_in_other_conditions_is_reported(string weather, string time, string detail)
+    {
+        PaintJudge judge = Towns(TestSeeds.Or("266"), "--weather", weather, "--time", time, "--detail", detail);
 
         // Only figures are required of these, except that what is found is paint.
         Assert.InRange(judge.MedianError, 0, Max95);
     }
 
-    private static int[] Seeds(string seeds) =>
-        [.. (Environment.GetEnvironmentVariable("GTADATAHARVESTER_PAINT_SEEDS") ?? seeds).Split(',').Select(int.Parse)];
-
-    private PaintJudge Towns(int[] seeds, params string[] options)
+    private PaintJudge Towns(IEnumerable<int> seeds, params string[] options)
     {
         PaintJudge? judge = null;
         foreach (int seed in seeds)
@@ -94,8 +109,13 @@ public sealed class PaintAccuracyTests(ITestOutputHelper output) : IDisposable
         CliRun.Of(["roads", "paint", session, "--out", table, .. roads]).AssertDone();
         var game = new SimulatedGame(world);
         judge ??= new PaintJudge();
-        judge.Judge(PaintFile.Read(table, game.Roads), new RoadCurves(game.Roads), game.Ports.Paint!.Near(Vector3D.Zero, Everywhere));
-        output.WriteLine(judge.ToString());
+        PaintTable measured = PaintFile.Read(table, game.Roads);
+        var curves = new RoadCurves(game.Roads);
+        PaintedLine[] painted = [.. game.Ports.Paint!.Near(Vector3D.Zero, Everywhere)];
+        judge.Judge(measured, curves, painted);
+        Camera[] cameras = [.. new SessionReader(session).ReadLabels().Select(label => LabelCamera.Of(label.Camera))];
+        _recall.Judge(measured, curves, painted, cameras);
+        output.WriteLine(FormattableString.Invariant($"{judge}; of {_recall.VisibleMetres / 1000:0.00} km in view {_recall.Share:0.000}"));
         return judge;
     }
 
