@@ -245,7 +245,13 @@ internal sealed class HarvestCommand
         return command;
     }
 
-    private static int Run(Terminal terminal, HarvestPlan plan, string command, bool withReport, CancellationToken cancellation)
+    /// <summary>Harvests a plan, and reports progress and result.</summary>
+    /// <param name="terminal">Receives the messages.</param>
+    /// <param name="plan">The plan.</param>
+    /// <param name="command">The command as text, by which an unfinished session is known again.</param>
+    /// <param name="withReport">Whether a report is written.</param>
+    /// <param name="cancellation">Stops after the current frame.</param>
+    internal static int Run(Terminal terminal, HarvestPlan plan, string command, bool withReport, CancellationToken cancellation)
     {
         ResumeOption.Check(plan.Resume, plan.Overwrite);
 

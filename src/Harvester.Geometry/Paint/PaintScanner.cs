@@ -27,6 +27,12 @@ public sealed class PaintScanner
     /// height.</summary>
     private const double DepthTolerance = 0.05;
 
+    /// <summary>
+    /// What is higher than this stands on the ground even where the fraction allows more, as seen from above, metres: parapets and rails
+    /// are 60 cm and more, kerbs 15 cm.
+    /// </summary>
+    private const double MaxRelief = 0.3;
+
     /// <summary>Distance between places of a row at which the height of the ground is taken, metres.</summary>
     private const double KnotStep = 1;
 
@@ -106,10 +112,12 @@ public sealed class PaintScanner
         (float left, float right) = _roads.ReachAt(link, station);
         int cells = (int)((right - left) / StripeFinder.Cell);
         Reserve(cells);
+        // What is seen at depth d in front of ground at depth g is h (1 - d / g) high.
+        double tolerance = Math.Min(DepthTolerance, MaxRelief / height);
         for (int i = 0; i < ProfilesPerRow; i++)
         {
             double shift = (((i + 0.5) / ProfilesPerRow) - 0.5) * PaintRow.Length;
-            AddProfile(image, curve, curve.ParameterAt(station + shift), left, cells);
+            AddProfile(image, curve, curve.ParameterAt(station + shift), left, cells, tolerance);
         }
 
         for (int cell = 0; cell < cells; cell++)
@@ -187,7 +195,7 @@ public sealed class PaintScanner
     /// Adds the pixels of one line across the road. Between knots the ground is straight, so that the point in the camera's frame is linear
     /// in the offset: P(o) = P0 + (P1 - P0) (o - o0) / (o1 - o0).
     /// </summary>
-    private void AddProfile(PaintImage image, RoadCurve curve, double parameter, float left, int cells)
+    private void AddProfile(PaintImage image, RoadCurve curve, double parameter, float left, int cells, double tolerance)
     {
         int perKnot = (int)(KnotStep / StripeFinder.Cell);
         Vector3D? before = Knot(image, curve, parameter, left);
@@ -200,7 +208,7 @@ public sealed class PaintScanner
                 int last = Math.Min(cells, first + perKnot);
                 for (int cell = first; cell < last; cell++)
                 {
-                    AddPixel(image, a + (step * (cell - first + 0.5)), cell);
+                    AddPixel(image, a + (step * (cell - first + 0.5)), cell, tolerance);
                 }
             }
 
@@ -216,7 +224,7 @@ public sealed class PaintScanner
         return double.IsNaN(height) ? null : image.Camera.Pose.ToLocal(place with { Z = height });
     }
 
-    private void AddPixel(PaintImage image, Vector3D place, int cell)
+    private void AddPixel(PaintImage image, Vector3D place, int cell, double tolerance)
     {
         if (place.Y < MinDepth)
         {
@@ -240,7 +248,7 @@ public sealed class PaintScanner
             return;
         }
 
-        if (image.Depths is { } depths && depths[at] > 0 && depths[at] < place.Y * (1 - DepthTolerance))
+        if (image.Depths is { } depths && depths[at] > 0 && depths[at] < place.Y * (1 - tolerance))
         {
             return;
         }

@@ -15,13 +15,6 @@ namespace Harvester.Cli.Tests.Commands.Roads;
 [Trait("Category", "Heavy")]
 public sealed class PaintAccuracyTests(ITestOutputHelper output) : IDisposable
 {
-    /// <summary>The requirements: metres, and shares of the length of the lines.</summary>
-    private const double MaxMedian = 0.03;
-    private const double Max95 = 0.10;
-    private const double MinStyle = 0.98;
-    private const double MinColour = 0.99;
-    private const double MaxFalsePerKm = 0.5;
-
     private const string Frames = "160";
 
     /// <summary>A distance that takes in a whole world, metres.</summary>
@@ -32,7 +25,7 @@ public sealed class PaintAccuracyTests(ITestOutputHelper output) : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public void Paint_of_random_towns_by_day_meets_the_requirements() => Required(Towns([101, 102, 103]));
+    public void Paint_of_random_towns_by_day_meets_the_requirements() => PaintRequirements.AssertMet(Towns([101, 102, 103]), output);
 
     [RealWorldFact("nodes.zip")]
     public void Paint_of_random_roads_of_the_game_meets_the_requirements()
@@ -54,7 +47,7 @@ public sealed class PaintAccuracyTests(ITestOutputHelper output) : IDisposable
             judge = Judged(world, judge, "--roads", roads, place, "--wander", "1");
         }
 
-        Required(judge!);
+        PaintRequirements.AssertMet(judge!, output);
     }
 
     [Theory]
@@ -66,7 +59,7 @@ public sealed class PaintAccuracyTests(ITestOutputHelper output) : IDisposable
         PaintJudge judge = Towns(Seeds("105"), "--weather", weather, "--time", time);
 
         // Only figures are required of these, except that what is found is paint.
-        Assert.InRange(judge.MedianError, 0, Max95);
+        Assert.InRange(judge.MedianError, 0, PaintRequirements.Max95);
     }
 
     private static int[] Seeds(string seeds) =>
@@ -97,15 +90,5 @@ public sealed class PaintAccuracyTests(ITestOutputHelper output) : IDisposable
         judge.Judge(PaintFile.Read(table, game.Roads), new RoadCurves(game.Roads), game.Ports.Paint!.Near(Vector3D.Zero, Everywhere));
         output.WriteLine(judge.ToString());
         return judge;
-    }
-
-    private void Required(PaintJudge judge)
-    {
-        judge.Faults.ForEach(output.WriteLine);
-        Assert.InRange(judge.MedianError, 0, MaxMedian);
-        Assert.InRange(judge.Error95, 0, Max95);
-        Assert.InRange(judge.StyleShare, MinStyle, 1);
-        Assert.InRange(judge.ColourShare, MinColour, 1);
-        Assert.InRange(judge.FalseLinesPerKm, 0, MaxFalsePerKm);
     }
 }
