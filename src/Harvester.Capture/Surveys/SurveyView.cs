@@ -8,8 +8,11 @@ namespace Harvester.Capture.Surveys;
 /// <summary>The camera of a survey of paint: high above the vehicle, looking straight down, with the longer side along the road.</summary>
 public sealed record SurveyView
 {
-    /// <summary>Size of the pictures unless the user says otherwise: whole two-way roads of four lanes, 56 m long.</summary>
-    public static readonly ImageSize UsualImage = new(1600, 900);
+    /// <summary>Rows of the pictures: whole two-way roads of four lanes.</summary>
+    private const int Rows = 900;
+
+    /// <summary>Widest picture: the ends of a wider one are too far away to be measured.</summary>
+    private const double MaxAspect = 16.0 / 9;
 
     /// <summary>Metres of ground in a pixel unless the user says otherwise: three pixels in the narrowest paint.</summary>
     public const double UsualMetresPerPixel = 0.035;
@@ -39,6 +42,11 @@ public sealed record SurveyView
             lens
         );
     }
+
+    /// <summary>Size of the pictures in a window of a shape, pixels.</summary>
+    /// <param name="windowAspect">Width divided by height of the window; at least 1 of it is used.</param>
+    public static ImageSize ImageFor(double windowAspect) =>
+        new((int)Math.Round(Rows * Math.Min(Math.Max(1, windowAspect), MaxAspect)), Rows);
 
     /// <summary>The ground that a picture shows.</summary>
     public SurveyFootprint Footprint { get; }

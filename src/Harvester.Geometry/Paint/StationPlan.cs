@@ -17,7 +17,13 @@ public sealed class StationPlan
     private readonly List<SurveyStation> _stations = [];
     private int _rows;
 
-    private StationPlan(PaintRoads roads, SurveyFootprint footprint, Vector2D? near, double range)
+    private StationPlan(
+        PaintRoads roads,
+        SurveyFootprint footprint,
+        Vector2D? near,
+        double range,
+        IReadOnlyCollection<SurveyStation> photographed
+    )
     {
         _roads = roads;
         _footprint = footprint;
@@ -26,6 +32,11 @@ public sealed class StationPlan
         if (network.Nodes.Count == 0)
         {
             return;
+        }
+
+        foreach (SurveyStation station in photographed)
+        {
+            _strips.Mark(station);
         }
 
         bool IsInRange(int link) => near is not { } middle || !roads.Curves.Of(link).IsBeyond(middle, range);
@@ -46,8 +57,14 @@ public sealed class StationPlan
     /// <param name="footprint">The ground that a picture shows.</param>
     /// <param name="near">Where the survey begins, metres, world; null for no particular place, and all roads.</param>
     /// <param name="range">Roads farther than this from there are left out, metres; greater than 0.</param>
-    public static StationPlan Of(PaintRoads roads, SurveyFootprint footprint, Vector2D? near, double range) =>
-        new(Guard.NotNull(roads, nameof(roads)), footprint, near, Guard.Positive(range, nameof(range)));
+    /// <param name="photographed">Stations of an earlier survey; what their pictures show is left out. Null for none.</param>
+    public static StationPlan Of(
+        PaintRoads roads,
+        SurveyFootprint footprint,
+        Vector2D? near,
+        double range,
+        IReadOnlyCollection<SurveyStation>? photographed = null
+    ) => new(Guard.NotNull(roads, nameof(roads)), footprint, near, Guard.Positive(range, nameof(range)), photographed ?? []);
 
     private static int NearestNode(RoadNetwork network, Vector2D place)
     {
@@ -77,7 +94,8 @@ public sealed class StationPlan
                 if (!_strips.IsShown(link, row, strip))
                 {
                     SurveyStation station = StationFor(link, row, strip, isForward);
-                    _strips.Mark(station, link, row, strip);
+                    _strips.Mark(link, row, strip);
+                    _strips.Mark(station);
                     _stations.Add(station);
                 }
             }

@@ -53,10 +53,12 @@ internal sealed class SurveyStrips(PaintRoads roads, SurveyFootprint footprint, 
         return station.Shows(curve.PointBeside(parameter, from), footprint) && station.Shows(curve.PointBeside(parameter, to), footprint);
     }
 
-    /// <summary>Marks all that a picture at a station shows, and the strip for which it is taken.</summary>
-    public void Mark(SurveyStation station, int link, int row, int strip)
+    /// <summary>Marks a strip at a row, for which a picture is taken.</summary>
+    public void Mark(int link, int row, int strip) => ShownOn(link)[(row * CountOn(link)) + strip] = true;
+
+    /// <summary>Marks all that a picture at a station shows.</summary>
+    public void Mark(SurveyStation station)
     {
-        ShownOn(link)[(row * CountOn(link)) + strip] = true;
         double reach = footprint.HalfAlong + footprint.HalfAcross;
         foreach (int other in (IEnumerable<int>)roads.Near(station.Ground))
         {

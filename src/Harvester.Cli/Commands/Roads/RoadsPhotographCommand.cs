@@ -27,6 +27,8 @@ internal sealed class RoadsPhotographCommand
     private const double MaxMetresPerPixel = 0.035;
     private const double MinRange = 10;
 
+    private const double WindowAspect = 16.0 / 9;
+
     private const string Notes =
         "The survey of painted lines that the mod makes in GTA V, in the simulated game: the car is placed at station after station along\n"
         + "the roads, and a camera above it looks straight down, at noon in clear weather, with all vehicles, people and signs hidden. The\n"
@@ -123,7 +125,7 @@ internal sealed class RoadsPhotographCommand
         RoadNetwork network = roads is null ? TownBuilder.Build(seed) : RoadImporter.Import(roads).Network;
         Vector2D near = parsed.GetValue(_near) ?? SimulatedSurvey.MiddleOf(network);
         var options = new HarvestOptions();
-        var view = new SurveyView(SurveyView.UsualImage, options.Lens, parsed.GetValue(_metresPerPixel));
+        var view = new SurveyView(SurveyView.ImageFor(WindowAspect), options.Lens, parsed.GetValue(_metresPerPixel));
         SimulatedSurvey survey = SimulatedSurvey.Of(network, near, view, parsed.GetValue(_range));
         var simulation = new SimulationOptions();
         return new HarvestPlan
