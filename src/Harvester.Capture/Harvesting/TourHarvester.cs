@@ -2,7 +2,9 @@ using Harvester.Geometry.Work;
 
 namespace Harvester.Capture.Harvesting;
 
-/// <summary>Harvests one frame at each place of a tour. A place that cannot be reached, or at which several frames were discarded, is left out.</summary>
+/// <summary>
+/// Harvests one frame at each place of a tour. A place that cannot be reached, or at which several frames were discarded, is left out.
+/// </summary>
 /// <param name="tour">The tour.</param>
 /// <param name="frames">Harvests the frames.</param>
 /// <param name="counters">Counts them.</param>

@@ -16,7 +16,7 @@ public sealed class PaintTour : IFrameTour
 {
     private const string Weather = "clear";
 
-    /// <summary>Objects farther from the vehicle than the corners of the picture by this much are not hidden, metres: a long lorry.</summary>
+    /// <summary>Objects farther from the vehicle than the picture reaches, by this much, are not hidden, metres: a lorry.</summary>
     private const double BeyondPicture = 15;
 
     /// <summary>While the ground is missing, the vehicle falls; it is placed again in each of so many ticks.</summary>

@@ -23,6 +23,9 @@ internal static class PaintClassifier
     /// </summary>
     private const double MinPainted = 0.2;
 
+    /// <summary>On a step that is longer than this many periods a dash is missing: half-way between one period and two.</summary>
+    private const double MaxStepOverPeriod = 1.5;
+
     /// <summary>Paint is yellow if its blueness is below this: about 1 is white and 0.2 to 0.6 is yellow.</summary>
     private const double YellowBelow = 0.78;
 
@@ -76,7 +79,16 @@ internal static class PaintClassifier
             else if (group.Count >= MinDashes && group.Exists(run => run.IsDash))
             {
                 DashPattern? dashes = DashesOf(group);
-                if (dashes is not { } pattern || pattern.Length >= MinPainted * pattern.Period)
+                int whole = dashes is { } known ? UnbrokenDashes(group, known.Period) : group.Count;
+                if (whole < group.Count)
+                {
+                    // The line ends at bare ground where a dash should be; the rest is looked at as a line of its own.
+                    end = i + whole;
+                    group = group.GetRange(0, whole);
+                    dashes = DashesOf(group);
+                }
+
+                if (whole >= MinDashes && (dashes is not { } pattern || pattern.Length >= MinPainted * pattern.Period))
                 {
                     yield return Line(track, group, MarkingStyle.Dashed) with
                     {
@@ -87,6 +99,25 @@ internal static class PaintClassifier
 
             i = end;
         }
+    }
+
+    /// <summary>Number of dashes before bare ground on which one is missing.</summary>
+    private static int UnbrokenDashes(List<PaintRun> dashes, double period)
+    {
+        int count = 1;
+        while (
+            count < dashes.Count
+            && !(
+                dashes[count - 1].BareAfter
+                && dashes[count].BareBefore
+                && dashes[count].From - dashes[count - 1].From > MaxStepOverPeriod * period
+            )
+        )
+        {
+            count++;
+        }
+
+        return count;
     }
 
     private static FoundLine Line(PaintTrack track, List<PaintRun> runs, MarkingStyle style)

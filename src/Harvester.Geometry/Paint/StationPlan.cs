@@ -110,7 +110,7 @@ public sealed class StationPlan
     /// <summary>The station farthest ahead from which a strip at a row is shown; in a bend that is not half of the footprint.</summary>
     private SurveyStation StationFor(int link, int row, int strip, bool isForward)
     {
-        for (double ahead = _footprint.HalfAlong; ahead > LeastAhead; ahead /= 2)
+        for (double ahead = _footprint.HalfAlong - PaintRow.Length; ahead > LeastAhead; ahead /= 2)
         {
             SurveyStation station = Ahead(link, row, strip, isForward, ahead);
             if (_strips.IsShownFrom(station, link, row, strip))

@@ -113,7 +113,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("roads-import", "roads import {inputs}/roads.csv --out {root}/roads.csv.gz"),
         new("roads-map", "roads map {inputs}/roads.csv --size 64 --out {root}/map.png"),
         new("roads-nodes", "roads nodes {inputs}/roads.csv --out {root}/nodes.csv"),
-        new("roads-photograph", "roads photograph --roads {inputs}/roads.csv --near=0,-50 --range 20 --image-format jpg --out {root}/above"),
+        new("roads-photograph", "roads photograph --roads {inputs}/roads.csv --near=0,-50 --range 20 --out {root}/above"),
         new("roads-paint", "roads paint {inputs}/lines --roads {inputs}/roads.csv --out {root}/paint.csv"),
         new("spaces-gallery", "spaces gallery {inputs}/session/scenes/spaces.csv --out {root}/gallery.html"),
         new("contact-sheet", $"{Sheet} --list {{inputs}}/places.csv", $"{Sheet} --at 0,-150"),

@@ -22,7 +22,7 @@ internal sealed class RoadsPhotographCommand
     /// <summary>The example in the help.</summary>
     public const string Example = "  harvester roads photograph --varied-roads --out above";
 
-    /// <summary>The footprint's limits: paint narrower than two pixels is lost, and a picture of less than 16 m shows no whole road.</summary>
+    /// <summary>Smaller pixels show no whole road, and larger ones lose the narrowest paint, metres.</summary>
     private const double MinMetresPerPixel = 0.02;
     private const double MaxMetresPerPixel = 0.035;
     private const double MinRange = 10;
@@ -31,14 +31,13 @@ internal sealed class RoadsPhotographCommand
 
     private const string Notes =
         "The survey of painted lines that the mod makes in GTA V, in the simulated game: the car is placed at station after station along\n"
-        + "the roads, and a camera above it looks straight down, at noon in clear weather, with all vehicles, people and signs hidden. The\n"
+        + "the roads, and a camera above it looks straight down, at noon in clear weather, with vehicles, people and signs hidden. The\n"
         + "result is a session, which roads paint measures. The same options and seed give the same bytes; Ctrl+C stops after the current\n"
         + "picture, and the same command with --resume continues.\n\n"
         + "Examples:\n"
         + Example
         + "\n"
-        + "  harvester roads photograph --roads data/example-roads.csv --range 200 --out above\n"
-        + "  harvester roads paint above --out paint.csv";
+        + "  harvester roads photograph --roads data/example-roads.csv --range 200 --out above";
 
     private readonly Option<string> _out = new("--out")
     {
@@ -48,7 +47,7 @@ internal sealed class RoadsPhotographCommand
     };
     private readonly Option<bool> _overwrite = new("--overwrite") { Description = "Replace an existing session in the folder" };
     private readonly Option<bool> _resume = ResumeOption.Create();
-    private readonly Option<int> _seed = ValueParsers.Integer("--seed", "N", "Random seed [default: 1]", 0, int.MaxValue);
+    private readonly Option<int> _seed = ValueParsers.Integer("--seed", "N", "Random seed", 0, int.MaxValue);
     private readonly Option<FileInfo?> _roads = new("--roads")
     {
         Description = "Road network, a file or folder [default: a town generated from the seed]",
@@ -112,7 +111,7 @@ internal sealed class RoadsPhotographCommand
             (parsed, cancellation) =>
             {
                 HarvestPlan plan = PlanOf(parsed);
-                return Task.FromResult(HarvestCommand.Run(terminal, plan, CommandText.Of(parsed), withReport: false, cancellation));
+                return Task.FromResult(HarvestRun.Of(terminal, plan, CommandText.Of(parsed), withReport: false, cancellation));
             }
         );
         return command;
@@ -120,6 +119,7 @@ internal sealed class RoadsPhotographCommand
 
     private HarvestPlan PlanOf(ParseResult parsed)
     {
+        ResumeOption.Check(parsed.GetValue(_resume), parsed.GetValue(_overwrite));
         int seed = parsed.GetValue(_seed);
         string? roads = parsed.GetValue(_roads)?.FullName;
         RoadNetwork network = roads is null ? TownBuilder.Build(seed) : RoadImporter.Import(roads).Network;
