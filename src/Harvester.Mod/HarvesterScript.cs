@@ -105,6 +105,7 @@ public sealed class HarvesterScript : Script
         _keys.Add("SelfTest", Keys.T, features.SelfTest, features.SelfTest.Toggle);
         _keys.Add("Calibrate", Keys.NumPad1, features.Calibration, features.Calibration.Toggle);
         _keys.Add("RoadSurvey", Keys.U, features.Roads, features.Roads.Toggle);
+        _keys.Add("PaintSurvey", Keys.End, features.Paint, features.Paint.Toggle);
         _keys.Add("Drive", Keys.N, features.Drive, features.Drive.Toggle);
         _keys.Add("Plan", Keys.Decimal, features.Plan, features.Plan.Toggle);
         _keys.Add("SpaceSurvey", Keys.Multiply, features.Signs, features.Signs.Toggle);

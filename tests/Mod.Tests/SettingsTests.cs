@@ -79,6 +79,7 @@ public sealed class SettingsTests
             ("Overlay", Keys.L),
             ("Calibrate", Keys.NumPad1),
             ("RoadSurvey", Keys.U),
+            ("PaintSurvey", Keys.End),
             ("SpaceSurvey", Keys.Multiply),
             ("MarkCorner", Keys.NumPad2),
             ("NextName", Keys.NumPad3),

@@ -15,6 +15,9 @@ public enum HarvestPhase
     /// <summary>No frame is due yet; the game runs.</summary>
     Waiting,
 
+    /// <summary>On its way to the next place of a tour.</summary>
+    Travelling,
+
     /// <summary>Waits until the game stands still.</summary>
     Settling,
 

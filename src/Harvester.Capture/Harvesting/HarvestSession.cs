@@ -120,6 +120,12 @@ public sealed class HarvestSession : IDisposable
     /// </summary>
     public Func<PictureLag>? NextLag { get; init; }
 
+    /// <summary>
+    /// The tour on which the frames are taken, one at each of its places, after which the harvest ends; null (default) to take them at <see
+    /// cref="HarvestOptions.RateHz"/>. The game must be frozen for each frame.
+    /// </summary>
+    public IFrameTour? Tour { get; init; }
+
     /// <summary>Real time that the game takes for a second of its own time; null in the first second of game time.</summary>
     public double? RealSecondsPerGameSecond => _pace.RealSecondsPerGameSecond;
 
@@ -228,6 +234,13 @@ public sealed class HarvestSession : IDisposable
         CaptureFlows flows = _flows = new CaptureFlows(_options, _game, reader, pool, _budget, Counters, Calls) { NextLag = NextLag };
         ICaptureFlow flow = flows.For(_sink, Lag);
         using var frames = new FrameHarvester(_options, _sink, flow, Counters, _motion) { Watch = _watch };
+        if (Tour is { } tour)
+        {
+            yield return WorkStep.Do(new TourHarvester(tour, frames, Counters).Run());
+
+            yield break;
+        }
+
         var schedule = new FrameSchedule(_options.RateHz, _options.EarlyFraction);
         while (true)
         {
@@ -332,7 +345,14 @@ public sealed class HarvestSession : IDisposable
             }
             finally
             {
-                CloseSink();
+                try
+                {
+                    Tour?.Release();
+                }
+                finally
+                {
+                    CloseSink();
+                }
             }
         }
     }

@@ -60,9 +60,9 @@ internal static class HarvestSummary
         }
 
         terminal.Out.WriteLine(
-            plan.Options.Shard.Count > 1
-                ? $"next     {Command()} merge {ShellWord.Of(plan.Folder)} OTHER SHARDS... --out DIR"
-                : $"next     {Command()} validate {ShellWord.Of(plan.Folder)}"
+            plan.Survey is not null ? $"next     {Command()} roads paint {ShellWord.Of(plan.Folder)} --out paint.csv"
+            : plan.Options.Shard.Count > 1 ? $"next     {Command()} merge {ShellWord.Of(plan.Folder)} OTHER SHARDS... --out DIR"
+            : $"next     {Command()} validate {ShellWord.Of(plan.Folder)}"
         );
     }
 

@@ -11,7 +11,7 @@ internal sealed class GroundProfile
 
     /// <summary>What is nearer than the ground by this fraction stands on it: 1 m in 20, the length of road behind 8 cm of
     /// height.</summary>
-    private const double DepthTolerance = 0.05;
+    public const double MaxDepthTolerance = 0.05;
 
     /// <summary>Distance between places of a line at which the height of the ground is taken, metres.</summary>
     private const double KnotStep = 1;
@@ -27,6 +27,9 @@ internal sealed class GroundProfile
 
     /// <summary>Greatest depth of ground, metres along the camera's axis.</summary>
     public double MaxDepth { get; set; } = double.PositiveInfinity;
+
+    /// <summary>Fraction by which things nearer than the ground are taken for ground.</summary>
+    public double DepthTolerance { get; set; } = MaxDepthTolerance;
 
     /// <summary>Empties it.</summary>
     /// <param name="cells">Number of cells.</param>

@@ -17,6 +17,15 @@ internal static class PaintClassifier
     /// <summary>Largest gap between two dashes of a line, metres.</summary>
     private const double MaxDashGap = 13;
 
+    /// <summary>
+    /// Least painted part of a dashed line. Roads paint a quarter or more, 10 feet before gaps of 30; sun between the shadows of two lamps
+    /// paints less.
+    /// </summary>
+    private const double MinPainted = 0.2;
+
+    /// <summary>On a step that is longer than this many periods a dash is missing: half-way between one period and two.</summary>
+    private const double MaxStepOverPeriod = 1.5;
+
     /// <summary>Paint is yellow if its blueness is below this: about 1 is white and 0.2 to 0.6 is yellow.</summary>
     private const double YellowBelow = 0.78;
 
@@ -69,14 +78,46 @@ internal static class PaintClassifier
             }
             else if (group.Count >= MinDashes && group.Exists(run => run.IsDash))
             {
-                yield return Line(track, group, MarkingStyle.Dashed) with
+                DashPattern? dashes = DashesOf(group);
+                int whole = dashes is { } known ? UnbrokenDashes(group, known.Period) : group.Count;
+                if (whole < group.Count)
                 {
-                    Dashes = DashesOf(group),
-                };
+                    // The line ends at bare ground where a dash should be; the rest is looked at as a line of its own.
+                    end = i + whole;
+                    group = group.GetRange(0, whole);
+                    dashes = DashesOf(group);
+                }
+
+                if (whole >= MinDashes && (dashes is not { } pattern || pattern.Length >= MinPainted * pattern.Period))
+                {
+                    yield return Line(track, group, MarkingStyle.Dashed) with
+                    {
+                        Dashes = dashes,
+                    };
+                }
             }
 
             i = end;
         }
+    }
+
+    /// <summary>Number of dashes before bare ground on which one is missing.</summary>
+    private static int UnbrokenDashes(List<PaintRun> dashes, double period)
+    {
+        int count = 1;
+        while (
+            count < dashes.Count
+            && !(
+                dashes[count - 1].BareAfter
+                && dashes[count].BareBefore
+                && dashes[count].From - dashes[count - 1].From > MaxStepOverPeriod * period
+            )
+        )
+        {
+            count++;
+        }
+
+        return count;
     }
 
     private static FoundLine Line(PaintTrack track, List<PaintRun> runs, MarkingStyle style)

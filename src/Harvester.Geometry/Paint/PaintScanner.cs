@@ -20,6 +20,12 @@ public sealed class PaintScanner
     /// <summary>Longest pixel along the road, metres: longer ones blur dashes into their gaps.</summary>
     private const double MaxPixelAlong = 1.2;
 
+    /// <summary>
+    /// What is higher than this stands on the ground even where the fraction of the depth allows more, as seen from above, metres: parapets
+    /// and rails are 60 cm and more, kerbs 15 cm.
+    /// </summary>
+    private const double MaxRelief = 0.3;
+
     /// <summary>Profiles that are averaged for a row: a single one has the noise of single pixels.</summary>
     private const int ProfilesPerRow = 3;
 
@@ -101,6 +107,9 @@ public sealed class PaintScanner
         (float left, float right) = _roads.ReachAt(link, station);
         int cells = (int)((right - left) / StripeFinder.Cell);
         _profile.Clear(cells);
+
+        // What is seen at depth d in front of ground at depth g is h (1 - d / g) high.
+        _profile.DepthTolerance = Math.Min(GroundProfile.MaxDepthTolerance, MaxRelief / height);
         for (int i = 0; i < ProfilesPerRow; i++)
         {
             double shift = (((i + 0.5) / ProfilesPerRow) - 0.5) * PaintRow.Length;

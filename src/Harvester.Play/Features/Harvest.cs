@@ -2,6 +2,7 @@ using Harvester.Capture.Faults;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
+using Harvester.Capture.Surveys;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Text;
@@ -19,6 +20,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
     private readonly Func<SessionOrigin> _origin;
     private readonly SlowResource<SessionWriter> _writer = new();
     private HarvestOptions? _startedWith;
+    private PaintTour? _tour;
     private HarvestSession? _session;
     private SessionWriter? _lastWriter;
     private SingleFrames? _singles;
@@ -88,9 +90,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
     public int Queued => _writer.Opened?.Queued ?? 0;
 
     /// <summary>Whether an image may be grabbed now or so soon that nothing may be drawn over it.</summary>
-    public bool IsPictureNear =>
-        IsOn
-        && (Status is not { } status || !_startedWith!.Freeze || status.Phase is not (HarvestPhase.Waiting or HarvestPhase.WaitingForSink));
+    public bool IsPictureNear => IsOn && (Status is not { } status || !_startedWith!.Freeze || !IsUndisturbed(status.Phase));
 
     /// <inheritdoc/>
     public bool IsBusy => _writer.IsBusy;
@@ -110,12 +110,13 @@ public sealed class Harvest : ILastingFeature, IDisposable
     /// <summary>Starts a harvest in a given folder, unless one is running.</summary>
     /// <param name="folder">The folder, which must not exist.</param>
     /// <param name="options">What to harvest and how; the faces in use are added.</param>
-    public void StartIn(string folder, HarvestOptions options)
+    /// <param name="tour">The tour on which the frames are taken; null to take them while someone drives.</param>
+    public void StartIn(string folder, HarvestOptions options, PaintTour? tour = null)
     {
         if (!IsOn)
         {
             SessionOrigin origin = _origin();
-            (_isSingle, _lastCaptured, _lastFault, _isSpaceLow) = (false, 0, null, false);
+            (_isSingle, _lastCaptured, _lastFault, _isSpaceLow, _tour) = (false, 0, null, false, tour);
             Start(options with { Faces = FacesInUse() }, () => SessionPlace.Locked(folder, origin, options.ViewsPerMoment));
         }
     }
@@ -126,7 +127,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         if (!IsOn)
         {
             SessionOrigin origin = _origin();
-            _isSingle = false;
+            (_isSingle, _tour) = (false, null);
             Start(
                 Options with
                 {
@@ -169,7 +170,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
             KnownFreezing = _freezing is { IsConclusive: true } ? _freezing : null,
         };
         SessionOrigin origin = _origin();
-        _isSingle = true;
+        (_isSingle, _tour) = (true, null);
         if (_singles is { } singles && singles.Lens == options.Lens && singles.Faces == options.Faces)
         {
             Start(
@@ -242,6 +243,10 @@ public sealed class Harvest : ILastingFeature, IDisposable
 
     /// <inheritdoc cref="Finish"/>
     public void Dispose() => Finish();
+
+    /// <summary>Whether in a phase no picture is grabbed, nor soon.</summary>
+    private static bool IsUndisturbed(HarvestPhase phase) =>
+        phase is HarvestPhase.Waiting or HarvestPhase.Travelling or HarvestPhase.WaitingForSink;
 
     private void Start(HarvestOptions options, Func<SessionWriter> open)
     {
@@ -322,7 +327,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
             _game.RigCamera!.Show(rig.Cameras[0], rig.OnVehicle(rig.Cameras[0].Mount));
         }
 
-        return new HarvestSession(_startedWith, _game, writer);
+        return new HarvestSession(_startedWith, _tour?.Ports ?? _game, writer) { Tour = _tour };
     }
 
     /// <summary>Keeps the findings about freeze methods for the following single frames.</summary>
@@ -358,7 +363,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         _isSpaceLow = writer.IsSpaceLow;
         _session = null;
         _writer.Close();
-        if (_startedWith!.Rig is not null)
+        if (_startedWith!.Rig is not null || _tour is not null)
         {
             _mount.MoveBack();
         }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Surveys;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
@@ -57,6 +58,12 @@ public sealed record PlayerSettings
 
     /// <summary>The file of the road survey.</summary>
     public required string SurveyFile { get; init; }
+
+    /// <summary>The survey of paint leaves out roads farther from the player, metres; null for none.</summary>
+    public required double? PaintRangeMetres { get; init; }
+
+    /// <summary>Ground in a pixel of the survey of paint, metres.</summary>
+    public required double PaintMetresPerPixel { get; init; }
 
     /// <summary>The bridge over which a client drives.</summary>
     public required BridgeSettings Bridge { get; init; }
@@ -124,6 +131,8 @@ public sealed record PlayerSettings
             LaneWidthMetres = ini.Number("Roads", "LaneWidth", RoadGeometry.LaneWidth, 2, 10),
             NarrowLaneWidthMetres = ini.Number("Roads", "NarrowLaneWidth", RoadGeometry.NarrowLaneWidth, 2, 10),
             SurveyFile = Path.Combine(folder, "roads.csv"),
+            PaintRangeMetres = ini.Number("PaintSurvey", "Range", 500, 0, 100_000) is > 0 and var range ? range : null,
+            PaintMetresPerPixel = ini.Number("PaintSurvey", "MetresPerPixel", SurveyView.UsualMetresPerPixel, 0.02, 0.035),
             Bridge = BridgeSettings.Read(ini, Path.Combine(folder, "bridge"), PathOf),
             PlanFile = plan.Length > 0 ? PathOf(plan) : null,
             StartsPlan = ini.Choice("Plan", "Start", Switch.Off, "On or Off") == Switch.On,

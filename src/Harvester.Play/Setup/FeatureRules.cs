@@ -32,6 +32,7 @@ internal sealed class FeatureRules(ModFeatures features)
     /// <summary>Why no client can drive now; null if one can.</summary>
     public string? DriveObstacle() =>
         features.Plan.IsOn ? "A plan is running: end it by its key first."
+        : features.Paint.IsOn ? "The survey of paint is running: end it by its key first."
         : features.Harvest.IsOn ? "End the harvest first."
         : MeasurementObstacle();
 

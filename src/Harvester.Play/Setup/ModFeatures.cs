@@ -62,6 +62,7 @@ public sealed class ModFeatures
         Signs = MakeSignSurvey();
         Marking = MakeMarking();
         Plan = MakePlan();
+        Paint = MakePaintSurvey();
         UnknownModels = new UnknownModelsList(_ports.Scene.World, _ports.Scene.Props, () => _faces.InUse, player.FacesFolder, messages)
         {
             Problem = _rules.MeasurementObstacle,
@@ -79,6 +80,7 @@ public sealed class ModFeatures
             _ports.Card,
             Car,
             Plan,
+            Paint,
             Mount,
             Harvest,
             _ports.Lights,
@@ -124,6 +126,9 @@ public sealed class ModFeatures
 
     /// <summary>Measures the faces of signs and lights.</summary>
     public FaceSurveying Signs { get; }
+
+    /// <summary>Photographs roads from above.</summary>
+    public PaintSurveying Paint { get; }
 
     /// <summary>Marks faces by hand.</summary>
     public FaceMarking Marking { get; }
@@ -206,6 +211,23 @@ public sealed class ModFeatures
             _setup.Player.SurveyBudgetMilliseconds
         );
 
+    private PaintSurveying MakePaintSurvey() =>
+        new(
+            Harvest,
+            Mount,
+            _ports.Game,
+            _driven,
+            _setup.Player.RoadFile ?? _setup.Player.SurveyFile,
+            Path.Combine(_setup.Player.Folder, "paint"),
+            _setup.Messages
+        )
+        {
+            Obstacle = _rules.PlanObstacle,
+            Place = () => _adapters.PlayerPosition,
+            RangeMetres = _setup.Player.PaintRangeMetres,
+            MetresPerPixel = _setup.Player.PaintMetresPerPixel,
+        };
+
     private FaceMarking MakeMarking() =>
         new(
             _ports.Game,
@@ -257,6 +279,7 @@ public sealed class ModFeatures
                 () => SelfTest.Line,
                 () => Plan.Line,
                 () => Roads.Line,
+                () => Paint.Line,
                 () => Signs.Line,
                 () => Marking.Line,
             ],

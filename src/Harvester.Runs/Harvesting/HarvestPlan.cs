@@ -32,6 +32,9 @@ public sealed record HarvestPlan
     /// <summary>The trial of a plan that this harvest is; null for a harvest of its own.</summary>
     public TrialSetting? Trial { get; init; }
 
+    /// <summary>The survey of paint that this harvest is; null for one that drives.</summary>
+    public SimulatedSurvey? Survey { get; init; }
+
     /// <summary>Vertical field of view, degrees.</summary>
     public required double FovDegrees { get; init; }
 
@@ -85,6 +88,12 @@ public sealed record HarvestPlan
     {
         get
         {
+            if (Survey is { } survey)
+            {
+                return FormattableString.Invariant($"{survey.Plan.RoadMetres / 1000:0.00} km of roads from above in ")
+                    + $"{Counted.Of(Frames, "picture")} of {Options.Image.Width} x {Options.Image.Height}";
+            }
+
             string shard = Options.Shard.Count > 1 ? $"shard {Options.Shard} of " : "";
             return Options.Rig is { } rig
                 ? $"{shard}{Counted.Of(Frames / rig.Cameras.Count, "moment")} of the rig {rig.Name}, "

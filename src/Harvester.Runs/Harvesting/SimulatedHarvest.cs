@@ -3,6 +3,7 @@ using System.Globalization;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
+using Harvester.Capture.Surveys;
 using Harvester.Datasets.Faces;
 using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
@@ -111,15 +112,21 @@ public sealed class SimulatedHarvest
         };
         int resumed = writer.FramesWritten;
         RoadNetwork roads = _plan.Roads is null ? KeepRoads(_game.Roads, writer) : _game.Roads;
+        PaintTour? tour = _plan.Survey is { } survey
+            ? new PaintTour(Ports(roads), _game.Ports.Car!, survey.Plan.Stations, survey.View, TourTimes.OfSimulation)
+            : null;
         using var session = new HarvestSession(
             _plan.Options with
             {
                 Faces = _faces,
                 RecordedThrough = writer.RecordedThrough,
             },
-            Ports(roads),
+            tour?.Ports ?? Ports(roads),
             writer
-        );
+        )
+        {
+            Tour = tour,
+        };
         do
         {
             // The game waits for the disk; otherwise the frames would depend on the disk's speed.
@@ -192,14 +199,16 @@ public sealed class SimulatedHarvest
     private GamePorts Ports(RoadNetwork roads) =>
         _game.Ports with
         {
-            Roads = new FixedRoads(
-                roads,
-                _plan.Roads is null ? "simulation" : "roadFile",
-                _plan.LookAhead,
-                _plan.LaneWidth,
-                _plan.NarrowLaneWidth,
-                _paint
-            ),
+            Roads = _plan.Survey is null
+                ? new FixedRoads(
+                    roads,
+                    _plan.Roads is null ? "simulation" : "roadFile",
+                    _plan.LookAhead,
+                    _plan.LaneWidth,
+                    _plan.NarrowLaneWidth,
+                    _paint
+                )
+                : null,
             Paint = _paint is null ? _game.Ports.Paint : new MeasuredPaint(_paint),
         };
 
@@ -281,6 +290,13 @@ public sealed class SimulatedHarvest
             yield return new("plan", trial.Plan);
             yield return new("trial", trial.Id);
             yield return new("trafficSeed", trial.TrafficSeed.ToString(CultureInfo.InvariantCulture));
+        }
+
+        if (plan.Survey is { } survey)
+        {
+            yield return new("survey", "paint");
+            yield return new("surveyRange", survey.RangeMetres.ToString(CultureInfo.InvariantCulture));
+            yield return new("surveyHeight", survey.View.HeightMetres.ToString(CultureInfo.InvariantCulture));
         }
 
         if (plan.Options.Shard.Count > 1)

@@ -269,6 +269,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
                 $"roads import {{0}}/{file} --out {{0}}/out.csv",
                 $"roads nodes {{0}}/{file} --out {{0}}/out.csv",
                 $"roads compare {{0}}/{file} {{0}}/straight.csv",
+                $"roads photograph --roads {{0}}/{file} --range 10 --out {{0}}/out",
                 .. more,
             ]
         );

@@ -16,7 +16,9 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
     public bool Replaces => Before.Length == 1;
 
     /// <summary>Whether it builds a world, which takes longer than all else.</summary>
-    public bool BuildsWorld => Words.Split(' ')[0] is "harvest" or "drive" or "serve" or "contact-sheet" or "plan";
+    public bool BuildsWorld =>
+        Words.Split(' ')[0] is "harvest" or "drive" or "serve" or "contact-sheet" or "plan"
+        || Words.StartsWith("roads photograph", StringComparison.Ordinal);
 
     /// <summary>A straight road, the file roads.csv of the inputs: its world is built in a fraction of the time of a town.</summary>
     public static string Roads { get; } =
@@ -112,6 +114,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("roads-map", "roads map {inputs}/roads.csv --size 64 --out {root}/map.png"),
         new("roads-map-lanes", "roads map {inputs}/roads.csv --out {root}/map.xodr"),
         new("roads-nodes", "roads nodes {inputs}/roads.csv --out {root}/nodes.csv"),
+        new("roads-photograph", "roads photograph --roads {inputs}/roads.csv --near=0,-50 --range 20 --out {root}/above"),
         new("roads-paint", "roads paint {inputs}/lines --roads {inputs}/roads.csv --out {root}/paint.csv"),
         new("spaces-gallery", "spaces gallery {inputs}/session/scenes/spaces.csv --out {root}/gallery.html"),
         new("contact-sheet", $"{Sheet} --list {{inputs}}/places.csv", $"{Sheet} --at 0,-150"),

@@ -14,6 +14,7 @@ internal static class RoadsCommand
         command.Subcommands.Add(RoadsCompareCommand.Create(terminal));
         command.Subcommands.Add(RoadsMapCommand.Create(terminal));
         command.Subcommands.Add(RoadsNodesCommand.Create(terminal));
+        command.Subcommands.Add(RoadsPhotographCommand.Create(terminal));
         command.Subcommands.Add(RoadsPaintCommand.Create(terminal));
         HelpWithNotes.AddTo(
             command,
@@ -24,6 +25,7 @@ internal static class RoadsCommand
                 RoadsCompareCommand.Example,
                 RoadsMapCommand.Example,
                 RoadsNodesCommand.Example,
+                RoadsPhotographCommand.Example,
                 RoadsPaintCommand.Example
             )
         );

@@ -24,7 +24,8 @@ internal static class RoadsPaintCommand
         + "Examples:\n"
         + Example
         + "\n"
-        + "  harvester roads paint monday tuesday --roads roads.csv.gz --out paint.csv";
+        + "  harvester roads paint monday tuesday --roads roads.csv.gz --out paint.csv\n"
+        + "  harvester roads paint above --out paint.csv";
 
     public static Command Create(Terminal terminal)
     {

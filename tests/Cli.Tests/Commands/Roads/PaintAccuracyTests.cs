@@ -19,13 +19,6 @@ namespace Harvester.Cli.Tests.Commands.Roads;
 [Trait("Category", "Heavy")]
 public sealed class PaintAccuracyTests(ITestOutputHelper output) : IDisposable
 {
-    /// <summary>The requirements: metres, and shares of the length of the lines.</summary>
-    private const double MaxMedian = 0.03;
-    private const double Max95 = 0.10;
-    private const double MinStyle = 0.98;
-    private const double MinColour = 0.99;
-    private const double MaxFalsePerKm = 0.5;
-
     private const string Frames = "160";
 
     /// <summary>A distance that takes in a whole world, metres.</summary>
@@ -40,7 +33,7 @@ public sealed class PaintAccuracyTests(ITestOutputHelper output) : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public void Paint_of_random_towns_by_day_meets_the_requirements() => Required(Towns([101, 102, 103]));
+    public void Paint_of_random_towns_by_day_meets_the_requirements() => PaintRequirements.AssertMet(Towns([101, 102, 103]), output);
 
     [RealWorldFact("nodes.zip")]
     public void Paint_of_random_roads_of_the_game_meets_the_requirements()
@@ -62,7 +55,7 @@ public sealed class PaintAccuracyTests(ITestOutputHelper output) : IDisposable
             judge = Judged(world, judge, "--roads", roads, place, "--wander", "1");
         }
 
-        Required(judge!);
+        PaintRequirements.AssertMet(judge!, output);
     }
 
     [Fact]
@@ -71,7 +64,7 @@ public sealed class PaintAccuracyTests(ITestOutputHelper output) : IDisposable
         PaintJudge judge = Towns(TestSeeds.Or("261,262,263,264,265"));
 
         Assert.InRange(judge.RoadMetres, LongSample, double.PositiveInfinity);
-        Required(judge);
+        PaintRequirements.AssertMet(judge, output);
     }
 
     [Theory]
@@ -84,7 +77,7 @@ public sealed class PaintAccuracyTests(ITestOutputHelper output) : IDisposable
         PaintJudge judge = Towns(TestSeeds.Or("266"), "--weather", weather, "--time", time, "--detail", detail);
 
         // Only figures are required of these, except that what is found is paint.
-        Assert.InRange(judge.MedianError, 0, Max95);
+        Assert.InRange(judge.MedianError, 0, PaintRequirements.Max95);
     }
 
     private PaintJudge Towns(IEnumerable<int> seeds, params string[] options)
@@ -117,15 +110,5 @@ public sealed class PaintAccuracyTests(ITestOutputHelper output) : IDisposable
         _recall.Judge(measured, curves, painted, cameras);
         output.WriteLine(FormattableString.Invariant($"{judge}; of {_recall.VisibleMetres / 1000:0.00} km in view {_recall.Share:0.000}"));
         return judge;
-    }
-
-    private void Required(PaintJudge judge)
-    {
-        judge.Faults.ForEach(output.WriteLine);
-        Assert.InRange(judge.MedianError, 0, MaxMedian);
-        Assert.InRange(judge.Error95, 0, Max95);
-        Assert.InRange(judge.StyleShare, MinStyle, 1);
-        Assert.InRange(judge.ColourShare, MinColour, 1);
-        Assert.InRange(judge.FalseLinesPerKm, 0, MaxFalsePerKm);
     }
 }

@@ -21,6 +21,9 @@ internal sealed class PaintJudge
 
     private ILookup<(int X, int Y), (PaintedLine Line, int Segment)> _paint = null!;
     private readonly List<double> _errors = [];
+
+    /// <summary>Where false stretches end: one that begins there is of the same line.</summary>
+    private readonly List<Vector3D> _falseEnds = [];
     private int _rightStyles;
     private int _rightColours;
 
@@ -91,7 +94,15 @@ internal sealed class PaintJudge
 
         if (2 * missed > samples)
         {
-            FalseLines++;
+            Vector3D[] ends =
+            [
+                .. new[] { line.FromStation, line.ToStation }.Select(station =>
+                    curve.PointBeside(curve.ParameterAt(station), line.OffsetAt(station))
+                ),
+            ];
+            bool isContinued = _falseEnds.Exists(known => ends.Any(end => (end - known).Length < Step));
+            FalseLines += isContinued ? 0 : 1;
+            _falseEnds.AddRange(ends);
             Faults.Add(FormattableString.Invariant($"link {link}: no paint at {line}"));
         }
         else if (worst > 0.1)
