@@ -32,6 +32,7 @@ internal sealed class MarkScanner(JunctionMouths mouths, GroundProfile profile)
     /// <param name="evidence">Receives what is seen.</param>
     public void Scan(PaintImage image, int number, MarkEvidence evidence)
     {
+        profile.DepthTolerance = GroundProfile.MaxDepthTolerance;
         for (int i = 0; i < mouths.All.Count; i++)
         {
             JunctionMouth mouth = mouths.All[i];
