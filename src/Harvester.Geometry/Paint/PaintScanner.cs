@@ -36,8 +36,11 @@ public sealed class PaintScanner
     /// <summary>Standard deviation of the position of an edge, pixels.</summary>
     private const double EdgeSigma = 0.3;
 
-    /// <summary>Ground where offsets are less sure than this is not searched, metres: a twelfth of the narrowest lane.</summary>
-    private const double MaxSigma = 0.25;
+    /// <summary>
+    /// Standard deviation of offsets above which ground is not searched, metres: three times it is less than half of the narrowest lane, so
+    /// that a line is not taken for its neighbour.
+    /// </summary>
+    private const double MaxSigma = 0.4;
 
     /// <summary>
     /// Ground seen beside a stripe on both sides, metres: the other stripe of a double line is no farther away, so that of a double line
@@ -90,15 +93,26 @@ public sealed class PaintScanner
         double parameter = curve.ParameterAt(station);
         Vector3D centre = curve.PointAt(parameter);
         Vector3D from = image.Camera.Pose.Position;
-        (double x, double y, double height) = (centre.X - from.X, centre.Y - from.Y, from.Z - centre.Z);
+        (double x, double y) = (centre.X - from.X, centre.Y - from.Y);
         double ground = Math.Sqrt((x * x) + (y * y));
-        double distance = Math.Sqrt((ground * ground) + (height * height));
+        if (ground > MaxDistance)
+        {
+            return;
+        }
+
+        // Distance of the camera from the plane of the road in this row, which has the slope of the link's line.
+        Vector2D direction = curve.DirectionAt(parameter);
+        double slope = curve.Slope;
+        double level = image.Ground.HeightAt(centre);
+        double rise = (double.IsNaN(level) ? centre.Z : level) - from.Z;
+        double height = ((((x * direction.X) + (y * direction.Y)) * slope) - rise) / Math.Sqrt(1 + (slope * slope));
+        double distance = Math.Sqrt((ground * ground) + (rise * rise));
         double focal = image.Camera.Intrinsics.Fx;
 
         // A pixel covers d / f metres across the line of sight, and d / h times as much along it on the ground.
         double across = distance / focal;
         double along = across * distance / Math.Max(0.1, height);
-        if (ground > MaxDistance || height <= 0 || across > MaxPixelAcross || along > MaxPixelAlong)
+        if (height <= 0 || across > MaxPixelAcross || along > MaxPixelAlong)
         {
             return;
         }
@@ -118,7 +132,6 @@ public sealed class PaintScanner
             _blue[cell] /= ProfilesPerRow;
         }
 
-        Vector2D direction = curve.DirectionAt(parameter);
         double cameraOffset = -((x * direction.Y) - (y * direction.X));
         var seen = new SeenSpan(
             number,
