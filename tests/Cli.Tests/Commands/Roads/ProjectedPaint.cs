@@ -25,8 +25,9 @@ internal sealed class ProjectedPaint
             {
                 Vector3D from = camera.Pose.ToLocal(line.Points[i].World);
                 Vector3D to = camera.Pose.ToLocal(line.Points[i + 1].World);
-                if (from.Y > Nearest && to.Y > Nearest && from.Y < 2 * Furthest)
+                if (Math.Max(from.Y, to.Y) > Nearest && from.Y < 2 * Furthest)
                 {
+                    (from, to) = (Clipped(from, to), Clipped(to, from));
                     _segments.Add((Pixel(camera, from), Pixel(camera, to), (from.Y + to.Y) / 2));
                 }
             }
@@ -51,6 +52,10 @@ internal sealed class ProjectedPaint
 
         return depth <= Furthest ? least : null;
     }
+
+    /// <summary>An end of a segment, or where the segment comes as near as is visible.</summary>
+    private static Vector3D Clipped(Vector3D end, Vector3D other) =>
+        end.Y >= Nearest ? end : end + ((other - end) * ((Nearest - end.Y) / (other.Y - end.Y)));
 
     private static Vector2D Pixel(CameraLabel camera, Vector3D local) =>
         new(camera.Cx + (camera.Fx * local.X / local.Y), camera.Cy - (camera.Fy * local.Z / local.Y));
