@@ -36,11 +36,8 @@ public sealed class PaintScanner
     /// <summary>Standard deviation of the position of an edge, pixels.</summary>
     private const double EdgeSigma = 0.3;
 
-    /// <summary>
-    /// Standard deviation of offsets above which ground is not searched, metres: three times it is less than half of the narrowest lane, so
-    /// that a line is not taken for its neighbour.
-    /// </summary>
-    private const double MaxSigma = 0.4;
+    /// <summary>Ground where offsets are less sure than this is not searched, metres: a twelfth of the narrowest lane.</summary>
+    private const double MaxSigma = 0.25;
 
     /// <summary>
     /// Ground seen beside a stripe on both sides, metres: the other stripe of a double line is no farther away, so that of a double line

@@ -11,8 +11,8 @@ namespace Harvester.Cli.Tests.Commands.Roads;
 /// <summary>
 /// Compares labelled indicators with the true lanes of a simulated game. The true boundary of a lane is the middle of the line painted at
 /// the edge that the game's layout gives the lane, or this edge itself where none is painted. Every frame whose label says that the lanes
-/// are known is judged, and every valid indicator in it. An unpainted edge has no line that could be measured: there the lane ends where the
-/// layout ends it, one lane from its other boundary.
+/// are known is judged, and every valid indicator in it. An unpainted edge has no line that could be measured: there the lane ends where
+/// the layout ends it, one lane from its other boundary.
 /// </summary>
 internal sealed class LaneJudge
 {

@@ -25,6 +25,9 @@ public sealed class PaintedLanesTests(ITestOutputHelper output) : IDisposable
     private const double MaxMetres = 0.05;
     private const double MaxRadians = 0.002;
 
+    /// <summary>The share of errors that is to be smaller than without paint.</summary>
+    private const double Most = 0.95;
+
     private const string Frames = "160";
 
     /// <summary>A distance that takes in a whole world, metres.</summary>
@@ -107,6 +110,8 @@ public sealed class PaintedLanesTests(ITestOutputHelper output) : IDisposable
         _painted.Faults.ForEach(output.WriteLine);
         Assert.InRange(_painted.Metres(0.5, onlyPaint: true), 0, MaxMetres);
         Assert.InRange(_painted.Angle(0.5, onlyPaint: true), 0, MaxRadians);
-        Assert.True(_painted.Metres(0.5, onlyPaint: false) < _constant.Metres(0.5, onlyPaint: false));
+
+        // Not the median: the lanes of single roads happen to be as wide as the constant.
+        Assert.True(_painted.Metres(Most, onlyPaint: false) < _constant.Metres(Most, onlyPaint: false));
     }
 }
