@@ -1,6 +1,8 @@
 using Harvester.Capture.Ports;
+using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Geometry.Work;
 using Harvester.Sessions.Labels;
@@ -38,7 +40,7 @@ internal sealed class LaneLabeller(IRoads roads, IRoadPaint? paint, FrameRays? r
         if (seen is { Status: LaneStatus.Known, Stretch: { } stretch })
         {
             double carOffset = seen.Match.LeftEdge + seen.Match.OffsetFromLeftEdge;
-            foreach (LaneLine line in Painted(stretch, carOffset))
+            foreach (LaneLine line in Painted(stretch, carOffset, snapshot.Ego))
             {
                 isPaintKnown = true;
                 markings.AddRange(Project(line));
@@ -67,6 +69,34 @@ internal sealed class LaneLabeller(IRoads roads, IRoadPaint? paint, FrameRays? r
     /// <summary>Passes over a snapshot that is not labelled; the road and the ids of vehicles are updated all the same.</summary>
     public void Pass(SceneSnapshot snapshot) => _tracker.Observe(snapshot.Ego, snapshot.Entities);
 
-    private IReadOnlyList<LaneLine> Painted(RoadStretch stretch, double carOffset) =>
-        paint is null ? [] : PaintTracer.Trace(stretch, carOffset, 0, LineReach, paint.Near(stretch.PointAt(0), LineReach));
+    private IReadOnlyList<LaneLine> Painted(RoadStretch stretch, double carOffset, EgoState ego)
+    {
+        if (paint is null)
+        {
+            return [];
+        }
+
+        IEnumerable<PaintedLine> lines = paint.Near(stretch.PointAt(0), LineReach);
+        return PaintTracer.Trace(stretch, carOffset, 0, LineReach, paint.IsComplete ? lines : OnGround(lines, stretch, ego));
+    }
+
+    /// <summary>
+    /// Measured lines, which have the heights of the road network, on the ground under the vehicle: the ground on which they were measured.
+    /// </summary>
+    private static IEnumerable<PaintedLine> OnGround(IEnumerable<PaintedLine> lines, RoadStretch stretch, EgoState ego)
+    {
+        if (ego.HeightAboveGroundMetres is not { } height)
+        {
+            return lines;
+        }
+
+        double station = stretch.Locate(ego.Pose.Position)?.Station ?? 0;
+        var ground = new RoadGround(ego.Pose.Position - new Vector3D(0, 0, height), ego.Pose.Axes, stretch.PointAt(station).Z);
+        return lines.Select(line =>
+            line with
+            {
+                Points = [.. line.Points.Select(point => point with { World = point.World with { Z = ground.HeightAt(point.World) } })],
+            }
+        );
+    }
 }

@@ -31,8 +31,9 @@ public sealed class FixedRoads : IRoads
             throw new ArgumentNullException(nameof(network));
         }
 
-        var lanes = new LaneModel(network, laneWidth, narrowLaneWidth, paint is null ? null : PaintedSections.Of(paint));
-        var observer = new LaneObserver(new RoadCurves(network), lanes, lookAhead);
+        var curves = new RoadCurves(network);
+        var lanes = new LaneModel(network, laneWidth, narrowLaneWidth, paint is null ? null : PaintedSections.Of(paint, curves));
+        var observer = new LaneObserver(curves, lanes, lookAhead);
         _roads = new KnownRoads(observer, source);
     }
 

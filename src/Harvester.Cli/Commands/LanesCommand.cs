@@ -96,13 +96,14 @@ internal sealed class LanesCommand
         command.SetAction(parsed =>
         {
             RoadNetwork network = RoadImporter.Import(parsed.GetRequiredValue(Roads).FullName).Network;
+            var curves = new RoadCurves(network);
             var observer = new LaneObserver(
-                new RoadCurves(network),
+                curves,
                 new LaneModel(
                     network,
                     parsed.GetValue(LaneWidth),
                     parsed.GetValue(NarrowLaneWidth),
-                    parsed.GetValue(Paint) is { } paint ? PaintedSections.Of(PaintFile.Read(paint.FullName, network)) : null
+                    parsed.GetValue(Paint) is { } paint ? PaintedSections.Of(PaintFile.Read(paint.FullName, network), curves) : null
                 ),
                 parsed.GetValue(LaneLookAhead)
             );

@@ -27,7 +27,7 @@ public static class RoadSummary
                 Text(
                     Enumerable
                         .Range(0, network.Links.Count)
-                        .Count(link => lanes.WidthOf(link, isForward: true).Source == LaneWidthSource.Calibrated)
+                        .Count(link => lanes.WidthOf(link, isForward: true, station: 0).Source == LaneWidthSource.Calibrated)
                 )
             ),
         };

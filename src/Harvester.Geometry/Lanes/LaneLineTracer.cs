@@ -26,7 +26,7 @@ public static class LaneLineTracer
         for (double station = Math.Max(from, stretch.StartStation); ; station = Math.Min(end, station + StepAt(station)))
         {
             StretchPiece piece = stretch.PieceAt(station)!;
-            IReadOnlyDictionary<int, double> boundaries = piece.IsInJunction(station) ? NoBoundaries : piece.Boundaries();
+            IReadOnlyDictionary<int, double> boundaries = piece.IsInJunction(station) ? NoBoundaries : piece.BoundariesAt(station);
             runs.EndAllBut(boundaries.Keys);
             double parameter = piece.ParameterAt(station);
             foreach (KeyValuePair<int, double> boundary in boundaries)

@@ -74,7 +74,7 @@ public sealed class LaneObserver
             Status = status,
             Match = match,
             Stretch = stretch,
-            WidthSource = _lanes.WidthOf(match.Link, match.IsForward).Source,
+            WidthSource = stretch.PieceAt(0)!.WidthSourceAt(0),
         };
         return status == LaneStatus.Known ? Measured(observation, stretch, match, headingDegrees, speed, length, vehicles) : observation;
     }
@@ -102,25 +102,22 @@ public sealed class LaneObserver
     {
         double offset = match.LeftEdge + match.OffsetFromLeftEdge;
         double lookAhead = Math.Min(_lookAhead.DistanceAt(speed), stretch.EndStation);
-        StretchPiece here = stretch.PieceAt(0)!;
         StretchPiece there = stretch.PieceAt(lookAhead)!;
+        (LaneSection section, double leftEdge) = there.LanesAt(lookAhead);
+        LaneWidthSource source = there.WidthSourceAt(lookAhead);
+        double ahead = offset + (IsPaint(observation.WidthSource) && IsPaint(source) ? Moved(match, section, leftEdge) : 0) - leftEdge;
         double parameter = there.ParameterAt(lookAhead);
         IReadOnlyList<VehicleInLane> inLanes = VehiclesAhead(stretch, length, vehicles);
         List<VehicleAhead> own = OwnDirection(inLanes);
         return observation with
         {
             LookAheadMetres = lookAhead,
-            WidthSource = WidthSourceOf(observation.WidthSource, _lanes.WidthOf(there.Link, there.IsForward).Source),
-            Section = there.Section,
-            OffsetFromLeftEdge = offset - there.LeftEdge,
-            Indicators = IndicatorCalculator.Compute(
-                AngleOf(there.DirectionAt(parameter), headingDegrees),
-                offset - there.LeftEdge,
-                there.Section,
-                own
-            ),
-            SectionAtCar = here.Section,
-            IndicatorsAtCar = IndicatorCalculator.Compute(match.HeadingError, match.OffsetFromLeftEdge, here.Section, own),
+            WidthSource = WidthSourceOf(observation.WidthSource, source),
+            Section = section,
+            OffsetFromLeftEdge = ahead,
+            Indicators = IndicatorCalculator.Compute(AngleOf(there.DirectionAt(parameter), headingDegrees), ahead, section, own),
+            SectionAtCar = match.Section,
+            IndicatorsAtCar = IndicatorCalculator.Compute(match.HeadingError, match.OffsetFromLeftEdge, match.Section, own),
             CurvaturePerMetre = there.CurvatureAt(parameter),
             IsFast = IsStraightAhead(stretch),
             Vehicles = inLanes,
@@ -129,7 +126,16 @@ public sealed class LaneObserver
 
     /// <summary>The source of the lanes at the car, or the one at the look-ahead point where only those at the car are painted.</summary>
     private static LaneWidthSource? WidthSourceOf(LaneWidthSource? here, LaneWidthSource there) =>
-        here is LaneWidthSource.Paint or LaneWidthSource.PartlyPaint && there != LaneWidthSource.Paint ? there : here;
+        IsPaint(here) && there != LaneWidthSource.Paint ? there : here;
+
+    private static bool IsPaint(LaneWidthSource? source) => source is LaneWidthSource.Paint or LaneWidthSource.PartlyPaint;
+
+    /// <summary>
+    /// How far the middle of the painted lanes moves from the car to the look-ahead point, metres to the right of the road's line: paint
+    /// does not follow this line exactly, and a car that follows the road follows the paint. 0 if the number of lanes changes.
+    /// </summary>
+    private static double Moved(RoadMatch here, LaneSection section, double leftEdge) =>
+        here.Section.LaneCount == section.LaneCount ? leftEdge + (section.Width / 2) - (here.LeftEdge + (here.Section.Width / 2)) : 0;
 
     private static double AngleOf(Vector2D road, double headingDegrees)
     {
@@ -199,11 +205,11 @@ public sealed class LaneObserver
         bool drivesAlong = Math.Abs(AngleOf(road, headingDegrees)) < Math.PI / 2;
         if (drivesAlong)
         {
-            return piece.Section.LaneAt(place.OffsetFromLeftEdge) is { } lane ? (lane, false) : null;
+            return piece.LanesAt(place.Station).Section.LaneAt(place.OffsetFromLeftEdge) is { } lane ? (lane, false) : null;
         }
 
         // Offsets of the other direction are measured from the same line with the opposite sign.
-        return piece.Oncoming is { } oncoming && oncoming.Section.LaneAt(-place.Offset - oncoming.LeftEdge) is { } opposite
+        return piece.OncomingAt(place.Station) is { } oncoming && oncoming.Section.LaneAt(-place.Offset - oncoming.LeftEdge) is { } opposite
             ? (opposite, true)
             : null;
     }

@@ -104,7 +104,7 @@ public static class PaintTracer
 
         int? nearest = null;
         double least = MaxBoundaryDistance;
-        foreach (KeyValuePair<int, double> boundary in place.Piece.Boundaries())
+        foreach (KeyValuePair<int, double> boundary in place.Piece.BoundariesAt(place.Station))
         {
             double apart = Math.Abs(boundary.Value - place.Offset);
             if (apart <= least)

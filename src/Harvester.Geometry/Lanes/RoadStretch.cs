@@ -162,7 +162,7 @@ public sealed class RoadStretch
         double startStation
     )
     {
-        if (lanes.LanesOf(link, isForward) is not { } own)
+        if (lanes.LanesOf(link, isForward, 0) is null)
         {
             return null;
         }
@@ -173,9 +173,7 @@ public sealed class RoadStretch
             isForward,
             curves.Of(link),
             startStation,
-            own.Section,
-            own.LeftEdge,
-            lanes.LanesOf(link, !isForward),
+            lanes,
             isForward ? (fromStart, fromEnd) : (fromEnd, fromStart)
         );
     }

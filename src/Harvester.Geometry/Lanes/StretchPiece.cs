@@ -7,19 +7,14 @@ namespace Harvester.Geometry.Lanes;
 /// <param name="IsForward">Whether the car drives it from its start to its end.</param>
 /// <param name="Curve">Its centre line, from its start to its end.</param>
 /// <param name="StartStation">Station at which the stretch enters it, metres along the road from the car; negative behind the car.</param>
-/// <param name="Section">The lanes in the direction of travel.</param>
-/// <param name="LeftEdge">Left edge of the leftmost of them, metres to the right of the centre line in the direction of travel.</param>
-/// <param name="Oncoming">The lanes of the other direction and the left edge of their leftmost lane (nearest the median), as seen in that
-/// direction; null for a one-way road.</param>
+/// <param name="Lanes">The lanes of all links; this one has some in the direction of travel.</param>
 /// <param name="Junctions">How far junctions reach into it from its entry and from its exit, metres.</param>
 public sealed record StretchPiece(
     int Link,
     bool IsForward,
     RoadCurve Curve,
     double StartStation,
-    LaneSection Section,
-    double LeftEdge,
-    (LaneSection Section, double LeftEdge)? Oncoming,
+    LaneModel Lanes,
     (double AtEntry, double AtExit) Junctions
 )
 {
@@ -33,7 +28,7 @@ public sealed record StretchPiece(
     public bool IsInJunction(double station) => station < StartStation + Junctions.AtEntry || station > EndStation - Junctions.AtExit;
 
     /// <summary>The curve's parameter at a station of the stretch.</summary>
-    public double ParameterAt(double station) => Curve.ParameterAt(IsForward ? station - StartStation : EndStation - station);
+    public double ParameterAt(double station) => Curve.ParameterAt(OnLink(station));
 
     /// <summary>The station of the stretch at a parameter of the curve.</summary>
     public double StationAt(double parameter)
@@ -56,21 +51,38 @@ public sealed record StretchPiece(
     public Vector3D PointBeside(double parameter, double offset) => Curve.PointBeside(parameter, IsForward ? offset : -offset);
 
     /// <summary>
-    /// The boundaries of its lanes by number, with their offsets to the right of the centre line in the direction of travel.
+    /// The lanes in the direction of travel at a station of the stretch, and the left edge of the leftmost of them, metres to the right of
+    /// the centre line in the direction of travel.
     /// </summary>
-    public IReadOnlyDictionary<int, double> Boundaries()
+    public (LaneSection Section, double LeftEdge) LanesAt(double station) => Lanes.LanesOf(Link, IsForward, OnLink(station))!.Value;
+
+    /// <summary>
+    /// The lanes of the other direction at a station of the stretch and the left edge of their leftmost lane (nearest the median), as seen
+    /// in that direction; null for a one-way road.
+    /// </summary>
+    public (LaneSection Section, double LeftEdge)? OncomingAt(double station) => Lanes.LanesOf(Link, !IsForward, OnLink(station));
+
+    /// <summary>Where the width of the lanes at a station of the stretch comes from.</summary>
+    public LaneWidthSource WidthSourceAt(double station) => Lanes.WidthOf(Link, IsForward, OnLink(station)).Source;
+
+    /// <summary>
+    /// The boundaries of its lanes at a station of the stretch by number, with their offsets to the right of the centre line in the
+    /// direction of travel.
+    /// </summary>
+    public IReadOnlyDictionary<int, double> BoundariesAt(double station)
     {
         var boundaries = new Dictionary<int, double>();
-        for (int i = 0; i <= Section.LaneCount; i++)
+        (LaneSection section, double leftEdge) = LanesAt(station);
+        for (int i = 0; i <= section.LaneCount; i++)
         {
-            boundaries.Add(i, LeftEdge + Section.Edge(i));
+            boundaries.Add(i, leftEdge + section.Edge(i));
         }
 
-        if (Oncoming is { } oncoming)
+        if (OncomingAt(station) is { } oncoming)
         {
             // Offsets of the other direction have the opposite sign. Without a median its left edge is the boundary 0 already; the others
             // count down from -2, and a median's far edge is -1.
-            bool hasMedian = LeftEdge + oncoming.LeftEdge > NoMedian;
+            bool hasMedian = leftEdge + oncoming.LeftEdge > NoMedian;
             for (int i = hasMedian ? 0 : 1; i <= oncoming.Section.LaneCount; i++)
             {
                 boundaries.Add(-i - 1, -(oncoming.LeftEdge + oncoming.Section.Edge(i)));
@@ -79,4 +91,7 @@ public sealed record StretchPiece(
 
         return boundaries;
     }
+
+    /// <summary>The station on the link, metres from its start.</summary>
+    private double OnLink(double station) => IsForward ? station - StartStation : EndStation - station;
 }

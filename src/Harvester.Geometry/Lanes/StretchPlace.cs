@@ -7,5 +7,5 @@ namespace Harvester.Geometry.Lanes;
 public readonly record struct StretchPlace(StretchPiece Piece, double Station, double Offset)
 {
     /// <summary>Metres to the right of the left edge of the leftmost lane.</summary>
-    public double OffsetFromLeftEdge => Offset - Piece.LeftEdge;
+    public double OffsetFromLeftEdge => Offset - Piece.LanesAt(Station).LeftEdge;
 }

@@ -75,8 +75,13 @@ internal sealed class LaneNetworkBuilder
         (double fromStart, double fromEnd) = _groups.TrimsOf(link);
         HermiteCurve line = curve.Between(curve.ParameterAt(fromStart), curve.ParameterAt(curve.Length - fromEnd));
         string name = _names.Segment(road);
-        MapLane[] forward = LanesOf(name, link, line, isForward: true);
-        MapLane[] backward = LanesOf(name, link, line.Reversed(), isForward: false);
+
+        // A road has the lanes of its middle from end to end.
+        double middle = (fromStart + curve.Length - fromEnd) / 2;
+        (LaneSection Section, double LeftEdge)? onwards = _lanes.LanesOf(link, isForward: true, middle);
+        (LaneSection Section, double LeftEdge)? back = _lanes.LanesOf(link, isForward: false, middle);
+        MapLane[] forward = LanesOf(name, link, line, isForward: true, onwards);
+        MapLane[] backward = LanesOf(name, link, line.Reversed(), isForward: false, back);
         if (forward.Length > 0 && backward.Length > 0 && !(road.MedianWidth > 0))
         {
             (forward[0].Oncoming, backward[0].Oncoming) = (backward[0], forward[0]);
@@ -92,8 +97,8 @@ internal sealed class LaneNetworkBuilder
             EndAt(road.To, _curves.Continuations.Of(link, beyondEnd: true))
         )
         {
-            ForwardLeftEdge = _lanes.LanesOf(link, isForward: true)?.LeftEdge ?? 0,
-            BackwardLeftEdge = _lanes.LanesOf(link, isForward: false)?.LeftEdge ?? 0,
+            ForwardLeftEdge = onwards?.LeftEdge ?? 0,
+            BackwardLeftEdge = back?.LeftEdge ?? 0,
         };
     }
 
@@ -102,9 +107,15 @@ internal sealed class LaneNetworkBuilder
         : next == RoadContinuations.None ? default
         : new SegmentEnd(null, next, _network.Links[next].From == node);
 
-    private MapLane[] LanesOf(string segment, int link, HermiteCurve line, bool isForward)
+    private static MapLane[] LanesOf(
+        string segment,
+        int link,
+        HermiteCurve line,
+        bool isForward,
+        (LaneSection Section, double LeftEdge)? section
+    )
     {
-        if (_lanes.LanesOf(link, isForward) is not { } lanes)
+        if (section is not { } lanes)
         {
             return [];
         }

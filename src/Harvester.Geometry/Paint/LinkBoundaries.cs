@@ -7,7 +7,7 @@ namespace Harvester.Geometry.Paint;
 internal static class LinkBoundaries
 {
     /// <summary>Distance of the places on a link where the lines are looked at, metres.</summary>
-    private const double Step = 2;
+    public const double Step = 2;
 
     /// <summary>
     /// On a road without a median, a line at most this far from the link's line is the one between the directions, metres: nodes are
@@ -22,31 +22,32 @@ internal static class LinkBoundaries
     private const double SameLine = 0.5;
 
     /// <summary>Finds the boundaries of a direction with lanes.</summary>
-    /// <returns>The median offset of each boundary along the link, metres to the right of the link's line in that direction; null for a
-    /// boundary without a line.</returns>
-    public static double?[] Of(LinkPaint link, RoadLink road, bool isForward)
+    /// <returns>The places of each boundary: stations from the link's start, offsets to the right of the link's line in that direction.
+    /// Empty for a boundary without a line.</returns>
+    public static List<BoundaryPlace>[] Of(LinkPaint link, RoadLink road, bool isForward)
     {
         int lanes = isForward ? road.LanesForward : road.LanesBackward;
-        List<double>[] offsets = [.. Enumerable.Range(0, lanes + 1).Select(_ => new List<double>())];
-        var unsorted = new List<double>();
-        for (double station = link.SeenFrom; station <= link.SeenTo; station += Step)
+        List<BoundaryPlace>[] places = [.. Enumerable.Range(0, lanes + 1).Select(_ => new List<BoundaryPlace>())];
+        var unsorted = new List<BoundaryPlace>();
+        int steps = Math.Max(1, (int)Math.Ceiling((link.SeenTo - link.SeenFrom) / Step));
+        for (int i = 0; i <= steps; i++)
         {
-            AddBoundaries(link, road, station, isForward, offsets, unsorted);
+            AddBoundaries(link, road, link.SeenFrom + ((link.SeenTo - link.SeenFrom) * i / steps), isForward, places, unsorted);
         }
 
-        double?[] known = [.. offsets.Select(Median)];
-        foreach (double offset in unsorted)
+        List<BoundaryPlace>[] known = [.. places.Select(static line => new List<BoundaryPlace>(line))];
+        foreach (BoundaryPlace place in unsorted)
         {
             for (int i = 1; i < lanes; i++)
             {
-                if (known[i] is { } line && Math.Abs(offset - line) <= SameLine)
+                if (known[i].Count > 0 && Math.Abs(place.Offset - Nearest(known[i], place.Station).Offset) <= SameLine)
                 {
-                    offsets[i].Add(offset);
+                    places[i].Add(place);
                 }
             }
         }
 
-        return [.. offsets.Select(Median)];
+        return [.. places.Select(OnePerStation)];
     }
 
     /// <summary>
@@ -59,11 +60,11 @@ internal static class LinkBoundaries
         RoadLink road,
         double station,
         bool isForward,
-        List<double>[] offsets,
-        List<double> unsorted
+        List<BoundaryPlace>[] places,
+        List<BoundaryPlace> unsorted
     )
     {
-        int lanes = offsets.Length - 1;
+        int lanes = places.Length - 1;
         bool hasMedian = road.MedianWidth is > 0;
         var dashed = new List<double>();
         foreach (LinePaint line in link.Lines.Where(line => line.FromStation <= station && station <= line.ToStation))
@@ -77,7 +78,7 @@ internal static class LinkBoundaries
 
             if (isBetween || line.Paint.Colour == MarkingColour.Yellow || line.Paint.Style == MarkingStyle.DoubleSolid)
             {
-                offsets[0].Add(offset);
+                places[0].Add(new BoundaryPlace(station, offset));
             }
             else if (line.Paint.Style == MarkingStyle.Dashed)
             {
@@ -85,26 +86,37 @@ internal static class LinkBoundaries
             }
             else
             {
-                offsets[road.IsOneWay && offset < 0 ? 0 : lanes].Add(offset);
+                places[road.IsOneWay && offset < 0 ? 0 : lanes].Add(new BoundaryPlace(station, offset));
             }
         }
 
         dashed.Sort();
         if (dashed.Count != lanes - 1)
         {
-            unsorted.AddRange(dashed);
+            unsorted.AddRange(dashed.Select(offset => new BoundaryPlace(station, offset)));
             return;
         }
 
         for (int i = 0; i < dashed.Count; i++)
         {
-            offsets[i + 1].Add(dashed[i]);
+            places[i + 1].Add(new BoundaryPlace(station, dashed[i]));
         }
     }
 
-    private static double? Median(List<double> values)
+    private static BoundaryPlace Nearest(List<BoundaryPlace> line, double station) =>
+        line.OrderBy(place => Math.Abs(place.Station - station)).First();
+
+    /// <summary>
+    /// The places of a boundary by station: of several lines that may mark it at a station, the one nearest to the median along the link.
+    /// </summary>
+    private static List<BoundaryPlace> OnePerStation(List<BoundaryPlace> line)
     {
-        values.Sort();
-        return values.Count > 0 ? values[values.Count / 2] : null;
+        double[] offsets = [.. line.Select(static place => place.Offset).OrderBy(static offset => offset)];
+        return
+        [
+            .. line.GroupBy(static place => place.Station)
+                .Select(places => places.OrderBy(place => Math.Abs(place.Offset - offsets[offsets.Length / 2])).First())
+                .OrderBy(static place => place.Station),
+        ];
     }
 }

@@ -29,13 +29,6 @@ internal static class PaintClassifier
     /// <summary>Paint is yellow if its blueness is below this: about 1 is white and 0.2 to 0.6 is yellow.</summary>
     private const double YellowBelow = 0.78;
 
-    /// <summary>Distance of the middles of a double line's stripes, metres.</summary>
-    private const double MinDouble = 0.15;
-    private const double MaxDouble = 0.6;
-
-    /// <summary>Least part of the shorter line of a pair that lies beside the other.</summary>
-    private const double MinOverlap = 0.6;
-
     /// <summary>
     /// A line with less than this fraction of the contrast of the strongest within <see cref="Neighbourhood"/> metres is a seam, a trail or
     /// the remains of old paint.
@@ -45,7 +38,9 @@ internal static class PaintClassifier
 
     public static List<FoundLine> Lines(PaintChain chain)
     {
-        List<FoundLine> lines = Doubles([.. PaintTracker.Track(chain).SelectMany(track => OfTrack(track, PaintRuns.Of(track, chain)))]);
+        List<FoundLine> lines = PaintDoubles.Joined(
+            PaintTracker.Track(chain).SelectMany(track => OfTrack(track, PaintRuns.Of(track, chain)))
+        );
         return [.. lines.Where(line => !IsFaint(line, lines)).OrderBy(line => line.From).ThenBy(line => line.Stripes[0].Offset)];
     }
 
@@ -173,71 +168,5 @@ internal static class PaintClassifier
         double fitted = spread > 0 ? ((n * km) - (k * m)) / spread : period;
         double first = (m - (fitted * k)) / n;
         return fitted > length ? new DashPattern(length, fitted, first - (length / 2)) : null;
-    }
-
-    private static List<FoundLine> Doubles(List<FoundLine> lines)
-    {
-        var merged = new List<FoundLine>();
-        List<FoundLine> left = [.. lines.OrderBy(line => line.From)];
-        while (left.Count > 0)
-        {
-            FoundLine line = left[0];
-            left.RemoveAt(0);
-            int partner = left.FindIndex(other => IsPair(line, other));
-            if (partner < 0)
-            {
-                merged.Add(line);
-                continue;
-            }
-
-            merged.Add(Double(line, left[partner]));
-            left.RemoveAt(partner);
-        }
-
-        return merged;
-    }
-
-    private static bool IsPair(FoundLine a, FoundLine b)
-    {
-        double overlap = Math.Min(a.To, b.To) - Math.Max(a.From, b.From);
-        return a.Paint.Style != MarkingStyle.DoubleSolid
-            && b.Paint.Style != MarkingStyle.DoubleSolid
-            && a.Paint.Colour == b.Paint.Colour
-            && overlap >= MinOverlap * Math.Min(a.Length, b.Length)
-            && Distance(a, b) is >= MinDouble and <= MaxDouble;
-    }
-
-    /// <summary>Median distance of the stripes of two lines in the rows that both have; 0 without such a row.</summary>
-    private static double Distance(FoundLine a, FoundLine b)
-    {
-        var offsets = a.Stripes.ToDictionary(stripe => stripe.Row, stripe => stripe.Offset);
-        List<double> distances =
-        [
-            .. b
-                .Stripes.Where(stripe => offsets.ContainsKey(stripe.Row))
-                .Select(stripe => Math.Abs(stripe.Offset - offsets[stripe.Row]))
-                .OrderBy(distance => distance),
-        ];
-        return distances.Count > 0 ? distances[distances.Count / 2] : 0;
-    }
-
-    /// <summary>The double line of two lines, with its middle between theirs where both were found.</summary>
-    private static FoundLine Double(FoundLine a, FoundLine b)
-    {
-        var others = b.Stripes.ToDictionary(stripe => stripe.Row);
-        List<StripeCluster> both =
-        [
-            .. a
-                .Stripes.Where(stripe => others.ContainsKey(stripe.Row))
-                .Select(stripe => stripe with { Offset = (stripe.Offset + others[stripe.Row].Offset) / 2 }),
-        ];
-        double width = Distance(a, b) + ((a.Paint.WidthMetres + b.Paint.WidthMetres) / 2);
-        return new FoundLine(
-            Math.Min(a.From, b.From),
-            Math.Max(a.To, b.To),
-            both,
-            new MarkingPaint(MarkingStyle.DoubleSolid, a.Paint.Colour, width),
-            Math.Max(a.Contrast, b.Contrast)
-        );
     }
 }

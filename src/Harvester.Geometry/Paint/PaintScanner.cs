@@ -91,15 +91,26 @@ public sealed class PaintScanner
         double parameter = curve.ParameterAt(station);
         Vector3D centre = curve.PointAt(parameter);
         Vector3D from = image.Camera.Pose.Position;
-        (double x, double y, double height) = (centre.X - from.X, centre.Y - from.Y, from.Z - centre.Z);
+        (double x, double y) = (centre.X - from.X, centre.Y - from.Y);
         double ground = Math.Sqrt((x * x) + (y * y));
-        double distance = Math.Sqrt((ground * ground) + (height * height));
+        if (ground > MaxDistance)
+        {
+            return;
+        }
+
+        // Distance of the camera from the plane of the road in this row, which has the slope of the link's line.
+        Vector2D direction = curve.DirectionAt(parameter);
+        double slope = curve.Slope;
+        double level = image.Ground.HeightAt(centre);
+        double rise = (double.IsNaN(level) ? centre.Z : level) - from.Z;
+        double height = ((((x * direction.X) + (y * direction.Y)) * slope) - rise) / Math.Sqrt(1 + (slope * slope));
+        double distance = Math.Sqrt((ground * ground) + (rise * rise));
         double focal = image.Camera.Intrinsics.Fx;
 
         // A pixel covers d / f metres across the line of sight, and d / h times as much along it on the ground.
         double across = distance / focal;
         double along = across * distance / Math.Max(0.1, height);
-        if (ground > MaxDistance || height <= 0 || across > MaxPixelAcross || along > MaxPixelAlong)
+        if (height <= 0 || across > MaxPixelAcross || along > MaxPixelAlong)
         {
             return;
         }
@@ -118,7 +129,6 @@ public sealed class PaintScanner
         }
 
         _profile.Average(cells, ProfilesPerRow);
-        Vector2D direction = curve.DirectionAt(parameter);
         double cameraOffset = -((x * direction.Y) - (y * direction.X));
         var seen = new SeenSpan(
             number,

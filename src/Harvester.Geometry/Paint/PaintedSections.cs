@@ -3,9 +3,9 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Geometry.Paint;
 
 /// <summary>
-/// The lanes of links as their measured lines show them. Each line is taken for the boundary that its kind and place name. A boundary lies
-/// at the median offset of its line along the link, or where the road next to the link has it. Other boundaries lie between those with a
-/// line, or beyond them by their mean distance.
+/// The lanes along links as their measured lines show them. Each line is taken for the boundary that its kind and place name. Where a
+/// boundary was not seen, it lies as on the road next to it. Boundaries that were not seen at all lie between those with a line, or beyond
+/// them by their mean distance; if only one boundary of a direction was seen, by that of the other direction.
 /// </summary>
 public static class PaintedSections
 {
@@ -19,41 +19,108 @@ public static class PaintedSections
     /// </summary>
     private const double MaxRatio = 1.6;
 
-    /// <summary>Finds the sections.</summary>
+    /// <summary>Distance of sections along a link, metres: that of the places from which lines are measured.</summary>
+    private const double SectionStep = 5;
+
+    /// <summary>A section is left out if its edges are this near to the straight lines between others, metres.</summary>
+    private const double MaxBow = 0.005;
+
+    /// <summary>Finds the lanes.</summary>
     /// <param name="table">The measured lines.</param>
+    /// <param name="curves">The centre lines of the table's network.</param>
     /// <returns>By link and direction; true for the direction from start to end.</returns>
-    public static IReadOnlyDictionary<(int Link, bool IsForward), MeasuredSection> Of(PaintTable table)
+    public static IReadOnlyDictionary<(int Link, bool IsForward), MeasuredLanes> Of(PaintTable table, RoadCurves curves)
     {
         RoadNetwork network = Guard.NotNull(table, nameof(table)).Network;
-        var measured = new Dictionary<(int Link, bool IsForward), double?[]>();
+        Guard.NotNull(curves, nameof(curves));
+        var measured = new Dictionary<(int Link, bool IsForward), List<BoundaryPlace>[]>();
         foreach (LinkPaint link in table.Links)
         {
             foreach (bool isForward in Directions(network.Links[link.Link]))
             {
-                double?[] boundaries = LinkBoundaries.Of(link, network.Links[link.Link], isForward);
-                if (Array.Exists(boundaries, static offset => offset is not null))
+                List<BoundaryPlace>[] places = LinkBoundaries.Of(link, network.Links[link.Link], isForward);
+                if (Array.Exists(places, static line => line.Count > 0))
                 {
-                    measured.Add((link.Link, isForward), boundaries);
+                    measured.Add((link.Link, isForward), places);
                 }
             }
         }
 
-        var carried = new CarriedBoundaries(network, measured);
-        var sections = new Dictionary<(int Link, bool IsForward), MeasuredSection>();
+        var boundaries = new RoadBoundaries(curves, measured);
+        var lanes = new Dictionary<(int Link, bool IsForward), MeasuredLanes>();
         for (int link = 0; link < network.Links.Count; link++)
         {
             foreach (bool isForward in Directions(network.Links[link]))
             {
-                (double?[] boundaries, bool isConfirmed) = carried.Of(link, isForward);
-                if (Completed(boundaries, isConfirmed) is { } section)
+                if (boundaries.Around(link, isForward) is { } profiles)
                 {
-                    sections.Add((link, isForward), section);
+                    bool isConfirmed = measured.ContainsKey((link, isForward));
+                    List<(double Station, MeasuredSection Section)> sections = Sections(
+                        profiles,
+                        boundaries.Around(link, !isForward),
+                        curves.Of(link).Length,
+                        isForward,
+                        isConfirmed
+                    );
+                    if (sections.Count > 0)
+                    {
+                        lanes.Add((link, isForward), new MeasuredLanes(sections));
+                    }
                 }
             }
         }
 
-        return sections;
+        return lanes;
     }
+
+    /// <summary>The sections along a link by their stations from its start, where the boundaries bound lanes.</summary>
+    private static List<(double Station, MeasuredSection Section)> Sections(
+        BoundaryProfiles own,
+        BoundaryProfiles? other,
+        double length,
+        bool isForward,
+        bool isConfirmed
+    )
+    {
+        int steps = Math.Max(1, (int)Math.Ceiling(length / SectionStep));
+        var sections = new List<(double Station, MeasuredSection Section)>();
+        for (int i = 0; i <= steps; i++)
+        {
+            double station = length * i / steps;
+            double along = isForward ? station : length - station;
+            if (Completed(own.At(along), isConfirmed, other is null ? null : MeanWidth(other.At(length - along))) is { } section)
+            {
+                sections.Add((station, section));
+            }
+        }
+
+        return Thinned(sections);
+    }
+
+    /// <summary>The first and last section, and of those between as many as describe all.</summary>
+    private static List<(double Station, MeasuredSection Section)> Thinned(List<(double Station, MeasuredSection Section)> sections)
+    {
+        List<(double Station, MeasuredSection Section)> kept = [.. sections.Take(1)];
+        int from = 0;
+        for (int i = 2; i < sections.Count; i++)
+        {
+            MeasuredLanes between = new([sections[from], sections[i]]);
+            if (!sections.GetRange(from + 1, i - from - 1).TrueForAll(place => IsSame(between.At(place.Station), place.Section)))
+            {
+                from = i - 1;
+                kept.Add(sections[from]);
+            }
+        }
+
+        kept.AddRange(sections.Skip(Math.Max(1, sections.Count - 1)));
+        return kept;
+    }
+
+    private static bool IsSame(MeasuredSection a, MeasuredSection b) =>
+        a.IsWhole == b.IsWhole
+        && Enumerable
+            .Range(0, a.Section.LaneCount + 1)
+            .All(edge => Math.Abs(a.LeftEdge + a.Section.Edge(edge) - b.LeftEdge - b.Section.Edge(edge)) <= MaxBow);
 
     private static IEnumerable<bool> Directions(RoadLink road)
     {
@@ -68,18 +135,28 @@ public static class PaintedSections
         }
     }
 
-    /// <summary>The lanes between boundaries of which some are known; null if those are fewer than two, or do not bound lanes.</summary>
-    private static MeasuredSection? Completed(double?[] known, bool isConfirmed)
+    /// <summary>Mean width of the lanes between the outermost known boundaries: (offset(last) - offset(first)) / (last - first).</summary>
+    private static double? MeanWidth(double?[] known)
     {
         int first = Array.FindIndex(known, static offset => offset is not null);
         int last = Array.FindLastIndex(known, static offset => offset is not null);
-        if (first < 0 || first == last)
+        return first < last ? (known[last]!.Value - known[first]!.Value) / (last - first) : null;
+    }
+
+    /// <summary>
+    /// The lanes between boundaries of which some are known; null if there are none, there is only one and the width of the lanes of the
+    /// other direction is not known, or they do not bound lanes.
+    /// </summary>
+    private static MeasuredSection? Completed(double?[] known, bool isConfirmed, double? otherWidth)
+    {
+        // Beyond the known boundaries, lanes have the mean width of those between.
+        int first = Array.FindIndex(known, static offset => offset is not null);
+        int last = Array.FindLastIndex(known, static offset => offset is not null);
+        if (first < 0 || (MeanWidth(known) ?? otherWidth) is not { } mean)
         {
             return null;
         }
 
-        // Beyond the known boundaries, lanes have the mean width of those between: (offset(last) - offset(first)) / (last - first).
-        double mean = (known[last]!.Value - known[first]!.Value) / (last - first);
         var edges = new double[known.Length];
         int left = first;
         for (int i = 0; i < edges.Length; i++)

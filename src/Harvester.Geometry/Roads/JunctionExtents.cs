@@ -211,12 +211,13 @@ public sealed class JunctionExtents
     {
         bool looksForward = _network.Links[link].From == node;
         bool keepsRight = !onLeft;
-        if (_lanes.LanesOf(link, looksForward == keepsRight) is { } lanes)
+        double station = looksForward ? 0 : _curves.Of(link).Length;
+        if (_lanes.LanesOf(link, looksForward == keepsRight, station) is { } lanes)
         {
             return lanes.LeftEdge + lanes.Section.Width;
         }
 
         // A one-way road driven the other way: it is as wide on either side of its line.
-        return _lanes.LanesOf(link, looksForward != keepsRight) is { } oneWay ? -oneWay.LeftEdge : 0;
+        return _lanes.LanesOf(link, looksForward != keepsRight, station) is { } oneWay ? -oneWay.LeftEdge : 0;
     }
 }

@@ -11,7 +11,7 @@ public sealed class LaneModel
     private readonly RoadNetwork _network;
     private readonly double _laneWidth;
     private readonly double _narrowLaneWidth;
-    private readonly IReadOnlyDictionary<(int Link, bool IsForward), MeasuredSection> _measured;
+    private readonly IReadOnlyDictionary<(int Link, bool IsForward), MeasuredLanes> _measured;
     private readonly Dictionary<int, double> _calibrated = [];
 
     /// <summary>Creates the model of a network's lane widths.</summary>
@@ -23,10 +23,10 @@ public sealed class LaneModel
         RoadNetwork network,
         double laneWidth = RoadGeometry.LaneWidth,
         double narrowLaneWidth = RoadGeometry.NarrowLaneWidth,
-        IReadOnlyDictionary<(int Link, bool IsForward), MeasuredSection>? measured = null
+        IReadOnlyDictionary<(int Link, bool IsForward), MeasuredLanes>? measured = null
     )
     {
-        _measured = measured ?? new Dictionary<(int Link, bool IsForward), MeasuredSection>();
+        _measured = measured ?? new Dictionary<(int Link, bool IsForward), MeasuredLanes>();
         _network = Guard.NotNull(network, nameof(network));
         _laneWidth = Guard.Positive(laneWidth, nameof(laneWidth));
         _narrowLaneWidth = Guard.Positive(narrowLaneWidth, nameof(narrowLaneWidth));
@@ -42,10 +42,12 @@ public sealed class LaneModel
     /// <summary>Mean width of the lanes of one direction of a link, metres, and its source.</summary>
     /// <param name="link">Index of the link.</param>
     /// <param name="isForward">True for the direction from start to end, false for the opposite one.</param>
-    public (double Width, LaneWidthSource Source) WidthOf(int link, bool isForward)
+    /// <param name="station">Metres along the link's curve from its start; only measured lanes change along a link.</param>
+    public (double Width, LaneWidthSource Source) WidthOf(int link, bool isForward, double station)
     {
-        if (_measured.TryGetValue((link, isForward), out MeasuredSection measured))
+        if (_measured.TryGetValue((link, isForward), out MeasuredLanes? lanes))
         {
+            MeasuredSection measured = lanes.At(station);
             return (measured.Section.LaneWidth, measured.IsWhole ? LaneWidthSource.Paint : LaneWidthSource.PartlyPaint);
         }
 
@@ -62,9 +64,10 @@ public sealed class LaneModel
     /// <summary>The lanes of one direction of a link, and the left edge of the leftmost.</summary>
     /// <param name="link">Index of the link.</param>
     /// <param name="isForward">True for the direction from start to end, false for the opposite one.</param>
+    /// <param name="station">Metres along the link's curve from its start; only measured lanes change along a link.</param>
     /// <returns>The lanes and the offset of their left edge, metres to the right of the line in that direction; null if there are no
     /// lanes.</returns>
-    public (LaneSection Section, double LeftEdge)? LanesOf(int link, bool isForward)
+    public (LaneSection Section, double LeftEdge)? LanesOf(int link, bool isForward, double station)
     {
         RoadLink road = _network.Links[link];
         int lanes = isForward ? road.LanesForward : road.LanesBackward;
@@ -73,13 +76,25 @@ public sealed class LaneModel
             return null;
         }
 
-        if (_measured.TryGetValue((link, isForward), out MeasuredSection measured))
+        if (_measured.TryGetValue((link, isForward), out MeasuredLanes? there))
         {
+            MeasuredSection measured = there.At(station);
             return (measured.Section, measured.LeftEdge);
         }
 
-        double width = WidthOf(link, isForward).Width;
+        double width = WidthOf(link, isForward, station).Width;
         int oncomingLanes = isForward ? road.LanesBackward : road.LanesForward;
         return (new LaneSection(lanes, width), RoadGeometry.LeftEdge(lanes, oncomingLanes, road.MedianWidth, width));
     }
+
+    /// <summary>
+    /// Largest offset of the right edge of the lanes of one direction along a link, metres to the right of its line in that direction; null
+    /// if there are no lanes.
+    /// </summary>
+    /// <param name="link">Index of the link.</param>
+    /// <param name="isForward">True for the direction from start to end, false for the opposite one.</param>
+    public double? RightEdgeOf(int link, bool isForward) =>
+        _measured.TryGetValue((link, isForward), out MeasuredLanes? measured) ? measured.RightEdge
+        : LanesOf(link, isForward, 0) is { } lanes ? lanes.LeftEdge + lanes.Section.Width
+        : null;
 }

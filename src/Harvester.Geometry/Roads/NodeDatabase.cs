@@ -57,9 +57,11 @@ public sealed class NodeDatabase
         RoadNetwork network = _curves.Network;
         RoadNode place = network.Nodes[node];
         RoadLink road = isForward ? network.Links[link] : network.Links[link].Reversed();
-        Vector2D along = _curves.Of(link).DirectionAt(network.Links[link].From == node ? 0 : 1) * (isForward ? 1 : -1);
+        bool isStart = network.Links[link].From == node;
+        RoadCurve curve = _curves.Of(link);
+        Vector2D along = curve.DirectionAt(isStart ? 0 : 1) * (isForward ? 1 : -1);
         var right = new Vector3D(along.Y, -along.X, 0);
-        (double width, LaneWidthSource source) = _lanes.WidthOf(link, isForward);
+        (double width, LaneWidthSource source) = _lanes.WidthOf(link, isForward, isStart ? 0 : curve.Length);
         bool oneWay = road.IsOneWay;
         double innerEdge = oneWay ? 0 : (road.MedianWidth ?? 0) / 2;
         double rightEdge = RoadGeometry.MarkingOffset(road, road.LanesForward, width);

@@ -187,6 +187,9 @@ public sealed class RoadCurve
         return apart.Dot(apart) > reach * reach;
     }
 
+    /// <summary>Mean rise from start to end, metres per metre along the curve; 0 if it has no length.</summary>
+    internal double Slope => Length > 0 ? (_endHeight - _startHeight) / Length : 0;
+
     internal double HeightAt(double parameter) => _startHeight + ((_endHeight - _startHeight) * parameter);
 
     internal Vector2D GroundAt(double t)

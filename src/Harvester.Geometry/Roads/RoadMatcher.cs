@@ -44,7 +44,9 @@ public sealed class RoadMatcher
         _reach = new double[_network.Links.Count];
         for (int i = 0; i < _reach.Length; i++)
         {
-            _reach[i] = Math.Max(RightEdge(i, isForward: true), RightEdge(i, isForward: false)) + _options.MaxDistanceBeside;
+            _reach[i] =
+                Math.Max(_lanes.RightEdgeOf(i, isForward: true) ?? 0, _lanes.RightEdgeOf(i, isForward: false) ?? 0)
+                + _options.MaxDistanceBeside;
         }
 
         _index = new RoadIndex(curves, link => _reach[link]);
@@ -148,7 +150,7 @@ public sealed class RoadMatcher
         double headingError = Math.Atan2(forward.Cross(along), forward.Dot(along));
         double right = -along.Cross(apart);
         double overshoot = parameter is 0 or 1 ? along.Dot(apart) * (isForward ? 1 : -1) : 0;
-        (LaneSection Section, double LeftEdge)? lanes = _lanes.LanesOf(link, isForward);
+        (LaneSection Section, double LeftEdge)? lanes = _lanes.LanesOf(link, isForward, curve.StationAt(parameter));
         if (lanes is not { } there)
         {
             isRoadNear |= Math.Abs(right) < _options.MaxDistanceBeside && Math.Abs(along.Dot(apart)) < OvershootDeviation;
@@ -283,9 +285,6 @@ public sealed class RoadMatcher
 
     private bool IsInJunction(RoadCandidate candidate) =>
         Junctions.Contains(candidate.Link, _curves.Of(candidate.Link).StationAt(candidate.Parameter));
-
-    private double RightEdge(int link, bool isForward) =>
-        _lanes.LanesOf(link, isForward) is { } lanes ? lanes.LeftEdge + lanes.Section.Width : 0;
 
     private static double Square(double value) => value * value;
 }

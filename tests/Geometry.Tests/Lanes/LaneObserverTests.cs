@@ -241,6 +241,38 @@ public sealed class LaneObserverTests
         Assert.All(lines.Where(line => line.Points[0].World.Y > 0), line => Assert.InRange(line.Points[0].World.Y, 6.9, 8.9));
     }
 
+    [Fact]
+    public void Car_keeps_its_place_between_painted_lines()
+    {
+        // Both edges of the lane move by 2 cm a metre to the right of the road's line.
+        RoadNetwork network = Straight.Network(1, 1, 0);
+        Dictionary<(int Link, bool IsForward), MeasuredLanes> measured = Enumerable
+            .Range(0, network.Links.Count)
+            .ToDictionary(
+                link => (link, true),
+                link =>
+                {
+                    RoadLink road = network.Links[link];
+                    double Edge(int node) => 0.02 * (network.Nodes[node].Position - network.Nodes[network.Links[0].From].Position).Length;
+                    double length = (network.Nodes[road.To].Position - network.Nodes[road.From].Position).Length;
+                    var lanes = new LaneSection([3.5]);
+                    return new MeasuredLanes([
+                        (0, new MeasuredSection(Edge(road.From), lanes, true)),
+                        (length, new MeasuredSection(Edge(road.To), lanes, true)),
+                    ]);
+                }
+            );
+        var observer = new LaneObserver(new RoadCurves(network), new LaneModel(network, measured: measured));
+
+        LaneObservation seen = observer.Observe(Straight.At(60, 2.5).Point, Straight.HeadingAt(60), 10, 4, [], null);
+
+        // At 60 m, the left edge is at 1.2 m.
+        Assert.Equal(-1.3, seen.IndicatorsAtCar.ToMarkingML.Value, ExactMetres);
+        Assert.Equal(-1.3, seen.Indicators.ToMarkingML.Value, ExactMetres);
+        Assert.Equal(2.2, seen.Indicators.ToMarkingMR.Value, ExactMetres);
+        Assert.Equal(LaneWidthSource.Paint, seen.WidthSource);
+    }
+
     private static LaneObserver Observer(RoadNetwork network) => new(new RoadCurves(network), new LaneModel(network));
 
     private static TrafficVehicle At(AnalyticRoad road, int id, double station, double right, double length, double turned = 0) =>

@@ -13,7 +13,7 @@ public sealed class PaintOfDrawnRoadTests
     /// <summary>What drawn pictures leave of an error, metres: a fifth of a pixel at 15 m.</summary>
     private const double Accuracy = 0.01;
 
-    private static readonly PaintRoads s_roads = Roads();
+    private static readonly PaintRoads s_roads = Roads(0);
 
     [Fact]
     public void Lines_have_their_place_style_and_colour()
@@ -45,6 +45,25 @@ public sealed class PaintOfDrawnRoadTests
 
         // A link of 10 m has a stretch of each line at most every 5 m, and no other line.
         Assert.All(Lines(table), line => Assert.Contains(new[] { -3.8, 0, 3.3, 6.6 }, offset => Math.Abs(line.FromOffset - offset) < 0.1));
+    }
+
+    [Theory]
+    [InlineData(0.15)]
+    [InlineData(-0.15)]
+    public void Lines_on_a_slope_are_found_as_on_level_ground(double slope)
+    {
+        PaintRoads roads = Roads(slope);
+        var evidence = new PaintEvidence();
+        Camera camera = CameraAt(0, slope);
+        new PaintScanner(roads).Scan(new PaintImage(camera, Picture(camera, slope: slope), new RoadGround(), null), 0, evidence);
+        LinePaint[] lines = [.. Lines(PaintTableBuilder.Build(roads, evidence))];
+
+        foreach (double offset in new[] { -3.8, 0, 6.6 })
+        {
+            LinePaint[] own = [.. lines.Where(line => Math.Abs(line.FromOffset - offset) < 0.5)];
+            Assert.NotEmpty(own);
+            Assert.All(own, line => Assert.InRange(line.FromOffset, offset - Accuracy, offset + Accuracy));
+        }
     }
 
     [Fact]
@@ -106,27 +125,29 @@ public sealed class PaintOfDrawnRoadTests
         return PaintTableBuilder.Build(s_roads, evidence);
     }
 
-    private static PaintRoads Roads()
+    private static PaintRoads Roads(double slope)
     {
         RoadNode[] nodes =
         [
-            .. Enumerable.Range(0, 21).Select(i => new RoadNode(RoadNode.NoArea, i, new Vector3D(0, 10 * i, 0), "", RoadNodeFlags.None)),
+            .. Enumerable
+                .Range(0, 21)
+                .Select(i => new RoadNode(RoadNode.NoArea, i, new Vector3D(0, 10 * i, 10 * i * slope), "", RoadNodeFlags.None)),
         ];
         RoadLink[] links = [.. Enumerable.Range(0, 20).Select(i => new RoadLink(i, i + 1, 2, 1, 0, RoadLinkFlags.None))];
         return new PaintRoads(new RoadCurves(new RoadNetwork(nodes, links)));
     }
 
-    private static Camera CameraAt(double carOffset)
+    private static Camera CameraAt(double carOffset, double slope = 0)
     {
         var size = new ImageSize(800, 600);
         return new Camera(
-            new Pose(new Vector3D(1.6 + carOffset, 60, 1.6), Axes.FromHeading(1)),
+            new Pose(new Vector3D(1.6 + carOffset, 60, 1.6 + (60 * slope)), Axes.FromHeading(1)),
             new CameraIntrinsics(50, size, size.Aspect, nearClip: 0.15, Lens.Ideal)
         );
     }
 
     /// <summary>Four rays through each pixel are averaged.</summary>
-    private static byte[] Picture(Camera camera, double? extraLine = null)
+    private static byte[] Picture(Camera camera, double? extraLine = null, double slope = 0)
     {
         byte[] rgb = new byte[3 * camera.Image.PixelCount];
         for (int i = 0; i < camera.Image.PixelCount; i++)
@@ -136,8 +157,11 @@ public sealed class PaintOfDrawnRoadTests
             for (int part = 0; part < 4; part++)
             {
                 Ray ray = camera.RayThrough(column + 0.25 + (0.5 * (part & 1)), row + 0.25 + (0.25 * (part & 2)));
+
+                // The ground is z = slope · y.
+                double descent = (slope * ray.Direction.Y) - ray.Direction.Z;
                 (int red, int green, int blue) =
-                    ray.Direction.Z < 0 ? GroundAt(ray.At(-ray.Origin.Z / ray.Direction.Z), extraLine) : (150, 180, 220);
+                    descent > 0 ? GroundAt(ray.At((ray.Origin.Z - (slope * ray.Origin.Y)) / descent), extraLine) : (150, 180, 220);
                 (sum[0], sum[1], sum[2]) = (sum[0] + red, sum[1] + green, sum[2] + blue);
             }
 

@@ -87,11 +87,11 @@ public sealed class PaintedSectionsTests
             [Painted(0, (-3.5, Yellow), (0.1, Dashed), (3.1, White)), Painted(1, (-3.5, Yellow), (0.1, Dashed))]
         );
 
-        IReadOnlyDictionary<(int Link, bool), MeasuredSection> sections = PaintedSections.Of(table);
+        IReadOnlyDictionary<(int Link, bool), MeasuredLanes> lanes = PaintedSections.Of(table, new RoadCurves(network));
 
-        Assert.Equal([0, 1], sections.Keys.Select(key => key.Link).Order());
-        Assert.Equal([3.6, 3], sections[(1, true)].Section.LaneWidths!.Select(width => Math.Round(width, 9)));
-        Assert.True(sections[(1, true)].IsWhole);
+        Assert.Equal([0, 1], lanes.Keys.Select(key => key.Link).Order());
+        Assert.Equal([3.6, 3], lanes[(1, true)].At(20).Section.LaneWidths!.Select(width => Math.Round(width, 9)));
+        Assert.True(lanes[(1, true)].At(20).IsWhole);
     }
 
     [Fact]
@@ -104,13 +104,51 @@ public sealed class PaintedSectionsTests
         );
         var table = new PaintTable(network, [Painted(0, (-3.5, White), (0.2, Dashed), (4.2, White))]);
 
-        var model = new LaneModel(network, measured: PaintedSections.Of(table));
+        var model = new LaneModel(network, measured: PaintedSections.Of(table, new RoadCurves(table.Network)));
 
-        Assert.Equal((4, LaneWidthSource.Paint), Rounded(model.WidthOf(0, isForward: true)));
+        Assert.Equal((4, LaneWidthSource.Paint), Rounded(model.WidthOf(0, isForward: true, station: 20)));
 
         // Link 1 runs the other way.
-        Assert.Equal((4, LaneWidthSource.PartlyPaint), Rounded(model.WidthOf(1, isForward: false)));
-        Assert.Equal((3.7, LaneWidthSource.PartlyPaint), Rounded(model.WidthOf(1, isForward: true)));
+        Assert.Equal((4, LaneWidthSource.PartlyPaint), Rounded(model.WidthOf(1, isForward: false, station: 20)));
+        Assert.Equal((3.7, LaneWidthSource.PartlyPaint), Rounded(model.WidthOf(1, isForward: true, station: 20)));
+    }
+
+    [Fact]
+    public void Boundaries_follow_their_lines_along_the_link()
+    {
+        // The edge moves from 3.5 to 3.9 m, 1 cm a metre; the line between the directions stays.
+        var edge = new LinePaint(0, 40, 3.5, 3.9, White) { SigmaMetres = 0.02, Images = 5 };
+        var centre = new LinePaint(0, 40, 0, 0, Dashed) { SigmaMetres = 0.02, Images = 5 };
+        MeasuredLanes lanes = Lanes(new LinkPaint(0, 0, 40, [centre, edge]));
+
+        foreach (double station in new double[] { 0, 7, 20, 33.3, 40 })
+        {
+            Assert.Equal(3.5 + (0.01 * station), lanes.At(station).LeftEdge + lanes.At(station).Section.Width, 6);
+        }
+    }
+
+    [Fact]
+    public void Boundary_that_was_not_seen_moves_with_those_that_were()
+    {
+        // Between the stations 0 and 40 the line between the directions moves by 0.4 m, as where a bend is not that of the link's curve.
+        // The edge was only seen up to 12: from there it keeps its distance of 3.5 m from that line.
+        var edge = new LinePaint(0, 12, 3.5, 3.62, White) { SigmaMetres = 0.02, Images = 5 };
+        var centre = new LinePaint(0, 40, 0, 0.4, Dashed) { SigmaMetres = 0.02, Images = 5 };
+        MeasuredLanes lanes = Lanes(new LinkPaint(0, 0, 40, [centre, edge]));
+
+        Assert.Equal(3.5, lanes.At(30).Section.LaneWidth, 6);
+        Assert.True(lanes.At(30).IsWhole);
+    }
+
+    [Fact]
+    public void Lane_of_one_boundary_is_as_wide_as_the_oncoming_one()
+    {
+        // The right edge is not painted; backward, the lane is 3.7 m wide.
+        IReadOnlyDictionary<(int, bool), MeasuredSection> sections = Sections(1, 1, (-3.5, White), (0.2, Dashed));
+
+        Assert.Equal((0.2, 3.7), Rounded(sections[(0, true)]));
+        Assert.False(sections[(0, true)].IsWhole);
+        Assert.True(sections[(0, false)].IsWhole);
     }
 
     [Fact]
@@ -126,12 +164,12 @@ public sealed class PaintedSectionsTests
     public void Model_takes_measured_lanes_before_constants()
     {
         PaintTable table = Table(2, 0, (-6.3, Yellow), (-0.2, Dashed), (5.9, White));
-        var model = new LaneModel(table.Network, measured: PaintedSections.Of(table));
+        var model = new LaneModel(table.Network, measured: PaintedSections.Of(table, new RoadCurves(table.Network)));
 
-        Assert.Equal(6.1, model.WidthOf(0, isForward: true).Width, 9);
-        Assert.Equal(LaneWidthSource.Paint, model.WidthOf(0, isForward: true).Source);
-        Assert.Equal(-6.3, model.LanesOf(0, isForward: true)!.Value.LeftEdge, 9);
-        Assert.Equal(LaneWidthSource.Constant, new LaneModel(table.Network).WidthOf(0, isForward: true).Source);
+        Assert.Equal(6.1, model.WidthOf(0, isForward: true, station: 20).Width, 9);
+        Assert.Equal(LaneWidthSource.Paint, model.WidthOf(0, isForward: true, station: 20).Source);
+        Assert.Equal(-6.3, model.LanesOf(0, isForward: true, station: 20)!.Value.LeftEdge, 9);
+        Assert.Equal(LaneWidthSource.Constant, new LaneModel(table.Network).WidthOf(0, isForward: true, station: 20).Source);
     }
 
     private static (double LeftEdge, double LaneWidth) Rounded(MeasuredSection section) =>
@@ -144,7 +182,18 @@ public sealed class PaintedSectionsTests
         int lanesForward,
         int lanesBackward,
         params (double Offset, MarkingPaint Paint)[] lines
-    ) => PaintedSections.Of(Table(lanesForward, lanesBackward, lines));
+    )
+    {
+        PaintTable table = Table(lanesForward, lanesBackward, lines);
+        return PaintedSections.Of(table, new RoadCurves(table.Network)).ToDictionary(lanes => lanes.Key, lanes => lanes.Value.At(20));
+    }
+
+    /// <summary>The forward lanes of a road of one lane each way.</summary>
+    private static MeasuredLanes Lanes(LinkPaint paint)
+    {
+        RoadNetwork network = Table(1, 1).Network;
+        return PaintedSections.Of(new PaintTable(network, [paint]), new RoadCurves(network))[(0, true)];
+    }
 
     private static PaintTable Table(int lanesForward, int lanesBackward, params (double Offset, MarkingPaint Paint)[] lines)
     {

@@ -82,7 +82,7 @@ public sealed class EdgeEvidenceTests
     {
         var network = new RoadNetwork([Node(0, 0), Node(1, 0)], [TwoAndOne], [Start(10.5), Start(10.5), Start(-6), Start(-6)]);
 
-        Assert.Equal(LaneWidthSource.Constant, new LaneModel(network).WidthOf(0, isForward: true).Source);
+        Assert.Equal(LaneWidthSource.Constant, new LaneModel(network).WidthOf(0, isForward: true, station: 0).Source);
     }
 
     [Fact]
@@ -92,7 +92,7 @@ public sealed class EdgeEvidenceTests
         );
 
     private static (double Width, LaneWidthSource Source) Width(RoadLink link, params RoadEdge[] edges) =>
-        new LaneModel(new RoadNetwork([Node(0, 0), Node(1, 20)], [link], edges)).WidthOf(0, isForward: true);
+        new LaneModel(new RoadNetwork([Node(0, 0), Node(1, 20)], [link], edges)).WidthOf(0, isForward: true, station: 0);
 
     private static RoadEdge Start(double right) => new(0, IsAtStart: true, new Vector3D(right, 0, 5));
 

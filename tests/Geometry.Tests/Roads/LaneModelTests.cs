@@ -16,9 +16,9 @@ public sealed class LaneModelTests
     [Fact]
     public void WidthOf_without_calibration_is_one_of_the_constants()
     {
-        Assert.Equal((5.4, LaneWidthSource.Constant), new LaneModel(Network).WidthOf(0, isForward: true));
-        Assert.Equal((4.0, LaneWidthSource.NarrowConstant), new LaneModel(Network).WidthOf(2, isForward: true));
-        Assert.Equal((5.0, LaneWidthSource.Constant), new LaneModel(Network, laneWidth: 5).WidthOf(0, isForward: true));
+        Assert.Equal((5.4, LaneWidthSource.Constant), new LaneModel(Network).WidthOf(0, isForward: true, station: 0));
+        Assert.Equal((4.0, LaneWidthSource.NarrowConstant), new LaneModel(Network).WidthOf(2, isForward: true, station: 0));
+        Assert.Equal((5.0, LaneWidthSource.Constant), new LaneModel(Network, laneWidth: 5).WidthOf(0, isForward: true, station: 0));
     }
 
     [Fact]
@@ -26,9 +26,9 @@ public sealed class LaneModelTests
     {
         var model = new LaneModel(Network);
 
-        Assert.Equal(1.5, model.LanesOf(0, isForward: true)!.Value.LeftEdge);
+        Assert.Equal(1.5, model.LanesOf(0, isForward: true, station: 0)!.Value.LeftEdge);
         // Three lanes of 5.4 m centred on the line begin 8.1 m left of it.
-        Assert.Equal(-8.1, model.LanesOf(1, isForward: true)!.Value.LeftEdge, 9);
-        Assert.Null(model.LanesOf(1, isForward: false));
+        Assert.Equal(-8.1, model.LanesOf(1, isForward: true, station: 0)!.Value.LeftEdge, 9);
+        Assert.Null(model.LanesOf(1, isForward: false, station: 0));
     }
 }

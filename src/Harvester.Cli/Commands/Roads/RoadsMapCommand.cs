@@ -123,7 +123,7 @@ internal static class RoadsMapCommand
         PaintTable? table = paint is null ? null : PaintFile.Read(paint.FullName, network);
         var map = LaneNetwork.Of(
             curves,
-            new LaneModel(network, laneWidth, narrowLaneWidth, table is null ? null : PaintedSections.Of(table))
+            new LaneModel(network, laneWidth, narrowLaneWidth, table is null ? null : PaintedSections.Of(table, curves))
         );
         return map.Lanes.Count > 0 ? map : throw new UsageException(NoRoads);
     }

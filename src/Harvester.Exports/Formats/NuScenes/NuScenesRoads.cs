@@ -110,8 +110,7 @@ internal sealed class NuScenesRoads
     }
 
     /// <summary>Distance of the right edge of a direction from the line, metres; null without lanes in that direction.</summary>
-    private double? OuterEdge(int link, bool isForward) =>
-        _lanes.LanesOf(link, isForward) is { } lanes ? lanes.LeftEdge + lanes.Section.Width : null;
+    private double? OuterEdge(int link, bool isForward) => _lanes.RightEdgeOf(link, isForward);
 
     /// <summary>A round plate where roads meet, and in a junction the ground between the ends of its roads.</summary>
     private IEnumerable<Vector2D[]> AtNode(int node)

@@ -11,7 +11,8 @@ namespace Harvester.Cli.Tests.Commands.Roads;
 /// <summary>
 /// Compares labelled indicators with the true lanes of a simulated game. The true boundary of a lane is the middle of the line painted at
 /// the edge that the game's layout gives the lane, or this edge itself where none is painted. Every frame whose label says that the lanes
-/// are known is judged, and every valid indicator in it.
+/// are known is judged, and every valid indicator in it. An unpainted edge has no line that could be measured: there the lane ends where
+/// the layout ends it, one lane from its other boundary.
 /// </summary>
 internal sealed class LaneJudge
 {
@@ -28,6 +29,9 @@ internal sealed class LaneJudge
     /// <summary>The error of an indicator that says that a boundary exists where there is none, metres: half a narrow lane.</summary>
     private const double Absent = 1.5;
 
+    /// <summary>A measured line is that of a boundary up to this distance, metres: half of a double line.</summary>
+    private const double SameLine = 0.3;
+
     private const double Cell = 20;
     private const double WalkStep = 0.5;
 
@@ -35,10 +39,11 @@ internal sealed class LaneJudge
     private readonly List<(double Error, LaneWidthSource? Source)> _angles = [];
     private SimulatedGame _game = null!;
     private ILookup<(int X, int Y), (Vector3D From, Vector3D To)> _paint = null!;
+    private ILookup<(int X, int Y), (Vector3D From, Vector3D To)> _measured = null!;
+    private readonly SortedDictionary<string, int> _sources = [];
+    private readonly SortedDictionary<string, int> _edges = [];
 
     public int Frames { get; private set; }
-
-    public int Painted { get; private set; }
 
     /// <summary>Frames with known lanes where the game has none: in junctions and beside the lanes.</summary>
     public int Elsewhere { get; private set; }
@@ -46,12 +51,11 @@ internal sealed class LaneJudge
     public List<string> Faults { get; } = [];
 
     /// <summary>Judges the following frames by another game.</summary>
-    public void Enter(SimulatedGame game, IEnumerable<PaintedLine> painted)
+    public void Enter(SimulatedGame game, IEnumerable<PaintedLine> painted, IEnumerable<PaintedLine> measured)
     {
         _game = game;
-        _paint = painted
-            .SelectMany(line => Enumerable.Range(0, line.Points.Count - 1).Select(i => (line.Points[i].World, line.Points[i + 1].World)))
-            .ToLookup(segment => CellOf(segment.Item1));
+        _paint = Segments(painted);
+        _measured = Segments(measured);
     }
 
     public void Judge(FrameLabel label, EgoState ego)
@@ -62,7 +66,7 @@ internal sealed class LaneJudge
         }
 
         Frames++;
-        Painted += lanes.LaneWidthSource == LaneWidthSource.Paint ? 1 : 0;
+        Count(_sources, $"{lanes.LaneWidthSource}");
         Vector3D centre = ego.Pose.ToWorld((ego.ModelMin + ego.ModelMax) * 0.5);
         Vector3D forward = ego.Pose.Axes.Forward;
         if (_game.Truth.Locate(centre, forward) is not { Lane: not null, IsInJunction: false } here)
@@ -71,20 +75,24 @@ internal sealed class LaneJudge
             return;
         }
 
+        Count(_edges, EdgesAt(centre, forward, here));
         string frame = FormattableString.Invariant($"frame {label.Frame} at {centre.X:0},{centre.Y:0} ({lanes.LaneWidthSource})");
-        Compare(lanes.IndicatorsAtCar, lanes, BoundariesAt(centre, forward, here), here.AngleToRoad, frame);
+        Compare(lanes.IndicatorsAtCar, lanes, Offsets(BoundariesAt(centre, forward, here)), here.AngleToRoad, frame);
         if (Walked(centre, forward, here, lanes.LookAheadMetres) is { } there)
         {
             double moved = there.At.RightOfRoadLine - here.RightOfRoadLine;
-            double[] boundaries = [.. BoundariesAt(there.Place, forward, there.At).Select(offset => offset + moved)];
+            double[] boundaries = [.. BoundariesAt(there.Place, forward, there.At).Select(boundary => boundary.Offset + moved)];
             Compare(lanes.Indicators, lanes, boundaries, there.At.AngleToRoad, frame + " ahead");
         }
     }
 
     public string Text(bool onlyPaint) =>
-        FormattableString.Invariant($"{Frames} frames, {Painted} with painted lanes, {Elsewhere} elsewhere; ")
+        FormattableString.Invariant($"{Frames} frames ({Shares(_sources)}), {Elsewhere} elsewhere; ")
         + FormattableString.Invariant($"markings {Metres(0.5, onlyPaint):0.000} m median, {Metres(0.95, onlyPaint):0.000} m 95 %; ")
         + FormattableString.Invariant($"angle {Angle(0.5, onlyPaint):0.0000} rad median, {Angle(0.95, onlyPaint):0.0000} rad 95 %");
+
+    /// <summary>The outer edges of the car's direction beside the car, by frames.</summary>
+    public string Edges => Shares(_edges);
 
     public double Metres(double share, bool onlyPaint) => Quantile(_metres, share, onlyPaint);
 
@@ -128,14 +136,32 @@ internal sealed class LaneJudge
         }
     }
 
-    /// <summary>The true boundaries of the lanes of the car's direction, metres to the right of a place.</summary>
-    private double[] BoundariesAt(Vector3D place, Vector3D forward, LanePosition at)
+    private string EdgesAt(Vector3D centre, Vector3D forward, LanePosition here)
+    {
+        (double Offset, bool IsPainted)[] boundaries = BoundariesAt(centre, forward, here);
+        double[] measured = [.. Crossings(_measured, centre, Along(forward, here))];
+        bool IsMeasured(double offset) => Array.Exists(measured, line => Math.Abs(line - offset) <= SameLine);
+        (double Offset, bool IsPainted)[] outer = [boundaries[0], boundaries[^1]];
+        return !Array.TrueForAll(outer, edge => edge.IsPainted) ? "an edge is not painted"
+            : Array.TrueForAll(outer, edge => IsMeasured(edge.Offset)) ? "both measured"
+            : "painted, not measured";
+    }
+
+    /// <summary>Direction of the road on the ground.</summary>
+    private static Vector2D Along(Vector3D forward, LanePosition at)
     {
         double sin = Math.Sin(at.AngleToRoad);
         double cos = Math.Cos(at.AngleToRoad);
         double length = Math.Sqrt((forward.X * forward.X) + (forward.Y * forward.Y));
-        var along = new Vector2D(((forward.X * cos) - (forward.Y * sin)) / length, ((forward.X * sin) + (forward.Y * cos)) / length);
-        double[] painted = [.. Crossings(place, along)];
+        return new Vector2D(((forward.X * cos) - (forward.Y * sin)) / length, ((forward.X * sin) + (forward.Y * cos)) / length);
+    }
+
+    private static double[] Offsets((double Offset, bool IsPainted)[] boundaries) => [.. boundaries.Select(boundary => boundary.Offset)];
+
+    /// <summary>The true boundaries of the lanes of the car's direction, metres to the right of a place.</summary>
+    private (double Offset, bool IsPainted)[] BoundariesAt(Vector3D place, Vector3D forward, LanePosition at)
+    {
+        double[] painted = [.. Crossings(_paint, place, Along(forward, at))];
         double inset = (MaxInset * at.LaneWidth) + FacetMetres;
         return
         [
@@ -146,19 +172,24 @@ internal sealed class LaneJudge
                     painted
                         .Where(offset => Math.Abs(offset - edge) <= inset)
                         .OrderBy(offset => Math.Abs(offset - edge))
-                        .DefaultIfEmpty(edge)
+                        .Select(offset => (offset, true))
+                        .DefaultIfEmpty((edge, false))
                         .First()
                 ),
         ];
     }
 
     /// <summary>Where painted lines cross the straight line across the road, metres to the right of a place.</summary>
-    private IEnumerable<double> Crossings(Vector3D place, Vector2D along)
+    private static IEnumerable<double> Crossings(
+        ILookup<(int X, int Y), (Vector3D From, Vector3D To)> lines,
+        Vector3D place,
+        Vector2D along
+    )
     {
         (int x, int y) = CellOf(place);
         for (int i = 0; i < 25; i++)
         {
-            foreach ((Vector3D from, Vector3D to) in _paint[(x + (i % 5) - 2, y + (i / 5) - 2)])
+            foreach ((Vector3D from, Vector3D to) in lines[(x + (i % 5) - 2, y + (i / 5) - 2)])
             {
                 var segment = new Vector2D(to.X - from.X, to.Y - from.Y);
                 var start = new Vector2D(from.X - place.X, from.Y - place.Y);
@@ -209,6 +240,16 @@ internal sealed class LaneJudge
         double[] sorted = [.. errors.Where(e => !onlyPaint || e.Source == LaneWidthSource.Paint).Select(e => e.Error).Order()];
         return sorted.Length == 0 ? double.NaN : sorted[(int)(share * (sorted.Length - 1))];
     }
+
+    private static ILookup<(int X, int Y), (Vector3D From, Vector3D To)> Segments(IEnumerable<PaintedLine> lines) =>
+        lines
+            .SelectMany(line => Enumerable.Range(0, line.Points.Count - 1).Select(i => (line.Points[i].World, line.Points[i + 1].World)))
+            .ToLookup(segment => CellOf(segment.Item1));
+
+    private static void Count(SortedDictionary<string, int> counts, string key) => counts[key] = counts.GetValueOrDefault(key) + 1;
+
+    private static string Shares(SortedDictionary<string, int> counts) =>
+        string.Join(", ", counts.Select(count => $"{count.Key} {100.0 * count.Value / counts.Values.Sum():0} %"));
 
     private static (int X, int Y) CellOf(Vector3D place) => ((int)Math.Floor(place.X / Cell), (int)Math.Floor(place.Y / Cell));
 }

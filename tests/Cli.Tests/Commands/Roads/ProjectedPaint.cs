@@ -13,7 +13,7 @@ internal sealed class ProjectedPaint
     private const double Furthest = 50;
 
     /// <summary>What is nearer is below the image, metres.</summary>
-    private const double Nearest = 1;
+    private const double LeastDepth = 1;
 
     private readonly List<(Vector2D From, Vector2D To, double Depth)> _segments = [];
 
@@ -25,16 +25,20 @@ internal sealed class ProjectedPaint
             {
                 Vector3D from = camera.Pose.ToLocal(line.Points[i].World);
                 Vector3D to = camera.Pose.ToLocal(line.Points[i + 1].World);
-                if (from.Y > Nearest && to.Y > Nearest && from.Y < 2 * Furthest)
+                if (Math.Max(from.Y, to.Y) > LeastDepth && from.Y < 2 * Furthest)
                 {
+                    (from, to) = (Clipped(from, to), Clipped(to, from));
                     _segments.Add((Pixel(camera, from), Pixel(camera, to), (from.Y + to.Y) / 2));
                 }
             }
         }
     }
 
-    /// <summary>Distance of a pixel from the nearest paint, pixels; null if that is farther than 50 m from the camera.</summary>
-    public double? Distance(Vector2D pixel)
+    /// <summary>
+    /// Distance of a pixel from the nearest paint, pixels, and depth of the latter, metres; null if that is farther than 50 m from the
+    /// camera.
+    /// </summary>
+    public (double Pixels, double Depth)? Nearest(Vector2D pixel)
     {
         double least = double.PositiveInfinity;
         double depth = double.PositiveInfinity;
@@ -49,8 +53,12 @@ internal sealed class ProjectedPaint
             }
         }
 
-        return depth <= Furthest ? least : null;
+        return depth <= Furthest ? (least, depth) : null;
     }
+
+    /// <summary>An end of a segment, or where the segment comes as near as is visible.</summary>
+    private static Vector3D Clipped(Vector3D end, Vector3D other) =>
+        end.Y >= LeastDepth ? end : end + ((other - end) * ((LeastDepth - end.Y) / (other.Y - end.Y)));
 
     private static Vector2D Pixel(CameraLabel camera, Vector3D local) =>
         new(camera.Cx + (camera.Fx * local.X / local.Y), camera.Cy - (camera.Fy * local.Z / local.Y));

@@ -34,9 +34,9 @@ public sealed class EdgeSurveyTests : IDisposable
         LaneModel lanes = new(Surveyed(new FakeRoadSource(Street()) { LaneWidth = LaneWidth, ReportedEdge = sides => sides.Mirrored }));
 
         // 2 lanes there and 1 back, with 2 m between: 1 + 2 · 4.6 on the side of one lane would be a lane of 9.2 m.
-        Assert.Equal((RoadGeometry.LaneWidth, LaneWidthSource.Constant), lanes.WidthOf(0, isForward: true));
+        Assert.Equal((RoadGeometry.LaneWidth, LaneWidthSource.Constant), lanes.WidthOf(0, isForward: true, station: 0));
         // A one-way road has the same on both sides, whether mirrored or not.
-        Assert.Equal(LaneWidthSource.Calibrated, lanes.WidthOf(1, isForward: true).Source);
+        Assert.Equal(LaneWidthSource.Calibrated, lanes.WidthOf(1, isForward: true, station: 0).Source);
     }
 
     [Fact]
@@ -189,7 +189,7 @@ public sealed class EdgeSurveyTests : IDisposable
             Enumerable.Range(0, 3),
             link =>
             {
-                (double width, LaneWidthSource source) = lanes.WidthOf(link, isForward: true);
+                (double width, LaneWidthSource source) = lanes.WidthOf(link, isForward: true, station: 0);
                 Assert.Equal(LaneWidthSource.Calibrated, source);
                 Assert.Equal(LaneWidth, width, rounding);
             }
@@ -199,7 +199,11 @@ public sealed class EdgeSurveyTests : IDisposable
     private static void AssertConstant(RoadNetwork found) =>
         Assert.All(
             Enumerable.Range(0, 3),
-            link => Assert.Equal((RoadGeometry.LaneWidth, LaneWidthSource.Constant), new LaneModel(found).WidthOf(link, isForward: true))
+            link =>
+                Assert.Equal(
+                    (RoadGeometry.LaneWidth, LaneWidthSource.Constant),
+                    new LaneModel(found).WidthOf(link, isForward: true, station: 0)
+                )
         );
 
     /// <summary>
