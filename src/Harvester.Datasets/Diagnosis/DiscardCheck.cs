@@ -107,6 +107,10 @@ internal static class DiscardCheck
                 "The game skipped frames of a live harvest.",
                 "Lower the graphics settings or Rate under [Harvest], or harvest with Mode = Freeze."
             ),
+            "groundNotLoaded" or "vehicleNotPlaced" => (
+                "The survey of paint left places out, where the game loaded no ground or the vehicle did not stand.",
+                "Start it again by its key: it photographs what is left."
+            ),
             _ => ($"Frames were discarded for the reason {reason}.", "docs/dataset-format.md lists the reasons."),
         };
 }

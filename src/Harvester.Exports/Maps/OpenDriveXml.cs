@@ -30,7 +30,7 @@ internal sealed class OpenDriveXml(Stream stream) : IDisposable
         _xml.WriteStartElement(name);
         foreach ((string attribute, string value) in attributes)
         {
-            _xml.WriteAttributeString(attribute, value);
+            _xml.WriteAttributeString(attribute, Valid(value));
         }
     }
 
@@ -45,6 +45,12 @@ internal sealed class OpenDriveXml(Stream stream) : IDisposable
     /// <summary>A polynomial a + b ds from a station on.</summary>
     public void Polynomial(string name, double station, double a, double b) =>
         Element(name, ("s", Text(station)), ("a", Text(a)), ("b", Text(b)), ("c", "0"), ("d", "0"));
+
+    /// <summary>The text with a replacement character for each that XML does not allow.</summary>
+    private static string Valid(string text) =>
+        string.Concat(
+            text.EnumerateRunes().Select(rune => rune.IsBmp && !XmlConvert.IsXmlChar((char)rune.Value) ? Rune.ReplacementChar : rune)
+        );
 
     public void Dispose() => _xml.Dispose();
 }

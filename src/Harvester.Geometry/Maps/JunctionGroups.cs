@@ -45,6 +45,12 @@ internal sealed class JunctionGroups
             }
         }
 
+        FindJunctions();
+        LeaveRoom(curves);
+    }
+
+    private void FindJunctions()
+    {
         foreach (IGrouping<int, int> nodes in _group.Select((_, node) => node).GroupBy(GroupOf))
         {
             if (nodes.Count() > 1 || JunctionExtents.IsJunction(_network, nodes.Key))
@@ -63,10 +69,32 @@ internal sealed class JunctionGroups
     /// <summary>The least node of the junction that a node belongs to; null if it belongs to none.</summary>
     public int? JunctionOf(int node) => _junctions.Contains(GroupOf(node)) ? GroupOf(node) : null;
 
+    /// <summary>
+    /// Leaves room for ways at the nodes that are part of a junction because short links connect them to it: no junction by themselves,
+    /// they have no extent.
+    /// </summary>
+    private void LeaveRoom(RoadCurves curves)
+    {
+        for (int link = 0; link < _trims.Length; link++)
+        {
+            double length = curves.Of(link).Length;
+            double room = Math.Min(MinReach, MaxFraction * length);
+            (double fromStart, double fromEnd) = _trims[link];
+            double longerStart = JunctionOf(_network.Links[link].From) is null ? fromStart : Math.Max(fromStart, room);
+            double longerEnd = JunctionOf(_network.Links[link].To) is null ? fromEnd : Math.Max(fromEnd, room);
+            if (length - longerStart - longerEnd >= MinRest)
+            {
+                _trims[link] = (longerStart, longerEnd);
+            }
+        }
+    }
+
     private int GroupOf(int node)
     {
         while (_group[node] != node)
         {
+            // Halves the path to the first node of the group.
+            _group[node] = _group[_group[node]];
             node = _group[node];
         }
 

@@ -11,6 +11,12 @@ internal sealed class LaneNetworkBuilder
     /// <summary>How far the line between two points may leave the curve, metres.</summary>
     private const double MaxSagitta = 0.005;
 
+    /// <summary>The greatest number of pieces of a lane: links of more than 8 km have longer ones.</summary>
+    private const int MaxSteps = 2000;
+
+    /// <summary>Lanes closer together than this have no way between them, metres.</summary>
+    private const double MinWay = 0.01;
+
     /// <summary>Pieces in which the bend of a curve is summed.</summary>
     private const int BendPieces = 8;
 
@@ -243,7 +249,8 @@ internal sealed class LaneNetworkBuilder
             before = now;
         }
 
-        return (int)Math.Ceiling(Math.Max(Math.Max(1, length / MaxStep), Math.Sqrt(length * bend / (8 * MaxSagitta))));
+        double steps = Math.Max(length / MaxStep, Math.Sqrt(length * bend / (8 * MaxSagitta)));
+        return (int)Math.Max(1, Math.Min(MaxSteps, Math.Ceiling(steps)));
     }
 
     private static Vector2D Unit(Vector2D vector) => vector.Length > 0 ? vector * (1 / vector.Length) : new Vector2D(0, 1);

@@ -82,11 +82,12 @@ public static class PaintedSections
         bool isConfirmed
     )
     {
-        int steps = Math.Max(1, (int)Math.Ceiling(length / SectionStep));
+        // A link between two nodes at one place has one section.
+        int steps = (int)Math.Ceiling(length / SectionStep);
         var sections = new List<(double Station, MeasuredSection Section)>();
         for (int i = 0; i <= steps; i++)
         {
-            double station = length * i / steps;
+            double station = steps == 0 ? 0 : length * i / steps;
             double along = isForward ? station : length - station;
             if (Completed(own.At(along), isConfirmed, other is null ? null : MeanWidth(other.At(length - along))) is { } section)
             {

@@ -11,6 +11,9 @@ public sealed class StationPlan
     /// <summary>Distance ahead below which a picture is placed above the row itself, metres.</summary>
     private const double LeastAhead = 1;
 
+    /// <summary>Links that are followed ahead: more than lie in half of a picture.</summary>
+    private const int MaxLinks = 100;
+
     private readonly PaintRoads _roads;
     private readonly SurveyFootprint _footprint;
     private readonly SurveyStrips _strips;
@@ -128,12 +131,14 @@ public sealed class StationPlan
         RoadCurves curves = _roads.Curves;
         double offset = _strips.MiddleOf(link, strip) * (isForward ? 1 : -1);
         double station = _roads.StationOf(link, row);
-        while (true)
+        for (int links = 1; ; links++)
         {
             RoadCurve curve = curves.Of(link);
             double left = isForward ? curve.Length - station : station;
             int next = curves.Continuations.Of(link, isForward);
-            if (metres <= left || next == RoadContinuations.None)
+
+            // Links without a length can be a ring.
+            if (metres <= left || next == RoadContinuations.None || links == MaxLinks)
             {
                 double parameter = curve.ParameterAt(station + (Math.Min(metres, left) * (isForward ? 1 : -1)));
                 return new SurveyStation(

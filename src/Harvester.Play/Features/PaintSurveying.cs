@@ -111,7 +111,12 @@ public sealed class PaintSurveying : ILastingFeature
                 double aspect = _game.World.ReadCamera().WindowAspect;
                 SurveyView view = _view = new SurveyView(SurveyView.ImageFor(aspect), _harvest.Options.Lens, MetresPerPixel);
                 Vector3D place = Place();
-                _preparing = Task.Run(() => PreparedSurvey.Of(_roadFile, _folder, view, place, RangeMetres));
+                _preparing = Task.Run(() =>
+                    PreparedSurvey.Of(_roadFile, _folder, view, place, RangeMetres) with
+                    {
+                        Folder = SessionPlace.NewIn(_folder, "paint"),
+                    }
+                );
             }
         }
     }
@@ -172,13 +177,20 @@ public sealed class PaintSurveying : ILastingFeature
             return;
         }
 
+        if (_harvest.IsOn || _harvest.IsBusy)
+        {
+            _mount.Stop();
+            _messages.Tell("The survey of paint cannot begin: a harvest was started meanwhile. End it first.");
+            return;
+        }
+
         string earlier = survey.Earlier > 0 ? $", after {survey.Earlier} of earlier surveys" : string.Empty;
         _messages.Tell(
             $"The survey of paint takes {Counted.Of(pictures, "picture")}{earlier}, in about "
                 + $"{SurveyDuration.Text(pictures, SurveyDuration.UsualSecondsPerPicture)}. Stay in the vehicle; the same key stops it."
         );
         var tour = new PaintTour(_game with { Roads = null, Paint = null }, _car, survey.Plan.Stations, _view!, Times);
-        _harvest.StartIn(SessionPlace.NewIn(_folder, "paint"), SurveyOptions.Of(_harvest.Options, _view!), tour);
+        _harvest.StartIn(survey.Folder, SurveyOptions.Of(_harvest.Options, _view!), tour);
         if (_harvest.IsOn)
         {
             _survey = survey;

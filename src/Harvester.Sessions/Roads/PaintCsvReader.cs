@@ -19,8 +19,8 @@ public sealed class PaintCsvReader
     /// <summary>Maximum number of lines in a file, which take about 400 MB of memory: forty for each of GTA V's 72,000 links.</summary>
     private const int MaxLines = 3_000_000;
 
-    /// <summary>Maximum number of stop lines and crossings: more than ten for each of GTA V's links.</summary>
-    private const int MaxMarks = 1_000_000;
+    /// <summary>Maximum number of stop lines and crossings, which take up to 150 MB: more than one for each of GTA V's links.</summary>
+    private const int MaxMarks = 100_000;
 
     /// <summary>Least and greatest number of corners of a mark.</summary>
     private const int MinCorners = 3;

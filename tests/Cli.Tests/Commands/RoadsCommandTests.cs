@@ -190,6 +190,24 @@ public sealed class RoadsCommandTests : IDisposable
         CliRun.Of("roads", "map", from, "--out", _folder.PathOf("map.xodr")).AssertFailed(2, "The road data has no roads to draw.");
     }
 
+    [Fact]
+    public void Photograph_without_a_node_reports_that_there_are_no_roads()
+    {
+        string from = _folder.File("roads.csv", "harvester roads,1\nend,0,0\n");
+
+        CliRun.Of("roads", "photograph", "--roads", from, "--out", _folder.PathOf("out")).AssertFailed(2, "The road data has no roads");
+    }
+
+    [Fact]
+    public void Map_of_endless_lanes_is_refused()
+    {
+        string nodes = "node,0,0,-90000,0,0,,,,\nnode,0,1,90000,0,0,,,,\n";
+        string links = string.Concat(Enumerable.Repeat("link,0,1,7,7,0,,180000\n", 10));
+        string from = _folder.File("roads.csv", $"harvester roads,1\n{nodes}{links}end,2,10\n");
+
+        CliRun.Of("roads", "map", from, "--out", _folder.PathOf("map.xodr")).AssertFailed(2, "km of lanes; a map takes 10000 km at most.");
+    }
+
     [Theory]
     [InlineData("--area=-0.01,0,0.01,0.1", "0.00625")] // 0.1 m on 16 pixels
     [InlineData("--area=-10,0,10,40", "2.5")] // 40 m

@@ -10,7 +10,7 @@ namespace Harvester.Exports.Tests.Maps;
 /// <summary>The OpenDRIVE file of a town, read by a reader of its own and compared with the lane map.</summary>
 public sealed class OpenDriveMapTests
 {
-    /// <summary>What issue 41 allows between the file's lanes and the map's, metres.</summary>
+    /// <summary>What is allowed between the file's lanes and the map's, metres.</summary>
     private const double MaxDeviation = 0.05;
 
     /// <summary>What it allows between lanes that follow each other, metres.</summary>
@@ -68,6 +68,22 @@ public sealed class OpenDriveMapTests
             );
             Assert.All(next, successor => Assert.InRange((EndOf(lane) - StartOf(successor)).Length, 0, MaxGap));
         }
+    }
+
+    [Fact]
+    public void Street_names_that_xml_does_not_allow_are_written()
+    {
+        var network = new RoadNetwork(
+            [
+                new RoadNode(1, 0, new Vector3D(0, 0, 0), "A\u0001\ud800B", RoadNodeFlags.None),
+                new RoadNode(1, 1, new Vector3D(50, 0, 0), string.Empty, RoadNodeFlags.None),
+            ],
+            [new RoadLink(0, 1, 1, 1, null, RoadLinkFlags.None)]
+        );
+
+        XElement file = Read(LaneNetwork.Of(new RoadCurves(network), new LaneModel(network)));
+
+        Assert.Equal("A\ufffd\ufffdB", file.Element("road")!.Attribute("name")!.Value);
     }
 
     [Fact]

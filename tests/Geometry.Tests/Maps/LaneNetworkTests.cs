@@ -77,6 +77,17 @@ public sealed class LaneNetworkTests
         Assert.Equal(["7:0-7:1/b1"], map.Find("7:2-7:1/f1")!.Successors.Select(lane => lane.Id));
     }
 
+    [Fact]
+    public void Nodes_at_one_place_leave_no_way_without_a_length()
+    {
+        LaneNetwork map = MapOf([new(0, 0, 0), new(50, 0, 0), new(50, 0, 0), new(100, 0, 0)], [(0, 1, 1), (1, 2, 1), (2, 3, 1)]);
+
+        Assert.NotEmpty(map.Lanes);
+        Assert.All(map.Lanes, lane => Assert.True((lane.Centre[^1] - lane.Centre[0]).Length > 0));
+        Assert.All(map.Lanes.SelectMany(lane => lane.Centre), point => Assert.True(double.IsFinite(point.X) && double.IsFinite(point.Y)));
+        Assert.NotEmpty(map.Find("7:0-7:1/f0")!.Successors);
+    }
+
     private static LaneNetwork Crossing(int lanes, bool isReversed = false)
     {
         (int, int, int)[] links = [(1, 0, lanes), (2, 0, lanes), (3, 0, lanes), (4, 0, lanes)];

@@ -114,6 +114,25 @@ public sealed class PaintedSectionsTests
     }
 
     [Fact]
+    public void Link_without_a_length_has_the_lanes_of_its_neighbours()
+    {
+        RoadNode[] nodes =
+        [
+            .. new double[] { 0, 40, 40, 80 }.Select((y, i) => new RoadNode(0, i, new Vector3D(0, y, i), string.Empty, RoadNodeFlags.None)),
+        ];
+        var network = new RoadNetwork(
+            nodes,
+            [.. Enumerable.Range(0, 3).Select(i => new RoadLink(i, i + 1, 1, 1, null, RoadLinkFlags.None))]
+        );
+        var table = new PaintTable(network, [Painted(0, (-3.5, White), (0.2, Dashed), (4.2, White))]);
+
+        IReadOnlyDictionary<(int Link, bool), MeasuredLanes> lanes = PaintedSections.Of(table, new RoadCurves(network));
+
+        Assert.Equal(4, lanes[(0, true)].At(20).Section.LaneWidth, 9);
+        Assert.All(lanes.Values, each => Assert.True(double.IsFinite(each.At(0).LeftEdge)));
+    }
+
+    [Fact]
     public void Boundaries_follow_their_lines_along_the_link()
     {
         // The edge moves from 3.5 to 3.9 m, 1 cm a metre; the line between the directions stays.

@@ -73,6 +73,21 @@ public sealed class StationPlanTests
     }
 
     [Fact]
+    public void Ring_of_links_without_a_length_is_left()
+    {
+        var network = new RoadNetwork(
+            [Node(0, 0, 0), Node(1, 0, 40), Node(2, 0, 40)],
+            [
+                new RoadLink(0, 1, 1, 1, 0, RoadLinkFlags.None),
+                new RoadLink(1, 2, 1, 1, 0, RoadLinkFlags.None),
+                new RoadLink(2, 1, 1, 1, 0, RoadLinkFlags.None),
+            ]
+        );
+
+        Assert.NotEmpty(Of(network).Stations);
+    }
+
+    [Fact]
     public void Network_without_roads_has_no_station() => Assert.Empty(Of(new RoadNetwork([], [])).Stations);
 
     [Theory]

@@ -10,7 +10,7 @@ namespace Harvester.Simulation.Tests.Maps;
 /// <summary>The lane map of a town's road data, compared with the lanes on which its traffic drives.</summary>
 public sealed class LaneNetworkTests(ITestOutputHelper output)
 {
-    /// <summary>The deviation that issue 41 allows, metres.</summary>
+    /// <summary>The deviation that is allowed, metres.</summary>
     private const double MaxDeviation = 0.05;
 
     /// <summary>Lanes of one road lie farther apart than this, metres.</summary>

@@ -35,6 +35,9 @@ internal static class RoadsMapCommand
     private const int DefaultSize = 2000;
     private const int MaxSize = 20_000;
 
+    /// <summary>Length of all lanes of a map, metres: several times GTA V's.</summary>
+    private const double MaxLaneMetres = 10_000_000;
+
     // The limit of Math.Round.
     private const int MaxDecimals = 15;
 
@@ -119,6 +122,16 @@ internal static class RoadsMapCommand
 
     private static LaneNetwork LanesOf(RoadNetwork network, double laneWidth, double narrowLaneWidth, FileInfo? paint)
     {
+        double metres = network.Links.Sum(link => (link.LanesForward + link.LanesBackward) * LengthOf(network, link));
+        if (metres > MaxLaneMetres)
+        {
+            throw new UsageException(
+                FormattableString.Invariant(
+                    $"The road data has {metres / 1000:0} km of lanes; a map takes {MaxLaneMetres / 1000:0} km at most."
+                )
+            );
+        }
+
         var curves = new RoadCurves(network);
         PaintTable? table = paint is null ? null : PaintFile.Read(paint.FullName, network);
         var map = LaneNetwork.Of(
@@ -127,6 +140,9 @@ internal static class RoadsMapCommand
         );
         return map.Lanes.Count > 0 ? map : throw new UsageException(NoRoads);
     }
+
+    private static double LengthOf(RoadNetwork network, RoadLink link) =>
+        (network.Nodes[link.To].Position - network.Nodes[link.From].Position).Length;
 
     private static void WriteLanes(LaneNetwork lanes, RoadMapFormat format, string name, Stream stream)
     {

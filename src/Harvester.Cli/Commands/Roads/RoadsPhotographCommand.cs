@@ -7,6 +7,7 @@ using Harvester.Datasets.Roads;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
+using Harvester.Runs.Faults;
 using Harvester.Runs.Harvesting;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
@@ -123,6 +124,11 @@ internal sealed class RoadsPhotographCommand
         int seed = parsed.GetValue(_seed);
         string? roads = parsed.GetValue(_roads)?.FullName;
         RoadNetwork network = roads is null ? TownBuilder.Build(seed) : RoadImporter.Import(roads).Network;
+        if (network.Nodes.Count == 0)
+        {
+            throw new UsageException("The road data has no roads to photograph.");
+        }
+
         Vector2D near = parsed.GetValue(_near) ?? SimulatedSurvey.MiddleOf(network);
         var options = new HarvestOptions();
         var view = new SurveyView(SurveyView.ImageFor(WindowAspect), options.Lens, parsed.GetValue(_metresPerPixel));

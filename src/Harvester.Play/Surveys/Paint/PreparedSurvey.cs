@@ -11,6 +11,9 @@ namespace Harvester.Play.Surveys.Paint;
 /// <param name="Earlier">Number of pictures of earlier surveys.</param>
 public sealed record PreparedSurvey(StationPlan Plan, int Earlier)
 {
+    /// <summary>The folder of its session, which is not there yet.</summary>
+    public string Folder { get; init; } = "";
+
     /// <summary>Reads the roads and the earlier pictures, and plans those that are left. It takes a while: for another thread.</summary>
     /// <param name="roadFile">The file of the roads.</param>
     /// <param name="folder">The folder of the sessions of all surveys of paint.</param>

@@ -34,8 +34,8 @@ public sealed class PaintFromAboveTests(ITestOutputHelper output) : IDisposable
 
     private const double WindowAspect = 16.0 / 9;
 
-    /// <summary>A week in which the game runs while no one plays.</summary>
-    private const double MaxNights = 7;
+    /// <summary>"In nights" is more than one.</summary>
+    private const double MaxNights = 2;
     private const double HoursOfNight = 8;
 
     private readonly TemporaryFolder _folder = new();

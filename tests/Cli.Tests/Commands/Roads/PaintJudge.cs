@@ -51,6 +51,7 @@ internal sealed class PaintJudge
         _paint = painted
             .SelectMany(line => Enumerable.Range(0, line.Points.Count - 1).Select(i => (line, i)))
             .ToLookup(segment => CellOf(segment.line.Points[segment.i].World));
+        _falseEnds.Clear();
         foreach (LinkPaint link in table.Links)
         {
             RoadMetres += link.SeenTo - link.SeenFrom;
