@@ -50,7 +50,10 @@ class Picture:
         raw = b"".join(b"\0" + row.translate(level) for row in self.rows)
         head = struct.pack(">IIBBBBB", self.width, self.height, 8, 2, 0, 0, 0)
         parts = [(b"IHDR", head), (b"IDAT", zlib.compress(raw, 9)), (b"IEND", b"")]
-        chunks = [struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body)) for name, body in parts]
+        chunks = [
+            struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))
+            for name, body in parts
+        ]
         path.write_bytes(b"\x89PNG\r\n\x1a\n" + b"".join(chunks))
 
     def at(self, x, y):
@@ -101,7 +104,11 @@ class View:
     def pixel(self, place):
         right, forward, up = self.local(place)
         camera = self.camera
-        return (camera["cx"] + camera["fx"] * right / forward, camera["cy"] - camera["fy"] * up / forward) if forward > 1 else None
+        return (
+            (camera["cx"] + camera["fx"] * right / forward, camera["cy"] - camera["fy"] * up / forward)
+            if forward > 1
+            else None
+        )
 
     def on_link(self, link, station, offset):
         a, b = link["from"], link["to"]
@@ -124,9 +131,17 @@ def stripes(profile):
     for i in range(FLANK, len(profile) - FLANK):
         edges[i] = (sum(profile[i : i + FLANK]) - sum(profile[i - FLANK : i])) / FLANK
     least = 0.12 * sum(profile) / len(profile)
-    peaks = [i for i in range(1, len(edges) - 1) if abs(edges[i]) >= least and abs(edges[i - 1]) <= abs(edges[i]) > abs(edges[i + 1])]
+    peaks = [
+        i
+        for i in range(1, len(edges) - 1)
+        if abs(edges[i]) >= least and abs(edges[i - 1]) <= abs(edges[i]) > abs(edges[i + 1])
+    ]
     pairs = zip(peaks, peaks[1:])
-    return [(a, b) for a, b in pairs if edges[a] > 0 > edges[b] and 0.06 <= (b - a) * CELL <= 0.36 and 0.4 < -edges[a] / edges[b] < 2.5]
+    return [
+        (a, b)
+        for a, b in pairs
+        if edges[a] > 0 > edges[b] and 0.06 <= (b - a) * CELL <= 0.36 and 0.4 < -edges[a] / edges[b] < 2.5
+    ]
 
 
 def read_table(path):

@@ -200,7 +200,7 @@ public sealed class PaintSurveyTests
     /// <summary>A screen that says when it is grabbed.</summary>
     private sealed class WatchedScreen : IScreen
     {
-        public IScreen? Inner { get; set; }
+        public TestScreen? Inner { get; set; }
 
         public Action OnGrab { get; set; } = static () => { };
 

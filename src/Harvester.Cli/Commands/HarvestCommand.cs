@@ -4,17 +4,12 @@ using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Outputs;
-using Harvester.Datasets.Statistics;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
-using Harvester.Reports.Sessions;
 using Harvester.Runs.Harvesting;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
-using Harvester.Sessions.Reading;
-using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;
 

@@ -191,7 +191,12 @@ internal sealed class LaneNetworkBuilder
     private MapJunction JunctionOf(int node, List<int> nodes, JunctionArm[] arms)
     {
         int number = _junctions[node];
-        MapLane[] ways = [.. arms.SelectMany(arm => TurnRules.WaysFrom(arm, arms)).Select(way => Way(number, way.From, way.To, way.Turn))];
+        MapLane[] ways =
+        [
+            .. arms.SelectMany(arm => TurnRules.WaysFrom(arm, arms))
+                .Where(way => (way.To.Centre[0] - way.From.Centre[way.From.Centre.Count - 1]).Length > MinWay)
+                .Select(way => Way(number, way.From, way.To, way.Turn)),
+        ];
         return new MapJunction(_names.Junction(node), nodes, ways);
     }
 

@@ -1,4 +1,3 @@
-using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Surveys;
 using Harvester.Geometry;

@@ -1,6 +1,5 @@
 using Harvester.Cli.Terminals;
 using Harvester.Cli.Tests.Repetition;
-using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;

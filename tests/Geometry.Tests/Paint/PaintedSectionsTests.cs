@@ -23,7 +23,7 @@ public sealed class PaintedSectionsTests
     [Fact]
     public void Directions_share_the_line_between_them()
     {
-        IReadOnlyDictionary<(int, bool), MeasuredSection> sections = Sections(1, 1, (-3.5, White), (0.2, Dashed), (4.2, White));
+        Dictionary<(int, bool), MeasuredSection> sections = Sections(1, 1, (-3.5, White), (0.2, Dashed), (4.2, White));
 
         // Backward, the same lines lie at -4.2, -0.2 and 3.5.
         Assert.Equal((0.2, 4), Rounded(sections[(0, true)]));
@@ -47,7 +47,7 @@ public sealed class PaintedSectionsTests
         MeasuredSection oneWay = Sections(3, 0, (-5, Yellow), (-1.6, Dashed), (2.1, Dashed), (5.1, White))[(0, true)];
         Assert.Equal([3.4, 3.7, 3], oneWay.Section.LaneWidths!.Select(width => Math.Round(width, 9)));
 
-        IReadOnlyDictionary<(int, bool), MeasuredSection> sections = Sections(
+        Dictionary<(int, bool), MeasuredSection> sections = Sections(
             1,
             2,
             (-8.4, White),
@@ -163,7 +163,7 @@ public sealed class PaintedSectionsTests
     public void Lane_of_one_boundary_is_as_wide_as_the_oncoming_one()
     {
         // The right edge is not painted; backward, the lane is 3.7 m wide.
-        IReadOnlyDictionary<(int, bool), MeasuredSection> sections = Sections(1, 1, (-3.5, White), (0.2, Dashed));
+        Dictionary<(int, bool), MeasuredSection> sections = Sections(1, 1, (-3.5, White), (0.2, Dashed));
 
         Assert.Equal((0.2, 3.7), Rounded(sections[(0, true)]));
         Assert.False(sections[(0, true)].IsWhole);
@@ -197,7 +197,7 @@ public sealed class PaintedSectionsTests
     private static (double Width, LaneWidthSource Source) Rounded((double Width, LaneWidthSource Source) width) =>
         (Math.Round(width.Width, 9), width.Source);
 
-    private static IReadOnlyDictionary<(int Link, bool IsForward), MeasuredSection> Sections(
+    private static Dictionary<(int Link, bool IsForward), MeasuredSection> Sections(
         int lanesForward,
         int lanesBackward,
         params (double Offset, MarkingPaint Paint)[] lines

@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Windows.Forms;
 using GTA.Hosting;
 using Harvester.Geometry;
@@ -14,9 +13,8 @@ internal sealed class SoakPlay
     /// <summary>Small pictures and few rays, so that a tick costs little; all features are on their keys.</summary>
     private const string Ini =
         "[Bridge]\nKind = Folder\nFolder = out/bridge\nWidth = 40\nHeight = 30\nRecord = On\n"
-        + "[Harvest]\nMasks = {0}\nWidth = 160\nHeight = 120\nRate = 2\nOcclusionRays = 4\nRays = 200\nDriveLights = On\nFreeze = Auto\n"
-        + "ImageFormat = Bmp\n"
-        + PlanTests.Ini;
+        + "[Harvest]\nWidth = 160\nHeight = 120\nRate = 2\nOcclusionRays = 4\nRays = 200\nDriveLights = On\nFreeze = Auto\n"
+        + "ImageFormat = Bmp\nMasks = ";
 
     private static readonly string[] Masks = ["Off", "Coded"];
     private const double MillisecondsOfATick = 16;
@@ -61,7 +59,7 @@ internal sealed class SoakPlay
     }
 
     /// <summary>The settings of a soak: every second one hides objects for its masks.</summary>
-    public static string IniOf(int seed) => string.Format(CultureInfo.InvariantCulture, Ini, Masks[seed % Masks.Length]);
+    public static string IniOf(int seed) => $"{Ini}{Masks[seed % Masks.Length]}\n{PlanTests.Ini}";
 
     public void Tick()
     {

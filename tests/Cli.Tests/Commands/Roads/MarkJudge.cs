@@ -1,8 +1,6 @@
-using Harvester.Datasets.Roads;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Paint;
-using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
 
 namespace Harvester.Cli.Tests.Commands.Roads;
