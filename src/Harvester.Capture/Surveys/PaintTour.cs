@@ -19,7 +19,7 @@ public sealed class PaintTour : IFrameTour
     /// <summary>Objects farther from the vehicle than the picture reaches, by this much, are not hidden, metres: a lorry.</summary>
     private const double BeyondPicture = 15;
 
-    /// <summary>While the ground is missing, the vehicle falls; it is placed again in each of so many ticks.</summary>
+    /// <summary>Ticks after which the vehicle is placed again while the ground is missing, because it falls.</summary>
     private const int TicksBetweenPlacings = 10;
 
     /// <summary>Fraction of the picture's half length at which the ground must be loaded on the road ahead and behind.</summary>

@@ -28,19 +28,15 @@ public readonly record struct HermiteCurve(Vector3D Start, Vector3D End, Vector2
         }
     }
 
+    private Vector2D GroundStart => new(Start.X, Start.Y);
+
+    private Vector2D GroundEnd => new(End.X, End.Y);
+
     /// <summary>The point at a parameter, metres, world.</summary>
     public Vector3D PointAt(double parameter)
     {
-        // Hermite basis with s = 1 - t: s²(1 + 2t), t·s², t²(3 - 2t) and -t²·s.
-        double t = parameter;
-        double s = 1 - t;
-        (double start, double end) = (s * s * (1 + (2 * t)), t * t * (3 - (2 * t)));
-        (double atStart, double atEnd) = (t * s * s, -t * t * s);
-        return new Vector3D(
-            (Start.X * start) + (End.X * end) + (StartVelocity.X * atStart) + (EndVelocity.X * atEnd),
-            (Start.Y * start) + (End.Y * end) + (StartVelocity.Y * atStart) + (EndVelocity.Y * atEnd),
-            Start.Z + ((End.Z - Start.Z) * t)
-        );
+        Vector2D ground = GroundAt(parameter);
+        return new Vector3D(ground.X, ground.Y, HeightAt(parameter));
     }
 
     /// <summary>The derivative on the ground by the parameter, metres.</summary>
@@ -48,9 +44,7 @@ public readonly record struct HermiteCurve(Vector3D Start, Vector3D End, Vector2
     {
         double t = parameter;
         double s = 1 - t;
-        return (new Vector2D(End.X - Start.X, End.Y - Start.Y) * (6 * t * s))
-            + (StartVelocity * (s * (1 - (3 * t))))
-            + (EndVelocity * (t * ((3 * t) - 2)));
+        return ((GroundEnd - GroundStart) * (6 * t * s)) + (StartVelocity * (s * (1 - (3 * t)))) + (EndVelocity * (t * ((3 * t) - 2)));
     }
 
     /// <summary>A point on the ground beside the curve, at the curve's height, metres, world.</summary>
@@ -74,8 +68,24 @@ public readonly record struct HermiteCurve(Vector3D Start, Vector3D End, Vector2
     /// <summary>The same curve from its end to its start.</summary>
     public HermiteCurve Reversed() => new(End, Start, EndVelocity * -1, StartVelocity * -1);
 
-    // Gauss quadrature with three points, exact up to degree five.
-    private double LengthBetween(double from, double to)
+    internal Vector2D GroundAt(double t)
+    {
+        // Hermite basis with s = 1 - t: s²(1 + 2t), t·s², t²(3 - 2t) and -t²·s.
+        double s = 1 - t;
+        return (GroundStart * (s * s * (1 + (2 * t))))
+            + (StartVelocity * (t * s * s))
+            + (GroundEnd * (t * t * (3 - (2 * t))))
+            - (EndVelocity * (t * t * s));
+    }
+
+    internal double HeightAt(double parameter) => Start.Z + ((End.Z - Start.Z) * parameter);
+
+    /// <summary>The second derivative on the ground by the parameter, metres.</summary>
+    internal Vector2D AccelerationAt(double t) =>
+        ((GroundEnd - GroundStart) * (6 - (12 * t))) + (StartVelocity * ((6 * t) - 4)) + (EndVelocity * ((6 * t) - 2));
+
+    /// <summary>Arc length between two parameters, by Gauss quadrature with three points, exact up to degree five.</summary>
+    internal double LengthBetween(double from, double to)
     {
         double middle = (from + to) / 2;
         double half = (to - from) / 2;

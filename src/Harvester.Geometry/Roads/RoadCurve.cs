@@ -18,12 +18,7 @@ public sealed class RoadCurve
     /// <summary>A Newton step of the parameter below this ends the search: 0.1 µm on a link of 100 m.</summary>
     private const double MinStep = 1e-9;
 
-    private readonly Vector2D _start;
-    private readonly Vector2D _end;
-    private readonly Vector2D _startTangent;
-    private readonly Vector2D _endTangent;
-    private readonly double _startHeight;
-    private readonly double _endHeight;
+    private readonly HermiteCurve _line;
     private readonly Vector2D _middle;
     private readonly double _radius;
     private readonly double[] _stations = new double[Pieces + 1];
@@ -35,20 +30,14 @@ public sealed class RoadCurve
     /// <param name="endDirection">Unit vector of the road's direction at the end.</param>
     internal RoadCurve(Vector3D start, Vector3D end, Vector2D startDirection, Vector2D endDirection)
     {
-        _start = new Vector2D(start.X, start.Y);
-        _end = new Vector2D(end.X, end.Y);
-        _startHeight = start.Z;
-        _endHeight = end.Z;
-
         // With end tangents of this length, the cubic best follows a circle through both ends: 2 chord / (1 + cos(bend / 2)).
         double halfBend = Math.Abs(Math.Atan2(startDirection.Cross(endDirection), startDirection.Dot(endDirection))) / 2;
-        double length = 2 * (_end - _start).Length / (1 + Math.Cos(halfBend));
-        _startTangent = startDirection * length;
-        _endTangent = endDirection * length;
+        double length = 2 * new Vector2D(end.X - start.X, end.Y - start.Y).Length / (1 + Math.Cos(halfBend));
+        _line = new HermiteCurve(start, end, startDirection * length, endDirection * length);
 
         for (int i = 1; i <= Pieces; i++)
         {
-            _stations[i] = _stations[i - 1] + LengthBetween((i - 1) / (double)Pieces, i / (double)Pieces);
+            _stations[i] = _stations[i - 1] + _line.LengthBetween((i - 1) / (double)Pieces, i / (double)Pieces);
         }
 
         // No point of the curve is farther than half its length from its middle along the arc.
@@ -59,34 +48,32 @@ public sealed class RoadCurve
     /// <summary>Arc length on the ground, metres.</summary>
     public double Length => _stations[Pieces];
 
+    private Vector2D Chord => new(_line.End.X - _line.Start.X, _line.End.Y - _line.Start.Y);
+
     /// <summary>The point at a parameter, metres, world.</summary>
-    public Vector3D PointAt(double parameter)
-    {
-        Vector2D ground = GroundAt(parameter);
-        return new Vector3D(ground.X, ground.Y, HeightAt(parameter));
-    }
+    public Vector3D PointAt(double parameter) => _line.PointAt(parameter);
 
     /// <summary>Unit vector of the direction on the ground, from start to end; the chord's if the derivative is zero.</summary>
     public Vector2D DirectionAt(double parameter)
     {
-        Vector2D velocity = VelocityAt(parameter);
+        Vector2D velocity = _line.VelocityAt(parameter);
         double speed = velocity.Length;
         if (speed > 0)
         {
             return velocity * (1 / speed);
         }
 
-        Vector2D chord = _end - _start;
+        Vector2D chord = Chord;
         return chord.Length > 0 ? chord * (1 / chord.Length) : new Vector2D(0, 1);
     }
 
     /// <summary>Curvature on the ground, 1/metres; positive where the road turns left from start to end.</summary>
     public double CurvatureAt(double parameter)
     {
-        Vector2D velocity = VelocityAt(parameter);
+        Vector2D velocity = _line.VelocityAt(parameter);
         double speed = velocity.Length;
         // κ = (p' × p'') / |p'|³.
-        return speed > 0 ? velocity.Cross(AccelerationAt(parameter)) / (speed * speed * speed) : 0;
+        return speed > 0 ? velocity.Cross(_line.AccelerationAt(parameter)) / (speed * speed * speed) : 0;
     }
 
     /// <summary>The parameter at a station; stations beyond the ends are clamped.</summary>
@@ -113,8 +100,8 @@ public sealed class RoadCurve
 
         // Linear within the piece, then one Newton step: the arc length grows by the speed |p'| per unit of the parameter.
         double parameter = (piece - 1 + ((station - from) / (_stations[piece] - from))) / Pieces;
-        double speed = VelocityAt(parameter).Length;
-        double miss = station - from - LengthBetween((piece - 1) / (double)Pieces, parameter);
+        double speed = _line.VelocityAt(parameter).Length;
+        double miss = station - from - _line.LengthBetween((piece - 1) / (double)Pieces, parameter);
         return speed > 0 ? Clamp(parameter + (miss / speed)) : parameter;
     }
 
@@ -123,16 +110,16 @@ public sealed class RoadCurve
     {
         double clamped = Clamp(parameter);
         int piece = Math.Min((int)(clamped * Pieces), Pieces - 1);
-        return _stations[piece] + LengthBetween(piece / (double)Pieces, clamped);
+        return _stations[piece] + _line.LengthBetween(piece / (double)Pieces, clamped);
     }
 
     /// <summary>The parameter of the point of the curve closest to a position on the ground, within the link.</summary>
     /// <param name="place">Metres, world.</param>
     public double ClosestParameter(Vector2D place)
     {
-        Vector2D chord = _end - _start;
+        Vector2D chord = Chord;
         double square = chord.Dot(chord);
-        double parameter = square > 0 ? Clamp((place - _start).Dot(chord) / square) : 0;
+        double parameter = square > 0 ? Clamp((place - new Vector2D(_line.Start.X, _line.Start.Y)).Dot(chord) / square) : 0;
         double best = parameter;
         double bestSquare = double.PositiveInfinity;
         for (int i = 0; i <= NewtonSteps; i++)
@@ -146,10 +133,10 @@ public sealed class RoadCurve
             }
 
             // Minimises f(t) = |p(t) - place|² / 2 by Newton's method: f' = (p - place) · p', f'' = |p'|² + (p - place) · p''.
-            Vector2D velocity = VelocityAt(parameter);
+            Vector2D velocity = _line.VelocityAt(parameter);
             double slope = apart.Dot(velocity);
             double speedSquare = velocity.Dot(velocity);
-            double bend = speedSquare + apart.Dot(AccelerationAt(parameter));
+            double bend = speedSquare + apart.Dot(_line.AccelerationAt(parameter));
 
             // Where the distance is not convex because of the bend, the squared speed alone gives a safe step.
             double next = Clamp(parameter - (slope / (bend > 0 ? bend : Math.Max(speedSquare, double.Epsilon))));
@@ -175,9 +162,7 @@ public sealed class RoadCurve
     /// <summary>A part of the curve, as a curve of its own.</summary>
     /// <param name="from">Parameter where it begins.</param>
     /// <param name="to">Parameter where it ends, greater than <paramref name="from"/>.</param>
-    public HermiteCurve Between(double from, double to) =>
-        // With u from 0 to 1 for t from a to b, dp/du = (b - a) dp/dt; a part of a cubic is the cubic with these ends and derivatives.
-        new(PointAt(from), PointAt(to), VelocityAt(from) * (to - from), VelocityAt(to) * (to - from));
+    public HermiteCurve Between(double from, double to) => _line.Between(from, to);
 
     /// <summary>Whether every point of the curve is certainly farther than a distance from a position, by its bounding circle.</summary>
     internal bool IsBeyond(Vector2D place, double distance)
@@ -188,42 +173,14 @@ public sealed class RoadCurve
     }
 
     /// <summary>Mean rise from start to end, metres per metre along the curve; 0 if it has no length.</summary>
-    internal double Slope => Length > 0 ? (_endHeight - _startHeight) / Length : 0;
+    internal double Slope => Length > 0 ? (_line.End.Z - _line.Start.Z) / Length : 0;
 
-    internal double HeightAt(double parameter) => _startHeight + ((_endHeight - _startHeight) * parameter);
+    internal double HeightAt(double parameter) => _line.HeightAt(parameter);
 
-    internal Vector2D GroundAt(double t)
-    {
-        // Hermite basis with s = 1 - t: s²(1 + 2t), t·s², t²(3 - 2t) and -t²·s.
-        double s = 1 - t;
-        return (_start * (s * s * (1 + (2 * t))))
-            + (_startTangent * (t * s * s))
-            + (_end * (t * t * (3 - (2 * t))))
-            - (_endTangent * (t * t * s));
-    }
+    internal Vector2D GroundAt(double parameter) => _line.GroundAt(parameter);
 
     private static double Clamp(double parameter) =>
         parameter < 0 ? 0
         : parameter > 1 ? 1
         : parameter;
-
-    private Vector2D VelocityAt(double t)
-    {
-        double s = 1 - t;
-        return ((_end - _start) * (6 * t * s)) + (_startTangent * (s * (1 - (3 * t)))) + (_endTangent * (t * ((3 * t) - 2)));
-    }
-
-    private Vector2D AccelerationAt(double t) =>
-        ((_end - _start) * (6 - (12 * t))) + (_startTangent * ((6 * t) - 4)) + (_endTangent * ((6 * t) - 2));
-
-    /// <summary>Gauss quadrature with three points, exact up to degree five.</summary>
-    private double LengthBetween(double from, double to)
-    {
-        double middle = (from + to) / 2;
-        double half = (to - from) / 2;
-        double outer = half * Math.Sqrt(0.6);
-        return half
-            * ((5 * VelocityAt(middle - outer).Length) + (8 * VelocityAt(middle).Length) + (5 * VelocityAt(middle + outer).Length))
-            / 9;
-    }
 }

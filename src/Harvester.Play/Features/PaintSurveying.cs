@@ -130,7 +130,7 @@ public sealed class PaintSurveying : ILastingFeature
         }
         else if (_survey is { } survey && !_harvest.IsOn)
         {
-            // The harvest has told its own end; a fault is part of it.
+            // The harvest has already reported its end, with any fault.
             End(survey, _harvest.LastFault is null && _harvest.Captured >= survey.Plan.Stations.Count);
         }
     }

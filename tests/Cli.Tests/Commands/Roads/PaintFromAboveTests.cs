@@ -48,7 +48,7 @@ public sealed class PaintFromAboveTests(ITestOutputHelper output) : IDisposable
     public void Paint_of_random_towns_meets_the_requirements()
     {
         PaintJudge judge = new();
-        foreach (int seed in Seeds("321,322,323"))
+        foreach (int seed in TestSeeds.Or("321,322,323"))
         {
             Judge(new SimulationOptions { Seed = seed, HasVariedRoads = true }, judge);
         }
@@ -90,9 +90,6 @@ public sealed class PaintFromAboveTests(ITestOutputHelper output) : IDisposable
 
         Assert.InRange(hours, 0, MaxNights * HoursOfNight);
     }
-
-    private static int[] Seeds(string seeds) =>
-        [.. (Environment.GetEnvironmentVariable("GTADATAHARVESTER_PAINT_SEEDS") ?? seeds).Split(',').Select(int.Parse)];
 
     private void Judge(SimulationOptions world, PaintJudge judge, params string[] options)
     {

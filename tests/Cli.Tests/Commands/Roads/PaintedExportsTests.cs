@@ -45,7 +45,7 @@ public sealed class PaintedExportsTests(ITestOutputHelper output) : IDisposable
     [Fact]
     public void Exported_lines_lie_on_the_paint_of_random_towns()
     {
-        foreach (int seed in Seeds("241,242"))
+        foreach (int seed in TestSeeds.Or("241,242"))
         {
             Judge(new SimulationOptions { Seed = seed, HasVariedRoads = true }, "--places", "5");
         }
@@ -73,9 +73,6 @@ public sealed class PaintedExportsTests(ITestOutputHelper output) : IDisposable
 
         Required();
     }
-
-    private static IEnumerable<int> Seeds(string seeds) =>
-        (Environment.GetEnvironmentVariable("GTADATAHARVESTER_PAINT_SEEDS") ?? seeds).Split(',').Select(int.Parse);
 
     private void Judge(SimulationOptions world, params string[] options)
     {

@@ -42,7 +42,7 @@ public sealed class PaintedLanesTests(ITestOutputHelper output) : IDisposable
     [Fact]
     public void Indicators_follow_the_paint_of_random_towns()
     {
-        foreach (int seed in Seeds("231,232,233"))
+        foreach (int seed in TestSeeds.Or("231,232,233"))
         {
             Judge(new SimulationOptions { Seed = seed, HasVariedRoads = true }, "--places", "6");
         }
@@ -72,9 +72,6 @@ public sealed class PaintedLanesTests(ITestOutputHelper output) : IDisposable
     }
 
     /// <summary>The seeds of the test, or those of a variable of the environment while the method is developed.</summary>
-    private static IEnumerable<int> Seeds(string seeds) =>
-        (Environment.GetEnvironmentVariable("GTADATAHARVESTER_PAINT_SEEDS") ?? seeds).Split(',').Select(int.Parse);
-
     private void Judge(SimulationOptions world, params string[] options)
     {
         string session = _folder.PathOf("session");
