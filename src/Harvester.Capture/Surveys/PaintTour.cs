@@ -149,10 +149,16 @@ public sealed class PaintTour : IFrameTour
         }
 
         _home = null;
-        _game.Sky?.Restore();
-        if (home.Handle != 0 && _game.World.ReadEgo().Handle == home.Handle)
+        try
         {
-            _car.Reset(home.Pose.Position, Angles.HeadingDegrees(home.Pose.Axes.Forward));
+            _game.Sky?.Restore();
+        }
+        finally
+        {
+            if (home.Handle != 0 && _game.World.ReadEgo().Handle == home.Handle)
+            {
+                _car.Reset(home.Pose.Position, Angles.HeadingDegrees(home.Pose.Axes.Forward));
+            }
         }
     }
 

@@ -38,6 +38,7 @@ internal sealed class HarvestPorts
         {
             IsWanted = () => player.DrivesLights && features.Harvest.IsOn,
         };
+        Sky = new PlayerSky(adapters.Controls, Scene.World) { Kept = () => features.Plan?.Weather };
         Game = new GamePorts(Scene.World, adapters.Rays, setup.Screen, adapters.Time, setup.Clock, Markers)
         {
             Roads = Roads,
@@ -47,7 +48,7 @@ internal sealed class HarvestPorts
             RigCamera = features.Mount,
             SurfaceRays = adapters.Rays,
             Visibility = Hidden,
-            Sky = new PlayerSky(adapters.Controls, Scene.World) { Kept = () => features.Plan?.Weather },
+            Sky = Sky,
             Sheets = Sheets,
             Hud = Hud,
             Card = Card,
@@ -64,6 +65,9 @@ internal sealed class HarvestPorts
 
     /// <summary>Hides entities.</summary>
     public HiddenEntities Hidden { get; }
+
+    /// <summary>Sets weather and time of day for pictures.</summary>
+    public PlayerSky Sky { get; }
 
     /// <summary>Hides radar and head-up display.</summary>
     public HiddenHud Hud { get; }

@@ -75,6 +75,7 @@ public sealed class ModFeatures
             new GraphicsAdvice(() => GraphicsSettingsFile.Read(setup.GraphicsFile), messages),
             new FrozenWorld(adapters.Time, _rules.MayFreeze),
             _ports.Hidden,
+            _ports.Sky,
             _ports.Hud,
             _ports.Sheets,
             _ports.Card,

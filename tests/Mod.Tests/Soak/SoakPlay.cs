@@ -22,6 +22,9 @@ internal sealed class SoakPlay
     /// <summary>Longer than any time that the mod waits for something.</summary>
     private const double LongWaitMilliseconds = 20_000;
     private const int TicksOfMemory = 1000;
+
+    /// <summary>A tick of the game takes longer than most writes; the play's takes microseconds, in which a disk would never have room.</summary>
+    private const int TicksOfDisk = 25;
     private const string Prop = "prop_sign_road_03g";
 
     /// <summary>Every key, one of the player's own, and those that need another to be of use after that one.</summary>
@@ -83,6 +86,11 @@ internal sealed class SoakPlay
         // In the game that exception comes again out of every handler that takes it; here one that takes any exception ends it.
         bool isAborted = _faults.HasAbortedTheTick;
         Count();
+        if (Happens(TicksOfDisk))
+        {
+            _driver.WaitForDisk();
+        }
+
         if (isAborted || Happens(3000))
         {
             _tally.Add(isAborted ? "aborted within a tick" : "aborted between ticks");

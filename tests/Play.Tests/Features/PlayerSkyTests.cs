@@ -28,4 +28,19 @@ public sealed class PlayerSkyTests
 
         Assert.Null(_world.Weather);
     }
+
+    [Fact]
+    public void What_the_game_refused_to_restore_is_restored_later()
+    {
+        var sky = new PlayerSky(_world, _world);
+        sky.Set("rain", null);
+        _world.RefusesTime = true;
+        Assert.Throws<InvalidOperationException>(sky.Restore);
+        Assert.True(sky.IsOn);
+        _world.RefusesTime = false;
+        sky.Tick();
+
+        Assert.False(sky.IsOn);
+        Assert.Null(_world.Weather);
+    }
 }

@@ -113,6 +113,9 @@ internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels,
 
     public string? Fault { get; set; }
 
+    /// <summary>Whether setting the time of day fails.</summary>
+    public bool RefusesTime { get; set; }
+
     public bool IsSpaceLow { get; set; }
 
     public bool BeginsHarvests { get; set; } = true;
@@ -199,7 +202,7 @@ internal sealed class TrialWorld : ITrialGame, ICarControls, IVehicles, IModels,
 
     public void KeepWeather(string? weather) => Weather = weather;
 
-    public void SetTimeOfDay(TimeSpan timeOfDay) => TimeOfDay = timeOfDay;
+    public void SetTimeOfDay(TimeSpan timeOfDay) => TimeOfDay = RefusesTime ? throw new InvalidOperationException("No.") : timeOfDay;
 
     public bool Exists(int vehicle) => Vehicles.Contains(vehicle);
 
