@@ -159,9 +159,42 @@ public sealed class PaintSurveyTests
         AssertGivenBack(driver);
     }
 
-    private static ScriptDriver OnRoad(IScreen? screen = null)
+    [Theory]
+    [InlineData("""{"name":"street","path":[[100,150],[100,250]]}""", "The survey of paint takes 2 pictures")]
+    [InlineData("""{"name":"far","x":5000,"y":5000}""", "No road lies here.")]
+    [InlineData("""{"name":"any","spread":2}""", "plan.json has no place with a point or a path")]
+    [InlineData("""{"name":"wrong","x":"here"}""", "The survey of paint cannot begin: plan.json: ")]
+    [InlineData(null, "The survey of paint cannot begin: ")]
+    public void Survey_of_a_plan_is_around_its_places(string? place, string message)
     {
-        var driver = new ScriptDriver(screen: screen);
+        using ScriptDriver driver = OnRoad(ini: "[PaintSurvey]\nAround = Plan\nRange = 10\n[Plan]\nFile = plan.json\n");
+        if (place is not null)
+        {
+            File.WriteAllText(
+                Path.Combine(driver.Folder, "plan.json"),
+                $$"""
+                {"name":"roads","places":[{{place}}],"weathers":["clear"],"hours":["12:00"],"frames":2,
+                "cameras":[{"name":"small","width":64,"height":48,"verticalFovDegrees":45}]}
+                """
+            );
+        }
+
+        driver.Press(Keys.End);
+        driver.UntilMessage(message);
+    }
+
+    [Fact]
+    public void Survey_of_no_plan_says_where_to_name_one()
+    {
+        using ScriptDriver driver = OnRoad(ini: "[PaintSurvey]\nAround = Plan\n");
+        driver.Press(Keys.End);
+        driver.UntilMessage("needs a plan: name one as File under [Plan].");
+        AssertGivenBack(driver);
+    }
+
+    private static ScriptDriver OnRoad(IScreen? screen = null, string ini = "")
+    {
+        var driver = new ScriptDriver(ini, screen: screen);
         HarvestTests.Street(driver.Game);
         Directory.CreateDirectory(driver.Output);
         RoadSurveyFile.Save(Path.Combine(driver.Output, "roads.csv"), RoadTests.Road());

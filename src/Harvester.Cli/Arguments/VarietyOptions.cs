@@ -38,10 +38,20 @@ internal sealed class VarietyOptions
         Description = "Draw lane widths, edge lines and paint at random for each road, by the seed",
     };
 
+    private readonly Option<double> _paintWear = ValueParsers.Number(
+        "--paint-wear",
+        "F",
+        "How worn the paint of roads is, from 0, new, to 1: half of it gone, and the rest faded",
+        value => value is >= 0 and <= 1,
+        "a number from 0 to 1"
+    );
+
     /// <summary>Adds the options to a command.</summary>
     public void AddTo(Command command)
     {
-        foreach (Option option in new Option[] { _places, _wander, _laneChanges, _traffic, _pedestrians, _parked, _variedRoads })
+        foreach (
+            Option option in new Option[] { _places, _wander, _laneChanges, _traffic, _pedestrians, _parked, _variedRoads, _paintWear }
+        )
         {
             command.Options.Add(option);
         }
@@ -71,6 +81,7 @@ internal sealed class VarietyOptions
             PedestrianDensity = parsed.GetValue(_pedestrians),
             ParkedDensity = parsed.GetValue(_parked),
             HasVariedRoads = parsed.GetValue(_variedRoads),
+            PaintWear = parsed.GetValue(_paintWear),
         };
 
     private static Option<double> Factor(string name, string what, double most)

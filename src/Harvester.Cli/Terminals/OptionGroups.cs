@@ -40,6 +40,7 @@ internal static class OptionGroups
                 "--pedestrians",
                 "--parked",
                 "--varied-roads",
+                "--paint-wear",
                 "--detail",
             ]
         ),

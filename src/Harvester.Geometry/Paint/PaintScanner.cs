@@ -32,8 +32,8 @@ public sealed class PaintScanner
     /// <summary>Standard deviation of the position of an edge, pixels.</summary>
     private const double EdgeSigma = 0.3;
 
-    /// <summary>Ground where offsets are less sure than this is not searched, metres: a twentieth of the narrowest lane.</summary>
-    private const double MaxSigma = 0.15;
+    /// <summary>Ground where offsets are less sure than this is not searched, metres: a twelfth of the narrowest lane.</summary>
+    private const double MaxSigma = 0.25;
 
     /// <summary>
     /// Ground seen beside a stripe on both sides, metres: the other stripe of a double line is no farther away, so that of a double line

@@ -20,17 +20,11 @@ public sealed class StationPlan
     private readonly List<SurveyStation> _stations = [];
     private int _rows;
 
-    private StationPlan(
-        PaintRoads roads,
-        SurveyFootprint footprint,
-        Vector2D? near,
-        double range,
-        IReadOnlyCollection<SurveyStation> photographed
-    )
+    private StationPlan(PaintRoads roads, SurveyFootprint footprint, SurveyArea? area, IReadOnlyCollection<SurveyStation> photographed)
     {
         _roads = roads;
         _footprint = footprint;
-        _strips = new SurveyStrips(roads, footprint, near, range);
+        _strips = new SurveyStrips(roads, footprint, area);
         RoadNetwork network = roads.Curves.Network;
         if (network.Nodes.Count == 0)
         {
@@ -42,8 +36,8 @@ public sealed class StationPlan
             _strips.Mark(station);
         }
 
-        bool IsInRange(int link) => near is not { } middle || !roads.Curves.Of(link).IsBeyond(middle, range);
-        foreach ((int link, bool isForward) in TravelOrder.Of(network, IsInRange, near is { } start ? NearestNode(network, start) : 0))
+        bool IsInArea(int link) => area?.MayHave(roads.Curves.Of(link)) != false;
+        foreach ((int link, bool isForward) in TravelOrder.Of(network, IsInArea, area is null ? 0 : NearestNode(network, area.Places[0])))
         {
             Cover(link, isForward);
         }
@@ -58,16 +52,14 @@ public sealed class StationPlan
     /// <summary>Plans the pictures of the drivable roads, without junctions.</summary>
     /// <param name="roads">The roads.</param>
     /// <param name="footprint">The ground that a picture shows.</param>
-    /// <param name="near">Where the survey begins, metres, world; null for no particular place, and all roads.</param>
-    /// <param name="range">Roads farther than this from there are left out, metres; greater than 0.</param>
+    /// <param name="area">Where the roads lie; null for all roads.</param>
     /// <param name="photographed">Stations of an earlier survey; what their pictures show is left out. Null for none.</param>
     public static StationPlan Of(
         PaintRoads roads,
         SurveyFootprint footprint,
-        Vector2D? near,
-        double range,
+        SurveyArea? area,
         IReadOnlyCollection<SurveyStation>? photographed = null
-    ) => new(Guard.NotNull(roads, nameof(roads)), footprint, near, Guard.Positive(range, nameof(range)), photographed ?? []);
+    ) => new(Guard.NotNull(roads, nameof(roads)), footprint, area, photographed ?? []);
 
     private static int NearestNode(RoadNetwork network, Vector2D place)
     {

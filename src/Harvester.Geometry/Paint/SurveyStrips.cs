@@ -8,9 +8,8 @@ namespace Harvester.Geometry.Paint;
 /// </summary>
 /// <param name="roads">The roads.</param>
 /// <param name="footprint">The footprint of a picture.</param>
-/// <param name="near">The middle of the survey, metres, world; null if it has none.</param>
-/// <param name="range">Rows farther than this from the middle are left out, metres.</param>
-internal sealed class SurveyStrips(PaintRoads roads, SurveyFootprint footprint, Vector2D? near, double range)
+/// <param name="area">Rows outside it are left out; null for none.</param>
+internal sealed class SurveyStrips(PaintRoads roads, SurveyFootprint footprint, SurveyArea? area)
 {
     /// <summary>Widest lane, metres; wider ones are not known in the game.</summary>
     private const double MaxLaneWidth = 6.5;
@@ -31,8 +30,7 @@ internal sealed class SurveyStrips(PaintRoads roads, SurveyFootprint footprint, 
     {
         double station = roads.StationOf(link, row);
         Vector3D place = roads.Curves.Of(link).PointAt(roads.Curves.Of(link).ParameterAt(station));
-        return !roads.Junctions.Contains(link, station)
-            && (near is not { } middle || (new Vector2D(place.X, place.Y) - middle).Length <= range);
+        return !roads.Junctions.Contains(link, station) && area?.Contains(place) != false;
     }
 
     /// <summary>Whether a strip is shown at a row.</summary>

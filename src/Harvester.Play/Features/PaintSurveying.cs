@@ -1,6 +1,6 @@
 using Harvester.Capture.Ports;
 using Harvester.Capture.Surveys;
-using Harvester.Geometry;
+using Harvester.Geometry.Paint;
 using Harvester.Play.Surveys.Paint;
 using Harvester.Sessions.Text;
 
@@ -57,11 +57,10 @@ public sealed class PaintSurveying : ILastingFeature
     /// <summary>Why no survey can start now; null if one can.</summary>
     public Func<string?> Obstacle { get; init; } = static () => null;
 
-    /// <summary>The player's place, metres, world.</summary>
-    public Func<Vector3D> Place { get; init; } = static () => Vector3D.Zero;
-
-    /// <summary>Roads farther from the player are left out, metres; null for none.</summary>
-    public double? RangeMetres { get; init; }
+    /// <summary>
+    /// Tells, in the tick in which a survey begins, how another thread finds out where its roads lie; null for all roads.
+    /// </summary>
+    public Func<Func<SurveyArea?>> Area { get; init; } = static () => static () => null;
 
     /// <summary>Ground in a pixel, metres.</summary>
     public double MetresPerPixel { get; init; } = SurveyView.UsualMetresPerPixel;
@@ -109,9 +108,9 @@ public sealed class PaintSurveying : ILastingFeature
             {
                 double aspect = _game.World.ReadCamera().WindowAspect;
                 SurveyView view = _view = new SurveyView(SurveyView.ImageFor(aspect), _harvest.Options.Lens, MetresPerPixel);
-                Vector3D place = Place();
+                Func<SurveyArea?> area = Area();
                 _preparing = Task.Run(() =>
-                    PreparedSurvey.Of(_roadFile, _folder, view, place, RangeMetres) with
+                    PreparedSurvey.Of(_roadFile, _folder, view, area) with
                     {
                         Folder = SessionPlace.NewIn(_folder, "paint"),
                     }

@@ -4,6 +4,7 @@ using Harvester.Capture.Surveys;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
+using Harvester.Play.Surveys.Paint;
 using Harvester.Play.Tapes;
 using Harvester.Sessions.Text;
 
@@ -59,7 +60,10 @@ public sealed record PlayerSettings
     /// <summary>The file of the road survey.</summary>
     public required string SurveyFile { get; init; }
 
-    /// <summary>The survey of paint leaves out roads farther from the player, metres; null for none.</summary>
+    /// <summary>Around what the survey of paint photographs roads.</summary>
+    public required SurveyPlace PaintAround { get; init; }
+
+    /// <summary>The survey of paint leaves out roads farther from there, metres; null for none.</summary>
     public required double? PaintRangeMetres { get; init; }
 
     /// <summary>Ground in a pixel of the survey of paint, metres.</summary>
@@ -131,6 +135,7 @@ public sealed record PlayerSettings
             LaneWidthMetres = ini.Number("Roads", "LaneWidth", RoadGeometry.LaneWidth, 2, 10),
             NarrowLaneWidthMetres = ini.Number("Roads", "NarrowLaneWidth", RoadGeometry.NarrowLaneWidth, 2, 10),
             SurveyFile = Path.Combine(folder, "roads.csv"),
+            PaintAround = ini.Choice("PaintSurvey", "Around", SurveyPlace.Player, "Player or Plan"),
             PaintRangeMetres = ini.Number("PaintSurvey", "Range", 500, 0, 100_000) is > 0 and var range ? range : null,
             PaintMetresPerPixel = ini.Number("PaintSurvey", "MetresPerPixel", SurveyView.UsualMetresPerPixel, 0.02, 0.035),
             Bridge = BridgeSettings.Read(ini, Path.Combine(folder, "bridge"), PathOf),

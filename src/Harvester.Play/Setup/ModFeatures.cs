@@ -1,11 +1,14 @@
 using System.Globalization;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
+using Harvester.Geometry;
+using Harvester.Geometry.Paint;
 using Harvester.Play.Features;
 using Harvester.Play.Plans;
 using Harvester.Play.SelfTests;
 using Harvester.Play.Settings;
 using Harvester.Play.Surveys.Faces;
+using Harvester.Play.Surveys.Paint;
 using Harvester.Play.Surveys.Roads;
 using Harvester.Sessions.Scenes;
 
@@ -224,10 +227,22 @@ public sealed class ModFeatures
         )
         {
             Obstacle = _rules.PlanObstacle,
-            Place = () => _adapters.PlayerPosition,
-            RangeMetres = _setup.Player.PaintRangeMetres,
+            Area = PaintArea,
             MetresPerPixel = _setup.Player.PaintMetresPerPixel,
         };
+
+    private Func<SurveyArea?> PaintArea()
+    {
+        Vector3D player = _adapters.PlayerPosition;
+        PlayerSettings settings = _setup.Player;
+        return () =>
+            settings.PaintRangeMetres is { } range
+                ? new SurveyArea(
+                    settings.PaintAround == SurveyPlace.Plan ? PlannedPlaces.In(settings.PlanFile) : [new Vector2D(player.X, player.Y)],
+                    range
+                )
+                : null;
+    }
 
     private FaceMarking MakeMarking() =>
         new(

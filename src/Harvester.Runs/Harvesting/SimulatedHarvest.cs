@@ -261,6 +261,11 @@ public sealed class SimulatedHarvest
             yield return new("variedRoads", "true");
         }
 
+        if (plan.Variety.PaintWear > 0)
+        {
+            yield return new("paintWear", plan.Variety.PaintWear.ToString(CultureInfo.InvariantCulture));
+        }
+
         if (plan.Near is { } near)
         {
             yield return new("near", string.Create(CultureInfo.InvariantCulture, $"{near.X},{near.Y}"));

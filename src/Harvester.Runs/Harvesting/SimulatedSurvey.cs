@@ -24,7 +24,7 @@ public sealed record SimulatedSurvey(StationPlan Plan, SurveyView View, double R
     public static SimulatedSurvey Of(RoadNetwork network, Vector2D near, SurveyView view, double rangeMetres)
     {
         ArgumentNullException.ThrowIfNull(view);
-        var plan = StationPlan.Of(new PaintRoads(new RoadCurves(network)), view.Footprint, near, rangeMetres);
+        var plan = StationPlan.Of(new PaintRoads(new RoadCurves(network)), view.Footprint, new SurveyArea([near], rangeMetres));
         return plan.Stations.Count > 0
             ? new SimulatedSurvey(plan, view, rangeMetres)
             : throw new UsageException(

@@ -22,6 +22,17 @@ public sealed record SimulationOptions
     /// </summary>
     public bool HasVariedRoads { get; init; }
 
+    /// <summary>How worn the paint of roads is, from 0, new, to 1: half of it gone, and the rest faded.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">Not from 0 to 1.</exception>
+    public double PaintWear
+    {
+        get;
+        init =>
+            field = value is >= 0 and <= 1
+                ? value
+                : throw new ArgumentOutOfRangeException(nameof(PaintWear), value, "Wear is from 0 to 1.");
+    }
+
     /// <summary>Where the ego starts, metres, world x and y; null for the middle of the roads.</summary>
     public Vector2D? Near { get; init; }
 

@@ -8,8 +8,11 @@ namespace Harvester.Simulation.Streets;
 /// <param name="Pieces">The painted pieces, metres along the road; a solid line has one.</param>
 internal sealed record PaintedRun(RoadFacets Facets, Marking Marking, IReadOnlyList<(double From, double To)> Pieces)
 {
-    /// <summary>Height of the paint above the asphalt, metres: enough to be drawn, too little to be visible as height.</summary>
-    public const double Height = 0.01;
+    /// <summary>
+    /// Thickness of the paint on the asphalt, metres: that of a marking. A ray to it is shorter than to the asphalt by this fraction of the
+    /// camera's height, at any distance, which single precision tells apart from 1000 m up.
+    /// </summary>
+    public const double Height = 0.002;
 
     /// <summary>
     /// Distance between points, metres. They are off the ends of dashes by half of it, and off the end of the line by a quarter, so that it

@@ -5,11 +5,19 @@ using Harvester.Simulation.Rendering;
 namespace Harvester.Simulation.Streets;
 
 /// <summary>Paints the lines along roads, stop lines and pedestrian crossings.</summary>
-internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintedRun> runs, StreetIndex index, Asphalt asphalt, GroundMesh mesh)
+internal sealed class RoadPainter(
+    RoadPlan plan,
+    IReadOnlyList<PaintedRun> runs,
+    StreetIndex index,
+    Asphalt asphalt,
+    GroundMesh mesh,
+    PaintWear wear
+)
 {
     private const double CrossingDepth = 3.2;
 
     private readonly List<PaintedMark> _marks = [];
+    private int _stripes;
 
     /// <summary>Paints everything.</summary>
     /// <returns>The stop lines and crossings.</returns>
@@ -97,9 +105,12 @@ internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintedRun> runs,
     private void Stripe(RoadFacets facets, double from, double to, double left, double right, Rgb colour)
     {
         Vector3D up = Horizontal.Up * PaintedRun.Height;
-        foreach (Vector3D[] face in facets.Cover(from, to, left, right))
+        foreach ((double begin, double end, Rgb worn) in wear.Left(_stripes++, from, to, colour))
         {
-            mesh.AddQuad(face[0] + up, face[1] + up, face[2] + up, face[3] + up, colour, Surface.Marking, SurfaceKind.Marking);
+            foreach (Vector3D[] face in facets.Cover(begin, end, left, right))
+            {
+                mesh.AddQuad(face[0] + up, face[1] + up, face[2] + up, face[3] + up, worn, Surface.Marking, SurfaceKind.Marking);
+            }
         }
     }
 }

@@ -55,9 +55,10 @@ internal sealed class SimulatedWorld
             options.Near is { } near ? new Vector3D(near.X, near.Y, 0)
             : options.Roads is { } roads ? Middle(roads)
             : Vector3D.Zero;
+        RoadStyle style = new(options.HasVariedRoads, options.PaintWear);
         Site site = options.Roads is null
-            ? SiteCache.Shared.Town(options.Seed, options.HasVariedRoads)
-            : SiteCache.Shared.Roads(options.Seed, options.Roads, start, options.RadiusMetres, options.HasVariedRoads);
+            ? SiteCache.Shared.Town(options.Seed, style)
+            : SiteCache.Shared.Roads(options.Seed, options.Roads, start, options.RadiusMetres, style);
         if (!site.Network.Nodes.Any(node => Horizontal.Distance(node.Position, start) < options.RadiusMetres))
         {
             throw new ArgumentException(

@@ -11,7 +11,7 @@ namespace Harvester.Simulation.World;
 /// <summary>Roads, the land around them, and the buildings for them. Immutable, so worlds on the same roads share it.</summary>
 internal sealed class Site
 {
-    private Site(int seed, RoadNetwork network, RoadPlan plan, Settlement settlement)
+    private Site(int seed, RoadNetwork network, RoadPlan plan, Settlement settlement, double wear)
     {
         Network = network;
         Plan = plan;
@@ -33,7 +33,7 @@ internal sealed class Site
         [
             .. plan.Roads.Where(road => !road.IsInner && !road.IsUnpaved).SelectMany(road => PaintedRun.Of(road, asphalt)),
         ];
-        Marks = new RoadPainter(plan, paint, Index, asphalt, ground).Paint();
+        Marks = new RoadPainter(plan, paint, Index, asphalt, ground, new PaintWear(seed, wear)).Paint();
         Paint = [.. paint.Select(run => run.Line())];
         Ground = [.. ground.Instances()];
     }
@@ -68,20 +68,21 @@ internal sealed class Site
 
     /// <summary>A town generated from a seed.</summary>
     /// <param name="seed">The seed.</param>
-    /// <param name="isVaried">Whether lane widths and paint are drawn at random for each road.</param>
-    public static Site OfTown(int seed, bool isVaried = false)
+    /// <param name="style">How its roads are painted.</param>
+    public static Site OfTown(int seed, RoadStyle style = default)
     {
         RoadNetwork network = TownBuilder.Build(seed);
-        int? varySeed = isVaried ? seed : null;
+        int? varySeed = style.IsVaried ? seed : null;
         RoadPlan plan = RoadPlan.Build(network, Vector3D.Zero, double.PositiveInfinity, varySeed: varySeed);
-        return new Site(seed, network, plan, Settlement.Generated);
+        return new Site(seed, network, plan, Settlement.Generated, style.Wear);
     }
 
     /// <summary>The part of given roads within a radius of a point.</summary>
     /// <exception cref="ArgumentException">No road lies there.</exception>
-    public static Site OfRoads(int seed, RoadNetwork network, Vector3D centre, double radiusMetres, bool isVaried = false)
+    public static Site OfRoads(int seed, RoadNetwork network, Vector3D centre, double radiusMetres, RoadStyle style = default)
     {
         Settlement settlement = Settlement.Of(network, centre);
-        return new Site(seed, network, RoadPlan.Build(network, centre, radiusMetres, settlement, isVaried ? seed : null), settlement);
+        var plan = RoadPlan.Build(network, centre, radiusMetres, settlement, style.IsVaried ? seed : null);
+        return new Site(seed, network, plan, settlement, style.Wear);
     }
 }

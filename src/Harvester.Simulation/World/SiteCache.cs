@@ -1,5 +1,6 @@
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
+using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.World;
 
@@ -19,12 +20,12 @@ internal sealed class SiteCache
     public static SiteCache Shared { get; } = new();
 
     /// <summary>A town generated from a seed.</summary>
-    public Site Town(int seed, bool isVaried = false) => Of((seed, isVaried), () => Site.OfTown(seed, isVaried));
+    public Site Town(int seed, RoadStyle style = default) => Of((seed, style), () => Site.OfTown(seed, style));
 
     /// <summary>The part of given roads within a radius of a point.</summary>
     /// <exception cref="ArgumentException">No road lies there.</exception>
-    public Site Roads(int seed, RoadNetwork network, Vector3D centre, double radiusMetres, bool isVaried = false) =>
-        Of((seed, network, centre, radiusMetres, isVaried), () => Site.OfRoads(seed, network, centre, radiusMetres, isVaried));
+    public Site Roads(int seed, RoadNetwork network, Vector3D centre, double radiusMetres, RoadStyle style = default) =>
+        Of((seed, network, centre, radiusMetres, style), () => Site.OfRoads(seed, network, centre, radiusMetres, style));
 
     private Site Of(object key, Func<Site> build)
     {

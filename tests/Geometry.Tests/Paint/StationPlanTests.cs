@@ -5,8 +5,6 @@ namespace Harvester.Geometry.Tests.Paint;
 
 public sealed class StationPlanTests
 {
-    private const double Everywhere = 1e6;
-
     /// <summary>Shows 40 m of a road without the border, and 28 m across.</summary>
     private static readonly SurveyFootprint Footprint = new(42, 30);
 
@@ -39,7 +37,7 @@ public sealed class StationPlanTests
     {
         RoadNetwork network = Bend();
         var roads = new PaintRoads(new RoadCurves(network));
-        var plan = StationPlan.Of(roads, Footprint, null, Everywhere);
+        var plan = StationPlan.Of(roads, Footprint, null);
 
         for (int link = 0; link < network.Links.Count; link++)
         {
@@ -55,7 +53,7 @@ public sealed class StationPlanTests
     [Fact]
     public void Range_leaves_out_what_is_farther()
     {
-        var plan = StationPlan.Of(Roads(Chain(links: 20, metres: 50, lanes: 1)), Footprint, new Vector2D(0, 500), 100);
+        var plan = StationPlan.Of(Roads(Chain(links: 20, metres: 50, lanes: 1)), Footprint, new SurveyArea([new Vector2D(0, 500)], 100));
 
         Assert.Equal(200, plan.RoadMetres, 2.0);
         Assert.All(plan.Stations, station => Assert.InRange(station.Ground.Y, 380, 620));
@@ -65,11 +63,11 @@ public sealed class StationPlanTests
     public void Survey_that_was_stopped_has_the_stations_that_are_left()
     {
         PaintRoads roads = Roads(Chain(links: 4, metres: 50, lanes: 1));
-        IReadOnlyList<SurveyStation> all = StationPlan.Of(roads, Footprint, null, Everywhere).Stations;
+        IReadOnlyList<SurveyStation> all = StationPlan.Of(roads, Footprint, null).Stations;
         SurveyStation[] first = [.. all.Take(2)];
 
-        Assert.Equal(all.Skip(2), StationPlan.Of(roads, Footprint, null, Everywhere, first).Stations);
-        Assert.Empty(StationPlan.Of(roads, Footprint, null, Everywhere, [.. all]).Stations);
+        Assert.Equal(all.Skip(2), StationPlan.Of(roads, Footprint, null, first).Stations);
+        Assert.Empty(StationPlan.Of(roads, Footprint, null, [.. all]).Stations);
     }
 
     [Fact]
@@ -96,7 +94,7 @@ public sealed class StationPlanTests
     public void Footprint_that_shows_no_road_is_refused(double along, double across) =>
         Assert.Throws<ArgumentOutOfRangeException>(() => new SurveyFootprint(along, across));
 
-    private static StationPlan Of(RoadNetwork network) => StationPlan.Of(Roads(network), Footprint, null, Everywhere);
+    private static StationPlan Of(RoadNetwork network) => StationPlan.Of(Roads(network), Footprint, null);
 
     private static PaintRoads Roads(RoadNetwork network) => new(new RoadCurves(network));
 

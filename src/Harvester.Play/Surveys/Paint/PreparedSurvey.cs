@@ -1,5 +1,4 @@
 using Harvester.Capture.Surveys;
-using Harvester.Geometry;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Play.Surveys.Roads;
@@ -18,23 +17,22 @@ public sealed record PreparedSurvey(StationPlan Plan, int Earlier)
     /// <param name="roadFile">The file of the roads.</param>
     /// <param name="folder">The folder of the sessions of all surveys of paint.</param>
     /// <param name="view">The camera.</param>
-    /// <param name="near">The player's place, metres, world.</param>
-    /// <param name="rangeMetres">Roads farther from there are left out, metres; null for none.</param>
+    /// <param name="area">Tells where the roads lie; null for all roads. It may read a file.</param>
     /// <exception cref="IOException">A file is missing or cannot be read; the message is for the player.</exception>
     /// <exception cref="FormatException">A file is damaged; the message is for the player.</exception>
-    public static PreparedSurvey Of(string roadFile, string folder, SurveyView view, Vector3D near, double? rangeMetres)
+    public static PreparedSurvey Of(string roadFile, string folder, SurveyView view, Func<SurveyArea?> area)
     {
         RoadNetwork network =
             RoadSurveyFile.Load(roadFile)
             ?? throw new FileNotFoundException(
                 $"No roads are known: there is no {roadFile}. Survey the roads first, or name a road file under [Roads]."
             );
+        SurveyArea? surveyed = (area ?? throw new ArgumentNullException(nameof(area)))();
         IReadOnlyList<SurveyStation> earlier = EarlierPictures.In(folder, view);
         var plan = StationPlan.Of(
             new PaintRoads(new RoadCurves(network)),
             (view ?? throw new ArgumentNullException(nameof(view))).Footprint,
-            new Vector2D(near.X, near.Y),
-            rangeMetres ?? double.MaxValue,
+            surveyed,
             earlier
         );
         return new PreparedSurvey(plan, earlier.Count);

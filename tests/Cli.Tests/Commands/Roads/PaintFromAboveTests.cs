@@ -48,7 +48,7 @@ public sealed class PaintFromAboveTests(ITestOutputHelper output) : IDisposable
     public void Paint_of_random_towns_meets_the_requirements()
     {
         PaintJudge judge = new();
-        foreach (int seed in TestSeeds.Or("321,322,323"))
+        foreach (int seed in TestSeeds.Or("331,332,333"))
         {
             Judge(new SimulationOptions { Seed = seed, HasVariedRoads = true }, judge);
         }
@@ -84,7 +84,7 @@ public sealed class PaintFromAboveTests(ITestOutputHelper output) : IDisposable
     {
         RoadNetwork network = RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!).Network;
         var view = new SurveyView(SurveyView.ImageFor(WindowAspect), Lens.Ideal, SurveyView.UsualMetresPerPixel);
-        var plan = StationPlan.Of(new PaintRoads(new RoadCurves(network)), view.Footprint, null, Everywhere);
+        var plan = StationPlan.Of(new PaintRoads(new RoadCurves(network)), view.Footprint, null);
         double hours = plan.Stations.Count * SurveyDuration.UsualSecondsPerPicture / 3600;
         output.WriteLine(FormattableString.Invariant($"{plan.RoadMetres / 1000:0} km, {plan.Stations.Count} pictures, {hours:0.0} h"));
 

@@ -21,10 +21,8 @@ public sealed class PaintedExportsTests(ITestOutputHelper output) : IDisposable
     /// <summary>The required accuracy of exported lines up to 50 m, pixels of an image of 800x600.</summary>
     private const double MaxPixels = 2;
 
-    /// <summary>
-    /// Share of the points from <see cref="Near"/> on, in frames with measured lines, that have it so far: not all do, as is required.
-    /// </summary>
-    private const double MinShare = 0.9;
+    /// <summary>Share of the points, in frames with measured lines, that have it: accuracies are required at 95 %.</summary>
+    private const double MinShare = 0.95;
 
     /// <summary>Nearer, 2 px are less than 1.6 cm, metres: half of the required accuracy of lines.</summary>
     private const double Near = 5;
@@ -45,7 +43,7 @@ public sealed class PaintedExportsTests(ITestOutputHelper output) : IDisposable
     [Fact]
     public void Exported_lines_lie_on_the_paint_of_random_towns()
     {
-        foreach (int seed in TestSeeds.Or("241,242"))
+        foreach (int seed in TestSeeds.Or("245,246"))
         {
             Judge(new SimulationOptions { Seed = seed, HasVariedRoads = true }, "--places", "5");
         }
@@ -63,7 +61,7 @@ public sealed class PaintedExportsTests(ITestOutputHelper output) : IDisposable
         {
             var world = new SimulationOptions
             {
-                Seed = 243,
+                Seed = 247,
                 Roads = network,
                 Near = near,
                 HasVariedRoads = true,
@@ -137,7 +135,7 @@ public sealed class PaintedExportsTests(ITestOutputHelper output) : IDisposable
         foreach (string format in ExportedLines.Readers.Keys)
         {
             Assert.NotEmpty(_errors[format]);
-            Assert.InRange(ShareWithin(_errors[format], Near), MinShare, 1);
+            Assert.InRange(ShareWithin(_errors[format], fromDepth: 0), MinShare, 1);
         }
     }
 

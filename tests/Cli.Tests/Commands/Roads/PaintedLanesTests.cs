@@ -25,7 +25,7 @@ public sealed class PaintedLanesTests(ITestOutputHelper output) : IDisposable
     private const double MaxMetres = 0.05;
     private const double MaxRadians = 0.002;
 
-    /// <summary>The share of errors that is to be smaller than without paint.</summary>
+    /// <summary>The share of errors that is to be smaller than without paint, and in towns as required.</summary>
     private const double Most = 0.95;
 
     private const string Frames = "160";
@@ -42,12 +42,12 @@ public sealed class PaintedLanesTests(ITestOutputHelper output) : IDisposable
     [Fact]
     public void Indicators_follow_the_paint_of_random_towns()
     {
-        foreach (int seed in TestSeeds.Or("231,232,233"))
+        foreach (int seed in TestSeeds.Or("235,236,237"))
         {
             Judge(new SimulationOptions { Seed = seed, HasVariedRoads = true }, "--places", "6");
         }
 
-        Required();
+        Required(Most);
     }
 
     [RealWorldFact("nodes.zip")]
@@ -60,7 +60,7 @@ public sealed class PaintedLanesTests(ITestOutputHelper output) : IDisposable
         {
             var world = new SimulationOptions
             {
-                Seed = 234,
+                Seed = 238,
                 Roads = network,
                 Near = near,
                 HasVariedRoads = true,
@@ -68,7 +68,7 @@ public sealed class PaintedLanesTests(ITestOutputHelper output) : IDisposable
             Judge(world, "--roads", roads, FormattableString.Invariant($"--near={near.X},{near.Y}"), "--wander", "1");
         }
 
-        Required();
+        Required(0.5);
     }
 
     /// <summary>The seeds of the test, or those of a variable of the environment while the method is developed.</summary>
@@ -102,11 +102,11 @@ public sealed class PaintedLanesTests(ITestOutputHelper output) : IDisposable
         output.WriteLine($"outer edges: {_painted.Edges}");
     }
 
-    private void Required()
+    private void Required(double share)
     {
         _painted.Faults.ForEach(output.WriteLine);
-        Assert.InRange(_painted.Metres(0.5, onlyPaint: true), 0, MaxMetres);
-        Assert.InRange(_painted.Angle(0.5, onlyPaint: true), 0, MaxRadians);
+        Assert.InRange(_painted.Metres(share, onlyPaint: true), 0, MaxMetres);
+        Assert.InRange(_painted.Angle(share, onlyPaint: true), 0, MaxRadians);
 
         // Not the median: the lanes of single roads happen to be as wide as the constant.
         Assert.True(_painted.Metres(Most, onlyPaint: false) < _constant.Metres(Most, onlyPaint: false));
