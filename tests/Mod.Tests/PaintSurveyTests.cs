@@ -111,7 +111,7 @@ public sealed class PaintSurveyTests
         using ScriptDriver driver = OnRoad();
         driver.Game.SceneRays = new NoRays();
         driver.Press(Keys.End);
-        driver.UntilMessage("The survey of paint ended after 0 of 4 pictures.");
+        driver.UntilMessage("The survey of paint took 0 of 4 pictures. At 4 places the ground did not load");
         Assert.Contains(driver.Game.Notifications, message => message.Contains("discarded: 4 groundNotLoaded", StringComparison.Ordinal));
         AssertGivenBack(driver);
 

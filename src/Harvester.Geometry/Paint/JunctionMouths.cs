@@ -3,16 +3,16 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Geometry.Paint;
 
 /// <summary>
-/// The mouths of all roads at the junctions of a network: where stop lines and pedestrian crossings are looked for. A road between two
+/// The mouths of all roads at the junctions of a network: where stop lines, pedestrian crossings and arrows are looked for. A road between two
 /// junctions is divided in its middle.
 /// </summary>
 internal sealed class JunctionMouths
 {
     /// <summary>
     /// Length of a mouth beyond the extent of its junction, metres. That is computed with the constant lane width; three lanes of the other
-    /// road may be 3 m wider, and beyond its edge follow a shoulder, a crossing and the stop line.
+    /// road may be 3 m wider, and beyond its edge follow a shoulder, a crossing, the stop line, and arrows up to 8 m behind it.
     /// </summary>
-    private const double BeyondExtent = 10;
+    private const double BeyondExtent = 18;
 
     private readonly Lazy<IReadOnlyList<JunctionMouth>> _all;
 

@@ -1,7 +1,8 @@
 namespace Harvester.Geometry.Paint;
 
 /// <summary>
-/// Combines the stop lines and crossings that several images show. A mark counts if it was found in two images or more, and in at least
+/// Combines the marks that several images show. A mark counts if it was found in two images or more, or in one from above unless it may be
+/// a bar of a crossing, and in at least
 /// half of those that show its place. Each of its edges is the median, with weights of 1 / sigma², of the images that show the ground
 /// beyond it; if there are none, the outline is that of the part that was seen.
 /// </summary>
@@ -9,7 +10,7 @@ internal static class MarkCombiner
 {
     private const double MinShare = 0.5;
 
-    /// <summary>What a single image shows may be something else than paint.</summary>
+    /// <summary>What a single image from a vehicle shows may be something else than paint.</summary>
     private const int MinImages = 2;
 
     /// <summary>Greatest distance along the road of the same stop line in two images, metres: three times its standard deviation at 12 m.
@@ -63,7 +64,9 @@ internal static class MarkCombiner
         };
         var found = new HashSet<int>(same.Select(static each => each.Image));
         int shown = views.Count(view => found.Contains(view.Image) || view.Shows(mark));
-        return found.Count >= MinImages && found.Count >= MinShare * shown && mark.Right > mark.Left && mark.To > mark.From ? mark : null;
+        bool isClear = mark.Kind != MarkKind.StopLine || mark.Right - mark.Left > StopLineFinder.LongestCrossingBar;
+        bool isSure = found.Count >= MinImages || isClear && views.Exists(view => view.IsFromAbove && found.Contains(view.Image));
+        return isSure && found.Count >= MinShare * shown && mark.Right > mark.Left && mark.To > mark.From ? mark : null;
     }
 
     /// <summary>The median of the images that show the ground beyond an edge, and in which the mark reaches as far as in any; if there is

@@ -1,15 +1,21 @@
 namespace Harvester.Geometry.Paint;
 
 /// <summary>
-/// Looks for stop lines and crossings in images. Around each image the ground in the mouths of junctions is unrolled twice: in columns
-/// along the road for stop lines, and in rows across it for crossings.
+/// Looks for stop lines, crossings and arrows in images. Around each image the ground in the mouths of junctions is unrolled twice: in
+/// columns along the road for stop lines, and in rows across it for crossings and arrows.
 /// </summary>
 /// <param name="mouths">Where to look.</param>
 /// <param name="profile">Receives the profiles.</param>
 internal sealed class MarkScanner(JunctionMouths mouths, GroundProfile profile)
 {
-    /// <summary>Farthest ground, metres from the camera: an error of its height by 2 cm moves it by 0.2 m along the road.</summary>
+    /// <summary>
+    /// Farthest ground, metres from the camera: from 1.5 m above, an error of its height by 2 cm moves it by 0.2 m along the road. From
+    /// higher up, it may be as far away as the camera is high.
+    /// </summary>
     public const double MaxDistance = 15;
+
+    /// <summary>A camera whose axis points down by more than 45 degrees looks at the road from above.</summary>
+    private const double Downwards = -0.7;
 
     /// <summary>Longest pixel along the road, metres: two of them are the width of a stop line.</summary>
     private const double MaxPixelAlong = 0.25;
@@ -25,6 +31,7 @@ internal sealed class MarkScanner(JunctionMouths mouths, GroundProfile profile)
 
     private readonly StopLineFinder _stopLines = new();
     private readonly CrossingFinder _crossings = new();
+    private readonly ArrowFinder _arrows = new();
 
     /// <summary>Scans an image.</summary>
     /// <param name="image">The image.</param>
@@ -36,13 +43,14 @@ internal sealed class MarkScanner(JunctionMouths mouths, GroundProfile profile)
         for (int i = 0; i < mouths.All.Count; i++)
         {
             JunctionMouth mouth = mouths.All[i];
-            if (DistanceFrom(image, mouth.Node) > MaxDistance + mouth.Length)
+            double limit = LimitAt(image, mouth);
+            if (DistanceFrom(image, mouth.Node) > limit + mouth.Length)
             {
                 continue;
             }
 
-            profile.MaxDepth = MaxDepthAt(image, mouth);
-            if (InView(image, mouth, profile.MaxDepth) is { } range)
+            profile.MaxDepth = IsFromAbove(image) ? double.PositiveInfinity : limit;
+            if (InView(image, mouth, limit) is { } range)
             {
                 Scan(image, number, i, range.From, range.To, evidence);
             }
@@ -51,6 +59,8 @@ internal sealed class MarkScanner(JunctionMouths mouths, GroundProfile profile)
         profile.MaxDepth = double.PositiveInfinity;
     }
 
+    private static bool IsFromAbove(PaintImage image) => image.Camera.Pose.Axes.Forward.Z < Downwards;
+
     private static double DistanceFrom(PaintImage image, Vector3D place)
     {
         Vector3D camera = image.Camera.Pose.Position;
@@ -58,7 +68,7 @@ internal sealed class MarkScanner(JunctionMouths mouths, GroundProfile profile)
     }
 
     /// <summary>The first and last distance at which the middle or a side of the road is near enough; null if none is.</summary>
-    private static (double From, double To)? InView(PaintImage image, JunctionMouth mouth, double maxDepth)
+    private static (double From, double To)? InView(PaintImage image, JunctionMouth mouth, double limit)
     {
         double from = double.NaN;
         double to = double.NaN;
@@ -74,8 +84,8 @@ internal sealed class MarkScanner(JunctionMouths mouths, GroundProfile profile)
 
             bool IsInView(double offset)
             {
-                double depth = image.Camera.Pose.ToLocal(across(offset)).Y;
-                return depth > 0 && depth <= maxDepth;
+                Vector3D place = across(offset);
+                return image.Camera.Pose.ToLocal(place).Y > 0 && DistanceFrom(image, place) <= limit;
             }
         }
 
@@ -83,13 +93,14 @@ internal sealed class MarkScanner(JunctionMouths mouths, GroundProfile profile)
     }
 
     /// <summary>
-    /// The depth up to which a pixel is short enough along the road: d² / (f h) = its length, with the focal length f in pixels and the
-    /// camera's height h above the road; 0 if the camera is below it.
+    /// The distance up to which a pixel is short enough along the road: (d² + h²) / (f h) = its length, with the focal length f in pixels
+    /// and the camera's height h above the road; 0 if the camera is below it, or too high.
     /// </summary>
-    private static double MaxDepthAt(PaintImage image, JunctionMouth mouth)
+    private static double LimitAt(PaintImage image, JunctionMouth mouth)
     {
         double height = image.Camera.Pose.Position.Z - mouth.PlaceAt(mouth.Length, 0).Z;
-        return height > 0 ? Math.Min(MaxDistance, Math.Sqrt(MaxPixelAlong * image.Camera.Intrinsics.Fx * height)) : 0;
+        double square = (MaxPixelAlong * image.Camera.Intrinsics.Fx * height) - (height * height);
+        return height > 0 && square > 0 ? Math.Min(Math.Max(MaxDistance, height), Math.Sqrt(square)) : 0;
     }
 
     /// <summary>Length of a pixel along the line of sight on the ground, metres: (d² + h²) / (f h), with the focal length f in pixels, the
@@ -114,7 +125,7 @@ internal sealed class MarkScanner(JunctionMouths mouths, GroundProfile profile)
         }
 
         var seen = new List<(float From, float To)>();
-        var view = new MouthView(number, left, seen);
+        var view = new MouthView(number, left, seen) { IsFromAbove = IsFromAbove(image) };
         _stopLines.Clear();
         for (int column = 0; view.OffsetOf(column) < right; column++)
         {
@@ -122,6 +133,7 @@ internal sealed class MarkScanner(JunctionMouths mouths, GroundProfile profile)
         }
 
         _crossings.Clear();
+        _arrows.Clear();
         for (int row = 0; from + (row * CrossingFinder.RowStep) <= to; row++)
         {
             ScanRow(image, mouth, row, from + (row * CrossingFinder.RowStep));
@@ -139,7 +151,11 @@ internal sealed class MarkScanner(JunctionMouths mouths, GroundProfile profile)
                 return Math.Sqrt((edge * edge) + (lift * lift));
             }
 
-            evidence.Add(index, view, [.. _stopLines.Find(view, SigmaAt), .. _crossings.Find(view, from, SigmaAt)]);
+            evidence.Add(
+                index,
+                view,
+                [.. _stopLines.Find(view, SigmaAt), .. _crossings.Find(view, from, SigmaAt), .. _arrows.Find(view, from, SigmaAt)]
+            );
         }
     }
 
@@ -190,6 +206,7 @@ internal sealed class MarkScanner(JunctionMouths mouths, GroundProfile profile)
         while (run.Begin < run.End)
         {
             _crossings.Add(row, profile, left, run.Begin, run.End);
+            _arrows.Add(row, profile, left, run.Begin, run.End);
             run = profile.NextSeen(run.End, cells, 1);
         }
     }

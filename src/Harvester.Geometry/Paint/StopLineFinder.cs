@@ -35,7 +35,7 @@ internal sealed class StopLineFinder
     /// <summary>
     /// A bar that is no longer than the bars of crossings, metres, and not straight across the road, is one of another road's crossing.
     /// </summary>
-    private const double LongestCrossingBar = 4;
+    public const double LongestCrossingBar = 4;
     private const double Straight = 0.1;
 
     /// <summary>Bars that follow each other within this distance are those of another road's crossing, metres.</summary>

@@ -130,7 +130,7 @@ public sealed class PaintSurveying : ILastingFeature
         else if (_survey is { } survey && !_harvest.IsOn)
         {
             // The harvest has already reported its end, with any fault.
-            End(survey, _harvest.LastFault is null && _harvest.Captured >= survey.Plan.Stations.Count);
+            End(survey, hasVisitedAll: _harvest.LastFault is null);
         }
     }
 
@@ -146,7 +146,7 @@ public sealed class PaintSurveying : ILastingFeature
         else if (_survey is { } survey)
         {
             _harvest.Stop();
-            End(survey, isDone: false);
+            End(survey, hasVisitedAll: false);
         }
     }
 
@@ -200,15 +200,18 @@ public sealed class PaintSurveying : ILastingFeature
         }
     }
 
-    private void End(PreparedSurvey survey, bool isDone)
+    private void End(PreparedSurvey survey, bool hasVisitedAll)
     {
         _survey = null;
         _mount.Stop();
+        int left = survey.Plan.Stations.Count - Pictures;
+        string pictures = $"{Pictures} of {Counted.Of(survey.Plan.Stations.Count, "picture")}";
         _messages.Tell(
-            isDone
-                ? $"The survey of paint is done: {Counted.Of(Pictures, "picture")}, in {_folder}."
-                : $"The survey of paint ended after {Pictures} of {Counted.Of(survey.Plan.Stations.Count, "picture")}. The next one "
-                    + "continues there."
+            left <= 0 ? $"The survey of paint is done: {Counted.Of(Pictures, "picture")}, in {_folder}."
+            : hasVisitedAll
+                ? $"The survey of paint took {pictures}. At {Counted.Of(left, "place")} the ground did not load or the vehicle did not "
+                    + "stand; the next survey tries again."
+            : $"The survey of paint ended after {pictures}. The next one continues there."
         );
     }
 

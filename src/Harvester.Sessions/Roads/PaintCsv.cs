@@ -51,7 +51,15 @@ public static class PaintCsv
             _ => "solid",
         };
 
-    internal static string NameOf(MarkKind kind) => kind == MarkKind.Crossing ? "crossing" : "stopLine";
+    internal static string NameOf(MarkKind kind) =>
+        kind switch
+        {
+            MarkKind.Crossing => "crossing",
+            MarkKind.ArrowStraight => "arrowStraight",
+            MarkKind.ArrowLeft => "arrowLeft",
+            MarkKind.ArrowRight => "arrowRight",
+            _ => "stopLine",
+        };
 
     internal static string NameOf(MarkingColour colour) => colour == MarkingColour.Yellow ? "yellow" : "white";
 }

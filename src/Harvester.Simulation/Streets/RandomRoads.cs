@@ -11,6 +11,7 @@ internal static class RandomRoads
     private const double MinLane = 3.0;
     private const double MaxLane = 6.5;
     private const double ShareWithoutEdges = 0.15;
+    private const double ShareWithArrows = 0.6;
 
     public static RoadChain Vary(RoadChain chain, int seed)
     {
@@ -34,6 +35,7 @@ internal static class RandomRoads
                 1 => MarkingStyle.Dashed,
                 _ => MarkingStyle.DoubleSolid,
             },
+            ArrowLength = random.NextDouble() < ShareWithArrows ? Between(2.5, 4.5) : 0,
         };
         return chain with { Layout = chain.Layout with { LaneWidth = lane, Paint = paint } };
     }

@@ -27,6 +27,9 @@ internal sealed record RoadPaint
     /// <summary>Whether the left edge of a one-way road is yellow.</summary>
     public bool HasYellowLeftEdge { get; init; }
 
+    /// <summary>Length of the arrows on lanes before junctions; 0 for none.</summary>
+    public double ArrowLength { get; init; }
+
     /// <summary>How the line between the directions of a road without median is painted; null for the usual one of its lanes.</summary>
     public MarkingStyle? Centre { get; init; }
 }

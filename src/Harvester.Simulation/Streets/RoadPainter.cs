@@ -4,7 +4,7 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Streets;
 
-/// <summary>Paints the lines along roads, stop lines and pedestrian crossings.</summary>
+/// <summary>Paints the lines along roads, stop lines, pedestrian crossings and arrows.</summary>
 internal sealed class RoadPainter(
     RoadPlan plan,
     IReadOnlyList<PaintedRun> runs,
@@ -20,7 +20,7 @@ internal sealed class RoadPainter(
     private int _stripes;
 
     /// <summary>Paints everything.</summary>
-    /// <returns>The stop lines and crossings.</returns>
+    /// <returns>The stop lines, crossings and arrows.</returns>
     public IReadOnlyList<PaintedMark> Paint()
     {
         foreach (PaintedRun run in runs)
@@ -40,6 +40,7 @@ internal sealed class RoadPainter(
             {
                 PaintStopLine(arm);
                 PaintCrossing(arm);
+                PaintArrows(arm);
             }
         }
 
@@ -85,6 +86,43 @@ internal sealed class RoadPainter(
         if (bars.Count > 0)
         {
             AddMark(MarkKind.Crossing, arm, from, to, bars[0], bars[^1] + barWidth);
+        }
+    }
+
+    /// <summary>An arrow on each lane that leads to a junction: to the left on the leftmost of several, to the right on the rightmost.</summary>
+    private void PaintArrows(RoadArm arm)
+    {
+        const double behindStopLine = 2.5;
+        LaneLayout layout = arm.Road.Layout;
+        bool towards = !arm.AtStart;
+        int lanes = layout.Lanes(towards);
+        double length = (layout.Paint ?? RoadPaint.Usual).ArrowLength;
+        double tip = arm.Trim + behindStopLine;
+        if (length == 0 || arm.Road.Length < 2 * (tip + length))
+        {
+            return;
+        }
+
+        for (int lane = 0; lane < lanes; lane++)
+        {
+            MarkKind kind =
+                lanes == 1 ? MarkKind.ArrowStraight
+                : lane == 0 ? MarkKind.ArrowLeft
+                : lane == lanes - 1 ? MarkKind.ArrowRight
+                : MarkKind.ArrowStraight;
+            double middle = layout.LaneCentre(towards, lane);
+            (double left, double right) = (0, 0);
+            foreach ((double from, double to, double driversLeft, double driversRight) in ArrowShape.Of(kind, length))
+            {
+                // Offsets grow to the right of the road's own direction.
+                (double a, double b) = towards ? (-driversLeft, driversRight) : (-driversRight, driversLeft);
+                (left, right) = (Math.Min(left, a), Math.Max(right, b));
+                (double begin, double end) = Ordered(arm.DistanceAt(tip + from), arm.DistanceAt(tip + to));
+                Stripe(asphalt.Of(arm.Road), begin, end, middle + a, middle + b, Palette.White);
+            }
+
+            (double near, double far) = Ordered(arm.DistanceAt(tip), arm.DistanceAt(tip + length));
+            AddMark(kind, arm, near, far, middle + left, middle + right);
         }
     }
 

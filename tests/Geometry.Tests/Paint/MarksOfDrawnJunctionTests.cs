@@ -17,6 +17,13 @@ public sealed class MarksOfDrawnJunctionTests
     /// <summary>Half of a column, and what the pixels at an end leave open, metres.</summary>
     private const double Across = 0.2;
 
+    /// <summary>The arrow: its tip, the end of its head and of its shaft, metres before the node, and its middle.</summary>
+    private const double Tip = -14.5;
+    private const double HeadEnd = -15.6;
+    private const double ShaftEnd = -17.5;
+    private const double ArrowMiddle = 2.7;
+    private const double HalfShaft = 0.1;
+
     private const double FirstBar = -4.9;
     private const double LastBar = 4.5;
 
@@ -41,6 +48,29 @@ public sealed class MarksOfDrawnJunctionTests
     [Fact]
     public void Bare_junction_has_no_marks() => Assert.Empty(Measured((2.7, false)).Marks);
 
+    [Theory]
+    [InlineData(MarkKind.ArrowStraight, 0.45, 0.45)]
+    [InlineData(MarkKind.ArrowLeft, 0.9, 0.1)]
+    [InlineData(MarkKind.ArrowRight, 0.1, 0.9)]
+    public void Arrows_are_told_by_their_heads(MarkKind kind, double left, double right)
+    {
+        // The second image is taken 1.5 m before the first, from another lane.
+        PaintTable table = Measured(place => IsArrow(place, left, right), (2.7, -22), (1.9, -23.5));
+
+        MarkPaint arrow = Assert.Single(table.Marks);
+        Assert.Equal(kind, arrow.Mark.Kind);
+        AssertIs(arrow, (ArrowMiddle - left, ArrowMiddle + right), (ShaftEnd, Tip));
+    }
+
+    [Theory]
+    [InlineData(0.1, 0.1)]
+    [InlineData(0.18, 0.1)]
+    public void Stripe_without_a_head_is_no_arrow(double left, double right) =>
+        Assert.DoesNotContain(
+            Measured(place => IsArrow(place, left, right), (2.7, -22), (1.9, -23.5)).Marks,
+            mark => mark.Mark.Kind >= MarkKind.ArrowStraight
+        );
+
     private static void AssertIs(MarkPaint mark, (double From, double To) x, (double From, double To) y)
     {
         IReadOnlyList<Vector3D> corners = mark.Mark.Corners;
@@ -63,19 +93,32 @@ public sealed class MarksOfDrawnJunctionTests
         var evidence = new PaintEvidence();
         for (int i = 0; i < images.Length; i++)
         {
-            var size = new ImageSize(800, 600);
-            var camera = new Camera(
-                new Pose(new Vector3D(images[i].X, -20.5, 1.4), Axes.FromHeading(0)),
-                new CameraIntrinsics(65, size, size.Aspect, nearClip: 0.15, Lens.Ideal)
-            );
-            new PaintScanner(s_roads).Scan(
-                new PaintImage(camera, Picture(camera, images[i].IsPainted), new RoadGround(), null),
-                i,
-                evidence
-            );
+            bool isPainted = images[i].IsPainted;
+            Scan(evidence, i, images[i].X, -20.5, place => isPainted && IsPaint(place));
         }
 
         return PaintTableBuilder.Build(s_roads, evidence);
+    }
+
+    private static PaintTable Measured(Func<Vector3D, bool> isPaint, params (double X, double Y)[] cameras)
+    {
+        var evidence = new PaintEvidence();
+        for (int i = 0; i < cameras.Length; i++)
+        {
+            Scan(evidence, i, cameras[i].X, cameras[i].Y, isPaint);
+        }
+
+        return PaintTableBuilder.Build(s_roads, evidence);
+    }
+
+    private static void Scan(PaintEvidence evidence, int image, double x, double y, Func<Vector3D, bool> isPaint)
+    {
+        var size = new ImageSize(800, 600);
+        var camera = new Camera(
+            new Pose(new Vector3D(x, y, 1.4), Axes.FromHeading(0)),
+            new CameraIntrinsics(65, size, size.Aspect, nearClip: 0.15, Lens.Ideal)
+        );
+        new PaintScanner(s_roads).Scan(new PaintImage(camera, Picture(camera, isPaint), new RoadGround(), null), image, evidence);
     }
 
     private static PaintRoads Roads()
@@ -86,17 +129,35 @@ public sealed class MarksOfDrawnJunctionTests
         return new PaintRoads(new RoadCurves(new RoadNetwork(nodes, links)));
     }
 
-    private static byte[] Picture(Camera camera, bool isPainted)
+    private static byte[] Picture(Camera camera, Func<Vector3D, bool> isPaint)
     {
         byte[] rgb = new byte[3 * camera.Image.PixelCount];
         for (int i = 0; i < camera.Image.PixelCount; i++)
         {
             Ray ray = camera.RayThrough((i % camera.Image.Width) + 0.5, (i / camera.Image.Width) + 0.5);
-            bool isPaint = isPainted && ray.Direction.Z < 0 && IsPaint(ray.At(-ray.Origin.Z / ray.Direction.Z));
-            Array.Fill(rgb, isPaint ? (byte)200 : (byte)80, 3 * i, 3);
+            bool isPainted = ray.Direction.Z < 0 && isPaint(ray.At(-ray.Origin.Z / ray.Direction.Z));
+            Array.Fill(rgb, isPainted ? (byte)200 : (byte)80, 3 * i, 3);
         }
 
         return rgb;
+    }
+
+    /// <summary>A shaft, and a head that is a triangle straight on or to a side.</summary>
+    private static bool IsArrow(Vector3D place, double left, double right)
+    {
+        if (place.Y is < ShaftEnd or > Tip)
+        {
+            return false;
+        }
+
+        double part = place.Y < HeadEnd ? 1 : (Tip - place.Y) / (Tip - HeadEnd);
+        double wide =
+            place.Y < HeadEnd ? 0
+            : left == right ? part
+            : 1 - (2 * Math.Abs(part - 0.5));
+        double toLeft = place.Y < HeadEnd || left > HalfShaft ? HalfShaft + ((left - HalfShaft) * wide) : HalfShaft;
+        double toRight = place.Y < HeadEnd || right > HalfShaft ? HalfShaft + ((right - HalfShaft) * wide) : HalfShaft;
+        return place.X > ArrowMiddle - toLeft && place.X < ArrowMiddle + toRight;
     }
 
     private static bool IsPaint(Vector3D place)

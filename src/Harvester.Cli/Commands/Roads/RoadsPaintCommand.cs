@@ -36,7 +36,7 @@ internal static class RoadsPaintCommand
             HelpName = "FILE",
         };
         Option<string> output = RoadSourceArgument.Output("Table to write, CSV");
-        var command = new Command("paint", "Measure the lines, stop lines and crossings painted on roads in images.")
+        var command = new Command("paint", "Measure the lines, stop lines, crossings and arrows painted on roads in images.")
         {
             sessions,
             roads,
@@ -82,7 +82,8 @@ internal static class RoadsPaintCommand
         string found = string.Create(CultureInfo.InvariantCulture, $"{Counted.Of(lines, "piece")} of lines, {metres / 1000:0.0} km");
         string stopLines = Counted.Of(table.Marks.Count(static mark => mark.Mark.Kind == MarkKind.StopLine), "stop line");
         string crossings = Counted.Of(table.Marks.Count(static mark => mark.Mark.Kind == MarkKind.Crossing), "crossing");
-        terminal.Out.WriteLine($"{file}: {found}, on {Counted.Of(table.Links.Count, "link")}; {stopLines}, {crossings}");
+        string arrows = Counted.Of(table.Marks.Count(static mark => mark.Mark.Kind >= MarkKind.ArrowStraight), "arrow");
+        terminal.Out.WriteLine($"{file}: {found}, on {Counted.Of(table.Links.Count, "link")}; {stopLines}, {crossings}, {arrows}");
         return ExitCode.Done;
     }
 }

@@ -8,7 +8,7 @@ using Xunit.Abstractions;
 namespace Harvester.Cli.Tests.Commands.Roads;
 
 /// <summary>
-/// Measured stop lines and crossings against those that are painted, on roads whose lane widths are drawn at random. The seeds were not
+/// Measured stop lines, crossings and arrows against those that are painted, on roads whose lane widths are drawn at random. The seeds were not
 /// used to choose the method's constants.
 /// </summary>
 [Trait("Category", "Heavy")]
@@ -25,10 +25,29 @@ public sealed class MarkAccuracyTests(ITestOutputHelper output) : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
+    public void Marks_of_random_towns_are_found_from_above()
+    {
+        MarkJudge[] judges = [.. Enum.GetValues<MarkKind>().Select(kind => new MarkJudge(kind, MarkJudge.FromAbove))];
+        foreach (int seed in TestSeeds.Or("351,352"))
+        {
+            string session = _folder.PathOf("session");
+            string table = _folder.PathOf("paint.csv");
+            string[] world = ["--varied-roads", "--seed", FormattableString.Invariant($"{seed}"), "--range", "200"];
+            CliRun.Of(["roads", "photograph", "--out", session, "--overwrite", .. world]).AssertDone();
+            CliRun.Of("roads", "paint", session, "--out", table).AssertDone();
+            var game = new SimulatedGame(new SimulationOptions { Seed = seed, HasVariedRoads = true });
+            PaintTable measured = PaintFile.Read(table, game.Roads);
+            Array.ForEach(judges, judge => judge.Judge(measured, game.Marks, new SessionReader(session)));
+        }
+
+        Report(judges);
+        Assert.All(judges, Required);
+    }
+
+    [Fact]
     public void Marks_of_random_towns_are_where_they_are_painted()
     {
-        MarkJudge stopLines = new(MarkKind.StopLine);
-        MarkJudge crossings = new(MarkKind.Crossing);
+        MarkJudge[] judges = [.. Enum.GetValues<MarkKind>().Select(kind => new MarkJudge(kind))];
         foreach (int seed in TestSeeds.Or("257"))
         {
             string session = _folder.PathOf("session");
@@ -38,18 +57,20 @@ public sealed class MarkAccuracyTests(ITestOutputHelper output) : IDisposable
             CliRun.Of("roads", "paint", session, "--out", table).AssertDone();
             var game = new SimulatedGame(new SimulationOptions { Seed = seed, HasVariedRoads = true });
             PaintTable measured = PaintFile.Read(table, game.Roads);
-            stopLines.Judge(measured, game.Marks, new SessionReader(session));
-            crossings.Judge(measured, game.Marks, new SessionReader(session));
+            Array.ForEach(judges, judge => judge.Judge(measured, game.Marks, new SessionReader(session)));
         }
 
-        foreach (MarkJudge judge in new[] { stopLines, crossings })
+        Report(judges);
+        Assert.All(judges.Where(judge => judge.Measured > 0), Required);
+    }
+
+    private void Report(MarkJudge[] judges)
+    {
+        foreach (MarkJudge judge in judges)
         {
             output.WriteLine(judge.ToString());
             judge.Faults.ForEach(output.WriteLine);
         }
-
-        Required(stopLines);
-        Required(crossings);
     }
 
     private static void Required(MarkJudge judge)

@@ -5,15 +5,18 @@ using Harvester.Sessions.Reading;
 
 namespace Harvester.Cli.Tests.Commands.Roads;
 
-/// <summary>Compares the stop lines and crossings of a table with those that the simulated game painted.</summary>
-internal sealed class MarkJudge(MarkKind kind)
+/// <summary>Compares the marks of one kind in a table with those that the simulated game painted.</summary>
+internal sealed class MarkJudge(MarkKind kind, double maxDistance = MarkJudge.OfDrives)
 {
     /// <summary>
     /// A mark is in view if the images together show this share of its area from no farther than this, metres: nearer than the 15 m up to
     /// which marks are searched, because there a stop line is two pixels high. What vehicles hide counts as in view.
     /// </summary>
     private const double MinShare = 0.8;
-    private const double MaxDistance = 12;
+    public const double OfDrives = 12;
+
+    /// <summary>The distance from above: from the camera, 33.8 m up, to the corner of its picture.</summary>
+    public const double FromAbove = 46;
 
     /// <summary>Points along and across a mark that are looked at.</summary>
     private const int Grid = 8;
@@ -66,7 +69,7 @@ internal sealed class MarkJudge(MarkKind kind)
 
         Measured += table.Marks.Count(mark => mark.Mark.Kind == kind);
         List<Camera> cameras = [.. session.ReadLabels().Select(label => LabelCamera.Of(label.Camera))];
-        foreach (Box truth in truths.Where(truth => truth.ShareSeenBy(cameras) >= MinShare))
+        foreach (Box truth in truths.Where(truth => truth.ShareSeenBy(cameras, maxDistance) >= MinShare))
         {
             Visible++;
             VisibleFound += found.Contains(truth) ? 1 : 0;
@@ -127,9 +130,9 @@ internal sealed class MarkJudge(MarkKind kind)
         }
 
         /// <summary>The share of its area that is in one of the images and near enough to its camera.</summary>
-        public double ShareSeenBy(List<Camera> cameras)
+        public double ShareSeenBy(List<Camera> cameras, double maxDistance)
         {
-            List<Camera> near = cameras.FindAll(camera => (camera.Pose.Position - Middle).Length <= MaxDistance + HalfDiagonal);
+            List<Camera> near = cameras.FindAll(camera => (camera.Pose.Position - Middle).Length <= maxDistance + HalfDiagonal);
             int seen = 0;
             for (int i = 0; i < Grid * Grid; i++)
             {
@@ -138,7 +141,7 @@ internal sealed class MarkJudge(MarkKind kind)
                 Vector3D place =
                     (((Corners[0] * (1 - across)) + (Corners[1] * across)) * (1 - along))
                     + (((Corners[3] * (1 - across)) + (Corners[2] * across)) * along);
-                seen += near.Exists(camera => Sees(camera, place)) ? 1 : 0;
+                seen += near.Exists(camera => Sees(camera, place, maxDistance)) ? 1 : 0;
             }
 
             return (double)seen / (Grid * Grid);
@@ -146,8 +149,8 @@ internal sealed class MarkJudge(MarkKind kind)
 
         private double HalfDiagonal => (Corners[2] - Corners[0]).Length / 2;
 
-        private static bool Sees(Camera camera, Vector3D place) =>
-            (camera.Pose.Position - place).Length <= MaxDistance && camera.Project(place).Outcome == ProjectionOutcome.InImage;
+        private static bool Sees(Camera camera, Vector3D place, double maxDistance) =>
+            (camera.Pose.Position - place).Length <= maxDistance && camera.Project(place).Outcome == ProjectionOutcome.InImage;
 
         private bool IsWithin(Vector3D place, Vector2D axis)
         {
