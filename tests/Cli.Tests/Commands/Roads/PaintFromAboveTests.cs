@@ -64,11 +64,11 @@ public sealed class PaintFromAboveTests(ITestOutputHelper output) : IDisposable
         CliRun.Of("roads", "import", RealWorldFactAttribute.PathOf("nodes.zip")!, "--out", roads).AssertDone();
         RoadNetwork network = RoadImporter.Import(roads).Network;
         PaintJudge judge = new();
-        foreach (Vector2D near in new Vector2D[] { new(300, 200), new(-200, 6300) })
+        foreach (Vector2D near in new Vector2D[] { new(600, -400), new(1750, 3650) })
         {
             var world = new SimulationOptions
             {
-                Seed = 314,
+                Seed = 336,
                 Roads = network,
                 Near = near,
                 HasVariedRoads = true,
