@@ -49,12 +49,12 @@ internal sealed class OpenDriveRoad
     public IReadOnlyList<OpenDrivePiece> WidthOf(MapLane lane) =>
         Along(section => section.Edges(lane.IsForward)[lane.Index + 1] - section.Edges(lane.IsForward)[lane.Index]);
 
-    private static double GapAt(RoadSection section) => Math.Max(0, section.ForwardEdges[0] + section.BackwardEdges[0]);
+    private static double GapAt(SegmentSection section) => Math.Max(0, section.ForwardEdges[0] + section.BackwardEdges[0]);
 
     /// <summary>A value that changes evenly between the sections.</summary>
-    private OpenDrivePiece[] Along(Func<RoadSection, double> value)
+    private OpenDrivePiece[] Along(Func<SegmentSection, double> value)
     {
-        IReadOnlyList<RoadSection> sections = Segment.Sections;
+        IReadOnlyList<SegmentSection> sections = Segment.Sections;
         return sections.Count == 1
             ? [new OpenDrivePiece(0, value(sections[0]), 0)]
             :

@@ -145,7 +145,7 @@ internal sealed class LaneNetworkBuilder
         : new SegmentEnd(null, next, _network.Links[next].From == node);
 
     /// <summary>The sections of a road between two stations of its link.</summary>
-    private RoadSection[] Sections(int link, double from, double to)
+    private SegmentSection[] Sections(int link, double from, double to)
     {
         double[] inner = [.. _lanes.StationsOf(link).Where(station => station > from && station < to)];
         double[] stations = inner.Length == 0 && !_lanes.StationsOf(link).Any() ? [from] : [from, .. inner, to];
@@ -154,7 +154,7 @@ internal sealed class LaneNetworkBuilder
             .. stations
                 .Distinct()
                 .OrderBy(static station => station)
-                .Select(station => new RoadSection(
+                .Select(station => new SegmentSection(
                     station - from,
                     EdgesOf(link, isForward: true, station),
                     EdgesOf(link, isForward: false, station)

@@ -22,5 +22,5 @@ public sealed record RoadSegment(
 {
     /// <summary>The lanes across it at its start, and where they change evenly between, up to its end; at least one section. Behind the
     /// last one the lanes are as there.</summary>
-    public IReadOnlyList<RoadSection> Sections { get; internal init; } = [];
+    public IReadOnlyList<SegmentSection> Sections { get; internal init; } = [];
 }

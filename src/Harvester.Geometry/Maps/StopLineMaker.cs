@@ -25,7 +25,9 @@ internal sealed class StopLineMaker(LaneNetwork map)
     /// <summary>Lanes farther above or below are those of another road, metres.</summary>
     private const double SameLevel = 3;
 
-    /// <summary>The node of a stop line and the painted line lie on a link that ends at most this far before the junction, metres.</summary>
+    /// <summary>
+    /// The node of a stop line and the painted line lie on a link that ends at most this far before the junction, metres.
+    /// </summary>
     private const double MaxFromJunction = 45;
 
     private const RoadNodeFlags Waits = RoadNodeFlags.TrafficLight | RoadNodeFlags.GiveWay;

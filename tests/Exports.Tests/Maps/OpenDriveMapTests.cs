@@ -137,7 +137,7 @@ public sealed class OpenDriveMapTests
     }
 
     [Fact]
-    public void Outlines_of_stop_lines_and_crossings_lie_where_the_map_has_them()
+    public void Outlines_lie_where_the_map_has_stop_lines_and_crossings()
     {
         Dictionary<string, XElement> objects = File.Descendants("object").ToDictionary(item => item.Attribute("name")!.Value);
 

@@ -14,7 +14,9 @@ namespace Harvester.Simulation.Tests.Maps;
 [Trait("Category", "Heavy")]
 public sealed class RealLanesTests(ITestOutputHelper output)
 {
-    /// <summary>The least part of the ways that the traffic drives, and on which it stays within the edges: measured 0.77 and 0.56.</summary>
+    /// <summary>
+    /// The least part of the ways that the traffic drives, and on which it stays within the edges; measured were 0.77 and 0.56.
+    /// </summary>
     private const double MinDriven = 0.7;
     private const double MinKept = 0.5;
 
@@ -76,8 +78,9 @@ public sealed class RealLanesTests(ITestOutputHelper output)
         // Places lie so close together that some share junctions.
         found = [.. found.DistinctBy(judged => judged.Junction)];
         int plausible = found.Count(judged => judged.Kept == judged.Ways);
+        int driven = found.Count(judged => judged.Driven == judged.Ways);
         output.WriteLine(
-            $"{plausible} of {found.Count} junctions: traffic stays on all their ways; {found.Count(judged => judged.Driven == judged.Ways)} "
+            $"{plausible} of {found.Count} junctions: traffic stays on all their ways; {driven} "
                 + $"whose ways are all driven; of {found.Sum(judged => judged.Ways)} ways {found.Sum(judged => judged.Driven)} are driven, "
                 + $"{found.Sum(judged => judged.Kept)} without leaving them"
         );

@@ -34,7 +34,7 @@ public sealed class SignalLanesTests(ITestOutputHelper output)
             {
                 wrong++;
                 output.WriteLine(
-                    $"{signal.Id} {prop.Model.Name} obeyed by road {arm.Road.Index} {(arm.AtStart ? "b" : "f")} ({wanted.Count} lanes), found "
+                    $"{signal.Id} {prop.Model.Name} obeyed by road {arm.Road.Index} ({wanted.Count} lanes), found "
                         + string.Join("; ", found.Select(lane => $"{lane.Road?.Index} {lane.IsForward} {lane.Lane}"))
                 );
             }

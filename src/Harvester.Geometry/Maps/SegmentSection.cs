@@ -6,7 +6,7 @@ namespace Harvester.Geometry.Maps;
 /// the leftmost lane to the right edge of the rightmost; empty without lanes.</param>
 /// <param name="BackwardEdges">The same for the lanes from end to start: metres to the right of the line as seen from its end to its
 /// start.</param>
-public sealed record RoadSection(double Station, IReadOnlyList<double> ForwardEdges, IReadOnlyList<double> BackwardEdges)
+public sealed record SegmentSection(double Station, IReadOnlyList<double> ForwardEdges, IReadOnlyList<double> BackwardEdges)
 {
     /// <summary>The edges of one direction.</summary>
     public IReadOnlyList<double> Edges(bool isForward) => isForward ? ForwardEdges : BackwardEdges;
