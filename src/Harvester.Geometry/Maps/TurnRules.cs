@@ -15,14 +15,34 @@ internal static class TurnRules
     /// <summary>A lane of a fork leads into a branch whose nearest lane is at most this many lane widths aside.</summary>
     private const double MaxAside = 0.75;
 
-    /// <summary>The ways from an arm.</summary>
+    /// <summary>The ways from an arm: those of the rules and, where a road only goes on with more lanes, one to each that begins.</summary>
     /// <param name="arm">The arm.</param>
     /// <param name="arms">All arms of the junction.</param>
     public static IEnumerable<(MapLane From, MapLane To, MapTurn Turn)> WaysFrom(JunctionArm arm, IReadOnlyList<JunctionArm> arms)
     {
+        (MapLane From, MapLane To, MapTurn Turn)[] ways = [.. ByRule(arm, arms)];
+        if (arms.Count != 2 || ways.Length == 0)
+        {
+            return ways;
+        }
+
+        JunctionArm exit = arms.First(other => other != arm);
+        return ways.Concat(
+            exit.Outgoing.Select((lane, index) => (From: arm.Incoming[Math.Min(index, arm.Incoming.Count - 1)], lane, ways[0].Turn))
+                .Where(begun => !Array.Exists(ways, way => way.To == begun.lane))
+        );
+    }
+
+    private static IEnumerable<(MapLane From, MapLane To, MapTurn Turn)> ByRule(JunctionArm arm, IReadOnlyList<JunctionArm> arms)
+    {
+        if (arm.Incoming.Count == 0)
+        {
+            yield break;
+        }
+
         (JunctionArm Arm, double Turn)[] exits =
         [
-            .. arms.Where(exit => exit != arm && exit.Outgoing.Count > 0)
+            .. arms.Where(exit => exit != arm && exit.Outgoing.Count > 0 && IsAhead(arm, exit))
                 .Select(exit => (Arm: exit, Turn: arm.TurnInto(exit)))
                 .Where(exit => Math.Abs(exit.Turn) < MaxTurn)
                 .OrderByDescending(exit => exit.Turn),
@@ -48,6 +68,18 @@ internal static class TurnRules
                 yield return (arm.Incoming[lane], Target(arm, lane, exit, turn, arms), TurnOf(turn));
             }
         }
+    }
+
+    /// <summary>
+    /// Whether a car can drive from one arm into another without turning back: the exit lies ahead of the arm's lanes, and they behind the
+    /// exit's. In a junction of many nodes an arm may lie behind another.
+    /// </summary>
+    private static bool IsAhead(JunctionArm arm, JunctionArm exit)
+    {
+        MapLane from = arm.Incoming[0];
+        Vector3D apart = exit.Outgoing[0].Centre[0] - from.Centre[from.Centre.Count - 1];
+        var chord = new Vector2D(apart.X, apart.Y);
+        return chord.Dot(from.EndDirection) > 0 && chord.Dot(exit.Outgoing[0].StartDirection) > 0;
     }
 
     private static bool IsStraight(double turn) => Math.Abs(turn) <= MaxStraight;
