@@ -1,0 +1,12 @@
+namespace Harvester.Exports.Maps;
+
+/// <summary>The formats for the lanes of a road network. The command line, its help and its errors read this list.</summary>
+public static class MapFormats
+{
+    /// <summary>All formats.</summary>
+    public static IReadOnlyList<MapFormat> All { get; } =
+    [
+        new("opendrive", ".xodr", "ASAM OpenDRIVE 1.7", OpenDriveMap.Write),
+        new("geojson", ".geojson", "GeoJSON in metres", (map, _, stream) => GeoJsonMap.Write(map, stream)),
+    ];
+}
