@@ -22,6 +22,9 @@ internal sealed class LaneBorders
     /// <summary>The least distance of the nodes of a border, metres: on the inside of sharp turns, edges shrink to a point.</summary>
     private const double MinStep = 0.05;
 
+    /// <summary>How far a border may leave that of the map between its nodes, metres.</summary>
+    private const double Tolerance = 0.01;
+
     private readonly Dictionary<MapLane, BorderSide> _left = [];
     private readonly Dictionary<MapLane, BorderSide> _right = [];
     private readonly List<LaneBorder> _borders = [];
@@ -160,18 +163,24 @@ internal sealed class LaneBorders
         (Vector3D start, Vector3D end) = (_places.PositionOf(border.Start), _places.PositionOf(border.End));
         (Vector3D atStart, Vector3D atEnd) = (start - points[0], end - points[^1]);
         double taper = Math.Min(TaperMetres, stations[^1] / 2);
-        var nodes = new List<int> { NodeAt(border.Start, start) };
-        Vector3D last = start;
+        var line = new List<Vector3D> { start };
         for (int i = 1; i < points.Count - 1; i++)
         {
             double fromStart = Math.Max(0, 1 - (stations[i] / taper));
             double fromEnd = Math.Max(0, 1 - ((stations[^1] - stations[i]) / taper));
             Vector3D point = points[i] + (atStart * fromStart) + (atEnd * fromEnd);
-            if ((point - last).Length >= MinStep && (point - end).Length >= MinStep)
+            if ((point - line[^1]).Length >= MinStep && (point - end).Length >= MinStep)
             {
-                nodes.Add(AddNode(point));
-                last = point;
+                line.Add(point);
             }
+        }
+
+        line.Add(end);
+        IReadOnlyList<Vector3D> thinned = ThinnedLine.Of(line, Tolerance);
+        var nodes = new List<int> { NodeAt(border.Start, start) };
+        for (int i = 1; i < thinned.Count - 1; i++)
+        {
+            nodes.Add(AddNode(thinned[i]));
         }
 
         nodes.Add(NodeAt(border.End, end));

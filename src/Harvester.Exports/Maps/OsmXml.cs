@@ -98,8 +98,6 @@ internal sealed class OsmXml : IDisposable
     {
         _xml.WriteStartElement(element);
         _xml.WriteAttributeString("id", Text(id));
-        _xml.WriteAttributeString("visible", "true");
-        _xml.WriteAttributeString("version", "1");
     }
 
     private long End(long id, IEnumerable<(string Key, string Value)> tags)
