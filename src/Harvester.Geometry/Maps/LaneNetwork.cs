@@ -1,3 +1,4 @@
+using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Maps;
@@ -8,9 +9,15 @@ namespace Harvester.Geometry.Maps;
 /// </summary>
 public sealed class LaneNetwork
 {
-    private readonly Dictionary<string, MapLane> _byId;
+    /// <summary>Side of the cells in which the roads to junctions are found, metres.</summary>
+    private const double ApproachCell = 64;
 
-    internal LaneNetwork(RoadNetwork network, IReadOnlyList<RoadSegment> segments, IReadOnlyList<MapJunction> junctions)
+    private readonly Dictionary<string, MapLane> _byId;
+    private readonly GroundGrid<LaneApproach> _approachGrid = new(ApproachCell);
+    private readonly Dictionary<MapLane, LaneApproach> _approachOf = [];
+    private readonly int[] _arms;
+
+    internal LaneNetwork(RoadNetwork network, IReadOnlyList<RoadSegment> segments, IReadOnlyList<MapJunction> junctions, MapContent content)
     {
         (Network, Segments, Junctions) = (network, segments, junctions);
         Lanes =
@@ -18,7 +25,38 @@ public sealed class LaneNetwork
             .. segments.SelectMany(segment => segment.Forward.Concat(segment.Backward)),
             .. junctions.SelectMany(junction => junction.Ways),
         ];
+        for (int i = 0; i < Lanes.Count; i++)
+        {
+            Lanes[i].Order = i;
+        }
+
         _byId = Lanes.ToDictionary(lane => lane.Id, StringComparer.Ordinal);
+        Index = new LaneIndex(this);
+        Approaches = [.. LaneApproach.Of(segments)];
+        foreach (LaneApproach approach in Approaches)
+        {
+            Vector3D end = approach.Left;
+            _approachGrid.Add(approach, new Box2D(end.X, end.Y, end.X, end.Y));
+            foreach (MapLane lane in approach.Lanes)
+            {
+                _approachOf.Add(lane, approach);
+            }
+        }
+
+        _arms = new int[junctions.Count];
+        foreach (int junction in segments.SelectMany(segment => new[] { segment.Start.Junction, segment.End.Junction }).OfType<int>())
+        {
+            _arms[junction]++;
+        }
+
+        (PaintedMark, MapSource)[] marks =
+        [
+            .. content.KnownMarks.Select(mark => (mark, MapSource.Known)),
+            .. (content.Paint?.Marks ?? []).Select(mark => (mark.Mark, MapSource.Measured)),
+        ];
+        Signals = SignalMaker.Make(this, content.Props);
+        StopLines = new StopLineMaker(this).Make(marks);
+        Crossings = CrossingMaker.Make(network, marks);
     }
 
     /// <summary>The roads.</summary>
@@ -33,11 +71,35 @@ public sealed class LaneNetwork
     /// <summary>All lanes: those of <see cref="Segments"/>, then the ways through <see cref="Junctions"/>.</summary>
     public IReadOnlyList<MapLane> Lanes { get; }
 
+    /// <summary>The traffic lights and the signs that say who waits, in the order in which they were given.</summary>
+    public IReadOnlyList<MapSignal> Signals { get; }
+
+    /// <summary>The stop lines: those that are painted, then those that are derived.</summary>
+    public IReadOnlyList<MapStopLine> StopLines { get; }
+
+    /// <summary>The pedestrian crossings: those that are painted, then those that are derived.</summary>
+    public IReadOnlyList<MapCrossing> Crossings { get; }
+
+    /// <summary>Finds lanes by their place.</summary>
+    public LaneIndex Index { get; }
+
+    internal IReadOnlyList<LaneApproach> Approaches { get; }
+
     /// <summary>Makes the map of a network.</summary>
     /// <param name="curves">The centre lines.</param>
     /// <param name="lanes">The widths of the lanes.</param>
-    public static LaneNetwork Of(RoadCurves curves, LaneModel lanes) => new LaneNetworkBuilder(curves, lanes).Build();
+    /// <param name="content">What the map has beside its roads; null for nothing.</param>
+    public static LaneNetwork Of(RoadCurves curves, LaneModel lanes, MapContent? content = null) =>
+        new LaneNetworkBuilder(curves, lanes, content ?? MapContent.None).Build();
 
     /// <summary>A lane by its name; null if there is none.</summary>
     public MapLane? Find(string id) => _byId.TryGetValue(id, out MapLane? lane) ? lane : null;
+
+    /// <summary>The number of roads that meet in a junction.</summary>
+    internal int ArmsOf(int junction) => _arms[junction];
+
+    /// <summary>The lanes with which a lane leads into a junction; null if it does not.</summary>
+    internal LaneApproach? ApproachOf(MapLane lane) => _approachOf.TryGetValue(lane, out LaneApproach? approach) ? approach : null;
+
+    internal IEnumerable<LaneApproach> ApproachesNear(Vector3D place, double range) => _approachGrid.Near(place.X, place.Y, range);
 }

@@ -25,16 +25,20 @@ internal sealed class LaneNetworkBuilder
     private readonly LaneModel _lanes;
     private readonly JunctionGroups _groups;
     private readonly MapNames _names;
+    private readonly MapContent _content;
+    private readonly MarkingFinder _markings;
     private readonly Dictionary<int, int> _junctions = [];
     private readonly Dictionary<int, RoadSegment> _segments = [];
 
-    public LaneNetworkBuilder(RoadCurves curves, LaneModel lanes)
+    public LaneNetworkBuilder(RoadCurves curves, LaneModel lanes, MapContent content)
     {
         _curves = Guard.NotNull(curves, nameof(curves));
         _network = curves.Network;
         _lanes = Guard.NotNull(lanes, nameof(lanes));
         _groups = new JunctionGroups(curves, lanes);
         _names = new MapNames(_network);
+        _content = content;
+        _markings = new MarkingFinder(curves, lanes, content);
     }
 
     public LaneNetwork Build()
@@ -71,7 +75,7 @@ internal sealed class LaneNetworkBuilder
 
         ILookup<int, JunctionArm> arms = segments.SelectMany(ArmsOf).ToLookup(arm => arm.Junction, arm => arm.Arm);
         MapJunction[] junctions = [.. nodesOf.Select(group => JunctionOf(group.Key, group.Value, [.. arms[_junctions[group.Key]]]))];
-        return new LaneNetwork(_network, segments, junctions);
+        return new LaneNetwork(_network, segments, junctions, _content);
     }
 
     private RoadSegment Segment(int link)
@@ -93,7 +97,7 @@ internal sealed class LaneNetworkBuilder
             (forward[0].Oncoming, backward[0].Oncoming) = (backward[0], forward[0]);
         }
 
-        return new RoadSegment(
+        var segment = new RoadSegment(
             name,
             link,
             line,
@@ -106,6 +110,8 @@ internal sealed class LaneNetworkBuilder
             ForwardLeftEdge = onwards?.LeftEdge ?? 0,
             BackwardLeftEdge = back?.LeftEdge ?? 0,
         };
+        _markings.Mark(segment, fromStart, curve.Length - fromEnd);
+        return segment;
     }
 
     private SegmentEnd EndAt(int node, int next) =>

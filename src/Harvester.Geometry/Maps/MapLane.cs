@@ -10,6 +10,7 @@ public sealed class MapLane
 {
     private readonly List<MapLane> _successors = [];
     private readonly List<MapLane> _predecessors = [];
+    private readonly List<MapSignal> _signals = [];
 
     internal MapLane(string id) => Id = id;
 
@@ -64,6 +65,24 @@ public sealed class MapLane
     /// <summary>The lane of the other direction on its left; null if there is none, or a median between.</summary>
     public MapLane? Oncoming { get; internal set; }
 
+    /// <summary>The line along its left edge; null if it is unknown.</summary>
+    public MapMarking? LeftMarking { get; internal set; }
+
+    /// <summary>The line along its right edge; null if it is unknown.</summary>
+    public MapMarking? RightMarking { get; internal set; }
+
+    /// <summary>The speed limit, metres per second; null if it is unknown. The road data has none.</summary>
+    public double? SpeedLimit { get; internal set; }
+
+    /// <summary>The stop line across it or at its end; null if there is none.</summary>
+    public MapStopLine? StopLine { get; internal set; }
+
+    /// <summary>The lights and signs that govern it; only lanes that end at a junction have some.</summary>
+    public IReadOnlyList<MapSignal> Signals => _signals;
+
+    /// <summary>Its place in <see cref="LaneNetwork.Lanes"/>.</summary>
+    internal int Order { get; set; }
+
     /// <summary>The lanes that continue it.</summary>
     public IReadOnlyList<MapLane> Successors => _successors;
 
@@ -75,4 +94,6 @@ public sealed class MapLane
         _successors.Add(next);
         next._predecessors.Add(this);
     }
+
+    internal void Add(MapSignal signal) => _signals.Add(signal);
 }
