@@ -19,6 +19,9 @@ internal sealed class LaneBorder(LaneBorderKind kind, IReadOnlyList<Vector3D> po
 
     public int End { get; } = end;
 
+    /// <summary>How it is painted; null if that is unknown.</summary>
+    public MapMarking? Marking { get; set; }
+
     /// <summary>Its nodes, numbers of <see cref="LaneBorders.Nodes"/>.</summary>
     public IReadOnlyList<int> Nodes { get; set; } = [];
 }

@@ -79,6 +79,10 @@ internal sealed class LaneBorders
         return _nodes.Count - 1;
     }
 
+    /// <summary>Whether a lane turns in less than half its width, so that its middle does not follow from its borders.</summary>
+    public static bool IsFolded(MapLane lane) =>
+        FoldedLine.IsFolded(lane.Left, lane.Centre) || FoldedLine.IsFolded(lane.Right, lane.Centre);
+
     /// <summary>Whether the end of a lane and the start of one that follows it are the same nodes.</summary>
     public static bool IsContinuation(MapLane lane, MapLane next) =>
         lane.Junction is not null || next.Junction is not null || lane.Index == next.Index;
@@ -90,10 +94,13 @@ internal sealed class LaneBorders
             return;
         }
 
-        _left.Add(lanes[0], Shared(lanes[0]) ?? Add(LaneBorderKind.Edge, lanes[0].Left));
+        BorderSide left = Shared(lanes[0]) ?? Add(LaneBorderKind.Edge, lanes[0].Left);
+        left.Border.Marking ??= lanes[0].LeftMarking;
+        _left.Add(lanes[0], left);
         for (int i = 0; i < lanes.Count; i++)
         {
             BorderSide right = Add(i < lanes.Count - 1 ? LaneBorderKind.Divider : LaneBorderKind.Edge, lanes[i].Right);
+            right.Border.Marking = lanes[i].RightMarking ?? (i < lanes.Count - 1 ? lanes[i + 1].LeftMarking : null);
             _right.Add(lanes[i], right);
             if (i < lanes.Count - 1)
             {
@@ -142,11 +149,14 @@ internal sealed class LaneBorders
                 way,
                 beside is not null && IsSideBySide(beside.Right, way.Left)
                     ? _right[beside]
-                    : Add(LaneBorderKind.Junction, way.Left, _left[from].End, _left[to].Start)
+                    : Add(LaneBorderKind.Junction, Trimmed(way.Left, way), _left[from].End, _left[to].Start)
             );
-            _right.Add(way, Add(LaneBorderKind.Junction, way.Right, _right[from].End, _right[to].Start));
+            _right.Add(way, Add(LaneBorderKind.Junction, Trimmed(way.Right, way), _right[from].End, _right[to].Start));
         }
     }
+
+    private static IReadOnlyList<Vector3D> Trimmed(IReadOnlyList<Vector3D> edge, MapLane way) =>
+        FoldedLine.IsFolded(edge, way.Centre) ? FoldedLine.Trimmed(edge) : edge;
 
     private static bool IsSideBySide(IReadOnlyList<Vector3D> one, IReadOnlyList<Vector3D> other) =>
         one.Count == other.Count && Enumerable.Range(0, one.Count).All(i => (one[i] - other[i]).Length < SideBySide);
