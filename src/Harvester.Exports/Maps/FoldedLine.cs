@@ -2,9 +2,12 @@ using Harvester.Geometry;
 
 namespace Harvester.Exports.Maps;
 
-/// <summary>Edges of lanes that turn in less than half their width: the inner edge runs back, and crosses itself.</summary>
+/// <summary>Edges of lanes that turn in less than half their width: the inner edge would run back.</summary>
 internal static class FoldedLine
 {
+    /// <summary>The part of the radius of a turn that is left between its inner edge and the middle.</summary>
+    private const double RadiusFraction = 0.8;
+
     /// <summary>Whether an edge of a lane runs against its middle anywhere.</summary>
     /// <param name="edge">Points of the edge.</param>
     /// <param name="middle">As many points of the middle.</param>
@@ -21,31 +24,26 @@ internal static class FoldedLine
         return false;
     }
 
-    /// <summary>The line without the loop between the first two of its pieces that cross; the line itself if none do.</summary>
-    public static IReadOnlyList<Vector3D> Trimmed(IReadOnlyList<Vector3D> line)
+    /// <summary>The edge, nearer to the middle where that turns more sharply than the edge can follow.</summary>
+    /// <param name="edge">Points of the edge.</param>
+    /// <param name="middle">As many points of the middle.</param>
+    public static IReadOnlyList<Vector3D> Unfolded(IReadOnlyList<Vector3D> edge, IReadOnlyList<Vector3D> middle)
     {
-        for (int i = 0; i < line.Count - 1; i++)
+        var points = new Vector3D[edge.Count];
+        for (int i = 0; i < points.Length; i++)
         {
-            for (int j = line.Count - 2; j > i + 1; j--)
-            {
-                if (Crossing(line[i], line[i + 1], line[j], line[j + 1]) is { } point)
-                {
-                    return [.. line.Take(i + 1), point, .. line.Skip(j + 1)];
-                }
-            }
+            Vector3D aside = edge[i] - middle[i];
+            int corner = Math.Clamp(i, 1, Math.Max(1, points.Length - 2));
+            Vector2D before = Ground(middle[corner] - middle[corner - 1]);
+            Vector2D after = Ground(middle[Math.Min(corner + 1, points.Length - 1)] - middle[corner]);
+            double turn = Math.Atan2(before.Cross(after), before.Dot(after));
+            bool isInside = turn * before.Cross(Ground(aside)) > 0;
+            double radius = (before.Length + after.Length) / 2 / Math.Abs(turn);
+            double kept = isInside ? Math.Min(1, RadiusFraction * radius / Ground(aside).Length) : 1;
+            points[i] = middle[i] + (aside * kept);
         }
 
-        return line;
-    }
-
-    private static Vector3D? Crossing(Vector3D from, Vector3D to, Vector3D otherFrom, Vector3D otherTo)
-    {
-        (Vector2D line, Vector2D other) = (Ground(to - from), Ground(otherTo - otherFrom));
-        Vector2D between = Ground(otherFrom - from);
-        double area = line.Cross(other);
-        double along = between.Cross(other) / area;
-        double alongOther = between.Cross(line) / area;
-        return area != 0 && along is > 0 and < 1 && alongOther is > 0 and < 1 ? from + ((to - from) * along) : null;
+        return points;
     }
 
     private static Vector2D Ground(Vector3D vector) => new(vector.X, vector.Y);

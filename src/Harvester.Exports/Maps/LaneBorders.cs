@@ -6,7 +6,7 @@ namespace Harvester.Exports.Maps;
 /// <summary>
 /// The borders of all lanes, such that lanes beside each other have one border in common and lanes that follow each other meet in the
 /// same nodes. Where a road's lanes continue with other widths or in another number, the edges of both roads are drawn to the middle
-/// between them over <see cref="TaperMetres"/>; a lane that has no lane of its number ahead or behind ends or begins there.
+/// between them over <see cref="TaperMetres"/>; of several lanes that lead into one, or follow one, the nearest meets it.
 /// </summary>
 internal sealed class LaneBorders
 {
@@ -22,6 +22,9 @@ internal sealed class LaneBorders
     /// <summary>The least distance of the nodes of a border, metres: on the inside of sharp turns, edges shrink to a point.</summary>
     private const double MinStep = 0.05;
 
+    /// <summary>Shorter ways whose inner edge would run back are left out, metres.</summary>
+    private const double MinWay = 2;
+
     /// <summary>How far a border may leave that of the map between its nodes, metres.</summary>
     private const double Tolerance = 0.01;
 
@@ -31,6 +34,8 @@ internal sealed class LaneBorders
     private readonly List<Vector3D> _nodes = [];
     private readonly Dictionary<int, int> _nodeAt = [];
     private readonly MeetingPoints _places = new();
+    private readonly Dictionary<MapLane, MapLane> _joined = [];
+    private readonly HashSet<MapLane> _leftOut = [];
 
     public LaneBorders(LaneNetwork map)
     {
@@ -40,15 +45,7 @@ internal sealed class LaneBorders
             AddRoad(segment.Backward);
         }
 
-        foreach (MapLane lane in map.Lanes.Where(lane => lane.Junction is null))
-        {
-            foreach (MapLane next in lane.Successors.Where(next => next.Junction is null && IsContinuation(lane, next)))
-            {
-                _places.Join(_left[lane].End, _left[next].Start);
-                _places.Join(_right[lane].End, _right[next].Start);
-            }
-        }
-
+        Join(map);
         foreach (MapJunction junction in map.Junctions)
         {
             AddWays(junction);
@@ -83,9 +80,65 @@ internal sealed class LaneBorders
     public static bool IsFolded(MapLane lane) =>
         FoldedLine.IsFolded(lane.Left, lane.Centre) || FoldedLine.IsFolded(lane.Right, lane.Centre);
 
-    /// <summary>Whether the end of a lane and the start of one that follows it are the same nodes.</summary>
-    public static bool IsContinuation(MapLane lane, MapLane next) =>
-        lane.Junction is not null || next.Junction is not null || lane.Index == next.Index;
+    /// <summary>
+    /// The ways that have no borders: those between lanes that meet, where there is no room for a way, and those back into the same lane,
+    /// which nobody drives.
+    /// </summary>
+    public IReadOnlySet<MapLane> LeftOut => _leftOut;
+
+    /// <summary>The lanes that follow a lane, without the ways that are left out.</summary>
+    public IEnumerable<MapLane> After(MapLane lane) =>
+        lane.Successors.Where(next => !IsLoop(next)).Select(next => _leftOut.Contains(next) ? next.Successors[0] : next);
+
+    /// <summary>The lanes that a lane follows, without the ways that are left out.</summary>
+    public IEnumerable<MapLane> Before(MapLane lane) =>
+        lane.Predecessors.Where(other => !IsLoop(other)).Select(other => _leftOut.Contains(other) ? other.Predecessors[0] : other);
+
+    /// <summary>Whether a way leads from the end of a lane back to its start.</summary>
+    private static bool IsLoop(MapLane lane) => lane.Junction is not null && lane.Predecessors[0] == lane.Successors[0];
+
+    /// <summary>
+    /// Joins the end of each lane to the start of one that follows it, the nearest if there are several: one that continues its road, or
+    /// one to which the way is too short to have an inner edge.
+    /// </summary>
+    private void Join(LaneNetwork map)
+    {
+        var pairs = new List<(MapLane From, MapLane To, MapLane? Way, double Apart)>();
+        foreach (MapLane lane in map.Lanes)
+        {
+            if (lane.Junction is null)
+            {
+                pairs.AddRange(
+                    lane.Successors.Where(next => next.Junction is null).Select(next => (lane, next, (MapLane?)null, Apart(lane, next)))
+                );
+            }
+            else if (IsLoop(lane))
+            {
+                _leftOut.Add(lane);
+            }
+            else if (lane.Line!.Value.Length < MinWay && IsFolded(lane))
+            {
+                pairs.Add((lane.Predecessors[0], lane.Successors[0], lane, Apart(lane.Predecessors[0], lane.Successors[0])));
+            }
+        }
+
+        var joinedTo = new HashSet<MapLane>();
+        foreach ((MapLane from, MapLane to, MapLane? way, double _) in pairs.OrderBy(pair => pair.Apart))
+        {
+            if (!_joined.ContainsKey(from) && joinedTo.Add(to))
+            {
+                _joined.Add(from, to);
+                _places.Join(_left[from].End, _left[to].Start);
+                _places.Join(_right[from].End, _right[to].Start);
+                if (way is not null)
+                {
+                    _leftOut.Add(way);
+                }
+            }
+        }
+    }
+
+    private static double Apart(MapLane lane, MapLane next) => (lane.Centre[^1] - next.Centre[0]).Length;
 
     private void AddRoad(IReadOnlyList<MapLane> lanes)
     {
@@ -94,12 +147,12 @@ internal sealed class LaneBorders
             return;
         }
 
-        BorderSide left = Shared(lanes[0]) ?? Add(LaneBorderKind.Edge, lanes[0].Left);
+        BorderSide left = Shared(lanes[0]) ?? Add(LaneBorderKind.Edge, EdgeOf(lanes[0].Left, lanes[0]));
         left.Border.Marking ??= lanes[0].LeftMarking;
         _left.Add(lanes[0], left);
         for (int i = 0; i < lanes.Count; i++)
         {
-            BorderSide right = Add(i < lanes.Count - 1 ? LaneBorderKind.Divider : LaneBorderKind.Edge, lanes[i].Right);
+            BorderSide right = Add(i < lanes.Count - 1 ? LaneBorderKind.Divider : LaneBorderKind.Edge, EdgeOf(lanes[i].Right, lanes[i]));
             right.Border.Marking = lanes[i].RightMarking ?? (i < lanes.Count - 1 ? lanes[i + 1].LeftMarking : null);
             _right.Add(lanes[i], right);
             if (i < lanes.Count - 1)
@@ -138,25 +191,25 @@ internal sealed class LaneBorders
     private void AddWays(MapJunction junction)
     {
         Dictionary<(MapLane, MapLane), MapLane> ways = junction.Ways.ToDictionary(way => (way.Predecessors[0], way.Successors[0]));
-        foreach (MapLane way in junction.Ways.OrderBy(way => way.Index))
+        foreach (MapLane way in junction.Ways.Where(way => !_leftOut.Contains(way)).OrderBy(way => way.Index))
         {
             (MapLane from, MapLane to) = (way.Predecessors[0], way.Successors[0]);
             MapLane? beside =
-                from.LeftNeighbour is { } left && to.LeftNeighbour is { } target && ways.TryGetValue((left, target), out MapLane? other)
+                from.LeftNeighbour is { } left && to.LeftNeighbour is { } target && ways.TryGetValue((left, target), out MapLane? other) && !_leftOut.Contains(other)
                     ? other
                     : null;
             _left.Add(
                 way,
                 beside is not null && IsSideBySide(beside.Right, way.Left)
                     ? _right[beside]
-                    : Add(LaneBorderKind.Junction, Trimmed(way.Left, way), _left[from].End, _left[to].Start)
+                    : Add(LaneBorderKind.Junction, EdgeOf(way.Left, way), _left[from].End, _left[to].Start)
             );
-            _right.Add(way, Add(LaneBorderKind.Junction, Trimmed(way.Right, way), _right[from].End, _right[to].Start));
+            _right.Add(way, Add(LaneBorderKind.Junction, EdgeOf(way.Right, way), _right[from].End, _right[to].Start));
         }
     }
 
-    private static IReadOnlyList<Vector3D> Trimmed(IReadOnlyList<Vector3D> edge, MapLane way) =>
-        FoldedLine.IsFolded(edge, way.Centre) ? FoldedLine.Trimmed(edge) : edge;
+    private static IReadOnlyList<Vector3D> EdgeOf(IReadOnlyList<Vector3D> edge, MapLane lane) =>
+        FoldedLine.IsFolded(edge, lane.Centre) ? FoldedLine.Unfolded(edge, lane.Centre) : edge;
 
     private static bool IsSideBySide(IReadOnlyList<Vector3D> one, IReadOnlyList<Vector3D> other) =>
         one.Count == other.Count && Enumerable.Range(0, one.Count).All(i => (one[i] - other[i]).Length < SideBySide);

@@ -25,6 +25,7 @@ public sealed class Lanelet2Map
 
     private readonly LaneNetwork _map;
     private readonly LaneBorders _borders;
+    private readonly MapLane[] _lanes;
     private readonly Lanelet2Signals _signals;
     private readonly Dictionary<LaneBorder, Lanelet2Way> _borderWays = [];
     private readonly Dictionary<MapLane, Lanelet2Way> _middles = [];
@@ -37,13 +38,14 @@ public sealed class Lanelet2Map
     {
         (_map, _xml) = (map, xml);
         _borders = new LaneBorders(map);
+        _lanes = [.. map.Lanes.Where(lane => !_borders.LeftOut.Contains(lane))];
         _signals = new Lanelet2Signals(map, _borders);
         foreach (LaneBorder border in _borders.Borders)
         {
             _borderWays.Add(border, new Lanelet2Way(border.Nodes, [.. TagsOf(border)]));
         }
 
-        foreach (MapLane lane in map.Lanes.Where(LaneBorders.IsFolded))
+        foreach (MapLane lane in _lanes.Where(LaneBorders.IsFolded))
         {
             _middles.Add(
                 lane,
@@ -79,13 +81,13 @@ public sealed class Lanelet2Map
             _ways.Add(way, _xml.Way(way.Nodes.Select(node => nodes[node]), way.Tags));
         }
 
-        foreach (MapLane lane in _map.Lanes)
+        foreach (MapLane lane in _lanes)
         {
             _lanelets.Add(lane, _xml.NextId());
         }
 
         ILookup<MapLane, long> rules = WriteRules();
-        foreach (MapLane lane in _map.Lanes)
+        foreach (MapLane lane in _lanes)
         {
             WriteLane(lane, rules[lane]);
         }
