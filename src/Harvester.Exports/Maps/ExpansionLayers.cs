@@ -24,6 +24,11 @@ internal sealed class ExpansionLayers(ExpansionContent content, Vector2D offset,
     private const string RoadToken = "road_segment_token";
 
     private readonly ExpansionGeometry _geometry = new(offset);
+    private readonly Dictionary<string, string> _roadOf = content.Lanes.ToDictionary(
+        lane => lane.Id,
+        lane => lane.Road,
+        StringComparer.Ordinal
+    );
     private readonly ILookup<string, ExpansionLane> _roads = content.Lanes.ToLookup(lane => lane.Road, StringComparer.Ordinal);
 
     /// <summary>Writes the file.</summary>
@@ -237,12 +242,6 @@ internal sealed class ExpansionLayers(ExpansionContent content, Vector2D offset,
     }
 
     private string BlockOf(MapLane lane) => ExpansionLane.BlockOf(_roadOf[lane.Id], lane.IsForward);
-
-    private readonly Dictionary<string, string> _roadOf = content.Lanes.ToDictionary(
-        lane => lane.Id,
-        lane => lane.Road,
-        StringComparer.Ordinal
-    );
 
     /// <summary>Each arc is a path of three pieces (Dubins), of which two have no length.</summary>
     private void WriteArcs(Utf8JsonWriter writer, ExpansionLane lane)

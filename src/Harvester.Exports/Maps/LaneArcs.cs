@@ -13,6 +13,9 @@ internal static class LaneArcs
     /// <summary>How far points of the middle may lie beside the arcs, metres.</summary>
     private const double Tolerance = 0.01;
 
+    /// <summary>Where the ends lie this exactly behind each other, tangents would be endless.</summary>
+    private const double Backwards = 1e-9;
+
     /// <summary>Shorter arcs are left out, metres.</summary>
     private const double MinLength = 1e-4;
 
@@ -61,7 +64,7 @@ internal static class LaneArcs
         double root = Math.Sqrt((along * along) + (bend * apart.Dot(apart)));
 
         // The solution of bend d² + 2 along d = apart², in the form that holds for bend = 0.
-        double tangent = along + root > 0 ? apart.Dot(apart) / (along + root) : apart.Length / 2;
+        double tangent = along + root > apart.Length * Backwards ? apart.Dot(apart) / (along + root) : apart.Length / 2;
         Vector2D joint = (from + to + ((before - after) * tangent)) * 0.5;
         LaneArc first = Arc(from, before, joint);
         (double _, double _, double heading) = first.At(first.Length);

@@ -45,7 +45,7 @@ public sealed class Lanelet2Map
             _borderWays.Add(border, new Lanelet2Way(border.Nodes, [.. TagsOf(border)]));
         }
 
-        foreach (MapLane lane in _lanes.Where(LaneBorders.IsFolded))
+        foreach (MapLane lane in _lanes.Where(lane => lane.Turn is MapTurn.Left or MapTurn.Right || LaneBorders.IsFolded(lane)))
         {
             _middles.Add(
                 lane,

@@ -9,6 +9,7 @@ public static class MapFormats
         new("opendrive", ".xodr", "ASAM OpenDRIVE 1.7", OpenDriveMap.Write),
         new("lanelet2", ".osm", "Lanelet2 as OpenStreetMap XML", (map, _, stream) => Lanelet2Map.Write(map, stream)),
         new("nuscenes", ".json", "nuScenes map expansion 1.3", (map, _, stream) => NuScenesExpansion.Write(map, stream)),
+        new("argoverse2", ".json", "Argoverse 2 vector map", (map, _, stream) => ArgoverseMap.Write(map, stream)),
         new("geojson", ".geojson", "GeoJSON in metres", (map, _, stream) => GeoJsonMap.Write(map, stream)),
     ];
 }
