@@ -113,7 +113,10 @@ public sealed class ArgoverseMap
             MapLane[][] sides = [.. new[] { road.Forward, road.Backward }.Where(side => side.Count > 0).Select(side => side.ToArray())];
             if (sides.Length > 0)
             {
-                yield return Outline(_borders.RightOf(sides[0][^1]), sides.Length > 1 ? _borders.RightOf(sides[1][^1]).Nodes : Back(sides[0][0]));
+                yield return Outline(
+                    _borders.RightOf(sides[0][^1]),
+                    sides.Length > 1 ? _borders.RightOf(sides[1][^1]).Nodes : Back(sides[0][0])
+                );
             }
         }
 

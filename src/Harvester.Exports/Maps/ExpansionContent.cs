@@ -43,25 +43,27 @@ internal sealed record ExpansionContent(IReadOnlyList<ExpansionLane> Lanes)
 
         ExpansionLane[] lanes =
         [
-            .. map.Lanes.Where(lane => !borders.LeftOut.Contains(lane)).Select(lane =>
-            {
-                (BorderSide left, BorderSide right) = (borders.LeftOf(lane), borders.RightOf(lane));
-                return new ExpansionLane(
-                    lane.Id,
-                    RoadOf(lane),
-                    lane.Junction is not null,
-                    lane.IsForward,
-                    lane.Index,
-                    PointsOf(left),
-                    PointsOf(right),
-                    TypeOf(left.Border.Marking),
-                    TypeOf(right.Border.Marking),
-                    left.Border.Kind == LaneBorderKind.Centre,
-                    LaneArcs.Of(lane, LineOf(lane)),
-                    [.. borders.Before(lane).Select(other => other.Id)],
-                    [.. borders.After(lane).Select(other => other.Id)]
-                );
-            }),
+            .. map
+                .Lanes.Where(lane => !borders.LeftOut.Contains(lane))
+                .Select(lane =>
+                {
+                    (BorderSide left, BorderSide right) = (borders.LeftOf(lane), borders.RightOf(lane));
+                    return new ExpansionLane(
+                        lane.Id,
+                        RoadOf(lane),
+                        lane.Junction is not null,
+                        lane.IsForward,
+                        lane.Index,
+                        PointsOf(left),
+                        PointsOf(right),
+                        TypeOf(left.Border.Marking),
+                        TypeOf(right.Border.Marking),
+                        left.Border.Kind == LaneBorderKind.Centre,
+                        LaneArcs.Of(lane, LineOf(lane)),
+                        [.. borders.Before(lane).Select(other => other.Id)],
+                        [.. borders.After(lane).Select(other => other.Id)]
+                    );
+                }),
         ];
         return new ExpansionContent(lanes)
         {

@@ -38,7 +38,11 @@ internal sealed class ExpansionGeometry(Vector2D offset)
     /// <summary>Writes the three layers; nothing may be added after.</summary>
     public void Write(ExpansionJson json)
     {
-        json.List("polygon", _polygons, polygon => WriteShape(json.Writer, polygon.Token, "exterior_node_tokens", polygon.Nodes, hasHoles: true));
+        json.List(
+            "polygon",
+            _polygons,
+            polygon => WriteShape(json.Writer, polygon.Token, "exterior_node_tokens", polygon.Nodes, hasHoles: true)
+        );
         json.List("line", _lines, line => WriteShape(json.Writer, line.Token, "node_tokens", line.Nodes, hasHoles: false));
         json.List(
             "node",

@@ -79,8 +79,7 @@ internal sealed class ExpansionLayers(ExpansionContent content, Vector2D offset,
         _geometry.Write(json);
     }
 
-    private IEnumerable<MapSignal> Lights =>
-        content.Signals.Where(signal => signal.Kind == MapSignalKind.Light && signal.Lanes.Count > 0);
+    private IEnumerable<MapSignal> Lights => content.Signals.Where(signal => signal.Kind == MapSignalKind.Light && signal.Lanes.Count > 0);
 
     private IEnumerable<IGrouping<string, ExpansionLane>> Blocks() =>
         content.Lanes.Where(lane => !lane.IsConnector).GroupBy(lane => lane.Block, StringComparer.Ordinal);

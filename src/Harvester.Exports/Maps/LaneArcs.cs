@@ -28,7 +28,12 @@ internal static class LaneArcs
         Vector2D[] points = [.. lane.Centre.Select(point => new Vector2D(point.X, point.Y))];
         Vector2D[] directions =
         [
-            .. points.Select((_, i) => Unit(line.VelocityAt((double)i / last)) ?? Unit(points[Math.Min(i + 1, last)] - points[Math.Min(i, last - 1)]) ?? new Vector2D(1, 0)),
+            .. points.Select(
+                (_, i) =>
+                    Unit(line.VelocityAt((double)i / last))
+                    ?? Unit(points[Math.Min(i + 1, last)] - points[Math.Min(i, last - 1)])
+                    ?? new Vector2D(1, 0)
+            ),
         ];
         var arcs = new List<LaneArc>();
         var spans = new Stack<(int First, int Last)>([(0, last)]);

@@ -195,7 +195,10 @@ internal sealed class LaneBorders
         {
             (MapLane from, MapLane to) = (way.Predecessors[0], way.Successors[0]);
             MapLane? beside =
-                from.LeftNeighbour is { } left && to.LeftNeighbour is { } target && ways.TryGetValue((left, target), out MapLane? other) && !_leftOut.Contains(other)
+                from.LeftNeighbour is { } left
+                && to.LeftNeighbour is { } target
+                && ways.TryGetValue((left, target), out MapLane? other)
+                && !_leftOut.Contains(other)
                     ? other
                     : null;
             _left.Add(

@@ -49,10 +49,7 @@ public sealed class Lanelet2Map
         {
             _middles.Add(
                 lane,
-                new Lanelet2Way(
-                    [.. ThinnedLine.Of(lane.Centre, MiddleTolerance).Select(_borders.AddNode)],
-                    [("type", "virtual")]
-                )
+                new Lanelet2Way([.. ThinnedLine.Of(lane.Centre, MiddleTolerance).Select(_borders.AddNode)], [("type", "virtual")])
             );
         }
 

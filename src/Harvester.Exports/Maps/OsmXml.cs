@@ -63,7 +63,11 @@ internal sealed class OsmXml : IDisposable
     public long NextId() => ++_lastId;
 
     /// <summary>Writes a relation.</summary>
-    public void Relation(long id, IEnumerable<(string Type, long Id, string Role)> members, params IEnumerable<(string Key, string Value)> tags)
+    public void Relation(
+        long id,
+        IEnumerable<(string Type, long Id, string Role)> members,
+        params IEnumerable<(string Key, string Value)> tags
+    )
     {
         Begin("relation", id);
         foreach ((string type, long member, string role) in members)
