@@ -16,6 +16,12 @@ internal static class LaneArcs
     /// <summary>Where the ends lie this exactly behind each other, tangents would be endless.</summary>
     private const double Backwards = 1e-9;
 
+    /// <summary>
+    /// Arcs are at most this much longer than the line through the points, by more than that of a half circle and its chord. Where the
+    /// middle turns back on itself, they would make a loop; there it is a line.
+    /// </summary>
+    private const double MaxDetour = 1.6;
+
     /// <summary>Shorter arcs are left out, metres.</summary>
     private const double MinLength = 1e-4;
 
@@ -39,11 +45,14 @@ internal static class LaneArcs
         var spans = new Stack<(int First, int Last)>([(0, last)]);
         while (spans.TryPop(out (int First, int Last) span))
         {
-            LaneArc[] pair = Pair(points[span.First], directions[span.First], points[span.Last], directions[span.Last]);
+            (Vector2D from, Vector2D to) = (points[span.First], points[span.Last]);
+            LaneArc[] pair = Pair(from, directions[span.First], to, directions[span.Last]);
             int middle = (span.First + span.Last) / 2;
-            if (middle == span.First || Fits(pair, points, span.First, span.Last))
+            bool isPiece = middle == span.First;
+            bool isDirect = pair.Sum(arc => arc.Length) <= MaxDetour * LengthOf(points, span.First, span.Last);
+            if (isPiece || (isDirect && Fits(pair, points, span.First, span.Last)))
             {
-                arcs.AddRange(pair.Where(arc => arc.Length >= MinLength));
+                arcs.AddRange((isDirect ? pair : [Arc(from, to - from, to)]).Where(arc => arc.Length >= MinLength));
             }
             else
             {
@@ -54,6 +63,9 @@ internal static class LaneArcs
 
         return arcs;
     }
+
+    private static double LengthOf(Vector2D[] points, int first, int last) =>
+        Enumerable.Range(first, last - first).Sum(i => (points[i + 1] - points[i]).Length);
 
     private static Vector2D? Unit(Vector2D vector) => vector.Length > 0 ? vector * (1 / vector.Length) : null;
 
