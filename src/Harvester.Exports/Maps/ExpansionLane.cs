@@ -35,6 +35,57 @@ internal sealed record ExpansionLane(
     /// <summary>The name of the lanes of its direction on its road.</summary>
     public string Block => BlockOf(Road, IsForward);
 
+    private const char Field = '|';
+    private const char Item = ',';
+    private const int MetreDecimals = 3;
+    private const int ArcDecimals = 9;
+    private const int NumbersOfArc = 5;
+
+    /// <summary>Reads what <see cref="ToString"/> wrote.</summary>
+    public static ExpansionLane Parse(string text)
+    {
+        string[] fields = text.Split(Field);
+        double[] flags = NumbersOf(fields[2]);
+        return new ExpansionLane(
+            fields[0],
+            fields[1],
+            flags[0] > 0,
+            flags[1] > 0,
+            (int)flags[2],
+            [.. NumbersOf(fields[3]).Chunk(2).Select(point => new Vector2D(point[0], point[1]))],
+            [.. NumbersOf(fields[4]).Chunk(2).Select(point => new Vector2D(point[0], point[1]))],
+            fields[5],
+            fields[6],
+            flags[3] > 0,
+            [.. NumbersOf(fields[7]).Chunk(NumbersOfArc).Select(arc => new LaneArc(arc[0], arc[1], arc[2], arc[3], arc[4]))],
+            NamesOf(fields[8]),
+            NamesOf(fields[9])
+        );
+    }
+
+    /// <summary>The lane as a line of text without semicolons.</summary>
+    public override string ToString() =>
+        string.Join(
+            Field,
+            Id,
+            Road,
+            Numbers.Row(0, IsConnector ? 1 : 0, IsForward ? 1 : 0, Index, TouchesOncoming ? 1 : 0),
+            TextOf(Left),
+            TextOf(Right),
+            LeftType,
+            RightType,
+            Numbers.Row(ArcDecimals, [.. Arcs.SelectMany(arc => (double[])[arc.X, arc.Y, arc.Heading, arc.Curvature, arc.Length])]),
+            string.Join(Item, Predecessors),
+            string.Join(Item, Successors)
+        );
+
+    private static string TextOf(IReadOnlyList<Vector2D> points) =>
+        Numbers.Row(MetreDecimals, [.. points.SelectMany(point => (double[])[point.X, point.Y])]);
+
+    private static double[] NumbersOf(string text) => text.Length == 0 ? [] : Numbers.Parse(text.Split(' '))!;
+
+    private static string[] NamesOf(string text) => text.Length == 0 ? [] : text.Split(Item);
+
     /// <summary>The name of the lanes of a direction on a road.</summary>
     public static string BlockOf(string road, bool isForward) => $"{road}/{(isForward ? 'f' : 'b')}";
 }

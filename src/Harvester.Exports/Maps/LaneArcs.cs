@@ -52,7 +52,8 @@ internal static class LaneArcs
             bool isDirect = pair.Sum(arc => arc.Length) <= MaxDetour * LengthOf(points, span.First, span.Last);
             if (isPiece || (isDirect && Fits(pair, points, span.First, span.Last)))
             {
-                arcs.AddRange((isDirect ? pair : [Arc(from, to - from, to)]).Where(arc => arc.Length >= MinLength));
+                bool isLine = !isDirect || Array.TrueForAll(pair, arc => arc.IsStraight);
+                arcs.AddRange((isLine ? [Arc(from, to - from, to)] : pair).Where(arc => arc.Length >= MinLength));
             }
             else
             {

@@ -12,6 +12,10 @@ public static class NuScenesExpansion
     /// <summary>What the map reaches beyond its lanes, metres.</summary>
     private const double Margin = 20;
 
+    /// <summary>The names of maps that nuScenes' reader accepts.</summary>
+    internal static IReadOnlyList<string> Names { get; } =
+    ["singapore-onenorth", "singapore-hollandvillage", "singapore-queenstown", "boston-seaport"];
+
     /// <summary>Writes a map.</summary>
     /// <param name="map">The map; it has at least one lane.</param>
     /// <param name="stream">Receives the file, UTF-8.</param>

@@ -46,6 +46,18 @@ public sealed class NuScenesCheckTests(SimulatedSession simulated) : CheckTests(
     public void Lost_table_is_found() => AssertLossIsFound(Tables + "log.json", $"{Tables}log.json: it is missing.");
 
     [Fact]
+    public void Lost_map_of_lanes_is_found()
+    {
+        Export();
+        Delete("maps/expansion/singapore-onenorth.json");
+
+        Assert.Contains(
+            Problems(),
+            problem => problem.EndsWith("its map 'maps/expansion/singapore-onenorth.json' is missing.", StringComparison.Ordinal)
+        );
+    }
+
+    [Fact]
     public void Lost_map_is_found()
     {
         Export();
