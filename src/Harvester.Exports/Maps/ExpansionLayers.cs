@@ -119,7 +119,7 @@ internal sealed class ExpansionLayers(ExpansionContent content, Vector2D offset,
     private static IReadOnlyList<Vector2D> HullOf(IEnumerable<ExpansionLane> ways) =>
         ConvexHull.Of(ways.SelectMany(way => way.Left.Concat(way.Right)));
 
-    /// <summary>Along the right edge of one direction and back along that of the other, or along the left edge of the only direction.</summary>
+    /// <summary>Along the right edge of one direction, and back along that of the other or the left edge of the only one.</summary>
     private static IEnumerable<Vector2D> RoadOutline(IEnumerable<ExpansionLane> road)
     {
         ExpansionLane[][] blocks = [.. road.GroupBy(lane => lane.IsForward).Select(block => block.OrderBy(lane => lane.Index).ToArray())];

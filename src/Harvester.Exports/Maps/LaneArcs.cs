@@ -27,7 +27,7 @@ internal static class LaneArcs
 
     /// <summary>The arcs of a lane.</summary>
     /// <param name="lane">The lane.</param>
-    /// <param name="line">The curve whose parameter the points of its middle divide evenly: its own, or its road's in its direction.</param>
+    /// <param name="line">The curve whose parameter its points divide evenly: its own, or its road's in its direction.</param>
     public static IReadOnlyList<LaneArc> Of(MapLane lane, HermiteCurve line)
     {
         int last = lane.Centre.Count - 1;

@@ -2,7 +2,7 @@ using Harvester.Geometry;
 
 namespace Harvester.Exports.Maps;
 
-/// <summary>Places at which borders of lanes begin and end. Those that are joined are one place, in the middle of where they were.</summary>
+/// <summary>Places at which borders of lanes begin and end. Those that are joined are one, in the middle between them.</summary>
 internal sealed class MeetingPoints
 {
     private readonly List<int> _groups = [];

@@ -2,7 +2,7 @@ using System.Xml.Linq;
 
 namespace Harvester.Exports.Tests.Maps;
 
-/// <summary>A lanelet. Its borders may run either way in the file: those of a lanelet have one direction, with the left one on the left.</summary>
+/// <summary>A lanelet. Its borders may run either way in the file; here both run in its direction.</summary>
 internal sealed class Lanelet2Lane
 {
     private readonly Lanelet2File _file;

@@ -46,14 +46,13 @@ public sealed class NuScenesCheckTests(SimulatedSession simulated) : CheckTests(
     public void Lost_table_is_found() => AssertLossIsFound(Tables + "log.json", $"{Tables}log.json: it is missing.");
 
     [Fact]
-    public void Lost_map_of_lanes_is_found()
+    public void Location_with_the_name_of_a_map_that_is_missing_is_found()
     {
         Export();
-        Delete("maps/expansion/singapore-onenorth.json");
-
+        Damage(Tables + "log.json", "\"location\":\"[^\"]*", "\"location\":\"boston-seaport");
         Assert.Contains(
             Problems(),
-            problem => problem.EndsWith("its map 'maps/expansion/singapore-onenorth.json' is missing.", StringComparison.Ordinal)
+            problem => problem.EndsWith("its map 'maps/expansion/boston-seaport.json' is missing.", StringComparison.Ordinal)
         );
     }
 

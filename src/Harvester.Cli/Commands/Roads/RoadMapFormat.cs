@@ -39,7 +39,8 @@ internal sealed record RoadMapFormat(string Name, string Ending, string Descript
             1 => found[0],
             0 => throw new UsageException($"--out takes a file that ends in {Endings}; or name a --format."),
             _ => throw new UsageException(
-                $"A file that ends in {found[0].Ending} can be of several formats: name {ValueParsers.Listed([.. found.Select(format => "--format " + format.Name)])}."
+                $"A file that ends in {found[0].Ending} can be of several formats: name "
+                    + $"{ValueParsers.Listed([.. found.Select(format => "--format " + format.Name)])}."
             ),
         };
     }
