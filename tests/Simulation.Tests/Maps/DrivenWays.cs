@@ -14,8 +14,17 @@ internal sealed class DrivenWays(LaneNetwork map, Site site)
     /// <summary>Distance of the places looked at on a route, metres.</summary>
     private const double Step = 1;
 
+    /// <summary>How far before a way its lane is looked for, metres.</summary>
+    private const double MaxSearch = 60;
+
+    /// <summary>A path this near to the middle of a lane is the lane's, metres.</summary>
+    private const double SameLane = 1;
+
+    /// <summary>Lanes farther above or below are those of another road, metres.</summary>
+    private const double SameLevel = 5;
+
     /// <summary>Ways and roads within a junction that a route has at most.</summary>
-    private const int MaxParts = 7;
+    private const int MaxParts = 8;
 
     private readonly Dictionary<(MapLane From, MapLane To), bool> _routes = [];
 
@@ -25,11 +34,16 @@ internal sealed class DrivenWays(LaneNetwork map, Site site)
     /// </summary>
     public IEnumerable<(MapJunction Junction, int Ways, int Driven, int Kept)> Judge(Vector3D centre, double radius)
     {
-        foreach (LanePath way in site.Lanes.Paths.Where(path => path.Junction is { Arms.Count: > 1 }))
+        foreach (LanePath way in site.Lanes.Paths.Where(path => path.Junction is not null))
         {
-            if (LaneAt(way.Line.PositionAt(0), way.Line.TangentAt(0)) is { } from)
+            LanePath road = way.Previous[0];
+            for (double along = road.Length; along > Math.Max(-Step, road.Length - MaxSearch); along -= Step)
             {
-                Follow(from, [way]);
+                if (LaneAt(road, along) is { } from)
+                {
+                    Follow(from, [(road, Math.Max(0, along), road.Length), (way, 0, way.Length)]);
+                    break;
+                }
             }
         }
 
@@ -44,45 +58,57 @@ internal sealed class DrivenWays(LaneNetwork map, Site site)
         }
     }
 
-    private void Follow(MapLane from, List<LanePath> route)
+    /// <summary>Follows a route that ends with a way, along the road behind the way and the ways behind that.</summary>
+    private void Follow(MapLane from, List<(LanePath Path, double From, double To)> route)
     {
-        LanePath last = route[^1];
-        if (LaneAt(last.Line.PositionAt(last.Length), last.Line.TangentAt(last.Length)) is { } to)
+        LanePath road = route[^1].Path.Next[0];
+        for (double along = 0; along < road.Length + Step; along += Step)
         {
-            Note(from, to, route);
+            if (LaneAt(road, along) is { } to)
+            {
+                Note(from, to, [.. route, (road, 0, Math.Min(along, road.Length))]);
+                break;
+            }
         }
 
         if (route.Count < MaxParts)
         {
-            foreach (LanePath next in last.Next[0].Next)
+            foreach (LanePath next in road.Next)
             {
-                Follow(from, [.. route, last.Next[0], next]);
+                Follow(from, [.. route, (road, 0, road.Length), (next, 0, next.Length)]);
             }
         }
     }
 
-    private void Note(MapLane from, MapLane to, List<LanePath> route)
+    private void Note(MapLane from, MapLane to, List<(LanePath Path, double From, double To)> route)
     {
         MapLane[] before = [.. Chain(from, ahead: true)];
         MapLane[] after = [.. Chain(to, ahead: false)];
         if (before[^1].Successors.FirstOrDefault(way => way.Successors.Contains(after[^1])) is { } way)
         {
-            bool stays = route.All(path => StaysOn(path, [.. before, way, .. after]));
+            bool stays = route.All(part => StaysOn(part, [.. before, way, .. after]));
             _routes[(before[^1], after[^1])] = stays || _routes.GetValueOrDefault((before[^1], after[^1]));
         }
     }
 
-    private MapLane? LaneAt(Vector3D place, Vector3D direction) =>
-        map
-            .Index.Near(place, 0)
-            .Where(lane => lane.Junction is null && lane.EndDirection.Dot(new Vector2D(direction.X, direction.Y)) > 0.5)
-            .MinBy(lane => FromMiddle(lane, place).Distance);
-
-    private static bool StaysOn(LanePath path, MapLane[] lanes)
+    /// <summary>The lane of a road of the map on which a place of a path lies.</summary>
+    private MapLane? LaneAt(LanePath path, double along)
     {
-        for (double along = 0; along <= path.Length; along += Step)
+        double there = Math.Clamp(along, 0, path.Length);
+        Vector3D place = path.Line.PositionAt(there);
+        Vector3D direction = path.Line.TangentAt(there);
+        return map
+            .Index.Near(place, 0)
+            .Where(lane => lane.Junction is null && lane.EndDirection.Dot(new Vector2D(direction.X, direction.Y)) > 0.7)
+            .Where(lane => Math.Abs(lane.Centre[0].Z - place.Z) < SameLevel && FromMiddle(lane, place).Distance < SameLane)
+            .MinBy(lane => FromMiddle(lane, place).Distance);
+    }
+
+    private static bool StaysOn((LanePath Path, double From, double To) part, MapLane[] lanes)
+    {
+        for (double along = part.From; along <= part.To; along += Step)
         {
-            Vector3D place = path.Line.PositionAt(along);
+            Vector3D place = part.Path.Line.PositionAt(along);
             if (!lanes.Any(lane => FromMiddle(lane, place) is var (distance, half) && distance + HalfCar <= half))
             {
                 return false;

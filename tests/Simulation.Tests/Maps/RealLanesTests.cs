@@ -14,6 +14,10 @@ namespace Harvester.Simulation.Tests.Maps;
 [Trait("Category", "Heavy")]
 public sealed class RealLanesTests(ITestOutputHelper output)
 {
+    /// <summary>The least part of the ways that the traffic drives, and on which it stays within the edges: measured 0.77 and 0.56.</summary>
+    private const double MinDriven = 0.7;
+    private const double MinKept = 0.5;
+
     private static readonly Vector2D[] Places =
     [
         new(0, -1000),
@@ -52,10 +56,7 @@ public sealed class RealLanesTests(ITestOutputHelper output)
 
         int facing = map.Signals.Count(signal => signal.Lanes.Count > 0);
         output.WriteLine($"{lights.Count} lights, {map.Signals.Count} places, {facing} face lanes");
-        foreach (MapSignal signal in map.Signals.Where(signal => signal.Lanes.Count == 0).Take(30))
-        {
-            output.WriteLine($"  {signal.Id} {signal.Model} {signal.Facing}");
-        }
+        // Some stand where the road data has no road that they face.
         Assert.InRange(facing, map.Signals.Count * 0.9, map.Signals.Count);
     }
 
@@ -80,11 +81,8 @@ public sealed class RealLanesTests(ITestOutputHelper output)
                 + $"whose ways are all driven; of {found.Sum(judged => judged.Ways)} ways {found.Sum(judged => judged.Driven)} are driven, "
                 + $"{found.Sum(judged => judged.Kept)} without leaving them"
         );
-        foreach (var group in found.GroupBy(judged => Math.Min(judged.Junction.Nodes.Count, 6)).OrderBy(g => g.Key))
-            output.WriteLine(
-                $"{group.Key} nodes: {group.Count(j => j.Kept == j.Ways)} of {group.Count()}; driven {group.Count(j => j.Driven == j.Ways)}"
-            );
-        Assert.InRange(plausible, 0.5 * found.Count, found.Count);
+        Assert.True(found.Sum(judged => judged.Driven) > MinDriven * found.Sum(judged => judged.Ways));
+        Assert.True(found.Sum(judged => judged.Kept) > MinKept * found.Sum(judged => judged.Ways));
     }
 
     private static LaneNetwork MapOf(MapContent content)
