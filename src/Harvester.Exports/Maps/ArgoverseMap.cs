@@ -54,10 +54,10 @@ public sealed class ArgoverseMap
         _json.WriteEndObject();
     }
 
-    private void WriteNumbered<T>(string name, IReadOnlyList<T> items, Action<T> writeFields)
+    private void WriteNumbered<T>(string name, T[] items, Action<T> writeFields)
     {
         _json.WriteStartObject(name);
-        for (int i = 0; i < items.Count; i++)
+        for (int i = 0; i < items.Length; i++)
         {
             _json.WriteStartObject(Numbers.Text(i + 1));
             _json.WriteNumber("id", i + 1);

@@ -74,8 +74,7 @@ internal sealed record ExpansionContent(IReadOnlyList<ExpansionLane> Lanes)
                 .. map.Crossings.Select(crossing =>
                 {
                     Vector3D middle = crossing.Corners.Aggregate((sum, corner) => sum + corner) * (1.0 / crossing.Corners.Count);
-                    MapLane? lane = map.Index.Near(middle, 0).FirstOrDefault();
-                    return (crossing, lane is null ? "" : RoadOf(lane));
+                    return (crossing, map.Index.Near(middle, 0) is [MapLane lane, ..] ? RoadOf(lane) : "");
                 }),
             ],
         };

@@ -95,7 +95,7 @@ internal sealed class ExpansionLayers(ExpansionContent content, Vector2D offset,
 
     private static string AreaOf(string road) => road + "#area";
 
-    private void WriteDrivable(ExpansionJson json, IGrouping<string, ExpansionLane> road)
+    private static void WriteDrivable(ExpansionJson json, IGrouping<string, ExpansionLane> road)
     {
         json.Writer.WriteString(Token, AreaOf(road.Key));
         ExpansionLane[] ways = [.. road.Where(lane => lane.IsConnector)];
