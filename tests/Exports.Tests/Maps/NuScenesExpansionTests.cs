@@ -231,9 +231,9 @@ public sealed class NuScenesExpansionTests
             .Where(field => field.Key.EndsWith("divider_segments", StringComparison.Ordinal))
             .SelectMany(field => field.Value!.AsArray())!;
 
-    private static IEnumerable<JsonNode> Segments(JsonObject record, string field) => record[field]!.AsArray()!;
+    private static JsonArray Segments(JsonObject record, string field) => record[field]!.AsArray();
 
-    private static string Type(JsonNode segment) => Text(segment["segment_type"]);
+    private static string Type(JsonNode? segment) => Text(segment!["segment_type"]);
 
     private static Dictionary<string, JsonObject> ByToken(string layer) =>
         Index.GetOrAdd(layer, name => Records(name).ToDictionary(record => Text(record["token"]), StringComparer.Ordinal));
