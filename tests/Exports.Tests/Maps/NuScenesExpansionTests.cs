@@ -126,7 +126,7 @@ public sealed class NuScenesExpansionTests
     }
 
     [Fact]
-    public void Middles_of_lanes_lie_in_their_polygons_and_those_of_their_blocks()
+    public void Middles_lie_in_the_polygons_of_lanes_and_blocks()
     {
         Dictionary<string, JsonObject> nodes = ByToken("node");
         Dictionary<string, JsonObject> polygons = ByToken("polygon");
