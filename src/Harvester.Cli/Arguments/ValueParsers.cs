@@ -78,6 +78,29 @@ internal static class ValueParsers
     public static Option<T?> OptionalChoice<T>(string name, string description)
         where T : struct, Enum => Optional<T>(name, string.Join('|', JsonNames.All<T>()), description, ParseChoice<T>, Alternatives<T>());
 
+    /// <summary>An option whose value is the name of one of several things, in any case; null if it is left out.</summary>
+    public static Option<T?> OptionalOneOf<T>(string name, string description, IReadOnlyList<T> choices, Func<T, string> nameOf)
+        where T : class
+    {
+        string[] names = [.. choices.Select(nameOf)];
+        return new Option<T?>(name)
+        {
+            Description = description,
+            HelpName = string.Join('|', names),
+            CustomParser = result =>
+            {
+                string text = result.Tokens[0].Value;
+                T? found = choices.FirstOrDefault(choice => nameOf(choice).Equals(text, StringComparison.OrdinalIgnoreCase));
+                if (found is null)
+                {
+                    result.AddError($"{name} takes {Listed(names)}, not '{text}'.");
+                }
+
+                return found;
+            },
+        };
+    }
+
     /// <summary>An option whose value a function parses; if it returns null, the error says what was expected.</summary>
     public static Option<T> Parsed<T>(string name, string form, string description, Func<string, T?> parse, string expected)
         where T : struct
@@ -121,11 +144,10 @@ internal static class ValueParsers
         Enum.GetValues<T>().Where(value => JsonName.Of(value).Equals(text, StringComparison.OrdinalIgnoreCase)).Cast<T?>().FirstOrDefault();
 
     private static string Alternatives<T>()
-        where T : struct, Enum
-    {
-        string[] names = [.. JsonNames.All<T>()];
-        return $"{string.Join(", ", names[..^1])} or {names[^1]}";
-    }
+        where T : struct, Enum => Listed([.. JsonNames.All<T>()]);
+
+    /// <summary>Names as a list: one, two or three.</summary>
+    public static string Listed(string[] names) => names.Length == 1 ? names[0] : $"{string.Join(", ", names[..^1])} or {names[^1]}";
 
     private static ImageSize? ParseSize(string text)
     {

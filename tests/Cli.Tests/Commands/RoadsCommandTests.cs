@@ -161,7 +161,7 @@ public sealed class RoadsCommandTests : IDisposable
         CliRun.Of("roads", "map", from, "--out", svg, "--area=900,900,999,999").AssertFailed(2, "There are no roads in --area.");
         CliRun
             .Of("roads", "map", from, "--out", "map.bmp")
-            .AssertFailed(2, "--out takes a file that ends in .png, .svg, .xodr or .geojson");
+            .AssertFailed(2, "--out takes a file that ends in .png, .svg, .xodr, .osm, .json or .geojson; or name a --format.");
     }
 
     [Fact]
@@ -178,7 +178,12 @@ public sealed class RoadsCommandTests : IDisposable
         using var features = JsonDocument.Parse(File.ReadAllText(json));
         Assert.NotEmpty(lanes);
         Assert.Equal(lanes.Length, features.RootElement.GetProperty("features").GetArrayLength());
-        CliRun.Of("roads", "map", from, "--out", json).AssertFailed(2, "--out takes a file that ends in");
+        CliRun
+            .Of("roads", "map", from, "--out", json)
+            .AssertFailed(2, "A file that ends in .json can be of several formats: name --format nuscenes or --format argoverse2.");
+        CliRun
+            .Of("roads", "map", from, "--out", json, "--format", "shapefile")
+            .AssertFailed(2, "--format takes png, svg, opendrive, lanelet2, nuscenes, argoverse2 or geojson, not 'shapefile'.");
     }
 
     [Fact]

@@ -46,6 +46,17 @@ public sealed class NuScenesCheckTests(SimulatedSession simulated) : CheckTests(
     public void Lost_table_is_found() => AssertLossIsFound(Tables + "log.json", $"{Tables}log.json: it is missing.");
 
     [Fact]
+    public void Location_with_the_name_of_a_map_that_is_missing_is_found()
+    {
+        Export();
+        Damage(Tables + "log.json", "\"location\":\"[^\"]*", "\"location\":\"boston-seaport");
+        Assert.Contains(
+            Problems(),
+            problem => problem.EndsWith("its map 'maps/expansion/boston-seaport.json' is missing.", StringComparison.Ordinal)
+        );
+    }
+
+    [Fact]
     public void Lost_map_is_found()
     {
         Export();

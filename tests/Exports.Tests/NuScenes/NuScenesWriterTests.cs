@@ -1,6 +1,9 @@
 using System.Text.Json.Nodes;
+using Harvester.Geometry;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Geometry.Roads;
 using Harvester.Sessions.Reading.Images;
+using Harvester.Sessions.Roads;
 
 namespace Harvester.Exports.Tests.NuScenes;
 
@@ -80,6 +83,40 @@ public sealed class NuScenesWriterTests : ExportTests
         Assert.Equal(255, mask.Ids[(1172 * 2400) + 1187]);
         Assert.Equal(0, mask.Ids[(1160 * 2400) + 1200]);
         Assert.Equal(0, mask.Ids[(1200 * 2400) + 1220]);
+    }
+
+    [Fact]
+    public void Session_with_roads_has_the_map_of_its_scene()
+    {
+        // A road along the way of the vehicle, which drives north at x = 0, and one too far away to be on the map.
+        var network = new RoadNetwork(
+            [
+                new RoadNode(1, 0, new Vector3D(-2.7, -90, 0), "", RoadNodeFlags.None),
+                new RoadNode(1, 1, new Vector3D(-2.7, 90, 0), "", RoadNodeFlags.None),
+                new RoadNode(1, 2, new Vector3D(900, 0, 0), "", RoadNodeFlags.None),
+                new RoadNode(1, 3, new Vector3D(900, 90, 0), "", RoadNodeFlags.None),
+            ],
+            [new RoadLink(0, 1, 1, 1, null, RoadLinkFlags.None), new RoadLink(2, 3, 1, 1, null, RoadLinkFlags.None)]
+        );
+        Directory.CreateDirectory(Session.PathOf("scenes"));
+        using (StreamWriter text = File.CreateText(Session.PathOf("scenes/roads.csv")))
+        {
+            RoadCsvWriter.Write(network, text);
+        }
+
+        Annotations();
+        string location = (string)Assert.Single(Table("log"))["location"]!;
+        JsonNode map = JsonNode.Parse(File.ReadAllText(Folder.PathOf($"out/maps/expansion/{location}.json")))!;
+        JsonNode offset = Table("map_offset")[0];
+
+        Assert.Equal("singapore-onenorth", location);
+        Assert.Equal(offset["offset"]!.ToJsonString(), map["offset"]!.ToJsonString());
+        Assert.Equal(offset["size"]!.ToJsonString(), map["canvas_edge"]!.ToJsonString());
+        Assert.Equal(["1:0-1:1/f0", "1:0-1:1/b0"], map["lane"]!.AsArray().Select(lane => (string)lane!["token"]!));
+
+        // Lanes of 5.4 m: the middle of the lane to the north is at x = 0.
+        JsonNode arc = Assert.Single(map["arcline_path_3"]!["1:0-1:1/f0"]!.AsArray())!;
+        Assert.Equal([120.0, 32, 1.570796327], arc["start_pose"]!.AsArray().Select(number => (double)number!));
     }
 
     private JsonObject[] Annotations()

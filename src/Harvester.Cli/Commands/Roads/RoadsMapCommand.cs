@@ -1,20 +1,17 @@
 using System.CommandLine;
 using System.Globalization;
-using System.IO.Compression;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
 using Harvester.Datasets.Roads.Sources;
-using Harvester.Exports.Maps;
 using Harvester.Geometry;
 using Harvester.Geometry.Maps;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Reports.Maps;
 using Harvester.Runs.Faults;
-using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
@@ -49,10 +46,12 @@ internal static class RoadsMapCommand
     {
         Argument<string> from = RoadSourceArgument.Create();
         Option<LanesIn> lanesIn = RoadSourceArgument.LanesIn();
-        Option<string> output = RoadSourceArgument.Output("File to write: .png or .svg for an image, .xodr or .geojson for the lanes");
-        Option<RoadMapFormat?> format = ValueParsers.OptionalChoice<RoadMapFormat>(
+        Option<string> output = RoadSourceArgument.Output($"File to write; it ends in {RoadMapFormat.Endings}, as the formats below");
+        Option<RoadMapFormat?> format = ValueParsers.OptionalOneOf(
             "--format",
-            "What to write [default: as the ending of --out says]"
+            "What to write [default: as the ending of --out says]",
+            RoadMapFormat.All,
+            each => each.Name
         );
         Option<double> laneWidth = LaneOptions.LaneWidth();
         Option<double> narrowLaneWidth = LaneOptions.NarrowLaneWidth();
@@ -72,7 +71,7 @@ internal static class RoadsMapCommand
             HelpName = "FILE|SESSION",
             DefaultValueFactory = _ => [],
         };
-        var command = new Command("map", "Draw road data as a map, or write its lanes as OpenDRIVE or GeoJSON.")
+        var command = new Command("map", "Draw road data as a map, or write its lanes for programs that read maps.")
         {
             from,
             lanesIn,
@@ -87,21 +86,22 @@ internal static class RoadsMapCommand
         };
         HelpWithNotes.AddTo(
             command,
-            $"Colours: {Legend}.\n\nLanes are derived from the road data: docs/maps.md says what is exact and what is not.\n\n"
+            $"Formats:\n{RoadMapFormat.Help}\nColours: {Legend}.\n\n"
+                + "Lanes are derived from the road data: docs/maps.md says what is exact and what is not.\n\n"
                 + RoadSourceArgument.NotesWith("FROM is", Example, LanesExample)
         );
         command.SetAction(
             (parsed, cancellation) =>
             {
                 string file = parsed.GetRequiredValue(output);
-                RoadMapFormat kind = parsed.GetValue(format) ?? FormatOf(file);
+                RoadMapFormat kind = parsed.GetValue(format) ?? RoadMapFormat.OfFile(file);
                 RoadNetwork network = RoadSourceArgument.Import(parsed, from, lanesIn, terminal).Network;
                 if (network.Nodes.Count == 0)
                 {
                     throw new UsageException(NoRoads);
                 }
 
-                if (kind is RoadMapFormat.OpenDrive or RoadMapFormat.GeoJson)
+                if (kind.Lanes is { } lanesFormat)
                 {
                     CheckLength(network);
                     var curves = new RoadCurves(network);
@@ -126,7 +126,7 @@ internal static class RoadsMapCommand
                         throw new UsageException(part is null ? NoRoads : NoRoadsInArea);
                     }
 
-                    OutputFile.Write(file, stream => WriteLanes(lanes, kind, Path.GetFileNameWithoutExtension(file), stream));
+                    OutputFile.Write(file, stream => lanesFormat.Write(lanes, Path.GetFileNameWithoutExtension(file), stream));
                     terminal.Out.WriteLine($"{file}: {Summary(lanes)}");
                     return Task.FromResult(ExitCode.Done);
                 }
@@ -151,16 +151,6 @@ internal static class RoadsMapCommand
     private static IReadOnlyList<PropPlacement> PropsOf(string path, Terminal terminal, CancellationToken cancellation) =>
         Directory.Exists(path) ? SessionProps.Of(RecordedSessions.Open(terminal, path, cancellation)) : PropPlacementImporter.Import(path);
 
-    private static RoadMapFormat FormatOf(string file) =>
-        Path.GetExtension(file).ToUpperInvariant() switch
-        {
-            ".PNG" => RoadMapFormat.Png,
-            ".SVG" => RoadMapFormat.Svg,
-            ".XODR" => RoadMapFormat.OpenDrive,
-            ".GEOJSON" => RoadMapFormat.GeoJson,
-            _ => throw new UsageException("--out takes a file that ends in .png, .svg, .xodr or .geojson; or name a --format."),
-        };
-
     private static void CheckLength(RoadNetwork network)
     {
         double metres = network.Links.Sum(link => (link.LanesForward + link.LanesBackward) * LengthOf(network, link));
@@ -177,17 +167,6 @@ internal static class RoadsMapCommand
     private static double LengthOf(RoadNetwork network, RoadLink link) =>
         (network.Nodes[link.To].Position - network.Nodes[link.From].Position).Length;
 
-    private static void WriteLanes(LaneNetwork lanes, RoadMapFormat format, string name, Stream stream)
-    {
-        if (format == RoadMapFormat.OpenDrive)
-        {
-            OpenDriveMap.Write(lanes, name, stream);
-            return;
-        }
-
-        GeoJsonMap.Write(lanes, stream);
-    }
-
     private static void Draw(RoadNetwork network, Box2D? area, int size, RoadMapFormat format, string file, Terminal terminal)
     {
         var map = new RoadMap(network, area, size);
@@ -196,20 +175,9 @@ internal static class RoadsMapCommand
             throw new UsageException(area is null ? NoRoads : NoRoadsInArea);
         }
 
-        OutputFile.Write(file, stream => WriteImage(map, format, stream));
+        OutputFile.Write(file, stream => format.WriteImage!(map, stream));
         string metres = ThreeDigits(map.MetresPerPixel).ToString("0.###############", CultureInfo.InvariantCulture);
         terminal.Out.WriteLine($"{file}: {map.Size.Width} x {map.Size.Height} pixels of {metres} m; {Legend}");
-    }
-
-    private static void WriteImage(RoadMap map, RoadMapFormat format, Stream stream)
-    {
-        if (format == RoadMapFormat.Png)
-        {
-            new PngEncoder(CompressionLevel.Optimal).Write(map.Draw(), stream);
-            return;
-        }
-
-        map.WriteSvg(stream);
     }
 
     /// <summary>A length rounded to three significant digits, or to whole metres if it has more digits before the point.</summary>

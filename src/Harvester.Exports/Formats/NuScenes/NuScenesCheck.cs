@@ -69,6 +69,7 @@ internal sealed class NuScenesCheck(DatasetContent dataset)
             ["sample_data", "map"],
             (_, record) => dataset.Has(record.Text("filename")) ? null : $"its file '{record.Text("filename")}' is missing."
         );
+        Collect(problems, ["log"], (_, record) => NuScenesExpansions.ProblemOf(dataset, record.Text("location")));
         Collect(problems, ["sample_annotation"], (_, record) => AnnotationProblem(record));
         Collect(problems, ["ego_pose", "calibrated_sensor"], (_, record) => NuScenesGeometryCheck.PoseProblem(record));
         Collect(problems, ["calibrated_sensor"], (_, record) => IntrinsicsProblem(record));

@@ -25,9 +25,11 @@ internal sealed class NuScenesGround
     private static readonly Vector2D Footprint = new(3, 1.5);
 
     private readonly NuScenesRoads? _roads;
+    private readonly NuScenesLanes? _lanes;
 
-    private NuScenesGround(SessionReader session, double marginMetres, NuScenesRoads? roads)
+    private NuScenesGround(SessionReader session, double marginMetres, NuScenesRoads? roads, NuScenesLanes? lanes)
     {
+        _lanes = lanes;
         Session = session;
         MarginMetres = marginMetres;
         _roads = roads;
@@ -38,6 +40,12 @@ internal sealed class NuScenesGround
 
     /// <summary>How far the map goes beyond the places of the vehicle, metres: all objects of the labels are on it.</summary>
     public double MarginMetres { get; }
+
+    /// <summary>Whether the lanes of the roads are known.</summary>
+    public bool HasLanes => _lanes is not null;
+
+    /// <summary>The lanes within 100 m of the vehicle, as texts; none without roads.</summary>
+    public IEnumerable<string> LanesNear(Pose ego) => _lanes?.Near(ego.Position, RoadMetres) ?? [];
 
     /// <summary>Reads a session.</summary>
     /// <exception cref="DatasetFormatException">A file of the session is invalid; the message names it.</exception>
@@ -53,10 +61,12 @@ internal sealed class NuScenesGround
                 ? LaneWidths.Of(header.Fields("settings"))
                 : new LaneWidths(RoadGeometry.LaneWidth, RoadGeometry.NarrowLaneWidth);
             name = FramePaths.Roads;
+            RoadNetwork? network = KeptFiles.ReadRoads(session);
             return new NuScenesGround(
                 session,
                 Math.Max(RoadMetres, range) + ObjectRoom,
-                KeptFiles.ReadRoads(session) is { } network ? new NuScenesRoads(network, widths) : null
+                network is null ? null : new NuScenesRoads(network, widths),
+                network is null ? null : new NuScenesLanes(network, widths)
             );
         }
         catch (Exception e) when (e is DatasetFormatException or JsonException)

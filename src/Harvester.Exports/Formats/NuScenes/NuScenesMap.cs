@@ -26,13 +26,12 @@ internal static class NuScenesMap
         );
 
     /// <summary>The masks of all scenes.</summary>
-    /// <param name="parts">The names of all parts.</param>
-    /// <param name="hasSample">Whether a session has a sample at a place; others are no scenes.</param>
-    public static IEnumerable<AggregateFile> Files(IEnumerable<string> parts, Func<string, bool> hasSample) =>
-        parts
-            .Where(part => part.StartsWith(PartPrefix, StringComparison.Ordinal) && hasSample(part[PartPrefix.Length..]))
-            .Order(StringComparer.Ordinal)
-            .Select((part, scene) => new AggregateFile(PathOf(NuScenesScene.NameOf(scene)), [AggregateSection.Binary(part, WriteMask)]));
+    /// <param name="places">The sessions at places that are scenes, in the order of their numbers.</param>
+    public static IEnumerable<AggregateFile> Files(IEnumerable<string> places) =>
+        places.Select(
+            (place, scene) =>
+                new AggregateFile(PathOf(NuScenesScene.NameOf(scene)), [AggregateSection.Binary(PartPrefix + place, WriteMask)])
+        );
 
     private static void WriteMask(Stream stream, IEnumerable<string> lines)
     {

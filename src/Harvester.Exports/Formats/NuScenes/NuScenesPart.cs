@@ -12,6 +12,7 @@ namespace Harvester.Exports.Formats.NuScenes;
 /// <param name="Split">The split of the session.</param>
 /// <param name="Description">What the scene shows.</param>
 /// <param name="Area">The part of the world around the vehicle.</param>
+/// <param name="HasLanes">Whether the roads of its session are known.</param>
 /// <param name="Ego">The fields translation and rotation of ego_pose, as JSON.</param>
 /// <param name="Sensors">Its camera, and with the first view the LiDARs.</param>
 /// <param name="Objects">The objects in its image.</param>
@@ -24,6 +25,7 @@ internal sealed record NuScenesPart(
     string Split,
     string Description,
     NuScenesArea Area,
+    bool HasLanes,
     string Ego,
     IReadOnlyList<NuScenesSensor> Sensors,
     IReadOnlyList<NuScenesObject> Objects
@@ -42,6 +44,7 @@ internal sealed record NuScenesPart(
             json.WriteString("split", Split);
             json.WriteString("description", Description);
             json.WriteString("area", Area.ToString());
+            json.WriteBoolean("lanes", HasLanes);
             json.WritePropertyName("ego");
             json.WriteRawValue(Ego);
             json.WriteStartArray("sensors");
@@ -75,6 +78,7 @@ internal sealed record NuScenesPart(
             part.Text("split"),
             part.Text("description"),
             NuScenesArea.Parse(part.Text("area")),
+            part.Boolean("lanes"),
             part.RawText("ego"),
             [.. part.List("sensors").Select(NuScenesSensor.Read)],
             [.. part.List("objects").Select(NuScenesObject.Read)]

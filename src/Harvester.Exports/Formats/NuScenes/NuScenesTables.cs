@@ -124,7 +124,7 @@ internal static class NuScenesTables
             json.WriteString("logfile", log);
             json.WriteString("vehicle", "gta");
             json.WriteString("date_captured", Date);
-            json.WriteString("location", log);
+            json.WriteString("location", NuScenesExpansions.LocationOf(scene.Number, scene.Frames[0].HasLanes, log));
         };
 
     private static Action<Utf8JsonWriter> Map(NuScenesScene scene) =>

@@ -89,6 +89,7 @@ internal sealed class NuScenesWriter : IDatasetWriter
                 frame.Split,
                 $"{label.Environment.Weather}, {label.Environment.TimeOfDay:hh\\:mm}",
                 area,
+                ground.HasLanes,
                 egoPose,
                 sensors,
                 objects
@@ -102,6 +103,11 @@ internal sealed class NuScenesWriter : IDatasetWriter
             isFirst ? EgoTrack.SamplesOf(label).Select(tick => NuScenesRide.Row(tick, at => TimestampOf(frame, at), rig.Origin)) : []
         );
         NuScenesMap.Add(output, frame, area, isFirst ? ground.Near(label, ego, isKey) : []);
+        if (ground.HasLanes)
+        {
+            NuScenesExpansions.Add(output, frame, area, isFirst && isKey ? ground.LanesNear(ego) : []);
+        }
+
         if (isKey)
         {
             output.Part(FormattableString.Invariant($"{KeyPrefix}{frame.RecordingIndex:D8} {label.Place ?? 0:D8}"), "");
@@ -112,11 +118,23 @@ internal sealed class NuScenesWriter : IDatasetWriter
 
     public IEnumerable<AggregateTables> Tables => [NuScenesTables.Of(FramePart)];
 
-    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts)
+    {
+        // A session at a place is a scene if it has a sample.
+        string[] scenes =
+        [
+            .. parts
+                .Keys.Where(part => part.StartsWith(KeyPrefix, StringComparison.Ordinal))
+                .Select(part => part[KeyPrefix.Length..])
+                .Order(StringComparer.Ordinal),
+        ];
+        return
         [
             .. NuScenesCanBus.Files(parts.Keys, place => parts.ContainsKey(KeyPrefix + place)),
-            .. NuScenesMap.Files(parts.Keys, place => parts.ContainsKey(KeyPrefix + place)),
+            .. NuScenesMap.Files(scenes),
+            .. NuScenesExpansions.Files(scenes, parts.ContainsKey),
         ];
+    }
 
     /// <summary>The name of a session at a place as a log.</summary>
     public static string LogOf(int recording, int place) => FormattableString.Invariant($"gta-{recording:D4}-{place:D4}");
