@@ -71,10 +71,8 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
         yield return WorkStep.Do(LookAtDistant(frame, mayCastRays));
         if (Lanes is not null)
         {
-            var lanes = new WorkResult<LanesLabel>();
             rays.Begin(RayPhase.Lanes);
-            yield return WorkStep.Do(Lanes.Label(snapshot, frame.Camera, mayCastRays, lanes));
-            draft.Lanes = lanes.Value;
+            yield return WorkStep.Do(Lanes.Label(draft, mayCastRays));
         }
 
         draft.Ids = registry.IdsOf(snapshot.Entities);

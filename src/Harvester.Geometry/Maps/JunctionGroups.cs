@@ -22,7 +22,7 @@ internal sealed class JunctionGroups
 
     private readonly RoadNetwork _network;
     private readonly int[] _group;
-    private readonly HashSet<int> _junctions = [];
+    private readonly SortedDictionary<int, List<int>> _junctions = [];
     private readonly (double FromStart, double FromEnd)[] _trims;
 
     public JunctionGroups(RoadCurves curves, LaneModel lanes)
@@ -55,10 +55,13 @@ internal sealed class JunctionGroups
         {
             if (nodes.Count() > 1 || JunctionExtents.IsJunction(_network, nodes.Key))
             {
-                _junctions.Add(nodes.Key);
+                _junctions.Add(nodes.Key, [.. nodes]);
             }
         }
     }
+
+    /// <summary>The nodes of each junction, ascending, by its least node.</summary>
+    public IReadOnlyDictionary<int, List<int>> NodesOf => _junctions;
 
     /// <summary>The parts of a link that junctions take at its start and its end, metres.</summary>
     public (double FromStart, double FromEnd) TrimsOf(int link) => _trims[link];
@@ -67,7 +70,7 @@ internal sealed class JunctionGroups
     public bool HasRest(int link, double length) => length - _trims[link].FromStart - _trims[link].FromEnd >= MinRest;
 
     /// <summary>The least node of the junction that a node belongs to; null if it belongs to none.</summary>
-    public int? JunctionOf(int node) => _junctions.Contains(GroupOf(node)) ? GroupOf(node) : null;
+    public int? JunctionOf(int node) => _junctions.ContainsKey(GroupOf(node)) ? GroupOf(node) : null;
 
     /// <summary>
     /// Leaves room for ways at the nodes that are part of a junction because short links connect them to it: no junction by themselves,

@@ -2,7 +2,9 @@ using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Maps;
 
-/// <summary>Makes the map of a network: roads between junctions, their lanes, and the ways through junctions.</summary>
+/// <summary>
+/// Makes the map of a network, or of some of its links: roads between junctions, their lanes, and the ways through junctions.
+/// </summary>
 internal sealed class LaneNetworkBuilder
 {
     /// <summary>The greatest distance of the points of lanes, metres.</summary>
@@ -28,38 +30,30 @@ internal sealed class LaneNetworkBuilder
     private readonly Dictionary<int, int> _junctions = [];
     private readonly Dictionary<int, RoadSegment> _segments = [];
 
-    public LaneNetworkBuilder(RoadCurves curves, LaneModel lanes)
+    public LaneNetworkBuilder(RoadCurves curves, LaneModel lanes, JunctionGroups groups, MapNames names)
     {
-        _curves = Guard.NotNull(curves, nameof(curves));
+        _curves = curves;
         _network = curves.Network;
-        _lanes = Guard.NotNull(lanes, nameof(lanes));
-        _groups = new JunctionGroups(curves, lanes);
-        _names = new MapNames(_network);
+        _lanes = lanes;
+        _groups = groups;
+        _names = names;
     }
 
-    public LaneNetwork Build()
+    /// <summary>Makes the map.</summary>
+    /// <param name="links">Its links: some that have lanes outside junctions, ascending.</param>
+    /// <param name="nodesOf">
+    /// Its junctions: the nodes of each, by the least of them. All links that meet in them must be among those of the map.
+    /// </param>
+    public LaneNetwork Build(IEnumerable<int> links, IEnumerable<KeyValuePair<int, List<int>>> nodesOf)
     {
-        var nodesOf = new SortedDictionary<int, List<int>>();
-        for (int node = 0; node < _network.Nodes.Count; node++)
+        foreach (KeyValuePair<int, List<int>> junction in nodesOf)
         {
-            if (_groups.JunctionOf(node) is { } junction)
-            {
-                if (!nodesOf.TryGetValue(junction, out List<int>? nodes))
-                {
-                    _junctions.Add(junction, nodesOf.Count);
-                    nodesOf.Add(junction, nodes = []);
-                }
-
-                nodes.Add(node);
-            }
+            _junctions.Add(junction.Key, _junctions.Count);
         }
 
-        for (int link = 0; link < _network.Links.Count; link++)
+        foreach (int link in links)
         {
-            if (RoadContinuations.IsDrivable(_network, _network.Links[link]) && _groups.HasRest(link, _curves.Of(link).Length))
-            {
-                _segments.Add(link, Segment(link));
-            }
+            _segments.Add(link, Segment(link));
         }
 
         RoadSegment[] segments = [.. _segments.OrderBy(segment => segment.Key).Select(segment => segment.Value)];
@@ -80,7 +74,7 @@ internal sealed class LaneNetworkBuilder
         RoadCurve curve = _curves.Of(link);
         (double fromStart, double fromEnd) = _groups.TrimsOf(link);
         HermiteCurve line = curve.Between(curve.ParameterAt(fromStart), curve.ParameterAt(curve.Length - fromEnd));
-        string name = _names.Segment(road);
+        string name = _names.Segment(link);
 
         // A road has the lanes of its middle from end to end.
         double middle = (fromStart + curve.Length - fromEnd) / 2;
@@ -109,7 +103,8 @@ internal sealed class LaneNetworkBuilder
     }
 
     private SegmentEnd EndAt(int node, int next) =>
-        _groups.JunctionOf(node) is { } junction ? new SegmentEnd(_junctions[junction], null, false)
+        _groups.JunctionOf(node) is { } junction
+            ? _junctions.TryGetValue(junction, out int index) ? new SegmentEnd(index, null, false) : default
         : next == RoadContinuations.None ? default
         : new SegmentEnd(null, next, _network.Links[next].From == node);
 

@@ -70,6 +70,60 @@ public sealed class MapLane
     /// <summary>The lanes that it continues.</summary>
     public IReadOnlyList<MapLane> Predecessors => _predecessors;
 
+    /// <summary>Length of its middle on the ground, metres.</summary>
+    public double Length
+    {
+        get
+        {
+            double length = 0;
+            for (int i = 1; i < Centre.Count; i++)
+            {
+                length += Ground(Centre[i] - Centre[i - 1]).Length;
+            }
+
+            return length;
+        }
+    }
+
+    /// <summary>The point of its middle that is nearest to a place on the ground.</summary>
+    /// <param name="place">Metres, world.</param>
+    /// <returns>The point, and how far the place lies before the start or beyond the end, metres; 0 if it lies beside the lane.</returns>
+    public (LanePoint Point, double Overshoot) NearestTo(Vector3D place)
+    {
+        double bestSquare = double.PositiveInfinity;
+        double along = 0;
+        LanePoint best = default;
+        double overshoot = 0;
+        double length = Length;
+        for (int i = 1; i < Centre.Count; i++)
+        {
+            Vector3D piece = Centre[i] - Centre[i - 1];
+            Vector2D ground = Ground(piece);
+            double metres = ground.Length;
+            Vector2D direction = metres > 0 ? ground * (1 / metres) : StartDirection;
+            double ahead = direction.Dot(Ground(place - Centre[i - 1]));
+            double within = Math.Max(0, Math.Min(metres, ahead));
+            Vector3D point = Centre[i - 1] + (piece * (metres > 0 ? within / metres : 0));
+            Vector2D apart = Ground(place - point);
+            if (apart.Dot(apart) < bestSquare)
+            {
+                bestSquare = apart.Dot(apart);
+                double share = length > 0 ? (along + within) / length : 0;
+                best = new LanePoint(point, direction, along + within, StartWidth + ((EndWidth - StartWidth) * share));
+                overshoot =
+                    i == 1 && ahead < 0 ? -ahead
+                    : i == Centre.Count - 1 && ahead > metres ? ahead - metres
+                    : 0;
+            }
+
+            along += metres;
+        }
+
+        return (best, overshoot);
+    }
+
+    private static Vector2D Ground(Vector3D vector) => new(vector.X, vector.Y);
+
     internal void LeadsTo(MapLane next)
     {
         _successors.Add(next);

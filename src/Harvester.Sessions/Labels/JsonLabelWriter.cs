@@ -304,6 +304,11 @@ public static class JsonLabelWriter
             .Number(label.DistanceMetres, LabelDecimals.Metres)
             .Key("velocity")
             .Vector(label.Velocity, LabelDecimals.Speed);
+        if (label.LaneId is { } lane)
+        {
+            json.Key("laneId").String(lane);
+        }
+
         if (label.AmodalMask is { } amodal)
         {
             Append(json.Key("amodalMask"), amodal);

@@ -102,6 +102,12 @@ public sealed record ObjectLabel
     /// <summary>Metres per second, world.</summary>
     public required Vector3D Velocity { get; init; }
 
+    /// <summary>
+    /// Of a vehicle, the name of the lane on the map, or of the way through a junction, on which its middle is: docs/maps.md. Null if it is
+    /// on none or no roads are known, and for other classes.
+    /// </summary>
+    public string? LaneId { get; init; }
+
     /// <summary>The data of a face or head; null for an object of its own.</summary>
     public FaceLabel? Face { get; init; }
 

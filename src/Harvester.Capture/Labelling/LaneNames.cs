@@ -1,0 +1,68 @@
+using Harvester.Geometry;
+using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Maps;
+using Harvester.Geometry.Work;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Capture.Labelling;
+
+/// <summary>Names the lanes on which the ego and the vehicles are, as docs/maps.md names them.</summary>
+internal static class LaneNames
+{
+    /// <summary>How far ahead of the ego a lane may begin, metres along the lanes: as far as boundaries are traced.</summary>
+    private const double Range = 70;
+
+    /// <summary>How far beyond the end of its lane a car that follows it may be, metres.</summary>
+    private const double MaxOvershoot = 0.5;
+
+    /// <summary>The lanes with the names of the ego's lane and of those ahead of it.</summary>
+    /// <param name="lanes">The lanes.</param>
+    /// <param name="seen">What they were made of.</param>
+    /// <param name="ego">The car.</param>
+    /// <param name="maps">The map.</param>
+    public static LanesLabel Named(LanesLabel lanes, LaneObservation seen, EgoState ego, LaneMaps maps)
+    {
+        Vector3D centre = ego.Pose.ToWorld((ego.ModelMin + ego.ModelMax) * 0.5);
+        LaneNetwork map = maps.Around(centre);
+        MapLane? lane = Followed(map, seen, centre) ?? map.At(centre, Ground(ego.Pose.Axes));
+        return lanes with
+        {
+            LaneId = lane?.Id,
+            LanesAhead = lane is null ? [] : [.. LaneNetwork.Ahead(lane, centre, Range).Select(ahead => ahead.Id)],
+        };
+    }
+
+    /// <summary>Names the lanes of the labelled vehicles, in steps.</summary>
+    /// <param name="draft">The frame, whose labels it changes.</param>
+    /// <param name="maps">The map.</param>
+    public static IEnumerable<WorkStep> NameVehicles(FrameDraft draft, LaneMaps maps)
+    {
+        var found = new Dictionary<int, string>();
+        foreach (ObjectLabel label in draft.Objects.Where(label => label.Parent is null && VehicleClasses.AreVehicles(label.Class)))
+        {
+            if (maps.Around(label.Box3D.Centre).At(label.Box3D.Centre, Ground(label.Box3D.Axes)) is { } lane)
+            {
+                found.Add(label.Id, lane.Id);
+            }
+
+            yield return WorkStep.Pause;
+        }
+
+        draft.Update(label => label with { LaneId = found.TryGetValue(label.Id, out string? lane) ? lane : null });
+    }
+
+    /// <summary>
+    /// The lane of the road that the car follows: known from the frames before, and from measured paint. Null if that is not known, and on
+    /// ways through junctions.
+    /// </summary>
+    private static MapLane? Followed(LaneNetwork map, LaneObservation seen, Vector3D centre) =>
+        seen.Status == LaneStatus.Known
+        && seen.Match.Lane is { } index
+        && map.LaneOf(seen.Match.Link, seen.Match.IsForward, index) is { } lane
+        && lane.NearestTo(centre).Overshoot <= MaxOvershoot
+            ? lane
+            : null;
+
+    private static Vector2D Ground(Axes axes) => new(axes.Forward.X, axes.Forward.Y);
+}
