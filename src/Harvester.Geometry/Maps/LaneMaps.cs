@@ -10,7 +10,7 @@ namespace Harvester.Geometry.Maps;
 public sealed class LaneMaps
 {
     /// <summary>Distance from a place within which the map around it has all lanes, with what precedes and follows them, metres.</summary>
-    public const double ReachMetres = 80;
+    public const double ReachMetres = 100;
 
     /// <summary>Side of the squares that share a map, metres.</summary>
     private const double Square = 100;
