@@ -13,9 +13,6 @@ internal static class LaneNames
     /// <summary>How far ahead of the ego a lane may begin, metres along the lanes: as far as boundaries are traced.</summary>
     private const double Range = 70;
 
-    /// <summary>How far beyond the end of its lane a car that follows it may be, metres.</summary>
-    private const double MaxOvershoot = 0.5;
-
     /// <summary>The lanes with the names of the ego's lane and of those ahead of it.</summary>
     /// <param name="lanes">The lanes.</param>
     /// <param name="seen">What they were made of.</param>
@@ -25,11 +22,11 @@ internal static class LaneNames
     {
         Vector3D centre = ego.Pose.ToWorld((ego.ModelMin + ego.ModelMax) * 0.5);
         LaneNetwork map = maps.Around(centre);
-        MapLane? lane = Followed(map, seen, centre) ?? map.At(centre, Ground(ego.Pose.Axes));
+        MapLane? lane = Followed(map, seen, centre) ?? map.Index.At(centre, ego.Pose.Axes.Forward);
         return lanes with
         {
             LaneId = lane?.Id,
-            LanesAhead = lane is null ? [] : [.. LaneNetwork.Ahead(lane, centre, Range).Select(ahead => ahead.Id)],
+            LanesAhead = lane is null ? [] : [.. LanesAhead.From(lane, centre, Range).Select(ahead => ahead.Id)],
         };
     }
 
@@ -41,7 +38,7 @@ internal static class LaneNames
         var found = new Dictionary<int, string>();
         foreach (ObjectLabel label in draft.Objects.Where(label => label.Parent is null && VehicleClasses.AreVehicles(label.Class)))
         {
-            if (maps.Around(label.Box3D.Centre).At(label.Box3D.Centre, Ground(label.Box3D.Axes)) is { } lane)
+            if (maps.Around(label.Box3D.Centre).Index.At(label.Box3D.Centre, label.Box3D.Axes.Forward) is { } lane)
             {
                 found.Add(label.Id, lane.Id);
             }
@@ -57,12 +54,7 @@ internal static class LaneNames
     /// ways through junctions.
     /// </summary>
     private static MapLane? Followed(LaneNetwork map, LaneObservation seen, Vector3D centre) =>
-        seen.Status == LaneStatus.Known
-        && seen.Match.Lane is { } index
-        && map.LaneOf(seen.Match.Link, seen.Match.IsForward, index) is { } lane
-        && lane.NearestTo(centre).Overshoot <= MaxOvershoot
-            ? lane
+        seen.Status == LaneStatus.Known && seen.Match.Lane is { } index
+            ? map.LaneOf(seen.Match.Link, seen.Match.IsForward, index, centre)
             : null;
-
-    private static Vector2D Ground(Axes axes) => new(axes.Forward.X, axes.Forward.Y);
 }

@@ -26,6 +26,7 @@ public sealed class LaneMaps
     private readonly JunctionGroups _groups;
     private readonly MapNames _names;
     private readonly int[] _links;
+    private readonly int[] _crossings;
     private readonly Box2D[] _bounds;
     private readonly object _lock = new();
     private readonly Dictionary<(double Column, double Row), Lazy<LaneNetwork>> _made = [];
@@ -47,6 +48,7 @@ public sealed class LaneMaps
                 .Where(link => RoadContinuations.IsDrivable(network, network.Links[link]) && _groups.HasRest(link, curves.Of(link).Length)),
         ];
         _names = new MapNames(network, _links);
+        _crossings = [.. CrossingMaker.LinksOf(network)];
         _bounds = [.. _links.Select(BoundsOf)];
     }
 
@@ -54,10 +56,11 @@ public sealed class LaneMaps
     public RoadNetwork Network => _curves.Network;
 
     /// <summary>Makes the map of the whole network.</summary>
-    public LaneNetwork Whole() => Map(_links, _groups.NodesOf);
+    /// <param name="content">What it has beside its roads; null for nothing.</param>
+    public LaneNetwork Whole(MapContent? content = null) => Map(_links, _groups.NodesOf, _crossings, content ?? MapContent.None);
 
     /// <summary>
-    /// The map around a place. Lanes farther away than <see cref="ReachMetres"/> may be missing, also among those that precede and follow
+    /// The map around a place, of the roads alone. Lanes farther away than <see cref="ReachMetres"/> may be missing, also among those that precede and follow
     /// others.
     /// </summary>
     /// <param name="place">Metres, world; the height is ignored.</param>
@@ -137,13 +140,30 @@ public sealed class LaneMaps
             links.UnionWith(LanesAt(node));
         }
 
-        return Map(links, junctions);
+        return Map(
+            links,
+            junctions,
+            _crossings.Where(link => Meet(Between(Network.Nodes[Network.Links[link].From], Network.Nodes[Network.Links[link].To]), area)),
+            MapContent.None
+        );
     }
 
     private IEnumerable<int> LanesAt(int node) => Network.LinksOf(node).Where(link => Array.BinarySearch(_links, link) >= 0);
 
-    private LaneNetwork Map(IEnumerable<int> links, IEnumerable<KeyValuePair<int, List<int>>> junctions) =>
-        new LaneNetworkBuilder(_curves, _lanes, _groups, _names).Build(links, junctions);
+    private LaneNetwork Map(
+        IEnumerable<int> links,
+        IEnumerable<KeyValuePair<int, List<int>>> junctions,
+        IEnumerable<int> crossings,
+        MapContent content
+    ) => new LaneNetworkBuilder(_curves, _lanes, _groups, _names, content).Build(links, junctions, crossings);
+
+    private static Box2D Between(RoadNode a, RoadNode b) =>
+        new(
+            Math.Min(a.Position.X, b.Position.X),
+            Math.Min(a.Position.Y, b.Position.Y),
+            Math.Max(a.Position.X, b.Position.X),
+            Math.Max(a.Position.Y, b.Position.Y)
+        );
 
     private static bool Meet(Box2D a, Box2D b) => a.XMin <= b.XMax && a.XMax >= b.XMin && a.YMin <= b.YMax && a.YMax >= b.YMin;
 

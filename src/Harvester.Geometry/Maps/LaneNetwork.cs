@@ -1,3 +1,4 @@
+using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Maps;
@@ -8,10 +9,18 @@ namespace Harvester.Geometry.Maps;
 /// </summary>
 public sealed class LaneNetwork
 {
-    private readonly Dictionary<string, MapLane> _byId;
-    private readonly Lazy<LaneSearch> _search;
+    /// <summary>Side of the cells in which the roads to junctions are found, metres.</summary>
+    private const double ApproachCell = 64;
 
-    internal LaneNetwork(RoadNetwork network, IReadOnlyList<RoadSegment> segments, IReadOnlyList<MapJunction> junctions)
+    /// <summary>How far a place beside a lane may lie before its start or past its end, metres: room for the bend between two lanes.</summary>
+    private const double MaxBeyond = 0.5;
+
+    private readonly Dictionary<string, MapLane> _byId;
+    private readonly GroundGrid<LaneApproach> _approachGrid = new(ApproachCell);
+    private readonly Dictionary<MapLane, LaneApproach> _approachOf = [];
+    private readonly int[] _arms;
+
+    internal LaneNetwork(RoadNetwork network, IReadOnlyList<RoadSegment> segments, IReadOnlyList<MapJunction> junctions, MapContent content, IEnumerable<int> crossings)
     {
         (Network, Segments, Junctions) = (network, segments, junctions);
         Lanes =
@@ -19,8 +28,38 @@ public sealed class LaneNetwork
             .. segments.SelectMany(segment => segment.Forward.Concat(segment.Backward)),
             .. junctions.SelectMany(junction => junction.Ways),
         ];
+        for (int i = 0; i < Lanes.Count; i++)
+        {
+            Lanes[i].Order = i;
+        }
+
         _byId = Lanes.ToDictionary(lane => lane.Id, StringComparer.Ordinal);
-        _search = new Lazy<LaneSearch>(() => new LaneSearch(Lanes, segments));
+        Index = new LaneIndex(this);
+        Approaches = [.. LaneApproach.Of(segments)];
+        foreach (LaneApproach approach in Approaches)
+        {
+            Vector3D end = approach.Left;
+            _approachGrid.Add(approach, new Box2D(end.X, end.Y, end.X, end.Y));
+            foreach (MapLane lane in approach.Lanes)
+            {
+                _approachOf.Add(lane, approach);
+            }
+        }
+
+        _arms = new int[junctions.Count];
+        foreach (int junction in segments.SelectMany(segment => new[] { segment.Start.Junction, segment.End.Junction }).OfType<int>())
+        {
+            _arms[junction]++;
+        }
+
+        (PaintedMark, MapSource)[] marks =
+        [
+            .. content.KnownMarks.Select(mark => (mark, MapSource.Known)),
+            .. (content.Paint?.Marks ?? []).Select(mark => (mark.Mark, MapSource.Measured)),
+        ];
+        Signals = SignalMaker.Make(this, content.Props);
+        StopLines = new StopLineMaker(this).Make(marks);
+        Crossings = CrossingMaker.Make(network, crossings, marks);
     }
 
     /// <summary>The roads.</summary>
@@ -35,70 +74,52 @@ public sealed class LaneNetwork
     /// <summary>All lanes: those of <see cref="Segments"/>, then the ways through <see cref="Junctions"/>.</summary>
     public IReadOnlyList<MapLane> Lanes { get; }
 
+    /// <summary>The traffic lights and the signs that say who waits, in the order in which they were given.</summary>
+    public IReadOnlyList<MapSignal> Signals { get; }
+
+    /// <summary>The stop lines: those that are painted, then those that are derived.</summary>
+    public IReadOnlyList<MapStopLine> StopLines { get; }
+
+    /// <summary>The pedestrian crossings: those that are painted, then those that are derived.</summary>
+    public IReadOnlyList<MapCrossing> Crossings { get; }
+
+    /// <summary>Finds lanes by their place.</summary>
+    public LaneIndex Index { get; }
+
+    internal IReadOnlyList<LaneApproach> Approaches { get; }
+
     /// <summary>Makes the map of a network.</summary>
     /// <param name="curves">The centre lines.</param>
     /// <param name="lanes">The widths of the lanes.</param>
-    public static LaneNetwork Of(RoadCurves curves, LaneModel lanes) => new LaneMaps(curves, lanes).Whole();
+    /// <param name="content">What the map has beside its roads; null for nothing.</param>
+    public static LaneNetwork Of(RoadCurves curves, LaneModel lanes, MapContent? content = null) =>
+        new LaneMaps(curves, lanes).Whole(content);
 
     /// <summary>A lane by its name; null if there is none.</summary>
     public MapLane? Find(string id) => _byId.TryGetValue(id, out MapLane? lane) ? lane : null;
 
-    /// <summary>A lane of a road by its place on the network; null if none of it lies outside junctions.</summary>
+    /// <summary>A lane by its link and number.</summary>
     /// <param name="link">Index of the link.</param>
-    /// <param name="isForward">Whether it runs from the link's start to its end.</param>
+    /// <param name="isForward">Whether the lane runs from the link's start to its end.</param>
     /// <param name="index">Its number in its direction, 0 the leftmost.</param>
-    public MapLane? LaneOf(int link, bool isForward, int index) =>
-        _search.Value.SegmentOf(link) is { } segment && (isForward ? segment.Forward : segment.Backward) is var lanes && index < lanes.Count
-            ? lanes[index]
-            : null;
-
-    /// <summary>The lane or way on which something is.</summary>
-    /// <param name="position">Metres, world, at most 4 m above or below the road.</param>
-    /// <param name="direction">Its direction on the ground, of any length; it may differ from that of the lane by 60 degrees.</param>
-    /// <returns>
-    /// The one whose middle and direction fit best: where ways through a junction part, the place does not tell them apart. Null if it is
-    /// on none.
-    /// </returns>
-    public MapLane? At(Vector3D position, Vector2D direction) => _search.Value.At(position, direction);
-
-    /// <summary>The lanes that can be reached from a place on a lane without turning back or changing lanes.</summary>
-    /// <param name="from">The lane.</param>
-    /// <param name="place">Metres, world.</param>
-    /// <param name="range">How far ahead of the place a lane may begin, metres.</param>
-    /// <returns>The lanes and ways, the nearest first, without the lane itself.</returns>
-    public static IReadOnlyList<MapLane> Ahead(MapLane from, Vector3D place, double range)
+    /// <param name="beside">A place on the link, metres, world.</param>
+    /// <returns>The lane; null if it does not lie beside the place, as in a junction.</returns>
+    public MapLane? LaneOf(int link, bool isForward, int index, Vector3D beside)
     {
-        Guard.NotNull(from, nameof(from));
-        var begins = new Dictionary<MapLane, double>();
-        var found = new List<MapLane>();
-        var open = new SortedSet<(double Metres, string Id)>();
-        var lanes = new Dictionary<string, MapLane>(StringComparer.Ordinal);
-        Reach(from, from.Length - from.NearestTo(place).Point.Along);
-        while (open.Count > 0)
+        if (Segments.FirstOrDefault(segment => segment.Link == link) is not { } road)
         {
-            (double metres, string id) = open.Min;
-            open.Remove(open.Min);
-            MapLane lane = lanes[id];
-            if (begins[lane] == metres)
-            {
-                found.Add(lane);
-                Reach(lane, metres + lane.Length);
-            }
+            return null;
         }
 
-        return found;
-
-        void Reach(MapLane lane, double end)
-        {
-            foreach (MapLane next in lane.Successors.Where(next => next != from && end <= range))
-            {
-                if (!begins.TryGetValue(next, out double before) || end < before)
-                {
-                    begins[next] = end;
-                    lanes[next.Id] = next;
-                    open.Add((end, next.Id));
-                }
-            }
-        }
+        IReadOnlyList<MapLane> lanes = isForward ? road.Forward : road.Backward;
+        return index < lanes.Count && LanePiece.NearestOf(lanes[index], beside).Beyond <= MaxBeyond ? lanes[index] : null;
     }
+
+    /// <summary>The number of roads that meet in a junction.</summary>
+    internal int ArmsOf(int junction) => _arms[junction];
+
+    /// <summary>The lanes with which a lane leads into a junction; null if it does not.</summary>
+    internal LaneApproach? ApproachOf(MapLane lane) => _approachOf.TryGetValue(lane, out LaneApproach? approach) ? approach : null;
+
+    internal IEnumerable<LaneApproach> ApproachesNear(Vector3D place, double range) => _approachGrid.Near(place.X, place.Y, range);
 }

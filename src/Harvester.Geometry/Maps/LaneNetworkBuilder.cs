@@ -27,16 +27,20 @@ internal sealed class LaneNetworkBuilder
     private readonly LaneModel _lanes;
     private readonly JunctionGroups _groups;
     private readonly MapNames _names;
+    private readonly MapContent _content;
+    private readonly MarkingFinder _markings;
     private readonly Dictionary<int, int> _junctions = [];
     private readonly Dictionary<int, RoadSegment> _segments = [];
 
-    public LaneNetworkBuilder(RoadCurves curves, LaneModel lanes, JunctionGroups groups, MapNames names)
+    public LaneNetworkBuilder(RoadCurves curves, LaneModel lanes, JunctionGroups groups, MapNames names, MapContent content)
     {
         _curves = curves;
         _network = curves.Network;
         _lanes = lanes;
         _groups = groups;
         _names = names;
+        _content = content;
+        _markings = new MarkingFinder(curves, lanes, content);
     }
 
     /// <summary>Makes the map.</summary>
@@ -44,7 +48,8 @@ internal sealed class LaneNetworkBuilder
     /// <param name="nodesOf">
     /// Its junctions: the nodes of each, by the least of them. All links that meet in them must be among those of the map.
     /// </param>
-    public LaneNetwork Build(IEnumerable<int> links, IEnumerable<KeyValuePair<int, List<int>>> nodesOf)
+    /// <param name="crossings">The links along which it has pedestrian crossings if no others are known.</param>
+    public LaneNetwork Build(IEnumerable<int> links, IEnumerable<KeyValuePair<int, List<int>>> nodesOf, IEnumerable<int> crossings)
     {
         foreach (KeyValuePair<int, List<int>> junction in nodesOf)
         {
@@ -65,7 +70,7 @@ internal sealed class LaneNetworkBuilder
 
         ILookup<int, JunctionArm> arms = segments.SelectMany(ArmsOf).ToLookup(arm => arm.Junction, arm => arm.Arm);
         MapJunction[] junctions = [.. nodesOf.Select(group => JunctionOf(group.Key, group.Value, [.. arms[_junctions[group.Key]]]))];
-        return new LaneNetwork(_network, segments, junctions);
+        return new LaneNetwork(_network, segments, junctions, _content, crossings);
     }
 
     private RoadSegment Segment(int link)
@@ -87,7 +92,7 @@ internal sealed class LaneNetworkBuilder
             (forward[0].Oncoming, backward[0].Oncoming) = (backward[0], forward[0]);
         }
 
-        return new RoadSegment(
+        var segment = new RoadSegment(
             name,
             link,
             line,
@@ -100,6 +105,8 @@ internal sealed class LaneNetworkBuilder
             ForwardLeftEdge = onwards?.LeftEdge ?? 0,
             BackwardLeftEdge = back?.LeftEdge ?? 0,
         };
+        _markings.Mark(segment, fromStart, curve.Length - fromEnd);
+        return segment;
     }
 
     private SegmentEnd EndAt(int node, int next) =>

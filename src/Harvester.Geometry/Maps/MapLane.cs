@@ -10,6 +10,7 @@ public sealed class MapLane
 {
     private readonly List<MapLane> _successors = [];
     private readonly List<MapLane> _predecessors = [];
+    private readonly List<MapSignal> _signals = [];
 
     internal MapLane(string id) => Id = id;
 
@@ -64,6 +65,24 @@ public sealed class MapLane
     /// <summary>The lane of the other direction on its left; null if there is none, or a median between.</summary>
     public MapLane? Oncoming { get; internal set; }
 
+    /// <summary>The line along its left edge; null if it is unknown.</summary>
+    public MapMarking? LeftMarking { get; internal set; }
+
+    /// <summary>The line along its right edge; null if it is unknown.</summary>
+    public MapMarking? RightMarking { get; internal set; }
+
+    /// <summary>The speed limit, metres per second; null if it is unknown. The road data has none.</summary>
+    public double? SpeedLimit { get; internal set; }
+
+    /// <summary>The stop line across it or at its end; null if there is none.</summary>
+    public MapStopLine? StopLine { get; internal set; }
+
+    /// <summary>The lights and signs that govern it; only lanes that end at a junction have some.</summary>
+    public IReadOnlyList<MapSignal> Signals => _signals;
+
+    /// <summary>Its place in <see cref="LaneNetwork.Lanes"/>.</summary>
+    internal int Order { get; set; }
+
     /// <summary>The lanes that continue it.</summary>
     public IReadOnlyList<MapLane> Successors => _successors;
 
@@ -85,43 +104,6 @@ public sealed class MapLane
         }
     }
 
-    /// <summary>The point of its middle that is nearest to a place on the ground.</summary>
-    /// <param name="place">Metres, world.</param>
-    /// <returns>The point, and how far the place lies before the start or beyond the end, metres; 0 if it lies beside the lane.</returns>
-    public (LanePoint Point, double Overshoot) NearestTo(Vector3D place)
-    {
-        double bestSquare = double.PositiveInfinity;
-        double along = 0;
-        LanePoint best = default;
-        double overshoot = 0;
-        double length = Length;
-        for (int i = 1; i < Centre.Count; i++)
-        {
-            Vector3D piece = Centre[i] - Centre[i - 1];
-            Vector2D ground = Ground(piece);
-            double metres = ground.Length;
-            Vector2D direction = metres > 0 ? ground * (1 / metres) : StartDirection;
-            double ahead = direction.Dot(Ground(place - Centre[i - 1]));
-            double within = Math.Max(0, Math.Min(metres, ahead));
-            Vector3D point = Centre[i - 1] + (piece * (metres > 0 ? within / metres : 0));
-            Vector2D apart = Ground(place - point);
-            if (apart.Dot(apart) < bestSquare)
-            {
-                bestSquare = apart.Dot(apart);
-                double share = length > 0 ? (along + within) / length : 0;
-                best = new LanePoint(point, direction, along + within, StartWidth + ((EndWidth - StartWidth) * share));
-                overshoot =
-                    i == 1 && ahead < 0 ? -ahead
-                    : i == Centre.Count - 1 && ahead > metres ? ahead - metres
-                    : 0;
-            }
-
-            along += metres;
-        }
-
-        return (best, overshoot);
-    }
-
     private static Vector2D Ground(Vector3D vector) => new(vector.X, vector.Y);
 
     internal void LeadsTo(MapLane next)
@@ -129,4 +111,6 @@ public sealed class MapLane
         _successors.Add(next);
         next._predecessors.Add(this);
     }
+
+    internal void Add(MapSignal signal) => _signals.Add(signal);
 }

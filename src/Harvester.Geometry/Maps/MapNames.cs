@@ -40,6 +40,13 @@ internal sealed class MapNames
     public static string Lane(string segment, bool isForward, int index) =>
         FormattableString.Invariant($"{segment}/{(isForward ? 'f' : 'b')}{index}");
 
+    /// <summary>The name of the lanes of one direction of a road, by one of them.</summary>
+    public static string Side(MapLane lane) => lane.Id.Substring(0, lane.Id.LastIndexOf('/') + 2);
+
+    /// <summary>A name by a place, to a decimetre.</summary>
+    public static string Place(string kind, Vector3D place) =>
+        FormattableString.Invariant($"{kind}:{place.X + 0.0:0.0},{place.Y + 0.0:0.0},{place.Z + 0.0:0.0}");
+
     private string NameOf(RoadLink link) => $"{Node(link.From)}-{Node(link.To)}";
 
     private string Node(int index)

@@ -14,6 +14,10 @@ internal sealed class SignalProps(Signals signals, HandleCounter handles)
     /// <summary>The overridden lights by handle. Traffic follows the regular turns all the same.</summary>
     public Dictionary<int, SignalState> Driven { get; } = [];
 
+    /// <summary>The lights, each with the junction and the arm whose traffic it holds back; no junction for one that holds back
+    /// none.</summary>
+    public IReadOnlyList<(Prop Prop, Junction? Junction, RoadArm Arm)> Lights => _lights;
+
     public IEnumerable<EntityState> States => _lights.Select(light => light.Prop.State);
 
     /// <summary>Adds a light at the right of each stop line, and one on an arm behind the junction for wide roads.</summary>

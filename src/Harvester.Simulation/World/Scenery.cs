@@ -112,6 +112,9 @@ internal sealed class Scenery
     /// <summary>The arms of junctions that have a stop sign.</summary>
     public HashSet<(Junction Junction, RoadArm Arm)> StopArms { get; } = [];
 
+    /// <summary>The stop and yield signs, each with the arm whose traffic it holds back.</summary>
+    public List<(Prop Prop, RoadArm Arm)> WaitSigns { get; } = [];
+
     /// <summary>
     /// Adds stop signs where streets meet without lights, and a yield sign where a street with one lane each way continues.
     /// </summary>
@@ -133,6 +136,7 @@ internal sealed class Scenery
                 if (!_index.IsOnAnother(arm.Road, foot, besideKerb))
                 {
                     AddSign(_catalogue[goesStraightOn ? YieldSign : StopSign], foot, -arm.Outward);
+                    WaitSigns.Add((_props[^1], arm));
                     if (!goesStraightOn)
                     {
                         StopArms.Add((junction, arm));
