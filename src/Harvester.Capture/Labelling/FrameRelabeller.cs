@@ -196,8 +196,16 @@ public sealed class FrameRelabeller
             frame.Lanes is null || isLensSame ? frame.Lanes : RecordedLanes.SeenBy(draft.Camera, frame.Lanes);
         if (_lanes is null)
         {
-            var names = frame.Objects.ToDictionary(label => label.Id, label => label.LaneId);
-            draft.Update(label => label with { LaneId = names.TryGetValue(label.Id, out string? lane) ? lane : null });
+            var known = frame.Objects.ToDictionary(label => label.Id);
+            draft.Update(label =>
+                known.TryGetValue(label.Id, out ObjectLabel? before)
+                    ? label with
+                    {
+                        LaneId = before.LaneId,
+                        GovernedLanes = before.GovernedLanes,
+                    }
+                    : label
+            );
             return recorded;
         }
 

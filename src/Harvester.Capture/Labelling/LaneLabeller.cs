@@ -19,7 +19,7 @@ internal sealed class LaneLabeller(IRoads roads, IRoadPaint? paint, FrameRays? r
 
     private readonly LaneTracker _tracker = new(roads, entity => registry.IdOf(entity));
 
-    /// <summary>Labels the lanes in steps: those of the frame, and those of the vehicles that are labelled already.</summary>
+    /// <summary>Labels the lanes in steps: those of the frame, of the vehicles that are labelled already, and of lights.</summary>
     /// <param name="draft">The frame; without lanes afterwards if no roads are known.</param>
     /// <param name="mayCastRays">Called before each line; if it returns false, the visibility of its points is unknown.</param>
     public IEnumerable<WorkStep> Label(FrameDraft draft, Func<bool> mayCastRays)
@@ -60,6 +60,7 @@ internal sealed class LaneLabeller(IRoads roads, IRoadPaint? paint, FrameRays? r
         LaneMaps maps = known.Roads.Maps.Value;
         draft.Lanes = LaneNames.Named(lanes, seen, snapshot.Ego, maps);
         yield return WorkStep.Do(LaneNames.NameVehicles(draft, maps));
+        yield return WorkStep.Do(LaneNames.NameGoverned(draft, entity => registry.IdOf(entity), maps));
 
         IReadOnlyList<LaneLineView> Project(LaneLine line) =>
             LaneLineProjector.Project(

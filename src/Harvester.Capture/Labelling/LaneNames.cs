@@ -7,7 +7,7 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>Names the lanes on which the ego and the vehicles are, as docs/maps.md names them.</summary>
+/// <summary>Names the lanes on which the ego and the vehicles are, and those that lights and signs govern, as docs/maps.md names them.</summary>
 internal static class LaneNames
 {
     /// <summary>How far ahead of the ego a lane may begin, metres along the lanes: as far as boundaries are traced.</summary>
@@ -47,6 +47,33 @@ internal static class LaneNames
         }
 
         draft.Update(label => label with { LaneId = found.TryGetValue(label.Id, out string? lane) ? lane : null });
+    }
+
+    /// <summary>Names the lanes that the labelled lights and signs govern, in steps.</summary>
+    /// <param name="draft">The frame, whose labels it changes.</param>
+    /// <param name="idOf">The id of an entity.</param>
+    /// <param name="maps">The map.</param>
+    public static IEnumerable<WorkStep> NameGoverned(FrameDraft draft, Func<EntityState, int> idOf, LaneMaps maps)
+    {
+        // A part may be labelled without the post that it is on.
+        HashSet<int> wanted = [.. draft.Objects.Select(label => label.Parent ?? label.Id)];
+        var found = new Dictionary<int, IReadOnlyList<string>>();
+        foreach (EntityState entity in draft.Snapshot.Entities)
+        {
+            if (MapProps.Of(entity.Model, entity.Pose) is { } prop && wanted.Contains(idOf(entity)))
+            {
+                LaneNetwork map = maps.Around(prop.Position);
+                found[idOf(entity)] = [.. SignalLanes.Of(map, prop.Position, prop.Facing, prop.Kind).Select(lane => lane.Id)];
+                yield return WorkStep.Pause;
+            }
+        }
+
+        draft.Update(label =>
+            label with
+            {
+                GovernedLanes = found.TryGetValue(label.Parent ?? label.Id, out IReadOnlyList<string>? lanes) ? lanes : null,
+            }
+        );
     }
 
     /// <summary>

@@ -29,11 +29,12 @@ internal sealed class LaneIdCheck(SessionReader session)
             }
         }
 
-        foreach (ObjectLabel item in label.Objects.Where(item => item.LaneId is not null))
+        foreach (ObjectLabel item in label.Objects)
         {
-            foreach (string id in Missing([item.LaneId!], item.Box3D.Centre))
+            IEnumerable<string> ids = item.LaneId is { } lane ? [lane] : item.GovernedLanes ?? [];
+            foreach (string id in Missing(ids, item.Box3D.Centre))
             {
-                yield return $"object {item.Id}: laneId is '{id}', which the session's roads do not have near it.";
+                yield return $"object {item.Id} names the lane '{id}', which the session's roads do not have near it.";
             }
         }
     }

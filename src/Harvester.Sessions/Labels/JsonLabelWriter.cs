@@ -309,6 +309,17 @@ public static class JsonLabelWriter
             json.Key("laneId").String(lane);
         }
 
+        if (label.GovernedLanes is { } governed)
+        {
+            json.Key("governedLanes").BeginArray();
+            foreach (string each in governed)
+            {
+                json.String(each);
+            }
+
+            json.EndArray();
+        }
+
         if (label.AmodalMask is { } amodal)
         {
             Append(json.Key("amodalMask"), amodal);

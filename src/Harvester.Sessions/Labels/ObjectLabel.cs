@@ -108,6 +108,12 @@ public sealed record ObjectLabel
     /// </summary>
     public string? LaneId { get; init; }
 
+    /// <summary>
+    /// Of a traffic light, its heads, and a sign to stop or to give way: the names of the lanes whose traffic obeys it, from left to right;
+    /// empty if it faces no road at a junction near it. Null for others, and if no roads are known.
+    /// </summary>
+    public IReadOnlyList<string>? GovernedLanes { get; init; }
+
     /// <summary>The data of a face or head; null for an object of its own.</summary>
     public FaceLabel? Face { get; init; }
 

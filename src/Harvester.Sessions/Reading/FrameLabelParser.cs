@@ -201,6 +201,7 @@ public static class FrameLabelParser
             DistanceMetres = label.Number("distanceMetres"),
             Velocity = label.Vector("velocity"),
             LaneId = label.OptionalText("laneId"),
+            GovernedLanes = label.Has("governedLanes") ? label.Texts("governedLanes") : null,
             Face = label.Has("space") ? ReadFace(label.Fields("space")) : null,
             Joints = label.Has("joints") ? JointsParser.Parse(label) : null,
         };

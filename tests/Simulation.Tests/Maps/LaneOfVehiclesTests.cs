@@ -23,9 +23,16 @@ public sealed class LaneOfVehiclesTests(ITestOutputHelper output)
     private const double NearEnd = 8;
 
     /// <summary>
-    /// The least share of vehicles in junctions on the way that they take: where ways part or merge, the place does not tell them apart.
+    /// The least share of vehicles in junctions on the way that they take, or on the lanes before and after it, which reach farther on the
+    /// map: where ways part or merge, the place does not tell them apart.
     /// </summary>
     private const double MinOnOwnWay = 0.8;
+
+    /// <summary>
+    /// The least share of vehicles in junctions on that way or one that parts from it or merges with it. In bends of ring roads with a
+    /// junction, the traffic's corner is rounder than the map's.
+    /// </summary>
+    private const double MinOnSuchWay = 0.92;
 
     [Theory]
     [InlineData(5711)]
@@ -60,7 +67,6 @@ public sealed class LaneOfVehiclesTests(ITestOutputHelper output)
                     onWay += isOnWay ? 1 : 0;
                     onArm += isOnRoad ? 1 : 0;
                     onNeighbour += isNeighbour ? 1 : 0;
-                    if (!isOnWay && !isOnRoad && !isNeighbour) { output.WriteLine($"J {centre.X:0.0} {centre.Y:0.0} {forward.X:0.00} {forward.Y:0.00} on {lane?.Id ?? "none"} {found}, truth {truth} {vehicle.Distance:0.0} of {path.Length:0.0}"); }
                 }
                 else if (vehicle.Distance < NearEnd || vehicle.Distance > path.Length - NearEnd)
                 {
@@ -91,6 +97,7 @@ public sealed class LaneOfVehiclesTests(ITestOutputHelper output)
                 + $"merges with it; {between} near the end of a road"
         );
         Assert.Equal(onRoad, right);
-        Assert.InRange(onWay, MinOnOwnWay * inJunction, inJunction);
+        Assert.InRange(onWay + onArm, MinOnOwnWay * inJunction, inJunction);
+        Assert.InRange(onWay + onArm + onNeighbour, MinOnSuchWay * inJunction, inJunction);
     }
 }
