@@ -196,9 +196,9 @@ public sealed class FrameRelabeller
             frame.Lanes is null || isLensSame ? frame.Lanes : RecordedLanes.SeenBy(draft.Camera, frame.Lanes);
         if (_lanes is null)
         {
-            var known = frame.Objects.ToDictionary(label => label.Id);
+            var known = frame.Objects.ToLookup(label => label.Id);
             draft.Update(label =>
-                known.TryGetValue(label.Id, out ObjectLabel? before)
+                known[label.Id].FirstOrDefault() is { } before
                     ? label with
                     {
                         LaneId = before.LaneId,

@@ -60,7 +60,7 @@ internal sealed class LaneLabeller(IRoads roads, IRoadPaint? paint, FrameRays? r
         LaneMaps maps = known.Roads.Maps.Value;
         draft.Lanes = LaneNames.Named(lanes, seen, snapshot.Ego, maps);
         yield return WorkStep.Do(LaneNames.NameVehicles(draft, maps));
-        yield return WorkStep.Do(LaneNames.NameGoverned(draft, entity => registry.IdOf(entity), maps));
+        yield return WorkStep.Do(LaneNames.NameGoverned(draft, registry.IdsOf(snapshot.Entities), maps));
 
         IReadOnlyList<LaneLineView> Project(LaneLine line) =>
             LaneLineProjector.Project(

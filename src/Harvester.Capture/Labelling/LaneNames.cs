@@ -51,19 +51,23 @@ internal static class LaneNames
 
     /// <summary>Names the lanes that the labelled lights and signs govern, in steps.</summary>
     /// <param name="draft">The frame, whose labels it changes.</param>
-    /// <param name="idOf">The id of an entity.</param>
+    /// <param name="ids">The ids of the entities that have one, by handle.</param>
     /// <param name="maps">The map.</param>
-    public static IEnumerable<WorkStep> NameGoverned(FrameDraft draft, Func<EntityState, int> idOf, LaneMaps maps)
+    public static IEnumerable<WorkStep> NameGoverned(FrameDraft draft, IReadOnlyDictionary<int, int> ids, LaneMaps maps)
     {
         // A part may be labelled without the post that it is on.
         HashSet<int> wanted = [.. draft.Objects.Select(label => label.Parent ?? label.Id)];
         var found = new Dictionary<int, IReadOnlyList<string>>();
         foreach (EntityState entity in draft.Snapshot.Entities)
         {
-            if (MapProps.Of(entity.Model, entity.Pose) is { } prop && wanted.Contains(idOf(entity)))
+            if (
+                ids.TryGetValue(entity.Handle, out int id)
+                && wanted.Contains(id)
+                && MapProps.Of(entity.Model, entity.Pose) is { } prop
+            )
             {
                 LaneNetwork map = maps.Around(prop.Position);
-                found[idOf(entity)] = [.. SignalLanes.Of(map, prop.Position, prop.Facing, prop.Kind).Select(lane => lane.Id)];
+                found[id] = [.. SignalLanes.Of(map, prop.Position, prop.Facing, prop.Kind).Select(lane => lane.Id)];
                 yield return WorkStep.Pause;
             }
         }
