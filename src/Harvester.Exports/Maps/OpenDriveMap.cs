@@ -16,6 +16,7 @@ public sealed class OpenDriveMap
     private readonly Dictionary<MapLane, int> _laneIds = [];
     private readonly Dictionary<MapLane, int> _ways = [];
     private readonly OpenDriveXml _xml;
+    private readonly OpenDriveFurniture _furniture;
 
     private OpenDriveMap(LaneNetwork map, OpenDriveXml xml)
     {
@@ -34,6 +35,8 @@ public sealed class OpenDriveMap
         {
             _ways.Add(way, _roadOfLink.Count + _ways.Count + 1);
         }
+
+        _furniture = new OpenDriveFurniture(map, _laneIds, _roadOfLink.Count + _ways.Count + map.Junctions.Count + 1, xml);
     }
 
     /// <summary>Writes a map.</summary>
@@ -72,9 +75,10 @@ public sealed class OpenDriveMap
             WriteWay(way);
         }
 
+        _furniture.WriteControllers();
         for (int i = 0; i < _map.Junctions.Count; i++)
         {
-            WriteJunction(_map.Junctions[i], JunctionId(i));
+            WriteJunction(_map.Junctions[i], i);
         }
 
         _xml.End();
@@ -102,17 +106,22 @@ public sealed class OpenDriveMap
         _xml.Element("type", ("s", "0"), ("type", TypeOf(node.Flags)));
         OpenDriveShape.Write(_xml, segment.Line, road.Length);
         _xml.Begin("lanes");
-        _xml.Polynomial("laneOffset", 0, road.LaneOffset, 0);
+        foreach (OpenDrivePiece piece in road.LaneOffset)
+        {
+            _xml.Polynomial("laneOffset", piece.Station, piece.Value, piece.Slope);
+        }
+
         _xml.Begin("laneSection", ("s", "0"));
-        WriteSide("left", segment.Backward.Reverse(), isForward: false, road.GapWidth);
-        WriteCentre();
-        WriteSide("right", segment.Forward, isForward: true, gap: 0);
+        WriteSide("left", segment.Backward.Reverse(), isForward: false, road, road.GapWidth);
+        WriteCentre((segment.Forward.Count > 0 ? segment.Forward[0] : segment.Backward[0]).LeftMarking);
+        WriteSide("right", segment.Forward, isForward: true, road, gap: []);
         _xml.End();
         _xml.End();
+        _furniture.WriteOn(road);
         _xml.End();
     }
 
-    private void WriteSide(string side, IEnumerable<MapLane> lanes, bool isForward, double gap)
+    private void WriteSide(string side, IEnumerable<MapLane> lanes, bool isForward, OpenDriveRoad road, IReadOnlyList<OpenDrivePiece> gap)
     {
         MapLane[] all = [.. lanes];
         if (all.Length == 0)
@@ -127,12 +136,12 @@ public sealed class OpenDriveMap
             MapLane? behind = lane.Predecessors.FirstOrDefault(other => other.Junction is null);
             MapLane? ahead = lane.Successors.FirstOrDefault(other => other.Junction is null);
             (MapLane? before, MapLane? after) = isForward ? (behind, ahead) : (ahead, behind);
-            WriteLane(_laneIds[lane], "driving", IdOf(before), IdOf(after), lane.StartWidth, 0, lane.Id);
+            WriteLane(_laneIds[lane], "driving", IdOf(before), IdOf(after), road.WidthOf(lane), lane, lane.RightMarking);
         }
 
-        if (gap > 0)
+        if (gap.Count > 0)
         {
-            WriteLane(1, "median", null, null, gap, 0, null);
+            WriteLane(1, "median", null, null, gap, null, all[^1].LeftMarking);
         }
 
         _xml.End();
@@ -140,14 +149,24 @@ public sealed class OpenDriveMap
 
     private int? IdOf(MapLane? lane) => lane is null ? null : _laneIds[lane];
 
-    private void WriteCentre()
+    private void WriteCentre(MapMarking? marking)
     {
         _xml.Begin("center");
-        _xml.Element("lane", ("id", "0"), ("type", "none"), ("level", "false"));
+        _xml.Begin("lane", ("id", "0"), ("type", "none"), ("level", "false"));
+        OpenDriveMark.Write(_xml, marking);
+        _xml.End();
         _xml.End();
     }
 
-    private void WriteLane(int id, string type, int? before, int? after, double width, double slope, string? name)
+    private void WriteLane(
+        int id,
+        string type,
+        int? before,
+        int? after,
+        IReadOnlyList<OpenDrivePiece> width,
+        MapLane? lane,
+        MapMarking? marking
+    )
     {
         _xml.Begin("lane", ("id", OpenDriveXml.Text(id)), ("type", type), ("level", "false"));
         if (before is not null || after is not null)
@@ -166,10 +185,20 @@ public sealed class OpenDriveMap
             _xml.End();
         }
 
-        _xml.Element("width", ("sOffset", "0"), ("a", OpenDriveXml.Text(width)), ("b", OpenDriveXml.Text(slope)), ("c", "0"), ("d", "0"));
-        if (name is not null)
+        foreach (OpenDrivePiece piece in width)
         {
-            _xml.Element("userData", ("code", "laneId"), ("value", name));
+            _xml.Polynomial("width", piece.Station, piece.Value, piece.Slope, "sOffset");
+        }
+
+        OpenDriveMark.Write(_xml, marking);
+        if (lane?.SpeedLimit is { } limit)
+        {
+            _xml.Element("speed", ("sOffset", "0"), ("max", OpenDriveXml.Text(limit)), ("unit", "m/s"));
+        }
+
+        if (lane is not null)
+        {
+            _xml.Element("userData", ("code", "laneId"), ("value", lane.Id));
         }
 
         _xml.End();
@@ -199,23 +228,23 @@ public sealed class OpenDriveMap
         double slope = (way.EndWidth - way.StartWidth) / length;
         _xml.Polynomial("laneOffset", 0, way.StartWidth / 2, slope / 2);
         _xml.Begin("laneSection", ("s", "0"));
-        WriteCentre();
+        WriteCentre(null);
         _xml.Begin("right");
-        WriteLane(-1, "driving", _laneIds[from], _laneIds[to], way.StartWidth, slope, way.Id);
+        WriteLane(-1, "driving", _laneIds[from], _laneIds[to], [new OpenDrivePiece(0, way.StartWidth, slope)], way, null);
         _xml.End();
         _xml.End();
         _xml.End();
         _xml.End();
     }
 
-    private void WriteJunction(MapJunction junction, string id)
+    private void WriteJunction(MapJunction junction, int index)
     {
         if (junction.Ways.Count == 0)
         {
             return;
         }
 
-        _xml.Begin("junction", ("id", id), ("name", junction.Id));
+        _xml.Begin("junction", ("id", JunctionId(index)), ("name", junction.Id));
         int connection = 0;
         foreach (MapLane way in junction.Ways)
         {
@@ -231,6 +260,7 @@ public sealed class OpenDriveMap
             _xml.End();
         }
 
+        _furniture.WriteControllersOf(index);
         _xml.End();
     }
 

@@ -16,12 +16,12 @@ internal sealed class OpenDriveRoad
         Id = id;
         Segment = segment;
         Length = segment.Line.Length;
-        double gap = segment.Forward.Count > 0 && segment.Backward.Count > 0 ? segment.ForwardLeftEdge + segment.BackwardLeftEdge : 0;
-        GapWidth = gap > Touching ? gap : 0;
+        bool isTwoWay = segment.Forward.Count > 0 && segment.Backward.Count > 0;
+        GapWidth = isTwoWay && segment.Sections.Any(section => GapAt(section) > Touching) ? Along(GapAt) : [];
 
         // Offsets of lanes are to the right of the line in their own direction, OpenDRIVE's to the left of it.
-        LaneOffset = segment.Forward.Count > 0 ? -segment.ForwardLeftEdge : segment.BackwardLeftEdge;
-        int first = GapWidth > 0 ? 2 : 1;
+        LaneOffset = Along(section => segment.Forward.Count > 0 ? -section.ForwardEdges[0] : section.BackwardEdges[0]);
+        int first = GapWidth.Count > 0 ? 2 : 1;
         LaneIds =
         [
             .. segment.Forward.Select((lane, index) => (lane, -(index + 1))),
@@ -36,12 +36,36 @@ internal sealed class OpenDriveRoad
     /// <summary>Length of its line, metres.</summary>
     public double Length { get; }
 
-    /// <summary>Width of the median, metres; 0 if there is none.</summary>
-    public double GapWidth { get; }
+    /// <summary>Width of the median, metres, in pieces; empty if there is none.</summary>
+    public IReadOnlyList<OpenDrivePiece> GapWidth { get; }
 
-    /// <summary>Offset of lane 0 to the left of the line, metres.</summary>
-    public double LaneOffset { get; }
+    /// <summary>Offset of lane 0 to the left of the line, metres, in pieces.</summary>
+    public IReadOnlyList<OpenDrivePiece> LaneOffset { get; }
 
     /// <summary>The lanes with their ids.</summary>
     public IReadOnlyList<(MapLane Lane, int Id)> LaneIds { get; }
+
+    /// <summary>Width of a lane, metres, in pieces.</summary>
+    public IReadOnlyList<OpenDrivePiece> WidthOf(MapLane lane) =>
+        Along(section => section.Edges(lane.IsForward)[lane.Index + 1] - section.Edges(lane.IsForward)[lane.Index]);
+
+    private static double GapAt(RoadSection section) => Math.Max(0, section.ForwardEdges[0] + section.BackwardEdges[0]);
+
+    /// <summary>A value that changes evenly between the sections.</summary>
+    private OpenDrivePiece[] Along(Func<RoadSection, double> value)
+    {
+        IReadOnlyList<RoadSection> sections = Segment.Sections;
+        return sections.Count == 1
+            ? [new OpenDrivePiece(0, value(sections[0]), 0)]
+            :
+            [
+                .. Enumerable
+                    .Range(0, sections.Count - 1)
+                    .Select(i =>
+                    {
+                        (double from, double to) = (value(sections[i]), value(sections[i + 1]));
+                        return new OpenDrivePiece(sections[i].Station, from, (to - from) / (sections[i + 1].Station - sections[i].Station));
+                    }),
+            ];
+    }
 }

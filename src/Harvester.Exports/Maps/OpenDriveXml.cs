@@ -43,8 +43,8 @@ internal sealed class OpenDriveXml(Stream stream) : IDisposable
     }
 
     /// <summary>A polynomial a + b ds from a station on.</summary>
-    public void Polynomial(string name, double station, double a, double b) =>
-        Element(name, ("s", Text(station)), ("a", Text(a)), ("b", Text(b)), ("c", "0"), ("d", "0"));
+    public void Polynomial(string name, double station, double a, double b, string attribute = "s") =>
+        Element(name, (attribute, Text(station)), ("a", Text(a)), ("b", Text(b)), ("c", "0"), ("d", "0"));
 
     /// <summary>The text with a replacement character for each that XML does not allow.</summary>
     private static string Valid(string text) =>

@@ -20,6 +20,9 @@ internal sealed class JunctionGroups
     /// <summary>A shorter rest of a link between junctions is part of them, metres.</summary>
     private const double MinRest = 1;
 
+    /// <summary>Edges of lanes that go on at most this far aside do not jump, metres.</summary>
+    private const double MaxJump = 0.005;
+
     private readonly RoadNetwork _network;
     private readonly int[] _group;
     private readonly SortedDictionary<int, List<int>> _junctions = [];
@@ -46,6 +49,7 @@ internal sealed class JunctionGroups
         }
 
         FindJunctions();
+        FindChanges(curves, lanes);
         LeaveRoom(curves);
     }
 
@@ -62,6 +66,47 @@ internal sealed class JunctionGroups
 
     /// <summary>The nodes of each junction, ascending, by its least node.</summary>
     public IReadOnlyDictionary<int, List<int>> NodesOf => _junctions;
+
+    /// <summary>
+    /// Adds the nodes where a road goes on with other lanes, as many or as wide: there, ways lead from lane to lane, without a jump.
+    /// </summary>
+    private void FindChanges(RoadCurves curves, LaneModel lanes)
+    {
+        for (int link = 0; link < _network.Links.Count; link++)
+        {
+            foreach (bool atEnd in new[] { true, false })
+            {
+                int node = atEnd ? _network.Links[link].To : _network.Links[link].From;
+                int next = curves.Continuations.Of(link, atEnd);
+                if (next == RoadContinuations.None || JunctionOf(node) is not null)
+                {
+                    continue;
+                }
+
+                bool atStartOfNext = _network.Links[next].From == node;
+                double here = atEnd ? curves.Of(link).Length : 0;
+                double there = atStartOfNext ? 0 : curves.Of(next).Length;
+                bool isSame = new[] { true, false }.All(isForward =>
+                    AreSame(lanes.LanesOf(link, isForward, here), lanes.LanesOf(next, isForward == (atEnd == atStartOfNext), there))
+                );
+                if (!isSame)
+                {
+                    // Nodes that are joined are a junction already.
+                    _junctions.Add(node, [node]);
+                }
+            }
+        }
+    }
+
+    private static bool AreSame((LaneSection Section, double LeftEdge)? one, (LaneSection Section, double LeftEdge)? other) =>
+        (one, other) switch
+        {
+            ({ } a, { } b) => a.Section.LaneCount == b.Section.LaneCount
+                && Enumerable
+                    .Range(0, a.Section.LaneCount + 1)
+                    .All(edge => Math.Abs(a.LeftEdge + a.Section.Edge(edge) - b.LeftEdge - b.Section.Edge(edge)) <= MaxJump),
+            _ => one is null && other is null,
+        };
 
     /// <summary>The parts of a link that junctions take at its start and its end, metres.</summary>
     public (double FromStart, double FromEnd) TrimsOf(int link) => _trims[link];

@@ -57,7 +57,9 @@ public sealed class LaneMaps
 
     /// <summary>Makes the map of the whole network.</summary>
     /// <param name="content">What it has beside its roads; null for nothing.</param>
-    public LaneNetwork Whole(MapContent? content = null) => Map(_links, _groups.NodesOf, _crossings, content ?? MapContent.None);
+    /// <param name="area">The part to keep, as <see cref="LaneNetwork.Of"/> cuts it, metres; null for all.</param>
+    public LaneNetwork Whole(MapContent? content = null, Box2D? area = null) =>
+        Map(_links, _groups.NodesOf, _crossings, content ?? MapContent.None, area);
 
     /// <summary>
     /// The map around a place, of the roads alone. Lanes farther away than <see cref="ReachMetres"/> may be missing, also among those that precede and follow
@@ -154,8 +156,9 @@ public sealed class LaneMaps
         IEnumerable<int> links,
         IEnumerable<KeyValuePair<int, List<int>>> junctions,
         IEnumerable<int> crossings,
-        MapContent content
-    ) => new LaneNetworkBuilder(_curves, _lanes, _groups, _names, content).Build(links, junctions, crossings);
+        MapContent content,
+        Box2D? area = null
+    ) => new LaneNetworkBuilder(_curves, _lanes, _groups, _names, content).Build(links, junctions, crossings, area);
 
     private static Box2D Between(RoadNode a, RoadNode b) =>
         new(

@@ -18,11 +18,19 @@ public sealed class LaneNetwork
     private readonly Dictionary<string, MapLane> _byId;
     private readonly GroundGrid<LaneApproach> _approachGrid = new(ApproachCell);
     private readonly Dictionary<MapLane, LaneApproach> _approachOf = [];
-    private readonly int[] _arms;
+    private readonly IReadOnlyList<int> _arms;
 
-    internal LaneNetwork(RoadNetwork network, IReadOnlyList<RoadSegment> segments, IReadOnlyList<MapJunction> junctions, MapContent content, IEnumerable<int> crossings)
+    internal LaneNetwork(
+        RoadNetwork network,
+        IReadOnlyList<RoadSegment> segments,
+        IReadOnlyList<MapJunction> junctions,
+        IReadOnlyList<int> arms,
+        MapContent content,
+        IEnumerable<int> crossings,
+        Box2D? area
+    )
     {
-        (Network, Segments, Junctions) = (network, segments, junctions);
+        (Network, Segments, Junctions, _arms) = (network, segments, junctions, arms);
         Lanes =
         [
             .. segments.SelectMany(segment => segment.Forward.Concat(segment.Backward)),
@@ -46,20 +54,16 @@ public sealed class LaneNetwork
             }
         }
 
-        _arms = new int[junctions.Count];
-        foreach (int junction in segments.SelectMany(segment => new[] { segment.Start.Junction, segment.End.Junction }).OfType<int>())
-        {
-            _arms[junction]++;
-        }
-
         (PaintedMark, MapSource)[] marks =
         [
             .. content.KnownMarks.Select(mark => (mark, MapSource.Known)),
             .. (content.Paint?.Marks ?? []).Select(mark => (mark.Mark, MapSource.Measured)),
         ];
-        Signals = SignalMaker.Make(this, content.Props);
+        bool IsIn(Vector3D place) =>
+            area is not { } box || (place.X >= box.XMin && place.X <= box.XMax && place.Y >= box.YMin && place.Y <= box.YMax);
+        Signals = [.. SignalMaker.Make(this, content.Props).Where(signal => signal.Lanes.Count > 0 || IsIn(signal.Position))];
         StopLines = new StopLineMaker(this).Make(marks);
-        Crossings = CrossingMaker.Make(network, crossings, marks);
+        Crossings = [.. CrossingMaker.Make(network, crossings, marks).Where(crossing => crossing.Corners.Any(IsIn))];
     }
 
     /// <summary>The roads.</summary>
@@ -68,7 +72,7 @@ public sealed class LaneNetwork
     /// <summary>The roads outside junctions, in the order of their links.</summary>
     public IReadOnlyList<RoadSegment> Segments { get; }
 
-    /// <summary>The junctions.</summary>
+    /// <summary>The junctions; on a map of an area, those outside it have no ways.</summary>
     public IReadOnlyList<MapJunction> Junctions { get; }
 
     /// <summary>All lanes: those of <see cref="Segments"/>, then the ways through <see cref="Junctions"/>.</summary>
@@ -92,8 +96,13 @@ public sealed class LaneNetwork
     /// <param name="curves">The centre lines.</param>
     /// <param name="lanes">The widths of the lanes.</param>
     /// <param name="content">What the map has beside its roads; null for nothing.</param>
-    public static LaneNetwork Of(RoadCurves curves, LaneModel lanes, MapContent? content = null) =>
-        new LaneMaps(curves, lanes).Whole(content);
+    /// <param name="area">
+    /// Part of the world, metres; null for all. Roads that come into it are kept from end to end, as they are on the map of everything;
+    /// at its border, lanes end without successors. Ways are kept if both their lanes are, and of the rest what lies in the area or
+    /// governs a lane that is kept.
+    /// </param>
+    public static LaneNetwork Of(RoadCurves curves, LaneModel lanes, MapContent? content = null, Box2D? area = null) =>
+        new LaneMaps(curves, lanes).Whole(content, area);
 
     /// <summary>A lane by its name; null if there is none.</summary>
     public MapLane? Find(string id) => _byId.TryGetValue(id, out MapLane? lane) ? lane : null;

@@ -29,6 +29,7 @@ internal sealed class LaneNetworkBuilder
     private readonly MapNames _names;
     private readonly MapContent _content;
     private readonly MarkingFinder _markings;
+    private readonly HashSet<MapLane> _keptLanes = [];
     private readonly Dictionary<int, int> _junctions = [];
     private readonly Dictionary<int, RoadSegment> _segments = [];
 
@@ -49,7 +50,13 @@ internal sealed class LaneNetworkBuilder
     /// Its junctions: the nodes of each, by the least of them. All links that meet in them must be among those of the map.
     /// </param>
     /// <param name="crossings">The links along which it has pedestrian crossings if no others are known.</param>
-    public LaneNetwork Build(IEnumerable<int> links, IEnumerable<KeyValuePair<int, List<int>>> nodesOf, IEnumerable<int> crossings)
+    /// <param name="area">The roads that come into it are kept, whole; null for all.</param>
+    public LaneNetwork Build(
+        IEnumerable<int> links,
+        IEnumerable<KeyValuePair<int, List<int>>> nodesOf,
+        IEnumerable<int> crossings,
+        Box2D? area = null
+    )
     {
         foreach (KeyValuePair<int, List<int>> junction in nodesOf)
         {
@@ -70,23 +77,46 @@ internal sealed class LaneNetworkBuilder
 
         ILookup<int, JunctionArm> arms = segments.SelectMany(ArmsOf).ToLookup(arm => arm.Junction, arm => arm.Arm);
         MapJunction[] junctions = [.. nodesOf.Select(group => JunctionOf(group.Key, group.Value, [.. arms[_junctions[group.Key]]]))];
-        return new LaneNetwork(_network, segments, junctions, _content, crossings);
+        int[] armCounts = [.. Enumerable.Range(0, junctions.Length).Select(junction => arms[junction].Count())];
+        return area is { } box
+            ? new LaneNetwork(_network, Within(box, segments), [.. junctions.Select(Cut)], armCounts, _content, crossings, box)
+            : new LaneNetwork(_network, segments, junctions, armCounts, _content, crossings, null);
     }
+
+    /// <summary>The roads that come into an area. Their lanes forget the lanes of other roads.</summary>
+    private RoadSegment[] Within(Box2D area, RoadSegment[] segments)
+    {
+        RoadSegment[] kept = [.. segments.Where(segment => IsIn(area, segment))];
+        _keptLanes.UnionWith(kept.SelectMany(static segment => segment.Forward.Concat(segment.Backward)));
+        foreach (MapLane lane in _keptLanes)
+        {
+            lane.KeepLinks(other => other.Junction is null ? _keptLanes.Contains(other) : IsKept(other));
+        }
+
+        return kept;
+    }
+
+    private MapJunction Cut(MapJunction junction) => junction with { Ways = [.. junction.Ways.Where(IsKept)] };
+
+    private bool IsKept(MapLane way) => _keptLanes.Contains(way.Predecessors[0]) && _keptLanes.Contains(way.Successors[0]);
+
+    private static bool IsIn(Box2D area, RoadSegment segment) =>
+        segment
+            .Forward.Concat(segment.Backward)
+            .SelectMany(static lane => lane.Centre)
+            .Any(point => point.X >= area.XMin && point.X <= area.XMax && point.Y >= area.YMin && point.Y <= area.YMax);
 
     private RoadSegment Segment(int link)
     {
         RoadLink road = _network.Links[link];
         RoadCurve curve = _curves.Of(link);
         (double fromStart, double fromEnd) = _groups.TrimsOf(link);
-        HermiteCurve line = curve.Between(curve.ParameterAt(fromStart), curve.ParameterAt(curve.Length - fromEnd));
+        (double first, double last) = (curve.ParameterAt(fromStart), curve.ParameterAt(curve.Length - fromEnd));
+        HermiteCurve line = curve.Between(first, last);
         string name = _names.Segment(link);
-
-        // A road has the lanes of its middle from end to end.
-        double middle = (fromStart + curve.Length - fromEnd) / 2;
-        (LaneSection Section, double LeftEdge)? onwards = _lanes.LanesOf(link, isForward: true, middle);
-        (LaneSection Section, double LeftEdge)? back = _lanes.LanesOf(link, isForward: false, middle);
-        MapLane[] forward = LanesOf(name, link, line, isForward: true, onwards);
-        MapLane[] backward = LanesOf(name, link, line.Reversed(), isForward: false, back);
+        double StationAt(double t) => curve.StationAt(first + ((last - first) * t));
+        MapLane[] forward = LanesOf(name, link, line, isForward: true, StationAt);
+        MapLane[] backward = LanesOf(name, link, line.Reversed(), isForward: false, t => StationAt(1 - t));
         if (forward.Length > 0 && backward.Length > 0 && !(road.MedianWidth > 0))
         {
             (forward[0].Oncoming, backward[0].Oncoming) = (backward[0], forward[0]);
@@ -102,8 +132,7 @@ internal sealed class LaneNetworkBuilder
             EndAt(road.To, _curves.Continuations.Of(link, beyondEnd: true))
         )
         {
-            ForwardLeftEdge = onwards?.LeftEdge ?? 0,
-            BackwardLeftEdge = back?.LeftEdge ?? 0,
+            Sections = Sections(link, fromStart, curve.Length - fromEnd),
         };
         _markings.Mark(segment, fromStart, curve.Length - fromEnd);
         return segment;
@@ -115,40 +144,50 @@ internal sealed class LaneNetworkBuilder
         : next == RoadContinuations.None ? default
         : new SegmentEnd(null, next, _network.Links[next].From == node);
 
-    private static MapLane[] LanesOf(
-        string segment,
-        int link,
-        HermiteCurve line,
-        bool isForward,
-        (LaneSection Section, double LeftEdge)? section
-    )
+    /// <summary>The sections of a road between two stations of its link.</summary>
+    private RoadSection[] Sections(int link, double from, double to)
     {
-        if (section is not { } lanes)
-        {
-            return [];
-        }
+        double[] inner = [.. _lanes.StationsOf(link).Where(station => station > from && station < to)];
+        double[] stations = inner.Length == 0 && !_lanes.StationsOf(link).Any() ? [from] : [from, .. inner, to];
+        return
+        [
+            .. stations
+                .Distinct()
+                .OrderBy(static station => station)
+                .Select(station => new RoadSection(
+                    station - from,
+                    EdgesOf(link, isForward: true, station),
+                    EdgesOf(link, isForward: false, station)
+                )),
+        ];
+    }
 
+    private double[] EdgesOf(int link, bool isForward, double station) =>
+        _lanes.LanesOf(link, isForward, station) is { } lanes
+            ? [.. Enumerable.Range(0, lanes.Section.LaneCount + 1).Select(edge => lanes.LeftEdge + lanes.Section.Edge(edge))]
+            : [];
+
+    private MapLane[] LanesOf(string segment, int link, HermiteCurve line, bool isForward, Func<double, double> stationAt)
+    {
+        double[] start = EdgesOf(link, isForward, stationAt(0));
+        double[] end = EdgesOf(link, isForward, stationAt(1));
+        double Edge(int edge, double t) => EdgesOf(link, isForward, stationAt(t))[edge];
         MapLane[] made =
         [
             .. Enumerable
-                .Range(0, lanes.Section.LaneCount)
-                .Select(index =>
+                .Range(0, Math.Max(0, start.Length - 1))
+                .Select(index => new MapLane(MapNames.Lane(segment, isForward, index))
                 {
-                    double left = lanes.LeftEdge + lanes.Section.Edge(index);
-                    double width = lanes.Section.WidthOf(index);
-                    return new MapLane(MapNames.Lane(segment, isForward, index))
-                    {
-                        Link = link,
-                        IsForward = isForward,
-                        Index = index,
-                        StartWidth = width,
-                        EndWidth = width,
-                        StartDirection = Unit(line.VelocityAt(0)),
-                        EndDirection = Unit(line.VelocityAt(1)),
-                        Left = Points(line, _ => left),
-                        Centre = Points(line, _ => left + (width / 2)),
-                        Right = Points(line, _ => left + width),
-                    };
+                    Link = link,
+                    IsForward = isForward,
+                    Index = index,
+                    StartWidth = start[index + 1] - start[index],
+                    EndWidth = end[index + 1] - end[index],
+                    StartDirection = Unit(line.VelocityAt(0)),
+                    EndDirection = Unit(line.VelocityAt(1)),
+                    Left = Points(line, t => Edge(index, t)),
+                    Centre = Points(line, t => (Edge(index, t) + Edge(index + 1, t)) / 2),
+                    Right = Points(line, t => Edge(index + 1, t)),
                 }),
         ];
         for (int i = 1; i < made.Length; i++)

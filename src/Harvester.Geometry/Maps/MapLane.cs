@@ -112,5 +112,12 @@ public sealed class MapLane
         next._predecessors.Add(this);
     }
 
+    /// <summary>Forgets the lanes before and after it that a map of an area leaves out.</summary>
+    internal void KeepLinks(Predicate<MapLane> isKept)
+    {
+        _successors.RemoveAll(lane => !isKept(lane));
+        _predecessors.RemoveAll(lane => !isKept(lane));
+    }
+
     internal void Add(MapSignal signal) => _signals.Add(signal);
 }

@@ -20,11 +20,7 @@ public sealed record RoadSegment(
     SegmentEnd End
 )
 {
-    /// <summary>Offset of the left edge of the leftmost forward lane, metres to the right of the line.</summary>
-    public double ForwardLeftEdge { get; internal init; }
-
-    /// <summary>
-    /// Offset of the left edge of the leftmost backward lane, metres to the right of the line as seen from its end to its start.
-    /// </summary>
-    public double BackwardLeftEdge { get; internal init; }
+    /// <summary>The lanes across it at its start, and where they change evenly between, up to its end; at least one section. Behind the
+    /// last one the lanes are as there.</summary>
+    public IReadOnlyList<RoadSection> Sections { get; internal init; } = [];
 }

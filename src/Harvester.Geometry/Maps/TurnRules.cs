@@ -15,10 +15,25 @@ internal static class TurnRules
     /// <summary>A lane of a fork leads into a branch whose nearest lane is at most this many lane widths aside.</summary>
     private const double MaxAside = 0.75;
 
-    /// <summary>The ways from an arm.</summary>
+    /// <summary>The ways from an arm: those of the rules and, where a road only goes on with more lanes, one to each that begins.</summary>
     /// <param name="arm">The arm.</param>
     /// <param name="arms">All arms of the junction.</param>
     public static IEnumerable<(MapLane From, MapLane To, MapTurn Turn)> WaysFrom(JunctionArm arm, IReadOnlyList<JunctionArm> arms)
+    {
+        (MapLane From, MapLane To, MapTurn Turn)[] ways = [.. ByRule(arm, arms)];
+        if (arms.Count != 2 || ways.Length == 0)
+        {
+            return ways;
+        }
+
+        JunctionArm exit = arms.First(other => other != arm);
+        return ways.Concat(
+            exit.Outgoing.Select((lane, index) => (From: arm.Incoming[Math.Min(index, arm.Incoming.Count - 1)], lane, ways[0].Turn))
+                .Where(begun => !Array.Exists(ways, way => way.To == begun.lane))
+        );
+    }
+
+    private static IEnumerable<(MapLane From, MapLane To, MapTurn Turn)> ByRule(JunctionArm arm, IReadOnlyList<JunctionArm> arms)
     {
         (JunctionArm Arm, double Turn)[] exits =
         [

@@ -37,6 +37,9 @@ public sealed class MeasuredLanes
     /// <summary>Largest offset of the right edge of the rightmost lane, metres to the right of the link's line in this direction.</summary>
     public double RightEdge { get; }
 
+    /// <summary>The stations of the sections, metres along the link's curve from its start, ascending.</summary>
+    internal IEnumerable<double> Stations => _sections.Select(static place => place.Station);
+
     /// <summary>The section at a station; before the first and behind the last one, these.</summary>
     /// <param name="station">Metres along the link's curve from its start.</param>
     public MeasuredSection At(double station)

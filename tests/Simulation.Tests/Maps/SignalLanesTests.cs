@@ -120,7 +120,7 @@ public sealed class SignalLanesTests(ITestOutputHelper output)
         return lights.Lights.Select(light => (light.Prop, light.Arm));
     }
 
-    private static IEnumerable<(Prop Prop, RoadArm Arm)> SignsOf(Site site, int seed)
+    private static List<(Prop Prop, RoadArm Arm)> SignsOf(Site site, int seed)
     {
         var scenery = new Scenery(seed, site, ModelCatalogue.Shared, new HandleCounter());
         scenery.AddStopSigns(site.Plan, site.Signals.Has);

@@ -4,6 +4,7 @@ using System.IO.Compression;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
+using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
 using Harvester.Datasets.Roads.Sources;
 using Harvester.Exports.Maps;
@@ -15,6 +16,7 @@ using Harvester.Reports.Maps;
 using Harvester.Runs.Faults;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Reading;
+using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands.Roads;
@@ -32,6 +34,8 @@ internal static class RoadsMapCommand
         + "water light blue";
 
     private const string NoRoads = "The road data has no roads to draw.";
+    private const string NoRoadsInArea = "There are no roads in --area. Choose another area, or omit the option to draw all roads.";
+
     private const int DefaultSize = 2000;
     private const int MaxSize = 20_000;
 
@@ -58,10 +62,16 @@ internal static class RoadsMapCommand
         Option<Box2D?> area = ValueParsers.Optional<Box2D>(
             "--area",
             "XMIN,YMIN,XMAX,YMAX",
-            "Images: part of the world to draw, metres [default: all]",
+            "Part of the world, metres; lanes: roads that come into it, whole [default: all]",
             ParseArea,
             "the west, south, east and north edges, e.g. -500,-1500,1000,0"
         );
+        Option<string[]> props = new("--props")
+        {
+            Description = "Lanes: lights, stop and yield signs from a list of props, or from the scenes of a session; repeatable",
+            HelpName = "FILE|SESSION",
+            DefaultValueFactory = _ => [],
+        };
         var command = new Command("map", "Draw road data as a map, or write its lanes as OpenDRIVE or GeoJSON.")
         {
             from,
@@ -73,42 +83,69 @@ internal static class RoadsMapCommand
             laneWidth,
             narrowLaneWidth,
             paint,
+            props,
         };
         HelpWithNotes.AddTo(
             command,
             $"Colours: {Legend}.\n\nLanes are derived from the road data: docs/maps.md says what is exact and what is not.\n\n"
                 + RoadSourceArgument.NotesWith("FROM is", Example, LanesExample)
         );
-        command.SetAction(parsed =>
-        {
-            string file = parsed.GetRequiredValue(output);
-            RoadMapFormat kind = parsed.GetValue(format) ?? FormatOf(file);
-            RoadNetwork network = RoadSourceArgument.Import(parsed, from, lanesIn, terminal).Network;
-            if (network.Nodes.Count == 0)
+        command.SetAction(
+            (parsed, cancellation) =>
             {
-                throw new UsageException(NoRoads);
-            }
+                string file = parsed.GetRequiredValue(output);
+                RoadMapFormat kind = parsed.GetValue(format) ?? FormatOf(file);
+                RoadNetwork network = RoadSourceArgument.Import(parsed, from, lanesIn, terminal).Network;
+                if (network.Nodes.Count == 0)
+                {
+                    throw new UsageException(NoRoads);
+                }
 
-            if (kind is RoadMapFormat.OpenDrive or RoadMapFormat.GeoJson)
-            {
-                LaneNetwork lanes = LanesOf(network, parsed.GetValue(laneWidth), parsed.GetValue(narrowLaneWidth), parsed.GetValue(paint));
-                OutputFile.Write(file, stream => WriteLanes(lanes, kind, Path.GetFileNameWithoutExtension(file), stream));
-                terminal.Out.WriteLine(
-                    $"{file}: {Counted.Of(lanes.Segments.Count, "road")} with {Counted.Of(lanes.Segments.Sum(LaneCount), "lane")}, "
-                        + $"{Counted.Of(lanes.Junctions.Count, "junction")} with {Counted.Of(lanes.Junctions.Sum(WayCount), "way")}"
-                );
-                return ExitCode.Done;
-            }
+                if (kind is RoadMapFormat.OpenDrive or RoadMapFormat.GeoJson)
+                {
+                    CheckLength(network);
+                    var curves = new RoadCurves(network);
+                    PaintTable? table = parsed.GetValue(paint) is { } painted ? PaintFile.Read(painted.FullName, network) : null;
+                    var model = new LaneModel(
+                        network,
+                        parsed.GetValue(laneWidth),
+                        parsed.GetValue(narrowLaneWidth),
+                        table is null ? null : PaintedSections.Of(table, curves)
+                    );
+                    IReadOnlyList<MapProp> signals = MapProps.Of(
+                        parsed.GetRequiredValue(props).SelectMany(from => PropsOf(from, terminal, cancellation))
+                    );
+                    Box2D? part = parsed.GetValue(area);
+                    var lanes = LaneNetwork.Of(curves, model, new MapContent { Paint = table, Props = signals }, part);
+                    if (lanes.Lanes.Count == 0)
+                    {
+                        throw new UsageException(part is null ? NoRoads : NoRoadsInArea);
+                    }
 
-            Draw(network, parsed.GetValue(area), parsed.GetValue(size), kind, file, terminal);
-            return ExitCode.Done;
-        });
+                    OutputFile.Write(file, stream => WriteLanes(lanes, kind, Path.GetFileNameWithoutExtension(file), stream));
+                    terminal.Out.WriteLine($"{file}: {Summary(lanes)}");
+                    return Task.FromResult(ExitCode.Done);
+                }
+
+                Draw(network, parsed.GetValue(area), parsed.GetValue(size), kind, file, terminal);
+                return Task.FromResult(ExitCode.Done);
+            }
+        );
         return command;
     }
 
-    private static int LaneCount(RoadSegment road) => road.Forward.Count + road.Backward.Count;
+    private static string Summary(LaneNetwork map)
+    {
+        MapJunction[] junctions = [.. map.Junctions.Where(junction => junction.Ways.Count > 0)];
+        return $"{Counted.Of(map.Segments.Count, "road")} with "
+            + $"{Counted.Of(map.Segments.Sum(road => road.Forward.Count + road.Backward.Count), "lane")}, "
+            + $"{Counted.Of(junctions.Length, "junction")} with {Counted.Of(junctions.Sum(junction => junction.Ways.Count), "way")}, "
+            + $"{Counted.Of(map.Signals.Count, "signal")}, {Counted.Of(map.StopLines.Count, "stop line")}, "
+            + Counted.Of(map.Crossings.Count, "crossing");
+    }
 
-    private static int WayCount(MapJunction junction) => junction.Ways.Count;
+    private static IReadOnlyList<PropPlacement> PropsOf(string path, Terminal terminal, CancellationToken cancellation) =>
+        Directory.Exists(path) ? SessionProps.Of(RecordedSessions.Open(terminal, path, cancellation)) : PropPlacementImporter.Import(path);
 
     private static RoadMapFormat FormatOf(string file) =>
         Path.GetExtension(file).ToUpperInvariant() switch
@@ -120,7 +157,7 @@ internal static class RoadsMapCommand
             _ => throw new UsageException("--out takes a file that ends in .png, .svg, .xodr or .geojson; or name a --format."),
         };
 
-    private static LaneNetwork LanesOf(RoadNetwork network, double laneWidth, double narrowLaneWidth, FileInfo? paint)
+    private static void CheckLength(RoadNetwork network)
     {
         double metres = network.Links.Sum(link => (link.LanesForward + link.LanesBackward) * LengthOf(network, link));
         if (metres > MaxLaneMetres)
@@ -131,14 +168,6 @@ internal static class RoadsMapCommand
                 )
             );
         }
-
-        var curves = new RoadCurves(network);
-        PaintTable? table = paint is null ? null : PaintFile.Read(paint.FullName, network);
-        var map = LaneNetwork.Of(
-            curves,
-            new LaneModel(network, laneWidth, narrowLaneWidth, table is null ? null : PaintedSections.Of(table, curves))
-        );
-        return map.Lanes.Count > 0 ? map : throw new UsageException(NoRoads);
     }
 
     private static double LengthOf(RoadNetwork network, RoadLink link) =>
@@ -160,9 +189,7 @@ internal static class RoadsMapCommand
         var map = new RoadMap(network, area, size);
         if (!map.HasRoads)
         {
-            throw new UsageException(
-                area is null ? NoRoads : "There are no roads in --area. Choose another area, or omit the option to draw all roads."
-            );
+            throw new UsageException(area is null ? NoRoads : NoRoadsInArea);
         }
 
         OutputFile.Write(file, stream => WriteImage(map, format, stream));
