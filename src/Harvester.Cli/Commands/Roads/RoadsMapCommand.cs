@@ -33,6 +33,9 @@ internal static class RoadsMapCommand
         "highways orange, one-way roads blue, streets grey, unpaved roads brown, roads that are not drivable light grey, "
         + "water light blue";
 
+    private const string LaneLegend =
+        "edges of lanes in the colours of roads, ways through junctions purple, stop lines red, crossings grey, lights green";
+
     private const string NoRoads = "The road data has no roads to draw.";
     private const string NoRoadsInArea = "There are no roads in --area. Choose another area, or omit the option to draw all roads.";
 
@@ -87,7 +90,7 @@ internal static class RoadsMapCommand
         };
         HelpWithNotes.AddTo(
             command,
-            $"Colours: {Legend}.\n\nLanes are derived from the road data: docs/maps.md says what is exact and what is not.\n\n"
+            $"Colours: {Legend}. Where a pixel is 0.5 m or less: {LaneLegend}.\n\nLanes are derived from the road data: docs/maps.md says what is exact and what is not.\n\n"
                 + RoadSourceArgument.NotesWith("FROM is", Example, LanesExample)
         );
         command.SetAction(
@@ -101,7 +104,7 @@ internal static class RoadsMapCommand
                     throw new UsageException(NoRoads);
                 }
 
-                if (kind is RoadMapFormat.OpenDrive or RoadMapFormat.GeoJson)
+                LaneNetwork Lanes()
                 {
                     CheckLength(network);
                     var curves = new RoadCurves(network);
@@ -115,8 +118,13 @@ internal static class RoadsMapCommand
                     IReadOnlyList<MapProp> signals = MapProps.Of(
                         parsed.GetRequiredValue(props).SelectMany(from => PropsOf(from, terminal, cancellation))
                     );
-                    Box2D? part = parsed.GetValue(area);
-                    var lanes = LaneNetwork.Of(curves, model, new MapContent { Paint = table, Props = signals }, part);
+                    return LaneNetwork.Of(curves, model, new MapContent { Paint = table, Props = signals }, parsed.GetValue(area));
+                }
+
+                Box2D? part = parsed.GetValue(area);
+                if (kind is RoadMapFormat.OpenDrive or RoadMapFormat.GeoJson)
+                {
+                    LaneNetwork lanes = Lanes();
                     if (lanes.Lanes.Count == 0)
                     {
                         throw new UsageException(part is null ? NoRoads : NoRoadsInArea);
@@ -127,7 +135,7 @@ internal static class RoadsMapCommand
                     return Task.FromResult(ExitCode.Done);
                 }
 
-                Draw(network, parsed.GetValue(area), parsed.GetValue(size), kind, file, terminal);
+                Draw(new RoadMap(network, part, parsed.GetValue(size), Lanes), part, kind, file, terminal);
                 return Task.FromResult(ExitCode.Done);
             }
         );
@@ -184,9 +192,8 @@ internal static class RoadsMapCommand
         GeoJsonMap.Write(lanes, stream);
     }
 
-    private static void Draw(RoadNetwork network, Box2D? area, int size, RoadMapFormat format, string file, Terminal terminal)
+    private static void Draw(RoadMap map, Box2D? area, RoadMapFormat format, string file, Terminal terminal)
     {
-        var map = new RoadMap(network, area, size);
         if (!map.HasRoads)
         {
             throw new UsageException(area is null ? NoRoads : NoRoadsInArea);
@@ -194,7 +201,7 @@ internal static class RoadsMapCommand
 
         OutputFile.Write(file, stream => WriteImage(map, format, stream));
         string metres = ThreeDigits(map.MetresPerPixel).ToString("0.###############", CultureInfo.InvariantCulture);
-        terminal.Out.WriteLine($"{file}: {map.Size.Width} x {map.Size.Height} pixels of {metres} m; {Legend}");
+        terminal.Out.WriteLine($"{file}: {map.Size.Width} x {map.Size.Height} pixels of {metres} m; {(map.ShowsLanes ? LaneLegend : Legend)}");
     }
 
     private static void WriteImage(RoadMap map, RoadMapFormat format, Stream stream)
