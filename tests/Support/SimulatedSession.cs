@@ -2,7 +2,10 @@ using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Roads;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading;
+using Harvester.Sessions.Roads;
 using Harvester.Sessions.Semantics;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Settings;
@@ -55,7 +58,11 @@ public sealed class SimulatedSession : IDisposable
             Masks = true,
             Semantics = semantics,
         };
-        using var session = new HarvestSession(options, game.Ports with { Roads = new FixedRoads(game.Roads, "simulation") }, writer);
+        using var roads = new StringWriter();
+        RoadCsvWriter.Write(game.Roads, roads);
+        writer.Keep(FramePaths.Roads, roads.ToString());
+        RoadNetwork kept = RoadCsvReader.Read(new StringReader(roads.ToString()));
+        using var session = new HarvestSession(options, game.Ports with { Roads = new FixedRoads(kept, "simulation") }, writer);
         do
         {
             writer.WaitForRoom();

@@ -196,7 +196,7 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
         "--images",
         "copy",
         "kitti, kitti-tracking, kitti-odometry, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, semantic, "
-            + "bdd100k, motchallenge, openlabel, nuscenes, tusimple, culane, openlane, imagefolder, csv"
+            + "bdd100k, motchallenge, openlabel, nuscenes, tusimple, culane, openlane, openlane-v2, imagefolder, csv"
     )]
     [InlineData(
         "--split-block",
