@@ -13,9 +13,10 @@ public static class SessionLanes
 {
     /// <summary>Reads the roads of a session.</summary>
     /// <param name="session">The session.</param>
-    /// <returns>The lanes around any place; null if the session keeps no roads.</returns>
+    /// <param name="others">The roads to take if the session keeps none: those on which it was harvested; null for none.</param>
+    /// <returns>The lanes around any place; null if there are no roads.</returns>
     /// <exception cref="DatasetFormatException">The roads or the settings of the session are invalid; the message names the file.</exception>
-    public static LaneMaps? Of(SessionReader session)
+    public static LaneMaps? Of(SessionReader session, RoadNetwork? others = null)
     {
         ArgumentNullException.ThrowIfNull(session);
         string name = SessionInfo.FileName;
@@ -27,7 +28,7 @@ public static class SessionLanes
                 ? LaneWidths.Of(header.Fields("settings"))
                 : new LaneWidths(RoadGeometry.LaneWidth, RoadGeometry.NarrowLaneWidth);
             name = FramePaths.Roads;
-            return KeptFiles.ReadRoads(session) is { } network
+            return (KeptFiles.ReadRoads(session) ?? others) is { } network
                 ? new LaneMaps(new RoadCurves(network), new LaneModel(network, widths.Ordinary, widths.Narrow))
                 : null;
         }

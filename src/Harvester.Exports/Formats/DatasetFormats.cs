@@ -207,9 +207,10 @@ public static class DatasetFormats
             LeavesOutUnknownLanes = true,
             Check = OpenLaneCheck.Problems,
         },
-        new("openlane-v2", "OpenLane-V2: lanes, traffic elements and their topology", _ => new OpenLaneV2Writer())
+        new("openlane-v2", "OpenLane-V2: lanes, traffic elements and their topology", options => new OpenLaneV2Writer(options))
         {
             NeedsLanes = true,
+            HasMap = true,
             NeedsRectilinear = true,
             KeepsSequences = true,
             Check = OpenLaneV2Check.Problems,

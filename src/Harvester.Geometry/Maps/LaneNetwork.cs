@@ -61,6 +61,7 @@ public sealed class LaneNetwork
         ];
         bool IsIn(Vector3D place) =>
             area is not { } box || (place.X >= box.XMin && place.X <= box.XMax && place.Y >= box.YMin && place.Y <= box.YMax);
+        SpeedLimits.Apply(this, content.SpeedSigns);
         Signals = [.. SignalMaker.Make(this, content.Props).Where(signal => signal.Lanes.Count > 0 || IsIn(signal.Position))];
         StopLines = new StopLineMaker(this).Make(marks);
         Crossings = [.. CrossingMaker.Make(network, crossings, marks).Where(crossing => crossing.Corners.Any(IsIn))];

@@ -12,6 +12,9 @@ public sealed record MapContent
     /// <summary>The traffic lights and the signs.</summary>
     public IReadOnlyList<MapProp> Props { get; init; } = [];
 
+    /// <summary>The signs with speed limits.</summary>
+    public IReadOnlyList<MapSpeedSign> SpeedSigns { get; init; } = [];
+
     /// <summary>The paint measured on the map's network; null if there is none.</summary>
     public PaintTable? Paint { get; init; }
 

@@ -71,7 +71,8 @@ public sealed class MapLane
     /// <summary>The line along its right edge; null if it is unknown.</summary>
     public MapMarking? RightMarking { get; internal set; }
 
-    /// <summary>The speed limit, metres per second; null if it is unknown. The road data has none.</summary>
+    /// <summary>The speed limit, metres per second; null if it is unknown: the road data has none, only signs
+    /// have.</summary>
     public double? SpeedLimit { get; internal set; }
 
     /// <summary>The stop line across it or at its end; null if there is none.</summary>

@@ -35,9 +35,14 @@ internal static class TurnRules
 
     private static IEnumerable<(MapLane From, MapLane To, MapTurn Turn)> ByRule(JunctionArm arm, IReadOnlyList<JunctionArm> arms)
     {
+        if (arm.Incoming.Count == 0)
+        {
+            yield break;
+        }
+
         (JunctionArm Arm, double Turn)[] exits =
         [
-            .. arms.Where(exit => exit != arm && exit.Outgoing.Count > 0)
+            .. arms.Where(exit => exit != arm && exit.Outgoing.Count > 0 && IsAhead(arm, exit))
                 .Select(exit => (Arm: exit, Turn: arm.TurnInto(exit)))
                 .Where(exit => Math.Abs(exit.Turn) < MaxTurn)
                 .OrderByDescending(exit => exit.Turn),
@@ -63,6 +68,18 @@ internal static class TurnRules
                 yield return (arm.Incoming[lane], Target(arm, lane, exit, turn, arms), TurnOf(turn));
             }
         }
+    }
+
+    /// <summary>
+    /// Whether a car can drive from one arm into another without turning back: the exit lies ahead of the arm's lanes, and they behind the
+    /// exit's. In a junction of many nodes an arm may lie behind another.
+    /// </summary>
+    private static bool IsAhead(JunctionArm arm, JunctionArm exit)
+    {
+        MapLane from = arm.Incoming[0];
+        Vector3D apart = exit.Outgoing[0].Centre[0] - from.Centre[from.Centre.Count - 1];
+        var chord = new Vector2D(apart.X, apart.Y);
+        return chord.Dot(from.EndDirection) > 0 && chord.Dot(exit.Outgoing[0].StartDirection) > 0;
     }
 
     private static bool IsStraight(double turn) => Math.Abs(turn) <= MaxStraight;

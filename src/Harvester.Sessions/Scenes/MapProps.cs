@@ -18,6 +18,24 @@ public static class MapProps
         ["prop_sign_road_02a"] = MapSignalKind.GiveWay,
     };
 
+    /// <summary>Metres per second of a mile per hour.</summary>
+    private const double MilesPerHour = 0.44704;
+
+    /// <summary>The limits on the models of signs, miles per hour.</summary>
+    private static readonly Dictionary<string, double> Limits = new(StringComparer.OrdinalIgnoreCase)
+    {
+        ["prop_sign_road_06a"] = 15,
+        ["prop_sign_road_06b"] = 5,
+        ["prop_sign_road_06c"] = 15,
+        ["prop_sign_road_06d"] = 25,
+        ["prop_sign_road_06e"] = 35,
+        ["prop_sign_road_06f"] = 50,
+        ["prop_sign_road_06g"] = 60,
+        ["prop_sign_road_06i"] = 25,
+        ["prop_sign_road_06j"] = 55,
+        ["prop_sign_road_06k"] = 35,
+    };
+
     /// <summary>What a model is; null for one that is neither a light for vehicles nor a sign to stop or to give way.</summary>
     /// <param name="model">Name of the model.</param>
     public static MapSignalKind? KindOf(string model) =>
@@ -35,4 +53,12 @@ public static class MapProps
     /// <summary>The lights and signs of a list, in its order.</summary>
     public static IReadOnlyList<MapProp> Of(IEnumerable<PropPlacement> props) =>
         [.. props.Select(prop => Of(prop.Name, new Pose(prop.Position, Axes.FromEuler(prop.Rotation)))).OfType<MapProp>()];
+
+    /// <summary>The speed limit signs of a list, in its order.</summary>
+    public static IReadOnlyList<MapSpeedSign> SpeedSignsOf(IEnumerable<PropPlacement> props) =>
+        [
+            .. props
+                .Where(prop => Limits.ContainsKey(prop.Name))
+                .Select(prop => new MapSpeedSign(Limits[prop.Name] * MilesPerHour, prop.Position, -Axes.FromEuler(prop.Rotation).Forward)),
+        ];
 }

@@ -198,6 +198,7 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
         "kitti, kitti-tracking, kitti-odometry, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, semantic, "
             + "bdd100k, motchallenge, openlabel, nuscenes, tusimple, culane, openlane, openlane-v2, imagefolder, csv"
     )]
+    [InlineData("--roads", "data/example-roads.csv", "openlane-v2")]
     [InlineData(
         "--split-block",
         "10",

@@ -7,19 +7,20 @@ namespace Harvester.Exports.Tests.Maps;
 /// <summary>A driving lane of an OpenDRIVE file, read by the format's own definitions.</summary>
 internal sealed class OpenDriveLane(XElement road, XElement lane)
 {
-    private const int LengthPieces = 400;
-
     public string RoadId => road.Attribute("id")!.Value;
 
     public int Id => (int)Number(lane, "id");
 
     public string Name => lane.Element("userData")!.Attribute("value")!.Value;
 
+    /// <summary>The line at its outer edge; null if the file has none.</summary>
+    public XElement? Mark => lane.Element("roadMark");
+
     /// <summary>The middle at a part of the road's length, from its start.</summary>
     public Vector3D MiddleAt(double fraction)
     {
         double s = fraction * Number(road, "length");
-        (double x, double y, double heading) = LineAt(fraction);
+        (double x, double y, double heading) = OpenDriveLine.At(road, fraction);
         double t = Polynomial(road.Element("lanes")!.Elements("laneOffset"), s) + Aside(s);
         return new Vector3D(
             x - (Math.Sin(heading) * t),
@@ -57,52 +58,15 @@ internal sealed class OpenDriveLane(XElement road, XElement lane)
         return Id > 0 ? aside : -aside;
     }
 
-    private (double X, double Y, double Heading) LineAt(double fraction)
-    {
-        XElement geometry = road.Element("planView")!.Elements("geometry").Single();
-        XElement curve = geometry.Element("paramPoly3")!;
-        Assert.Equal("normalized", curve.Attribute("pRange")!.Value);
-
-        // The parameter at a length, by a table of the length so far.
-        double[] lengths = new double[LengthPieces + 1];
-        for (int i = 1; i <= LengthPieces; i++)
-        {
-            (double du, double dv) = Derivative(curve, (i - 0.5) / LengthPieces);
-            lengths[i] = lengths[i - 1] + (Math.Sqrt((du * du) + (dv * dv)) / LengthPieces);
-        }
-
-        double wanted = fraction * lengths[^1];
-        int piece = Math.Clamp(Array.FindIndex(lengths, length => length >= wanted), 1, LengthPieces);
-        double p = (piece - 1 + ((wanted - lengths[piece - 1]) / (lengths[piece] - lengths[piece - 1]))) / LengthPieces;
-        (double u, double v) = (Value(curve, "U", p), Value(curve, "V", p));
-        (double uSlope, double vSlope) = Derivative(curve, p);
-        double start = Number(geometry, "hdg");
-        return (
-            Number(geometry, "x") + (Math.Cos(start) * u) - (Math.Sin(start) * v),
-            Number(geometry, "y") + (Math.Sin(start) * u) + (Math.Cos(start) * v),
-            start + Math.Atan2(vSlope, uSlope)
-        );
-    }
-
-    private static double Value(XElement curve, string axis, double p) =>
-        Number(curve, "a" + axis) + (p * (Number(curve, "b" + axis) + (p * (Number(curve, "c" + axis) + (p * Number(curve, "d" + axis))))));
-
-    private static (double U, double V) Derivative(XElement curve, double p)
-    {
-        double Slope(string axis) =>
-            Number(curve, "b" + axis) + (p * ((2 * Number(curve, "c" + axis)) + (3 * p * Number(curve, "d" + axis))));
-        return (Slope("U"), Slope("V"));
-    }
-
     private static double Width(XElement lane, double s) => Polynomial(lane.Elements("width"), s, "sOffset");
 
-    private static double Polynomial(IEnumerable<XElement> pieces, double s, string station = "s")
+    public static double Polynomial(IEnumerable<XElement> pieces, double s, string station = "s")
     {
         XElement piece = pieces.Last(each => Number(each, station) <= s);
         double ds = s - Number(piece, station);
         return Number(piece, "a") + (ds * (Number(piece, "b") + (ds * (Number(piece, "c") + (ds * Number(piece, "d"))))));
     }
 
-    private static double Number(XElement element, string name) =>
+    public static double Number(XElement element, string name) =>
         double.Parse(element.Attribute(name)!.Value, CultureInfo.InvariantCulture);
 }

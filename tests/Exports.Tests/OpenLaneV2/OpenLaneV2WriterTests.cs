@@ -121,7 +121,7 @@ public sealed class OpenLaneV2WriterTests(SimulatedSession simulated) : ExportTe
 
     private IEnumerable<(FrameLabel Label, JsonElement Frame)> Frames(string suffix)
     {
-        Folder.Export("openlane-v2", simulated.Open());
+        Folder.Export("openlane-v2", simulated.OpenWithRoads());
         using JsonDocument index = JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/data_dict_gta.json")));
         string[] names =
         [
@@ -133,7 +133,7 @@ public sealed class OpenLaneV2WriterTests(SimulatedSession simulated) : ExportTe
                 ),
         ];
         Assert.Equal(SimulatedSession.Frames, names.Length);
-        foreach ((string name, FrameLabel label) in names.Zip(simulated.Open().ReadLabels()))
+        foreach ((string name, FrameLabel label) in names.Zip(simulated.OpenWithRoads().ReadLabels()))
         {
             using JsonDocument frame = JsonDocument.Parse(File.ReadAllText(Folder.PathOf(name)));
             Assert.True(

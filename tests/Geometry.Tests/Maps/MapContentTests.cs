@@ -124,6 +124,46 @@ public sealed class MapContentTests
     }
 
     [Fact]
+    public void Speed_sign_limits_the_road_on_whose_right_it_stands()
+    {
+        LaneNetwork map = Crossing(new MapContent { SpeedSigns = [new MapSpeedSign(15.6, new Vector3D(-40, -8, 0), West)] });
+
+        Assert.Equal([Eastbound], map.Lanes.Where(lane => lane.SpeedLimit == 15.6).Select(lane => lane.Id));
+        Assert.All(map.Lanes.Where(lane => lane.Id != Eastbound), lane => Assert.Null(lane.SpeedLimit));
+    }
+
+    [Fact]
+    public void Area_keeps_whole_roads_and_the_ways_between_them()
+    {
+        RoadNetwork network = Network(RoadNodeFlags.None);
+        var area = new Box2D(-100, -20, 0, 20);
+
+        var map = LaneNetwork.Of(new RoadCurves(network), new LaneModel(network), null, area);
+
+        LaneNetwork whole = Crossing(null);
+        Assert.Equal(["7:3-7:0"], map.Segments.Where(segment => segment.Forward[0].Centre[0].X < -30).Select(segment => segment.Id));
+        Assert.All(map.Lanes, lane => Assert.Equal(whole.Find(lane.Id)!.Centre, lane.Centre));
+        Assert.All(map.Lanes.SelectMany(lane => lane.Successors.Concat(lane.Predecessors)), lane => Assert.Same(lane, map.Find(lane.Id)));
+    }
+
+    [Fact]
+    public void Lanes_that_begin_are_reached_without_a_jump()
+    {
+        var network = new RoadNetwork(
+            [.. Enumerable.Range(0, 3).Select(i => new RoadNode(7, i, new Vector3D(50 * i, 0, 0), "", RoadNodeFlags.None))],
+            [new RoadLink(0, 1, 1, 0, null, RoadLinkFlags.None), new RoadLink(1, 2, 3, 0, null, RoadLinkFlags.None)]
+        );
+
+        LaneNetwork map = MapOf(network, null);
+
+        Assert.All(map.Segments[1].Forward, lane => Assert.Equal([map.Segments[0].Forward[0]], lane.Predecessors[0].Predecessors));
+        Assert.All(
+            map.Lanes.SelectMany(lane => lane.Successors.Select(next => (lane.Left[^1] - next.Left[0]).Length)),
+            gap => Assert.Equal(0, gap, 1e-9)
+        );
+    }
+
+    [Fact]
     public void Index_finds_the_lane_of_a_place_and_direction()
     {
         LaneIndex index = Crossing(null).Index;

@@ -27,4 +27,16 @@ public sealed class MapPropsTests
         Assert.Equal(0, prop.Facing.Y, 1e-12);
         Assert.Equal(placement.Position, prop.Position);
     }
+
+    [Fact]
+    public void Speed_signs_have_limits_in_metres_per_second()
+    {
+        var placement = new PropPlacement("prop_sign_road_06e", new Vector3D(1, 2, 3), new EulerAngles(0, 0, 0));
+
+        MapSpeedSign sign = Assert.Single(MapProps.SpeedSignsOf([placement, placement with { Name = "prop_sign_road_01a" }]));
+
+        // 35 mph = 35 · 1609.344 m / 3600 s.
+        Assert.Equal(15.6464, sign.Limit, 1e-4);
+        Assert.Equal(new Vector3D(0, -1, 0), sign.Facing);
+    }
 }

@@ -16,6 +16,9 @@ public sealed class LaneNetworkTests(ITestOutputHelper output)
     /// <summary>Lanes of one road lie farther apart than this, metres.</summary>
     private const double SameLane = 1;
 
+    /// <summary>A path this near to the middle lies on the lane, metres: less than half of the narrowest.</summary>
+    private const double OnLane = 2;
+
     /// <summary>A shorter path is what is left of a road between the stop lines of two junctions, metres.</summary>
     private const double MinLength = 3;
 
@@ -67,9 +70,31 @@ public sealed class LaneNetworkTests(ITestOutputHelper output)
             output.WriteLine($"  {Describe(from, site)} -> {Describe(to, site)}");
         }
 
+        // Where a lane has no path of a road, its traffic is on a way through a junction already.
+        MapLane[] lost =
+        [
+            .. pathOf
+                .Where(pair => pair.Value is null)
+                .Select(pair => pair.Key)
+                .Where(lane => PathOf(lane, site.Lanes.Paths, OnLane) is null),
+        ];
+        output.WriteLine(
+            $"{pathOf.Values.Count(path => path is null)} lanes lie within junctions of the traffic, {lost.Length} have no path at all"
+        );
+        Assert.Empty(lost);
         Assert.InRange(deviations.Max(), 0, MaxDeviation);
         Assert.Empty(truth.Except(found));
         Assert.Empty(found.Except(truth));
+    }
+
+    [Theory]
+    [InlineData(464)]
+    [InlineData(465)]
+    public void Lanes_that_follow_each_other_meet(int seed)
+    {
+        RoadNetwork network = TownBuilder.Build(seed);
+
+        Assert.Equal((0, 0), LaneGaps.Of(LaneNetwork.Of(new RoadCurves(network), new LaneModel(network)), output));
     }
 
     private static string Describe(int index, Site site)
@@ -86,13 +111,13 @@ public sealed class LaneNetworkTests(ITestOutputHelper output)
     }
 
     /// <summary>The path whose line runs through the middle of a lane, in its direction; null if there is none.</summary>
-    private static LanePath? PathOf(MapLane lane, LanePath[] paths)
+    private static LanePath? PathOf(MapLane lane, IReadOnlyList<LanePath> paths, double maxDistance = SameLane)
     {
         Vector3D middle = lane.Centre[lane.Centre.Count / 2];
         Vector3D ahead = lane.Centre[^1] - lane.Centre[0];
         return paths
             .Select(path => (Path: path, Nearest: NearestOn(path, middle)))
-            .Where(pair => pair.Nearest.Distance < SameLane && pair.Path.Line.TangentAt(pair.Nearest.Along).Dot(ahead) > 0)
+            .Where(pair => pair.Nearest.Distance < maxDistance && pair.Path.Line.TangentAt(pair.Nearest.Along).Dot(ahead) > 0)
             .OrderBy(pair => pair.Nearest.Distance)
             .Select(pair => pair.Path)
             .FirstOrDefault();

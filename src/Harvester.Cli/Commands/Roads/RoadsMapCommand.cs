@@ -71,7 +71,7 @@ internal static class RoadsMapCommand
         );
         Option<string[]> props = new("--props")
         {
-            Description = "Lanes: lights, stop and yield signs from a list of props, or from the scenes of a session; repeatable",
+            Description = "Lanes: lights and signs from a list of props, or from the scenes of a session; repeatable",
             HelpName = "FILE|SESSION",
             DefaultValueFactory = _ => [],
         };
@@ -115,10 +115,14 @@ internal static class RoadsMapCommand
                         parsed.GetValue(narrowLaneWidth),
                         table is null ? null : PaintedSections.Of(table, curves)
                     );
-                    IReadOnlyList<MapProp> signals = MapProps.Of(
-                        parsed.GetRequiredValue(props).SelectMany(from => PropsOf(from, terminal, cancellation))
-                    );
-                    return LaneNetwork.Of(curves, model, new MapContent { Paint = table, Props = signals }, parsed.GetValue(area));
+                    PropPlacement[] placed = [.. parsed.GetRequiredValue(props).SelectMany(from => PropsOf(from, terminal, cancellation))];
+                    var content = new MapContent
+                    {
+                        Paint = table,
+                        Props = MapProps.Of(placed),
+                        SpeedSigns = MapProps.SpeedSignsOf(placed),
+                    };
+                    return LaneNetwork.Of(curves, model, content, parsed.GetValue(area));
                 }
 
                 Box2D? part = parsed.GetValue(area);

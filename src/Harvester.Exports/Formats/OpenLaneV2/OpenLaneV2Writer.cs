@@ -15,7 +15,7 @@ namespace Harvester.Exports.Formats.OpenLaneV2;
 /// Writes OpenLane-V2: lanes, traffic elements and their topology, one file per frame for each of its two tasks. See
 /// docs/exports/openlane-v2.md.
 /// </summary>
-internal sealed class OpenLaneV2Writer : IDatasetWriter
+internal sealed class OpenLaneV2Writer(ExportOptions options) : IDatasetWriter
 {
     /// <summary>The list of the frames of all splits, in the root folder: the readers take every JSON file there for one.</summary>
     public const string Index = "data_dict_gta.json";
@@ -261,9 +261,9 @@ internal sealed class OpenLaneV2Writer : IDatasetWriter
         if (_maps is not { } known || known.Session != frame.Session)
         {
             LaneMaps maps =
-                SessionLanes.Of(frame.Session)
+                SessionLanes.Of(frame.Session, options.Roads)
                 ?? throw frame.Problem(
-                    $"its session has no {FramePaths.Roads}, from which openlane-v2 takes the lanes. Harvest with scenes, or choose another format."
+                    $"its session has no {FramePaths.Roads}, from which openlane-v2 takes the lanes. Name the roads with --roads, or choose another format."
                 );
             _maps = known = (frame.Session, maps);
         }
