@@ -192,8 +192,7 @@ public sealed class FrameRelabeller
     /// <summary>The lanes of a frame; names those of its vehicles too.</summary>
     private LanesLabel? LanesOf(FrameDraft draft, FrameLabel frame, bool isLensSame)
     {
-        LanesLabel? recorded =
-            frame.Lanes is null || isLensSame ? frame.Lanes : RecordedLanes.SeenBy(draft.Camera, frame.Lanes);
+        LanesLabel? recorded = frame.Lanes is null || isLensSame ? frame.Lanes : RecordedLanes.SeenBy(draft.Camera, frame.Lanes);
         if (_lanes is null)
         {
             var known = frame.Objects.ToLookup(label => label.Id);

@@ -60,11 +60,7 @@ internal static class LaneNames
         var found = new Dictionary<int, IReadOnlyList<string>>();
         foreach (EntityState entity in draft.Snapshot.Entities)
         {
-            if (
-                ids.TryGetValue(entity.Handle, out int id)
-                && wanted.Contains(id)
-                && MapProps.Of(entity.Model, entity.Pose) is { } prop
-            )
+            if (ids.TryGetValue(entity.Handle, out int id) && wanted.Contains(id) && MapProps.Of(entity.Model, entity.Pose) is { } prop)
             {
                 LaneNetwork map = maps.Around(prop.Position);
                 found[id] = [.. SignalLanes.Of(map, prop.Position, prop.Facing, prop.Kind).Select(lane => lane.Id)];

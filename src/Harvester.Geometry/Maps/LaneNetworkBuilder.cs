@@ -140,9 +140,12 @@ internal sealed class LaneNetworkBuilder
 
     private SegmentEnd EndAt(int node, int next) =>
         _groups.JunctionOf(node) is { } junction
-            ? _junctions.TryGetValue(junction, out int index) ? new SegmentEnd(index, null, false) : default
-        : next == RoadContinuations.None ? default
-        : new SegmentEnd(null, next, _network.Links[next].From == node);
+            ? _junctions.TryGetValue(junction, out int index)
+                ? new SegmentEnd(index, null, false)
+                : default
+            : next == RoadContinuations.None
+                ? default
+                : new SegmentEnd(null, next, _network.Links[next].From == node);
 
     /// <summary>The sections of a road between two stations of its link.</summary>
     private RoadSection[] Sections(int link, double from, double to)

@@ -20,7 +20,12 @@ internal static class LaneLayers
             );
         }
 
-        yield return new MapLayer("way through a junction", 0x7846B4, 1, map.Junctions.SelectMany(junction => junction.Ways).Select(Middle));
+        yield return new MapLayer(
+            "way through a junction",
+            0x7846B4,
+            1,
+            map.Junctions.SelectMany(junction => junction.Ways).Select(Middle)
+        );
         yield return new MapLayer("stop line", 0xC80000, 2, map.StopLines.Select(line => new[] { line.Left, line.Right }));
         MapSignal[] lights = [.. map.Signals.Where(signal => signal.Kind == MapSignalKind.Light)];
         yield return new MapLayer("light to its lanes", 0x50A050, 1, lights.SelectMany(LinksOf));
@@ -28,13 +33,22 @@ internal static class LaneLayers
     }
 
     private static IEnumerable<Vector3D[]> EdgesOf(RoadSegment road) =>
-        road.Forward.Concat(road.Backward).SelectMany(lane => (Vector3D[][])[[.. lane.Left], [.. lane.Right]]);
+        road
+            .Forward.Concat(road.Backward)
+            .SelectMany(lane =>
+                (Vector3D[][])
+                    [
+                        [.. lane.Left],
+                        [.. lane.Right],
+                    ]
+            );
 
     private static Vector3D[] Middle(MapLane way) => [.. way.Centre];
 
     private static Vector3D[] Closed(IReadOnlyList<Vector3D> corners) => [.. corners, corners[0]];
 
-    private static IEnumerable<Vector3D[]> LinksOf(MapSignal light) => light.Lanes.Select(lane => new[] { light.Position, lane.Centre[^1] });
+    private static IEnumerable<Vector3D[]> LinksOf(MapSignal light) =>
+        light.Lanes.Select(lane => new[] { light.Position, lane.Centre[^1] });
 
     /// <summary>A metre in the direction in which a light looks.</summary>
     private static Vector3D[] Mark(MapSignal light) => [light.Position, light.Position + light.Facing];

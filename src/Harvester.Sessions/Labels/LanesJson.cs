@@ -25,8 +25,7 @@ internal static class LanesJson
             .Key("lane")
             .Integer(lanes.Lane);
         AppendNames(json, lanes);
-        json.Key("laneWidthMetres")
-            .Number(lanes.LaneWidthMetres, LabelDecimals.Metres);
+        json.Key("laneWidthMetres").Number(lanes.LaneWidthMetres, LabelDecimals.Metres);
         AppendWidths(json, lanes.LaneWidthsMetres);
         json.Key("laneWidthSource")
             .String(lanes.LaneWidthSource is { } source ? JsonName.Of(source) : null)

@@ -51,13 +51,7 @@ public sealed class LaneIdCheckTests(SimulatedSession session)
 
     [Fact]
     public void Lanes_ahead_of_no_lane_are_found() =>
-        AssertProblem(
-            Good with
-            {
-                Lanes = Good.Lanes! with { LaneId = null },
-            },
-            "lanes.lanesAhead has lanes, but lanes.laneId is null."
-        );
+        AssertProblem(Good with { Lanes = Good.Lanes! with { LaneId = null } }, "lanes.lanesAhead has lanes, but lanes.laneId is null.");
 
     [Fact]
     public void Unknown_lane_of_an_object_is_found()

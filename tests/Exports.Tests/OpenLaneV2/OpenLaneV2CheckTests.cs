@@ -15,7 +15,12 @@ public sealed class OpenLaneV2CheckTests(SimulatedSession simulated) : CheckTest
     [InlineData(".json", "\"rotation\":\\[\\[[^,]*", "\"rotation\":[[0.5", "extrinsic is not a rotation and a displacement.")]
     [InlineData(".json", "\"points\":\\[\\[[^,]*", "\"points\":[[51", "lane_centerline[0] has points out of range, or fewer than two.")]
     [InlineData(".json", "\"topology_lclc\":\\[\\[\\d,", "\"topology_lclc\":[[", "topology_lclc is not a matrix of 0 and 1 of its lanes.")]
-    [InlineData("-ls.json", "\"topology_lsls\":\\[\\[\\d", "\"topology_lsls\":[[2", "topology_lsls is not a matrix of 0 and 1 of its lanes.")]
+    [InlineData(
+        "-ls.json",
+        "\"topology_lsls\":\\[\\[\\d",
+        "\"topology_lsls\":[[2",
+        "topology_lsls is not a matrix of 0 and 1 of its lanes."
+    )]
     [InlineData("-ls.json", "\"left_laneline_type\":\\d", "\"left_laneline_type\":3", "the type of a lane line is not 0, 1 or 2.")]
     [InlineData("-ls.json", "\"category\":2", "\"category\":3", "an area has an unknown category or points out of range.")]
     public void Damaged_frames_are_found(string suffix, string pattern, string replacement, string expected)

@@ -27,7 +27,9 @@ public sealed class OpenLaneV2WriterTests(SimulatedSession simulated) : ExportTe
                     .SelectMany(lane => new[] { lane.GetProperty("left_laneline"), lane.GetProperty("right_laneline") })
                     .Select(Points),
             ];
-            foreach (Vector3D place in label.Lanes!.Boundaries.SelectMany(line => line.Points).Select(point => ToVehicle(frame, point.World)))
+            foreach (
+                Vector3D place in label.Lanes!.Boundaries.SelectMany(line => line.Points).Select(point => ToVehicle(frame, point.World))
+            )
             {
                 if (Math.Abs(place.X) < 50 && Math.Abs(place.Y) < 25)
                 {
@@ -139,7 +141,8 @@ public sealed class OpenLaneV2WriterTests(SimulatedSession simulated) : ExportTe
             Assert.True(
                 File.Exists(
                     Folder.PathOf(
-                        "out/" + frame.RootElement.GetProperty("sensor").GetProperty("ring_front_center").GetProperty("image_path").GetString()
+                        "out/"
+                            + frame.RootElement.GetProperty("sensor").GetProperty("ring_front_center").GetProperty("image_path").GetString()
                     )
                 )
             );

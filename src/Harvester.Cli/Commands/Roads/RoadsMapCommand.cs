@@ -205,7 +205,9 @@ internal static class RoadsMapCommand
 
         OutputFile.Write(file, stream => WriteImage(map, format, stream));
         string metres = ThreeDigits(map.MetresPerPixel).ToString("0.###############", CultureInfo.InvariantCulture);
-        terminal.Out.WriteLine($"{file}: {map.Size.Width} x {map.Size.Height} pixels of {metres} m; {(map.ShowsLanes ? LaneLegend : Legend)}");
+        terminal.Out.WriteLine(
+            $"{file}: {map.Size.Width} x {map.Size.Height} pixels of {metres} m; {(map.ShowsLanes ? LaneLegend : Legend)}"
+        );
     }
 
     private static void WriteImage(RoadMap map, RoadMapFormat format, Stream stream)

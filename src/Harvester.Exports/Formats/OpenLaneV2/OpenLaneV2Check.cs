@@ -113,7 +113,10 @@ internal static class OpenLaneV2Check
                     return "extrinsic is not a rotation and a displacement.";
                 }
 
-                if (dataset.Header(image)?.Size is { } size && ElementProblem(frame.Fields("annotation"), size.Width, size.Height) is { } wrong)
+                if (
+                    dataset.Header(image)?.Size is { } size
+                    && ElementProblem(frame.Fields("annotation"), size.Width, size.Height) is { } wrong
+                )
                 {
                     return wrong;
                 }
@@ -152,13 +155,7 @@ internal static class OpenLaneV2Check
             }
         }
 
-        return LaneProblem(
-            annotation,
-            "lane_segment",
-            ["centerline", "left_laneline", "right_laneline"],
-            "topology_lsls",
-            "topology_lste"
-        );
+        return LaneProblem(annotation, "lane_segment", ["centerline", "left_laneline", "right_laneline"], "topology_lsls", "topology_lste");
     }
 
     private static string? LaneProblem(JsonFields annotation, string list, string[] lines, string lanesToLanes, string lanesToElements)
@@ -174,7 +171,8 @@ internal static class OpenLaneV2Check
 
         int elements = annotation.List("traffic_element").Count;
         return lanes.Select(lane => lane.LongInteger("id")).Distinct().Count() < lanes.Count ? $"two of {list} have the same id."
-            : !IsTopology(annotation.Rows(lanesToLanes), lanes.Count, lanes.Count) ? $"{lanesToLanes} is not a matrix of 0 and 1 of its lanes."
+            : !IsTopology(annotation.Rows(lanesToLanes), lanes.Count, lanes.Count)
+                ? $"{lanesToLanes} is not a matrix of 0 and 1 of its lanes."
             : !IsTopology(annotation.Rows(lanesToElements), lanes.Count, elements)
                 ? $"{lanesToElements} is not a matrix of 0 and 1 of its lanes and elements."
             : null;

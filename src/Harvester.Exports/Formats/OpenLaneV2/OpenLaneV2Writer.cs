@@ -260,11 +260,7 @@ internal sealed class OpenLaneV2Writer(ExportOptions options) : IDatasetWriter
     {
         if (_maps is not { } known || known.Session != frame.Session)
         {
-            LaneMaps maps =
-                SessionLanes.Of(frame.Session, options.Roads)
-                ?? throw frame.Problem(
-                    $"its session has no {FramePaths.Roads}, from which openlane-v2 takes the lanes. Name the roads with --roads, or choose another format."
-                );
+            LaneMaps maps = SessionLanes.Of(frame.Session, options.Roads) ?? throw frame.Problem($"its session has no {FramePaths.Roads}.");
             _maps = known = (frame.Session, maps);
         }
 

@@ -28,8 +28,7 @@ internal sealed class PaintedEdges
     /// <param name="markings">The markings.</param>
     /// <param name="vehicle">The vehicle's frame.</param>
     public PaintedEdges(IReadOnlyList<LaneLineView> markings, Pose vehicle) =>
-        _markings =
-        [
+        _markings = [
             .. markings.Select(view =>
                 (
                     view.Paint?.Style == MarkingStyle.Dashed ? Dashed : Solid,

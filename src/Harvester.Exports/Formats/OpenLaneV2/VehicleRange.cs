@@ -54,12 +54,7 @@ internal static class VehicleRange
     {
         int first = (int)Math.Floor(from) + 1;
         int beyond = (int)Math.Ceiling(to);
-        return
-        [
-            At(line, from),
-            .. Enumerable.Range(first, Math.Max(0, beyond - first)).Select(i => line[i]),
-            At(line, to),
-        ];
+        return [At(line, from), .. Enumerable.Range(first, Math.Max(0, beyond - first)).Select(i => line[i]), At(line, to)];
     }
 
     /// <summary>Length on the ground, metres.</summary>
@@ -78,9 +73,8 @@ internal static class VehicleRange
         (double from, double to) = (0, 1);
         Vector3D along = end - start;
         foreach (
-            (double slope, double room) in (
-                (double, double)[])
-            [(-along.X, start.X + Ahead), (along.X, Ahead - start.X), (-along.Y, start.Y + Aside), (along.Y, Aside - start.Y)]
+            (double slope, double room) in ((double, double)[])
+                [(-along.X, start.X + Ahead), (along.X, Ahead - start.X), (-along.Y, start.Y + Aside), (along.Y, Aside - start.Y)]
         )
         {
             if (slope == 0 ? room < 0 : slope < 0 && room / slope > to || slope > 0 && room / slope < from)
