@@ -74,27 +74,29 @@ internal sealed class JunctionGroups
     {
         for (int link = 0; link < _network.Links.Count; link++)
         {
-            foreach (bool atEnd in new[] { true, false })
-            {
-                int node = atEnd ? _network.Links[link].To : _network.Links[link].From;
-                int next = curves.Continuations.Of(link, atEnd);
-                if (next == RoadContinuations.None || JunctionOf(node) is not null)
-                {
-                    continue;
-                }
+            NoteChange(curves, lanes, link, atEnd: false);
+            NoteChange(curves, lanes, link, atEnd: true);
+        }
+    }
 
-                bool atStartOfNext = _network.Links[next].From == node;
-                double here = atEnd ? curves.Of(link).Length : 0;
-                double there = atStartOfNext ? 0 : curves.Of(next).Length;
-                bool isSame = new[] { true, false }.All(isForward =>
-                    AreSame(lanes.LanesOf(link, isForward, here), lanes.LanesOf(next, isForward == (atEnd == atStartOfNext), there))
-                );
-                if (!isSame)
-                {
-                    // Nodes that are joined are a junction already.
-                    _junctions.Add(node, [node]);
-                }
-            }
+    private void NoteChange(RoadCurves curves, LaneModel lanes, int link, bool atEnd)
+    {
+        int node = atEnd ? _network.Links[link].To : _network.Links[link].From;
+        int next = curves.Continuations.Of(link, atEnd);
+        if (next == RoadContinuations.None || JunctionOf(node) is not null)
+        {
+            return;
+        }
+
+        bool atStartOfNext = _network.Links[next].From == node;
+        double here = atEnd ? curves.Of(link).Length : 0;
+        double there = atStartOfNext ? 0 : curves.Of(next).Length;
+        bool AreSameIn(bool isForward) =>
+            AreSame(lanes.LanesOf(link, isForward, here), lanes.LanesOf(next, isForward == (atEnd == atStartOfNext), there));
+        if (!AreSameIn(isForward: true) || !AreSameIn(isForward: false))
+        {
+            // Nodes that are joined are a junction already.
+            _junctions.Add(node, [node]);
         }
     }
 

@@ -89,10 +89,10 @@ public sealed class LaneModel
 
     /// <summary>The stations between which the lanes of a link change evenly, metres along its curve from its start, in no order; none if
     /// they do not change.</summary>
-    internal IEnumerable<double> StationsOf(int link) =>
-        new[] { true, false }.SelectMany(isForward =>
-            _measured.TryGetValue((link, isForward), out MeasuredLanes? measured) ? measured.Stations : []
-        );
+    internal IEnumerable<double> StationsOf(int link) => StationsOf(link, isForward: true).Concat(StationsOf(link, isForward: false));
+
+    private IEnumerable<double> StationsOf(int link, bool isForward) =>
+        _measured.TryGetValue((link, isForward), out MeasuredLanes? measured) ? measured.Stations : [];
 
     /// <summary>
     /// Largest offset of the right edge of the lanes of one direction along a link, metres to the right of its line in that direction; null
