@@ -7,7 +7,9 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>Names the lanes on which the ego and the vehicles are, and those that lights and signs govern, as docs/maps.md names them.</summary>
+/// <summary>
+/// Names the lanes on which the ego and the vehicles are, and those that lights and signs govern, as docs/maps.md names them.
+/// </summary>
 internal static class LaneNames
 {
     /// <summary>How far ahead of the ego a lane may begin, metres along the lanes: as far as boundaries are traced.</summary>

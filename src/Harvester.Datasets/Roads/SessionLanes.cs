@@ -15,7 +15,7 @@ public static class SessionLanes
     /// <param name="session">The session.</param>
     /// <param name="others">The roads to take if the session keeps none: those on which it was harvested; null for none.</param>
     /// <returns>The lanes around any place; null if there are no roads.</returns>
-    /// <exception cref="DatasetFormatException">The roads or the settings of the session are invalid; the message names the file.</exception>
+    /// <exception cref="DatasetFormatException">The roads or the settings of the session are invalid; the message names it.</exception>
     public static LaneMaps? Of(SessionReader session, RoadNetwork? others = null)
     {
         ArgumentNullException.ThrowIfNull(session);

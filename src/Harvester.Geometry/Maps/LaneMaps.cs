@@ -62,8 +62,8 @@ public sealed class LaneMaps
         Map(_links, _groups.NodesOf, _crossings, content ?? MapContent.None, area);
 
     /// <summary>
-    /// The map around a place, of the roads alone. Lanes farther away than <see cref="ReachMetres"/> may be missing, also among those that precede and follow
-    /// others.
+    /// The map around a place, of the roads alone. Lanes farther away than <see cref="ReachMetres"/> may be missing, also among those that
+    /// precede and follow others.
     /// </summary>
     /// <param name="place">Metres, world; the height is ignored.</param>
     public LaneNetwork Around(Vector3D place)

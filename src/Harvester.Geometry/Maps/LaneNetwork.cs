@@ -12,7 +12,7 @@ public sealed class LaneNetwork
     /// <summary>Side of the cells in which the roads to junctions are found, metres.</summary>
     private const double ApproachCell = 64;
 
-    /// <summary>How far a place beside a lane may lie before its start or past its end, metres: room for the bend between two lanes.</summary>
+    /// <summary>How far a place beside a lane may lie before its start or past its end, metres: room for a bend between lanes.</summary>
     private const double MaxBeyond = 0.5;
 
     private readonly Dictionary<string, MapLane> _byId;

@@ -54,7 +54,8 @@ public sealed class RealLaneMapsTests(ITestOutputHelper output)
         durations.Sort();
         output.WriteLine(
             $"{compared} lanes around {durations.Count} places are the same; a map takes {durations.Average():0.0} ms on average, "
-                + $"{durations[durations.Count / 2]:0.0} in the middle, {durations[^(1 + (durations.Count / 100))]:0.0} at 99 %, {durations[^1]:0.0} at most"
+                + $"{durations[durations.Count / 2]:0.0} in the middle, {durations[^(1 + (durations.Count / 100))]:0.0} at 99 %, "
+                + $"{durations[^1]:0.0} at most"
         );
         Assert.InRange(durations.Average(), 0, MaxMeanMilliseconds);
     }

@@ -9,7 +9,7 @@ using Xunit.Abstractions;
 
 namespace Harvester.Simulation.Tests.Maps;
 
-/// <summary>The lanes on which vehicles are found by place and direction, compared with the paths that the simulation has for them.</summary>
+/// <summary>The lanes on which vehicles are found by place and direction, compared with the paths that they follow.</summary>
 [Trait("Category", "Heavy")]
 public sealed class LaneOfVehiclesTests(ITestOutputHelper output)
 {
@@ -93,7 +93,8 @@ public sealed class LaneOfVehiclesTests(ITestOutputHelper output)
         }
 
         output.WriteLine(
-            $"{right} of {onRoad} on roads; {onWay} of {inJunction} in junctions on their way, {onArm} on their roads before and after it, {onNeighbour} on one that parts from it or "
+            $"{right} of {onRoad} on roads; {onWay} of {inJunction} in junctions on their way, "
+                + $"{onArm} on their roads before and after it, {onNeighbour} on one that parts from it or "
                 + $"merges with it; {between} near the end of a road"
         );
         Assert.Equal(onRoad, right);

@@ -90,7 +90,8 @@ internal static class RoadsMapCommand
         };
         HelpWithNotes.AddTo(
             command,
-            $"Colours: {Legend}. Where a pixel is 0.5 m or less: {LaneLegend}.\n\nLanes are derived from the road data: docs/maps.md says what is exact and what is not.\n\n"
+            $"Colours: {Legend}. Where a pixel is 0.5 m or less: {LaneLegend}.\n\n"
+                + "Lanes are derived from the road data: docs/maps.md says what is exact and what is not.\n\n"
                 + RoadSourceArgument.NotesWith("FROM is", Example, LanesExample)
         );
         command.SetAction(
