@@ -182,6 +182,60 @@ public sealed class RoadsCommandTests : IDisposable
     }
 
     [Fact]
+    public void Lights_of_a_list_and_of_a_session_are_on_the_map()
+    {
+        string session = _folder.PathOf("session");
+        CliRun.Of("harvest", "--out", session, "--frames", "1", "--seed", "2", "--size", "64x48", "--no-report");
+        string roads = Path.Combine(session, "scenes", "roads.csv");
+        string file = _folder.PathOf("town.geojson");
+
+        Assert.Equal(0, CliRun.Of("roads", "map", roads, "--props", session, "--out", file).ExitCode);
+        JsonElement[] lights = Lights(file);
+        string[] list =
+        [
+            .. lights
+                .Select(light => light.GetProperty("geometry").GetProperty("coordinates"))
+                .Select(place =>
+                    $$$"""{"Name": "prop_traffic_01a", "Position": {"X": {{{place[0]}}}, "Y": {{{place[1]}}}, "Z": {{{place[2]}}}}, """
+                    + """ "Rotation": {"X": 0, "Y": 0, "Z": 0}}"""
+                ),
+        ];
+        string props = _folder.File("props.json", $"[{string.Join(",", list)}]");
+        CliRun run = CliRun.Of("roads", "map", roads, "--props", props, "--out", file);
+
+        Assert.NotEmpty(lights);
+        Assert.Equal(lights.Length, Lights(file).Length);
+        Assert.Contains($"{lights.Length} signals", run.Out, StringComparison.Ordinal);
+        File.Delete(Path.Combine(session, "scenes", "00000000.json"));
+        CliRun.Of("roads", "map", roads, "--props", session, "--out", file).AssertFailed(1, "--no-scenes gives no lights and signs.");
+    }
+
+    [Fact]
+    public void Lanes_of_an_area_are_whole_roads()
+    {
+        string from = _folder.File("roads.txt", Ipl);
+        string whole = _folder.PathOf("whole.geojson");
+        string part = _folder.PathOf("part.geojson");
+        CliRun.Of("roads", "map", from, "--out", whole);
+
+        Assert.Equal(0, CliRun.Of("roads", "map", from, "--out", part, "--area=-10,-1,10,5").ExitCode);
+
+        string[] all = File.ReadAllLines(whole);
+        string[] lines = [.. File.ReadAllLines(part).Where(line => line.Contains("\"lane\"", StringComparison.Ordinal))];
+        Assert.InRange(lines.Length, 1, all.Length - 3);
+        CliRun.Of("roads", "map", from, "--out", part, "--area=900,900,999,999").AssertFailed(2, "There are no roads in --area.");
+    }
+
+    private static JsonElement[] Lights(string file) =>
+        [
+            .. JsonDocument
+                .Parse(File.ReadAllText(file))
+                .RootElement.GetProperty("features")
+                .EnumerateArray()
+                .Where(feature => feature.GetProperty("properties").GetProperty("kind").GetString() == "light"),
+        ];
+
+    [Fact]
     public void Map_of_nodes_without_a_link_reports_that_there_are_no_roads()
     {
         string from = _folder.File("roads.txt", Ipl.Split("0, 1, 2, 2, 1, 0")[0] + "end\n");

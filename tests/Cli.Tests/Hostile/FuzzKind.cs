@@ -39,6 +39,9 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
     private const string Project = "project --position 0,0,0 --rotation 0,0,0 --fov 50 --size 80x60 --points {0}/points.csv";
     private const string Sheet = "contact-sheet --roads {0}/straight.csv --size 64x48 --seconds 0 --out {0}/out.png";
 
+    private const string MapWithProps = "roads map {0}/straight.csv --props {0}/props.json --out {0}/out.xodr";
+    private const string MapOfSession = "roads map {0}/straight.csv --props {0}/session --out {0}/out.geojson";
+
     private const string Schema = "validate {0}/session --schema --quick";
     private const string Merge = "merge {0}/shard {0}/shard2 --out {0}/out";
 
@@ -85,6 +88,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
                 Relabel,
                 "masks import {0}/session {0}/maps",
                 "roads paint {0}/session --out {0}/out.csv",
+                MapOfSession,
                 "pairs {0}/session --format csv --out {0}/out",
                 .. DatasetFormats.All.Select(format => Export(format.Name)),
             ]
@@ -110,7 +114,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             "masks import {0}/session {0}/maps",
             Export("csv")
         ),
-        new("scene", "session/scenes/00000000.json", ValidateSession, "validate {0}/session", Relabel),
+        new("scene", "session/scenes/00000000.json", ValidateSession, "validate {0}/session", Relabel, MapOfSession),
         Roads("roads", "session/scenes/roads.csv", "validate {0}/session", Relabel),
         Roads("ipl", "paths.ipl"),
         Roads("paths-xml", "paths.xml"),
@@ -201,12 +205,19 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             "paint.csv",
             folder => PaintFile.Read(In(folder, "paint.csv"), RoadImporter.Import(In(folder, "straight.csv")).Network),
             "lanes --roads {0}/straight.csv --paint {0}/paint.csv --position 2,-100,30 --heading 0",
+            "roads map {0}/straight.csv --paint {0}/paint.csv --out {0}/out.xodr",
             "relabel {0}/people --roads {0}/straight.csv --paint {0}/paint.csv --no-report --out {0}/out",
             "harvest --roads {0}/straight.csv --paint {0}/paint.csv --frames 1 --size 64x48 --no-report --out {0}/out",
             "drive --roads {0}/straight.csv --paint {0}/paint.csv --distance 1 --out {0}/out"
         ),
         new("places", "places.csv", folder => PlaceList.Read(In(folder, "places.csv")), $"{Sheet} --list {{0}}/places.csv"),
-        new("props", "props.json", folder => PropPlacementImporter.Import(In(folder, "props.json")), $"{Sheet} --props {{0}}/props.json"),
+        new(
+            "props",
+            "props.json",
+            folder => PropPlacementImporter.Import(In(folder, "props.json")),
+            $"{Sheet} --props {{0}}/props.json",
+            MapWithProps
+        ),
         new("lens", "lens.txt", folder => LensFile.Read(In(folder, "lens.txt")), $"{Project} --calibration {{0}}/lens.txt"),
         new("boxes", "boxes.json", folder => BoxSceneReader.Read(new FileInfo(In(folder, "boxes.json"))), "boxes {0}/boxes.json"),
         new("log", "GtaDataHarvester.log", folder => Doctor.Examine(In(folder, "GtaDataHarvester.log")), "doctor {0}/GtaDataHarvester.log"),

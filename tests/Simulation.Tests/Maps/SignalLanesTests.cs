@@ -15,9 +15,9 @@ namespace Harvester.Simulation.Tests.Maps;
 public sealed class SignalLanesTests(ITestOutputHelper output)
 {
     [Theory]
-    [InlineData(481)]
-    [InlineData(482)]
-    [InlineData(483)]
+    [InlineData(486)]
+    [InlineData(487)]
+    [InlineData(488)]
     public void Lights_and_signs_govern_the_lanes_that_obey_them(int seed)
     {
         Site site = Site.OfTown(seed);
@@ -46,9 +46,9 @@ public sealed class SignalLanesTests(ITestOutputHelper output)
     }
 
     [Theory]
-    [InlineData(481)]
-    [InlineData(482)]
-    [InlineData(483)]
+    [InlineData(486)]
+    [InlineData(487)]
+    [InlineData(488)]
     public void Painted_stop_lines_are_those_of_the_lanes_before_them(int seed)
     {
         Site site = Site.OfTown(seed);
