@@ -9,12 +9,9 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Reports.Maps;
 
-/// <summary>A map of a road network, north up, with roads coloured by kind, and their lanes where the scale allows.</summary>
+/// <summary>A map of a road network, north up, with roads coloured by kind, or with their lanes.</summary>
 public sealed class RoadMap
 {
-    /// <summary>The largest pixel with which a map shows lanes, metres: a lane is seven pixels wide or more.</summary>
-    public const double MaxLanePixel = 0.5;
-
     private const double StreetWidthPixels = 1.6;
     private const double MarginFraction = 0.02;
     private const int WidthDecimals = 2;
@@ -36,11 +33,9 @@ public sealed class RoadMap
     /// <param name="network">The roads.</param>
     /// <param name="area">The part to draw, world, metres, x east and y north; null for all.</param>
     /// <param name="longSidePixels">Length of the longer side, pixels; at least 16.</param>
-    /// <param name="lanes">
-    /// Makes the lanes; called if a pixel is at most <see cref="MaxLanePixel"/>. Null for roads as lines at any scale.
-    /// </param>
+    /// <param name="lanes">The lanes to draw; null for roads as lines.</param>
     /// <exception cref="ArgumentException">The network has no nodes, or the area is empty.</exception>
-    public RoadMap(RoadNetwork network, Box2D? area, int longSidePixels, Func<LaneNetwork>? lanes = null)
+    public RoadMap(RoadNetwork network, Box2D? area, int longSidePixels, LaneNetwork? lanes = null)
     {
         ArgumentNullException.ThrowIfNull(network);
         ArgumentOutOfRangeException.ThrowIfLessThan(longSidePixels, 16);
@@ -57,7 +52,7 @@ public sealed class RoadMap
         _north = shown.YMax;
         _pixelsPerMetre = longSidePixels / Math.Max(width, height);
         Size = new ImageSize(PixelsOf(width), PixelsOf(height));
-        _lanes = MetresPerPixel <= MaxLanePixel ? lanes?.Invoke() : null;
+        _lanes = lanes;
     }
 
     /// <summary>Whether the map shows lanes.</summary>

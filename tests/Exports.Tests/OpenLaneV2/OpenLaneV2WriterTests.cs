@@ -150,7 +150,7 @@ public sealed class OpenLaneV2WriterTests(SimulatedSession simulated) : ExportTe
         }
     }
 
-    private static IEnumerable<JsonElement> Lanes(JsonElement frame) =>
+    private static JsonElement.ArrayEnumerator Lanes(JsonElement frame) =>
         frame.GetProperty("annotation").GetProperty("lane_segment").EnumerateArray();
 
     /// <summary>A place of the world in the frame of "pose", whose columns are its axes.</summary>

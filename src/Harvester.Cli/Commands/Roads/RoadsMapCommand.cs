@@ -75,6 +75,10 @@ internal static class RoadsMapCommand
             HelpName = "FILE|SESSION",
             DefaultValueFactory = _ => [],
         };
+        Option<bool> showLanes = new("--lanes")
+        {
+            Description = "Images: lanes, ways through junctions, stop lines and lights instead of roads; for a pixel of 0.5 m or less",
+        };
         var command = new Command("map", "Draw road data as a map, or write its lanes as OpenDRIVE or GeoJSON.")
         {
             from,
@@ -87,10 +91,11 @@ internal static class RoadsMapCommand
             narrowLaneWidth,
             paint,
             props,
+            showLanes,
         };
         HelpWithNotes.AddTo(
             command,
-            $"Colours: {Legend}. Where a pixel is 0.5 m or less: {LaneLegend}.\n\n"
+            $"Colours: {Legend}. With --lanes: {LaneLegend}.\n\n"
                 + "Lanes are derived from the road data: docs/maps.md says what is exact and what is not.\n\n"
                 + RoadSourceArgument.NotesWith("FROM is", Example, LanesExample)
         );
@@ -140,7 +145,13 @@ internal static class RoadsMapCommand
                     return Task.FromResult(ExitCode.Done);
                 }
 
-                Draw(new RoadMap(network, part, parsed.GetValue(size), Lanes), part, kind, file, terminal);
+                Draw(
+                    new RoadMap(network, part, parsed.GetValue(size), parsed.GetValue(showLanes) ? Lanes() : null),
+                    part,
+                    kind,
+                    file,
+                    terminal
+                );
                 return Task.FromResult(ExitCode.Done);
             }
         );
