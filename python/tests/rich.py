@@ -50,6 +50,8 @@ _LANES: Dict[str, Any] = {
     "boundaries": [_LINE],
     "markings": [_MEASURED],
     "laneWidthsMetres": [3.5, 4.5],
+    "laneId": "0:1-0:2/f0",
+    "lanesAhead": ["0:1-0:2/f0>0:3-0:4/f0", "0:3-0:4/f0"],
 }
 
 
@@ -63,6 +65,7 @@ def write(folder: Path) -> Path:
     car, person = line["objects"]
     car["lights"] = {"brake": True, "left": False, "right": False, "head": True}
     car.update(box2dVisible=[1, 2, 3, 4], box2dWhole=[1, 2, 3, 4], trueOccludedFraction=0.1)
+    car.update(laneId="0:1-0:2/b0", governedLanes=["0:1-0:2/f0"])
     person["space"] = {
         "face": 0,
         "mutcd": "R1-1",

@@ -161,6 +161,9 @@ def test_records_are_shown_in_a_line(handmade: HandmadeSession, tmp_path: Path) 
     )
     lanes = open_session(tmp_path / "rich")[0].lanes
     assert lanes is not None and lanes.markings is not None and lanes.lane_widths_metres == (3.5, 4.5)
+    assert (lanes.lane_id, lanes.lanes_ahead) == ("0:1-0:2/f0", ("0:1-0:2/f0>0:3-0:4/f0", "0:3-0:4/f0"))
+    car = open_session(tmp_path / "rich")[0].objects[0]
+    assert (car.lane_id, car.governed_lanes) == ("0:1-0:2/b0", ("0:1-0:2/f0",))
     assert (lanes.markings[0].source, lanes.markings[0].sigma_metres) == ("paint", 0.02)
     assert (lanes.boundaries[0].source, lanes.boundaries[0].sigma_metres) == (None, None)
     handmade.lines[0]["timeSeconds"] = "x"

@@ -29,6 +29,9 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
     /// <summary>Whether the lane lines of a frame can be chosen.</summary>
     public bool HasLaneSelection { get; init; }
 
+    /// <summary>Whether it has the lanes of a map, made from the roads of the session or of a file.</summary>
+    public bool HasMap { get; init; }
+
     /// <summary>Whether it has the points of LiDARs.</summary>
     public bool HasPoints { get; init; }
 

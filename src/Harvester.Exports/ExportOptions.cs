@@ -1,4 +1,5 @@
 using Harvester.Datasets.Files;
+using Harvester.Geometry.Roads;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Jpeg;
 using Harvester.Sessions.Labels;
@@ -35,6 +36,12 @@ public sealed record ExportOptions
 
     /// <summary>The lane lines of a frame, in formats with a choice.</summary>
     public LaneSelection Lanes { get; init; }
+
+    /// <summary>The roads of sessions that do not keep theirs, in formats with a map; null for none.</summary>
+    public RoadNetwork? Roads { get; init; }
+
+    /// <summary>Name of the file of <see cref="Roads"/>.</summary>
+    public string? RoadsName { get; init; }
 
     /// <summary>Whether images are linked or copied.</summary>
     public ImageTransfer Images { get; init; }

@@ -1,3 +1,4 @@
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading.Files;
 
@@ -8,7 +9,7 @@ internal static class FrameRequirements
 {
     /// <exception cref="DatasetFormatException">The frame lacks something that the format requires, or has something that it cannot
     /// represent.</exception>
-    public static void Check(DatasetFormat format, ExportFrame frame)
+    public static void Check(DatasetFormat format, ExportOptions options, ExportFrame frame)
     {
         if (format.NeedsMasks && frame.Label.Mask is null)
         {
@@ -23,6 +24,14 @@ internal static class FrameRequirements
         if (format.NeedsLanes && frame.Label.Lanes is null)
         {
             throw frame.Problem($"it has no lanes, which {format.Name} needs. Harvest with roads, or choose another format.");
+        }
+
+        if (format.HasMap && options.Roads is null && !frame.HasFile(FramePaths.Roads))
+        {
+            throw frame.Problem(
+                $"its session has no {FramePaths.Roads}, from which {format.Name} takes the lanes. Name the roads with --roads, or choose "
+                    + "another format."
+            );
         }
 
         if (format.KeepsSequences && IntrinsicsOf(frame.Label.Camera) != IntrinsicsOf(frame.SequenceCamera))

@@ -21,7 +21,7 @@ public abstract class CheckTests(SimulatedSession simulated, string format) : Ex
     private protected SimulatedSession Simulated => simulated;
 
     /// <summary>Exports; images are copies, as tests change them.</summary>
-    private protected void Export(ExportOptions? options = null) => Folder.Export(format, simulated.Open(), options ?? Copied);
+    private protected void Export(ExportOptions? options = null) => Folder.Export(format, simulated.OpenFor(format), options ?? Copied);
 
     /// <summary>Exports, damages a file and looks for the problem.</summary>
     private protected void AssertDamageIsFound(string file, string pattern, string replacement, string expected)

@@ -2,7 +2,10 @@ using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Roads;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading;
+using Harvester.Sessions.Roads;
 using Harvester.Sessions.Semantics;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Settings;
@@ -16,6 +19,7 @@ public sealed class SimulatedSession : IDisposable
     public const int Frames = 7;
 
     private readonly Lazy<string> _withClassMaps = new(() => Harvest(SemanticsMethod.Exact));
+    private readonly Lazy<string> _withRoads = new(() => Harvest(null, keepsRoads: true));
 
     public string Folder { get; } = Harvest(null);
 
@@ -24,16 +28,22 @@ public sealed class SimulatedSession : IDisposable
     /// <summary>Opens the same session with class maps.</summary>
     public SessionReader OpenWithClassMaps() => new(_withClassMaps.Value);
 
+    /// <summary>Opens the same session with the roads beside its scenes.</summary>
+    public SessionReader OpenWithRoads() => new(_withRoads.Value);
+
     public void Dispose()
     {
         Directory.Delete(Folder, recursive: true);
-        if (_withClassMaps.IsValueCreated)
+        foreach (Lazy<string> made in (Lazy<string>[])[_withClassMaps, _withRoads])
         {
-            Directory.Delete(_withClassMaps.Value, recursive: true);
+            if (made.IsValueCreated)
+            {
+                Directory.Delete(made.Value, recursive: true);
+            }
         }
     }
 
-    private static string Harvest(SemanticsMethod? semantics)
+    private static string Harvest(SemanticsMethod? semantics, bool keepsRoads = false)
     {
         string folder = Directory.CreateTempSubdirectory("harvester-test-").FullName;
         var game = new SimulatedGame(new SimulationOptions { Seed = 8, WindowAspect = 4.0 / 3 });
@@ -55,7 +65,16 @@ public sealed class SimulatedSession : IDisposable
             Masks = true,
             Semantics = semantics,
         };
-        using var session = new HarvestSession(options, game.Ports with { Roads = new FixedRoads(game.Roads, "simulation") }, writer);
+        RoadNetwork roads = game.Roads;
+        if (keepsRoads)
+        {
+            using var text = new StringWriter();
+            RoadCsvWriter.Write(roads, text);
+            writer.Keep(FramePaths.Roads, text.ToString());
+            roads = RoadCsvReader.Read(new StringReader(text.ToString()));
+        }
+
+        using var session = new HarvestSession(options, game.Ports with { Roads = new FixedRoads(roads, "simulation") }, writer);
         do
         {
             writer.WaitForRoom();

@@ -125,7 +125,8 @@ def _hidden(value: Any) -> Optional[bool]:
 class Lanes:
     """The lanes around the car, the vehicles in them, and the thirteen indicators.
 
-    lane_widths_metres is None if all lanes have the same width.
+    lane_widths_metres is None if all lanes have the same width. lane_id names the lane or way of docs/maps.md on which the car is, and
+    lanes_ahead those that it reaches, nearest first; lanes_ahead is None in sessions of earlier versions.
     """
 
     status: str
@@ -147,6 +148,8 @@ class Lanes:
     boundaries: Tuple[LaneLine, ...]
     markings: Optional[Tuple[LaneLine, ...]]
     lane_widths_metres: Optional[Tuple[float, ...]]
+    lane_id: Optional[str]
+    lanes_ahead: Optional[Tuple[str, ...]]
 
     @staticmethod
     def from_json(lanes: Mapping[str, Any]) -> Lanes:
@@ -172,6 +175,8 @@ class Lanes:
             each(LaneLine.from_json, lanes["boundaries"]),
             None if markings is None else each(LaneLine.from_json, markings),
             None if lanes.get("laneWidthsMetres") is None else each(number, lanes["laneWidthsMetres"]),
+            optional(text, lanes.get("laneId")),
+            None if lanes.get("lanesAhead") is None else each(text, lanes["lanesAhead"]),
         )
 
     def __repr__(self) -> str:

@@ -212,6 +212,8 @@ class ObjectLabel:
     occlusion_method: str
     visible_fraction: Optional[float]
     true_occluded_fraction: Optional[float]
+    lane_id: Optional[str]
+    governed_lanes: Optional[Tuple[str, ...]]
     box3d: Cuboid
     distance_metres: float
     velocity: Vector
@@ -241,6 +243,8 @@ class ObjectLabel:
             occlusion_method=text(item["occlusionMethod"]),
             visible_fraction=optional(number, item["visibleFraction"]),
             true_occluded_fraction=optional(number, item.get("trueOccludedFraction")),
+            lane_id=optional(text, item.get("laneId")),
+            governed_lanes=None if item.get("governedLanes") is None else each(text, item["governedLanes"]),
             box3d=Cuboid.from_json(item["box3d"]),
             distance_metres=number(item["distanceMetres"]),
             velocity=vector(item["velocity"]),

@@ -61,6 +61,7 @@ def _row(item: ObjectLabel) -> Dict[str, Any]:
             "occlusion_method": item.occlusion_method,
             "visible_fraction": item.visible_fraction,
             "true_occluded_fraction": item.true_occluded_fraction,
+            "lane_id": item.lane_id,
             "distance_metres": item.distance_metres,
         }
     )

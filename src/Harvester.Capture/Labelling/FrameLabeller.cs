@@ -2,7 +2,6 @@ using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
 using Harvester.Geometry.Work;
-using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
@@ -71,10 +70,8 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
         yield return WorkStep.Do(LookAtDistant(frame, mayCastRays));
         if (Lanes is not null)
         {
-            var lanes = new WorkResult<LanesLabel>();
             rays.Begin(RayPhase.Lanes);
-            yield return WorkStep.Do(Lanes.Label(snapshot, frame.Camera, mayCastRays, lanes));
-            draft.Lanes = lanes.Value;
+            yield return WorkStep.Do(Lanes.Label(draft, mayCastRays));
         }
 
         draft.Ids = registry.IdsOf(snapshot.Entities);

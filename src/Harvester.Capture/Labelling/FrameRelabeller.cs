@@ -121,6 +121,7 @@ public sealed class FrameRelabeller
             LightObserver.Observe(draft, picture());
         }
 
+        LanesLabel? lanes = LanesOf(draft, recorded, isLensSame);
         return recorded with
         {
             Mask = keepsMask ? recorded.Mask : null,
@@ -130,7 +131,7 @@ public sealed class FrameRelabeller
             Ego = EgoLabel.Of(snapshot.Ego),
             Objects = draft.Objects,
             IgnoreRegions = draft.IgnoreRegions,
-            Lanes = LanesOf(snapshot, camera, recorded.Lanes, isLensSame),
+            Lanes = lanes,
         };
     }
 
@@ -188,24 +189,32 @@ public sealed class FrameRelabeller
             .Concat(scene.Distant);
     }
 
-    private LanesLabel? LanesOf(SceneSnapshot snapshot, Camera camera, LanesLabel? recorded, bool isLensSame)
+    /// <summary>The lanes of a frame; names those of its vehicles too.</summary>
+    private LanesLabel? LanesOf(FrameDraft draft, FrameLabel frame, bool isLensSame)
     {
+        LanesLabel? recorded = frame.Lanes is null || isLensSame ? frame.Lanes : RecordedLanes.SeenBy(draft.Camera, frame.Lanes);
         if (_lanes is null)
         {
-            return recorded is null || isLensSame ? recorded : RecordedLanes.SeenBy(camera, recorded);
+            var known = frame.Objects.ToLookup(label => label.Id);
+            draft.Update(label =>
+                known[label.Id].FirstOrDefault() is { } before
+                    ? label with
+                    {
+                        LaneId = before.LaneId,
+                        GovernedLanes = before.GovernedLanes,
+                    }
+                    : label
+            );
+            return recorded;
         }
 
-        var labelled = new WorkResult<LanesLabel>();
-        WorkRun.Complete(_lanes.Label(snapshot, camera, static () => false, labelled));
-        if (labelled.Value is not { } lanes)
+        WorkRun.Complete(_lanes.Label(draft, static () => false));
+        if (draft.Lanes is not { } lanes)
         {
             return null;
         }
 
-        LanesLabel completed = RecordedLanes.Completed(
-            lanes,
-            recorded is null || isLensSame ? recorded : RecordedLanes.SeenBy(camera, recorded)
-        );
+        LanesLabel completed = RecordedLanes.Completed(lanes, recorded);
         return _hasPaint ? completed with { Markings = lanes.Markings } : completed;
     }
 }

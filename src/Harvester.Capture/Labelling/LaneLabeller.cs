@@ -2,6 +2,7 @@ using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Maps;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Geometry.Work;
@@ -18,14 +19,13 @@ internal sealed class LaneLabeller(IRoads roads, IRoadPaint? paint, FrameRays? r
 
     private readonly LaneTracker _tracker = new(roads, entity => registry.IdOf(entity));
 
-    /// <summary>Labels the lanes in steps.</summary>
-    /// <param name="snapshot">The scene.</param>
-    /// <param name="camera">The camera of the saved image.</param>
+    /// <summary>Labels the lanes in steps: those of the frame, of the vehicles that are labelled already, and of lights.</summary>
+    /// <param name="draft">The frame; without lanes afterwards if no roads are known.</param>
     /// <param name="mayCastRays">Called before each line; if it returns false, the visibility of its points is unknown.</param>
-    /// <param name="lanes">Receives the label; null if no roads are known.</param>
-    public IEnumerable<WorkStep> Label(SceneSnapshot snapshot, Camera camera, Func<bool> mayCastRays, WorkResult<LanesLabel> lanes)
+    public IEnumerable<WorkStep> Label(FrameDraft draft, Func<bool> mayCastRays)
     {
-        lanes.Value = null;
+        draft.Lanes = null;
+        (SceneSnapshot snapshot, Camera camera) = (draft.Snapshot, draft.Camera);
         if (_tracker.Observe(snapshot.Ego, snapshot.Entities) is not { } known)
         {
             yield break;
@@ -54,8 +54,13 @@ internal sealed class LaneLabeller(IRoads roads, IRoadPaint? paint, FrameRays? r
             }
         }
 
-        lanes.Value = LanesLabel.Of(seen, known.Source, boundaries, isPaintKnown ? markings : null);
+        var lanes = LanesLabel.Of(seen, known.Roads.Source, boundaries, isPaintKnown ? markings : null);
         yield return WorkStep.Pause;
+
+        LaneMaps maps = known.Roads.Maps.Value;
+        draft.Lanes = LaneNames.Named(lanes, seen, snapshot.Ego, maps);
+        yield return WorkStep.Do(LaneNames.NameVehicles(draft, maps));
+        yield return WorkStep.Do(LaneNames.NameGoverned(draft, registry.IdsOf(snapshot.Entities), maps));
 
         IReadOnlyList<LaneLineView> Project(LaneLine line) =>
             LaneLineProjector.Project(

@@ -13,10 +13,10 @@ public sealed class LaneTracker(IRoads roads, Func<EntityState, int> idOf)
 {
     private RoadMatch? _previous;
 
-    /// <summary>The lanes at one moment, and the source of the roads; null if no roads are known there.</summary>
+    /// <summary>The lanes at one moment, and the roads; null if no roads are known there.</summary>
     /// <param name="ego">The car.</param>
     /// <param name="entities">The entities around it, at least up to the range of vehicles.</param>
-    public (LaneObservation Seen, string Source)? Observe(EgoState ego, IReadOnlyList<EntityState> entities)
+    public (LaneObservation Seen, KnownRoads Roads)? Observe(EgoState ego, IReadOnlyList<EntityState> entities)
     {
         if (ego is null)
         {
@@ -39,7 +39,7 @@ public sealed class LaneTracker(IRoads roads, Func<EntityState, int> idOf)
             _previous
         );
         _previous = seen.Match.HasRoad ? seen.Match : null;
-        return (seen, known.Source);
+        return (seen, known);
     }
 
     /// <summary>Discards the road, as when the car has been moved to another place.</summary>

@@ -1,5 +1,6 @@
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Maps;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 
@@ -34,7 +35,9 @@ public sealed class FixedRoads : IRoads
         var curves = new RoadCurves(network);
         var lanes = new LaneModel(network, laneWidth, narrowLaneWidth, paint is null ? null : PaintedSections.Of(paint, curves));
         var observer = new LaneObserver(curves, lanes, lookAhead);
-        _roads = new KnownRoads(observer, source);
+        // Names follow from the roads alone: measured lines would move the ends of junctions.
+        LaneModel unpainted = paint is null ? lanes : new LaneModel(network, laneWidth, narrowLaneWidth);
+        _roads = new KnownRoads(observer, new Lazy<LaneMaps>(() => new LaneMaps(curves, unpainted)), source);
     }
 
     /// <inheritdoc/>

@@ -4,6 +4,7 @@ using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Outputs;
+using Harvester.Datasets.Roads;
 using Harvester.Exports;
 using Harvester.Exports.Assembly;
 using Harvester.Exports.Formats;
@@ -115,6 +116,8 @@ internal sealed class ExportCommand
         ValueParsers.Choice<SegmentationKind>("--segmentation", "How coco encodes masks [default: rle]");
     private Option<LaneSelection> Lanes { get; } =
         ValueParsers.Choice<LaneSelection>("--lanes", "Lane lines of a frame in tusimple: the five nearest, or all [default: nearest]");
+    private Option<FileInfo?> Roads { get; } =
+        new("--roads") { Description = "Roads of sessions that do not keep theirs, in openlane-v2", HelpName = "FILE" };
     private Option<ImageTransfer> Images { get; } = TransferOption.Create("images");
 
     private Option<ImageFormat?> ImageFormat { get; } =
@@ -126,6 +129,7 @@ internal sealed class ExportCommand
         [
             (Segmentation, format => format.HasSegmentations),
             (Lanes, format => format.HasLaneSelection),
+            (Roads, format => format.HasMap),
             (Classes, format => format.HasObjects),
             (MinVisible, format => format.HasObjects),
             (Parts, format => format.HasParts),
@@ -161,6 +165,7 @@ internal sealed class ExportCommand
             Boxes,
             Segmentation,
             Lanes,
+            Roads,
             Images,
             ImageFormat,
             Quality,
@@ -247,6 +252,8 @@ internal sealed class ExportCommand
             Subclasses = SubclassesIn(parsed),
             Segmentation = parsed.GetValue(Segmentation),
             Lanes = parsed.GetValue(Lanes),
+            Roads = parsed.GetValue(Roads) is { } roads ? RoadImporter.Import(roads.FullName).Network : null,
+            RoadsName = parsed.GetValue(Roads)?.Name,
             Images = parsed.GetValue(Images),
             ImageFormat = parsed.GetValue(ImageFormat),
             JpegQuality = ImageFormatOption.QualityOf(parsed, Quality, parsed.GetValue(ImageFormat)),

@@ -75,7 +75,10 @@ internal static class OptionGroups
     [
         new("Output", ["--format", "--out", "--resume", "--shard", "--sync", "--min-free"]),
         new("Splits", ["--split", "--seed", "--split-block"]),
-        new("Labels", ["--classes", "--map", "--subclasses", "--min-visible", "--parts", "--boxes", "--segmentation", "--lanes"]),
+        new(
+            "Labels",
+            ["--classes", "--map", "--subclasses", "--min-visible", "--parts", "--boxes", "--segmentation", "--lanes", "--roads"]
+        ),
         new("Images", ["--images", "--image-format", "--quality"]),
     ];
 

@@ -9,6 +9,7 @@ internal sealed class FrameCheck(SessionReader session, SessionInfo? info, bool 
 {
     private readonly FileCheck _files = new(session, isQuick);
     private readonly SceneCheck _scenes = new(session, info);
+    private readonly LaneIdCheck _laneIds = new(session);
 
     /// <summary>Takes the names of a label for it, and returns those that an earlier one has. Labels come in their order.</summary>
     public IReadOnlyList<string> Claim(FrameLabel label) => _files.Claim(label);
@@ -39,6 +40,7 @@ internal sealed class FrameCheck(SessionReader session, SessionInfo? info, bool 
             .. new[] { _scenes.Problem(label, line.Manifest) }.OfType<string>(),
             .. line.Source.Findings,
             .. label.Lanes is { } lanes ? LanesCheck.Problems(lanes) : [],
+            .. _laneIds.Problems(label),
             .. MotionCheck.Problems(label),
             .. DriveCheck.Problems(label),
             .. IgnoreRegionCheck.Problems(label),

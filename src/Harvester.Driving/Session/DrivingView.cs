@@ -111,6 +111,6 @@ internal sealed class DrivingView
         }
 
         _section = known.Seen.Section ?? _section;
-        return LanesLabel.Of(known.Seen, known.Source, [], null);
+        return LanesLabel.Of(known.Seen, known.Roads.Source, [], null);
     }
 }

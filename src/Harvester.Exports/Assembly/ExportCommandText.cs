@@ -88,6 +88,11 @@ internal static class ExportCommandText
         {
             yield return "--segmentation " + JsonName.Of(options.Segmentation);
         }
+
+        if (format.HasMap && options.RoadsName is { } roads)
+        {
+            yield return "--roads " + Quoted(roads);
+        }
     }
 
     /// <summary>A word of a shell's command line, in quotes if it has characters that mean something to a shell.</summary>

@@ -1,12 +1,16 @@
+using System.Globalization;
 using System.Security.Cryptography;
+using System.Text;
 using System.Text.Json;
 using Harvester.Exports.Formats;
+using Harvester.Geometry.Roads;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Jpeg;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Reading.Json;
+using Harvester.Sessions.Roads;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 
@@ -85,6 +89,12 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
                 json.WriteString("lanes", JsonName.Of(Options.Lanes));
             }
 
+            if (Options.Roads is { } roads)
+            {
+                json.WriteString("roads", Options.RoadsName);
+                json.WriteString("roadsSha256", DigestOf(roads));
+            }
+
             if (Options.ImageFormat is { } imageFormat)
             {
                 json.WriteString("imageFormat", JsonName.Of(imageFormat));
@@ -136,10 +146,18 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
                 Boxes = plan.Has("boxes") ? plan.Name<BoxKind>("boxes") : null,
                 Segmentation = plan.Name<SegmentationKind>("segmentation"),
                 Lanes = plan.Has("lanes") ? plan.Name<LaneSelection>("lanes") : default,
+                RoadsName = plan.OptionalText("roads"),
                 ImageFormat = plan.Has("imageFormat") ? plan.Name<ImageFormat>("imageFormat") : null,
                 JpegQuality = plan.Has("imageFormat") ? plan.Integer("quality") : JpegEncoder.DefaultQuality,
             }
         );
+    }
+
+    private static string DigestOf(RoadNetwork roads)
+    {
+        using var text = new StringWriter(CultureInfo.InvariantCulture);
+        RoadCsvWriter.Write(roads, text);
+        return Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(text.ToString())));
     }
 
     private static void WriteName<T>(Utf8JsonWriter json, string key, T? value)

@@ -116,7 +116,7 @@ internal sealed class SessionSurvey
 
     private void Add(ExportFrame frame)
     {
-        FrameRequirements.Check(Format, frame);
+        FrameRequirements.Check(Format, _plan.Options, frame);
         _frames[frame.RecordingIndex]++;
         _classMaps[frame.RecordingIndex] += frame.Label.ClassMap is null ? 0 : 1;
         _masks[frame.RecordingIndex] += frame.Label.Mask is null ? 0 : 1;

@@ -11,6 +11,7 @@ using Harvester.Exports.Formats.Mcap;
 using Harvester.Exports.Formats.MotChallenge;
 using Harvester.Exports.Formats.NuScenes;
 using Harvester.Exports.Formats.OpenLabel;
+using Harvester.Exports.Formats.OpenLaneV2;
 using Harvester.Exports.Formats.PointClouds;
 using Harvester.Exports.Formats.Semantic;
 using Harvester.Exports.Formats.Voc;
@@ -205,6 +206,14 @@ public static class DatasetFormats
             NeedsLanes = true,
             LeavesOutUnknownLanes = true,
             Check = OpenLaneCheck.Problems,
+        },
+        new("openlane-v2", "OpenLane-V2: lanes, traffic elements and their topology", options => new OpenLaneV2Writer(options))
+        {
+            NeedsLanes = true,
+            HasMap = true,
+            NeedsRectilinear = true,
+            KeepsSequences = true,
+            Check = OpenLaneV2Check.Problems,
         },
         new("webdataset", "Tar archives for streaming readers", _ => new WebDatasetWriter())
         {

@@ -18,18 +18,34 @@ internal static class CrossingMaker
     /// <summary>A painted crossing this near to the middle of a link is the link's, metres.</summary>
     private const double SameCrossing = 6;
 
-    public static List<MapCrossing> Make(RoadNetwork network, IEnumerable<(PaintedMark Mark, MapSource Source)> marks)
+    /// <summary>The links along which the road data has crossings, ascending.</summary>
+    public static IEnumerable<int> LinksOf(RoadNetwork network) =>
+        Enumerable
+            .Range(0, network.Links.Count)
+            .Where(link =>
+                (network.Nodes[network.Links[link].From].Flags & Ends) != 0 && (network.Nodes[network.Links[link].To].Flags & Ends) != 0
+            );
+
+    /// <summary>Makes the crossings.</summary>
+    /// <param name="network">The roads.</param>
+    /// <param name="links">Some of <see cref="LinksOf"/>.</param>
+    /// <param name="marks">What is painted.</param>
+    public static List<MapCrossing> Make(
+        RoadNetwork network,
+        IEnumerable<int> links,
+        IEnumerable<(PaintedMark Mark, MapSource Source)> marks
+    )
     {
         List<MapCrossing> crossings =
         [
             .. marks.Where(static mark => mark.Mark.Kind == MarkKind.Crossing).Select(static mark => Of(mark.Mark.Corners, mark.Source)),
         ];
         Vector3D[] painted = [.. crossings.Select(static crossing => MiddleOf(crossing.Corners))];
-        foreach (RoadLink link in network.Links)
+        foreach (RoadLink link in links.Select(link => network.Links[link]))
         {
             (RoadNode from, RoadNode to) = (network.Nodes[link.From], network.Nodes[link.To]);
             var along = new Vector2D(to.Position.X - from.Position.X, to.Position.Y - from.Position.Y);
-            if ((from.Flags & Ends) == 0 || (to.Flags & Ends) == 0 || along.Length <= 0)
+            if (along.Length <= 0)
             {
                 continue;
             }

@@ -25,7 +25,7 @@ internal sealed class JunctionGroups
 
     private readonly RoadNetwork _network;
     private readonly int[] _group;
-    private readonly HashSet<int> _junctions = [];
+    private readonly SortedDictionary<int, List<int>> _junctions = [];
     private readonly (double FromStart, double FromEnd)[] _trims;
 
     public JunctionGroups(RoadCurves curves, LaneModel lanes)
@@ -59,10 +59,13 @@ internal sealed class JunctionGroups
         {
             if (nodes.Count() > 1 || JunctionExtents.IsJunction(_network, nodes.Key))
             {
-                _junctions.Add(nodes.Key);
+                _junctions.Add(nodes.Key, [.. nodes]);
             }
         }
     }
+
+    /// <summary>The nodes of each junction, ascending, by its least node.</summary>
+    public IReadOnlyDictionary<int, List<int>> NodesOf => _junctions;
 
     /// <summary>
     /// Adds the nodes where a road goes on with other lanes, as many or as wide: there, ways lead from lane to lane, without a jump.
@@ -92,7 +95,8 @@ internal sealed class JunctionGroups
             AreSame(lanes.LanesOf(link, isForward, here), lanes.LanesOf(next, isForward == (atEnd == atStartOfNext), there));
         if (!AreSameIn(isForward: true) || !AreSameIn(isForward: false))
         {
-            _junctions.Add(GroupOf(node));
+            // Nodes that are joined are a junction already.
+            _junctions.Add(node, [node]);
         }
     }
 
@@ -113,7 +117,7 @@ internal sealed class JunctionGroups
     public bool HasRest(int link, double length) => length - _trims[link].FromStart - _trims[link].FromEnd >= MinRest;
 
     /// <summary>The least node of the junction that a node belongs to; null if it belongs to none.</summary>
-    public int? JunctionOf(int node) => _junctions.Contains(GroupOf(node)) ? GroupOf(node) : null;
+    public int? JunctionOf(int node) => _junctions.ContainsKey(GroupOf(node)) ? GroupOf(node) : null;
 
     /// <summary>
     /// Leaves room for ways at the nodes that are part of a junction because short links connect them to it: no junction by themselves,

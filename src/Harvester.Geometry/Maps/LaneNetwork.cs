@@ -12,6 +12,9 @@ public sealed class LaneNetwork
     /// <summary>Side of the cells in which the roads to junctions are found, metres.</summary>
     private const double ApproachCell = 64;
 
+    /// <summary>How far a place beside a lane may lie before its start or past its end, metres: room for a bend between lanes.</summary>
+    private const double MaxBeyond = 0.5;
+
     private readonly Dictionary<string, MapLane> _byId;
     private readonly GroundGrid<LaneApproach> _approachGrid = new(ApproachCell);
     private readonly Dictionary<MapLane, LaneApproach> _approachOf = [];
@@ -23,6 +26,7 @@ public sealed class LaneNetwork
         IReadOnlyList<MapJunction> junctions,
         IReadOnlyList<int> arms,
         MapContent content,
+        IEnumerable<int> crossings,
         Box2D? area
     )
     {
@@ -60,7 +64,7 @@ public sealed class LaneNetwork
         SpeedLimits.Apply(this, content.SpeedSigns);
         Signals = [.. SignalMaker.Make(this, content.Props).Where(signal => signal.Lanes.Count > 0 || IsIn(signal.Position))];
         StopLines = new StopLineMaker(this).Make(marks);
-        Crossings = [.. CrossingMaker.Make(network, marks).Where(crossing => crossing.Corners.Any(IsIn))];
+        Crossings = [.. CrossingMaker.Make(network, crossings, marks).Where(crossing => crossing.Corners.Any(IsIn))];
     }
 
     /// <summary>The roads.</summary>
@@ -99,10 +103,27 @@ public sealed class LaneNetwork
     /// governs a lane that is kept.
     /// </param>
     public static LaneNetwork Of(RoadCurves curves, LaneModel lanes, MapContent? content = null, Box2D? area = null) =>
-        new LaneNetworkBuilder(curves, lanes, content ?? MapContent.None).Build(area);
+        new LaneMaps(curves, lanes).Whole(content, area);
 
     /// <summary>A lane by its name; null if there is none.</summary>
     public MapLane? Find(string id) => _byId.TryGetValue(id, out MapLane? lane) ? lane : null;
+
+    /// <summary>A lane by its link and number.</summary>
+    /// <param name="link">Index of the link.</param>
+    /// <param name="isForward">Whether the lane runs from the link's start to its end.</param>
+    /// <param name="index">Its number in its direction, 0 the leftmost.</param>
+    /// <param name="beside">A place on the link, metres, world.</param>
+    /// <returns>The lane; null if it does not lie beside the place, as in a junction.</returns>
+    public MapLane? LaneOf(int link, bool isForward, int index, Vector3D beside)
+    {
+        if (Segments.FirstOrDefault(segment => segment.Link == link) is not { } road)
+        {
+            return null;
+        }
+
+        IReadOnlyList<MapLane> lanes = isForward ? road.Forward : road.Backward;
+        return index < lanes.Count && LanePiece.NearestOf(lanes[index], beside).Beyond <= MaxBeyond ? lanes[index] : null;
+    }
 
     /// <summary>The number of roads that meet in a junction.</summary>
     internal int ArmsOf(int junction) => _arms[junction];

@@ -2,7 +2,9 @@ using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Maps;
 
-/// <summary>Makes the map of a network: roads between junctions, their lanes, and the ways through junctions.</summary>
+/// <summary>
+/// Makes the map of a network, or of some of its links: roads between junctions, their lanes, and the ways through junctions.
+/// </summary>
 internal sealed class LaneNetworkBuilder
 {
     /// <summary>The greatest distance of the points of lanes, metres.</summary>
@@ -31,42 +33,39 @@ internal sealed class LaneNetworkBuilder
     private readonly Dictionary<int, int> _junctions = [];
     private readonly Dictionary<int, RoadSegment> _segments = [];
 
-    public LaneNetworkBuilder(RoadCurves curves, LaneModel lanes, MapContent content)
+    public LaneNetworkBuilder(RoadCurves curves, LaneModel lanes, JunctionGroups groups, MapNames names, MapContent content)
     {
-        _curves = Guard.NotNull(curves, nameof(curves));
+        _curves = curves;
         _network = curves.Network;
-        _lanes = Guard.NotNull(lanes, nameof(lanes));
-        _groups = new JunctionGroups(curves, lanes);
-        _names = new MapNames(_network);
+        _lanes = lanes;
+        _groups = groups;
+        _names = names;
         _content = content;
         _markings = new MarkingFinder(curves, lanes, content);
     }
 
     /// <summary>Makes the map.</summary>
+    /// <param name="links">Its links: some that have lanes outside junctions, ascending.</param>
+    /// <param name="nodesOf">
+    /// Its junctions: the nodes of each, by the least of them. All links that meet in them must be among those of the map.
+    /// </param>
+    /// <param name="crossings">The links along which it has pedestrian crossings if no others are known.</param>
     /// <param name="area">The roads that come into it are kept, whole; null for all.</param>
-    public LaneNetwork Build(Box2D? area)
+    public LaneNetwork Build(
+        IEnumerable<int> links,
+        IEnumerable<KeyValuePair<int, List<int>>> nodesOf,
+        IEnumerable<int> crossings,
+        Box2D? area = null
+    )
     {
-        var nodesOf = new SortedDictionary<int, List<int>>();
-        for (int node = 0; node < _network.Nodes.Count; node++)
+        foreach (KeyValuePair<int, List<int>> junction in nodesOf)
         {
-            if (_groups.JunctionOf(node) is { } junction)
-            {
-                if (!nodesOf.TryGetValue(junction, out List<int>? nodes))
-                {
-                    _junctions.Add(junction, nodesOf.Count);
-                    nodesOf.Add(junction, nodes = []);
-                }
-
-                nodes.Add(node);
-            }
+            _junctions.Add(junction.Key, _junctions.Count);
         }
 
-        for (int link = 0; link < _network.Links.Count; link++)
+        foreach (int link in links)
         {
-            if (RoadContinuations.IsDrivable(_network, _network.Links[link]) && _groups.HasRest(link, _curves.Of(link).Length))
-            {
-                _segments.Add(link, Segment(link));
-            }
+            _segments.Add(link, Segment(link));
         }
 
         RoadSegment[] segments = [.. _segments.OrderBy(segment => segment.Key).Select(segment => segment.Value)];
@@ -80,8 +79,8 @@ internal sealed class LaneNetworkBuilder
         MapJunction[] junctions = [.. nodesOf.Select(group => JunctionOf(group.Key, group.Value, [.. arms[_junctions[group.Key]]]))];
         int[] armCounts = [.. Enumerable.Range(0, junctions.Length).Select(junction => arms[junction].Count())];
         return area is { } box
-            ? new LaneNetwork(_network, Within(box, segments), [.. junctions.Select(Cut)], armCounts, _content, box)
-            : new LaneNetwork(_network, segments, junctions, armCounts, _content, null);
+            ? new LaneNetwork(_network, Within(box, segments), [.. junctions.Select(Cut)], armCounts, _content, crossings, box)
+            : new LaneNetwork(_network, segments, junctions, armCounts, _content, crossings, null);
     }
 
     /// <summary>The roads that come into an area. Their lanes forget the lanes of other roads.</summary>
@@ -114,7 +113,7 @@ internal sealed class LaneNetworkBuilder
         (double fromStart, double fromEnd) = _groups.TrimsOf(link);
         (double first, double last) = (curve.ParameterAt(fromStart), curve.ParameterAt(curve.Length - fromEnd));
         HermiteCurve line = curve.Between(first, last);
-        string name = _names.Segment(road);
+        string name = _names.Segment(link);
         double StationAt(double t) => curve.StationAt(first + ((last - first) * t));
         MapLane[] forward = LanesOf(name, link, line, isForward: true, StationAt);
         MapLane[] backward = LanesOf(name, link, line.Reversed(), isForward: false, t => StationAt(1 - t));
@@ -140,9 +139,13 @@ internal sealed class LaneNetworkBuilder
     }
 
     private SegmentEnd EndAt(int node, int next) =>
-        _groups.JunctionOf(node) is { } junction ? new SegmentEnd(_junctions[junction], null, false)
-        : next == RoadContinuations.None ? default
-        : new SegmentEnd(null, next, _network.Links[next].From == node);
+        _groups.JunctionOf(node) is { } junction
+            ? _junctions.TryGetValue(junction, out int index)
+                ? new SegmentEnd(index, null, false)
+                : default
+            : next == RoadContinuations.None
+                ? default
+                : new SegmentEnd(null, next, _network.Links[next].From == node);
 
     /// <summary>The sections of a road between two stations of its link.</summary>
     private SegmentSection[] Sections(int link, double from, double to)

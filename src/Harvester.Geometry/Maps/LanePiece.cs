@@ -7,13 +7,15 @@ namespace Harvester.Geometry.Maps;
 /// <param name="Beyond">How far the place lies before the lane's start or past its end, metres; 0 beside it.</param>
 /// <param name="IsPast">Whether the place lies past the lane's end.</param>
 /// <param name="Height">How far it lies above the lane, metres.</param>
+/// <param name="Along">Metres along the lane's middle, on the ground, from its start to the point that is nearest to the place.</param>
 internal readonly record struct LanePiece(
     Vector2D Direction,
     double FromMiddle,
     double HalfWidth,
     double Beyond,
     bool IsPast,
-    double Height
+    double Height,
+    double Along
 )
 {
     /// <summary>Room for the rounding of places on an end or an edge, metres.</summary>
@@ -31,6 +33,7 @@ internal readonly record struct LanePiece(
         IReadOnlyList<Vector3D> middle = lane.Centre;
         LanePiece best = default;
         double least = double.PositiveInfinity;
+        double travelled = 0;
         for (int i = 1; i < middle.Count; i++)
         {
             Vector3D piece = middle[i] - middle[i - 1];
@@ -52,9 +55,12 @@ internal readonly record struct LanePiece(
                     half,
                     isBeyond ? Math.Abs(raw - t) * along.Length : 0,
                     isBeyond && raw > 1,
-                    to.Z - (piece.Z * t)
+                    to.Z - (piece.Z * t),
+                    travelled + (t * along.Length)
                 );
             }
+
+            travelled += along.Length;
         }
 
         return best;

@@ -90,6 +90,23 @@ public sealed class MapLane
     /// <summary>The lanes that it continues.</summary>
     public IReadOnlyList<MapLane> Predecessors => _predecessors;
 
+    /// <summary>Length of its middle on the ground, metres.</summary>
+    public double Length
+    {
+        get
+        {
+            double length = 0;
+            for (int i = 1; i < Centre.Count; i++)
+            {
+                length += Ground(Centre[i] - Centre[i - 1]).Length;
+            }
+
+            return length;
+        }
+    }
+
+    private static Vector2D Ground(Vector3D vector) => new(vector.X, vector.Y);
+
     internal void LeadsTo(MapLane next)
     {
         _successors.Add(next);

@@ -1,6 +1,7 @@
 using System.Globalization;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Maps;
 using Harvester.Geometry.Roads;
 using Harvester.Pages;
 using Harvester.Reports.Drawing;
@@ -8,7 +9,7 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Reports.Maps;
 
-/// <summary>A map of a road network, north up, with roads coloured by kind.</summary>
+/// <summary>A map of a road network, north up, with roads coloured by kind, or with their lanes.</summary>
 public sealed class RoadMap
 {
     private const double StreetWidthPixels = 1.6;
@@ -23,6 +24,7 @@ public sealed class RoadMap
     private const double RoundingPixels = 1e-6;
 
     private readonly RoadCurves _curves;
+    private readonly LaneNetwork? _lanes;
     private readonly double _west;
     private readonly double _north;
     private readonly double _pixelsPerMetre;
@@ -31,8 +33,9 @@ public sealed class RoadMap
     /// <param name="network">The roads.</param>
     /// <param name="area">The part to draw, world, metres, x east and y north; null for all.</param>
     /// <param name="longSidePixels">Length of the longer side, pixels; at least 16.</param>
+    /// <param name="lanes">The lanes to draw; null for roads as lines.</param>
     /// <exception cref="ArgumentException">The network has no nodes, or the area is empty.</exception>
-    public RoadMap(RoadNetwork network, Box2D? area, int longSidePixels)
+    public RoadMap(RoadNetwork network, Box2D? area, int longSidePixels, LaneNetwork? lanes = null)
     {
         ArgumentNullException.ThrowIfNull(network);
         ArgumentOutOfRangeException.ThrowIfLessThan(longSidePixels, 16);
@@ -49,7 +52,11 @@ public sealed class RoadMap
         _north = shown.YMax;
         _pixelsPerMetre = longSidePixels / Math.Max(width, height);
         Size = new ImageSize(PixelsOf(width), PixelsOf(height));
+        _lanes = lanes;
     }
+
+    /// <summary>Whether the map shows lanes.</summary>
+    public bool ShowsLanes => _lanes is not null;
 
     /// <summary>Size of the map, pixels.</summary>
     public ImageSize Size { get; }
@@ -58,7 +65,14 @@ public sealed class RoadMap
     public double MetresPerPixel => 1 / _pixelsPerMetre;
 
     /// <summary>Whether any road is in the map.</summary>
-    public bool HasRoads => RoadMapStyle.InOrder.Any(style => Lines(style).Any());
+    public bool HasRoads => RoadMapStyle.InOrder.Any(style => InPixels(LinesOf(style)).Any());
+
+    /// <summary>What is drawn, in order: if lanes are, only the roads that have none are lines.</summary>
+    private IEnumerable<MapLayer> Layers =>
+        RoadMapStyle
+            .InOrder.Where(style => _lanes is null || style == RoadMapStyle.Water || style == RoadMapStyle.NotDrivable)
+            .Select(style => new MapLayer(style.Name, style.Colour, style.Weight * StreetWidthPixels, LinesOf(style)))
+            .Concat(_lanes is null ? [] : LaneLayers.Of(_lanes));
 
     /// <summary>Draws the map as a raster image.</summary>
     public PixelBuffer Draw()
@@ -66,13 +80,13 @@ public sealed class RoadMap
         var picture = new PixelBuffer(Size);
         Array.Fill(picture.Bytes, byte.MaxValue);
         var canvas = new LineCanvas(picture);
-        foreach (RoadMapStyle style in RoadMapStyle.InOrder)
+        foreach (MapLayer layer in Layers)
         {
-            foreach (Vector2D[] line in Lines(style))
+            foreach (Vector2D[] line in InPixels(layer.Lines))
             {
                 for (int i = 1; i < line.Length; i++)
                 {
-                    canvas.Line(line[i - 1], line[i], style.Weight * StreetWidthPixels, style.Colour);
+                    canvas.Line(line[i - 1], line[i], layer.WidthPixels, layer.Colour);
                 }
             }
         }
@@ -89,12 +103,12 @@ public sealed class RoadMap
             Size.Height,
             svg =>
             {
-                foreach (RoadMapStyle style in RoadMapStyle.InOrder)
+                foreach (MapLayer layer in Layers)
                 {
-                    svg.Start("path").With("id", style.Name.Replace(' ', '-')).With("fill", "none").With("stroke", ColourOf(style));
-                    svg.With("stroke-width", style.Weight * StreetWidthPixels, WidthDecimals)
+                    svg.Start("path").With("id", IdOf(layer)).With("fill", "none").With("stroke", ColourOf(layer.Colour));
+                    svg.With("stroke-width", layer.WidthPixels, WidthDecimals)
                         .With("stroke-linecap", "round")
-                        .WithLines(Lines(style))
+                        .WithLines(InPixels(layer.Lines))
                         .End()
                         .NewLine();
                 }
@@ -106,29 +120,32 @@ public sealed class RoadMap
             }
         );
 
-    private static void WriteLegend(MarkupWriter svg)
+    private static string IdOf(MapLayer layer) => layer.Name.Replace(": ", "-", StringComparison.Ordinal).Replace(' ', '-');
+
+    private void WriteLegend(MarkupWriter svg)
     {
+        MapLayer[] layers = [.. Layers];
         const int left = 10;
         const int lineHeight = 16;
         const int sampleLength = 24;
         svg.Start("g").With("id", "legend").With("font-family", "sans-serif").With("font-size", 11).NewLine();
-        svg.Start("rect").With("width", 160).With("height", lineHeight * (RoadMapStyle.InOrder.Length + 1));
+        svg.Start("rect").With("width", 160).With("height", lineHeight * (layers.Length + 1));
         svg.With("fill", "#ffffff").With("fill-opacity", 0.8).End().NewLine();
-        foreach ((int index, RoadMapStyle style) in RoadMapStyle.InOrder.Reverse().Index())
+        foreach ((int index, MapLayer layer) in layers.Reverse().Index())
         {
             int y = lineHeight * (index + 1);
-            svg.Start("path").With("stroke", ColourOf(style)).With("stroke-width", 3);
+            svg.Start("path").With("stroke", ColourOf(layer.Colour)).With("stroke-width", 3);
             svg.WithLines([
                     [new Vector2D(left, y), new Vector2D(left + sampleLength, y)],
                 ])
                 .End();
-            svg.Start("text").With("x", left + sampleLength + 6).With("y", y + 4).Text(style.Name).End().NewLine();
+            svg.Start("text").With("x", left + sampleLength + 6).With("y", y + 4).Text(layer.Name).End().NewLine();
         }
 
         svg.End().NewLine();
     }
 
-    private static string ColourOf(RoadMapStyle style) => string.Create(CultureInfo.InvariantCulture, $"#{style.Colour:x6}");
+    private static string ColourOf(int colour) => string.Create(CultureInfo.InvariantCulture, $"#{colour:x6}");
 
     private static Box2D Bounds(RoadNetwork network)
     {
@@ -147,18 +164,25 @@ public sealed class RoadMap
 
     private int PixelsOf(double metres) => Math.Max(1, (int)Math.Ceiling((metres * _pixelsPerMetre) - RoundingPixels));
 
-    /// <summary>The lines of a kind that touch the map, in pixels.</summary>
-    private IEnumerable<Vector2D[]> Lines(RoadMapStyle style)
+    /// <summary>The lines of the roads of a kind, metres, world.</summary>
+    private IEnumerable<Vector3D[]> LinesOf(RoadMapStyle style)
     {
         RoadNetwork network = _curves.Network;
         for (int i = 0; i < network.Links.Count; i++)
         {
-            if (RoadMapStyle.Of(network, network.Links[i]) != style)
+            if (RoadMapStyle.Of(network, network.Links[i]) == style)
             {
-                continue;
+                RoadCurve curve = _curves.Of(i);
+                yield return [.. Enumerable.Range(0, Pieces + 1).Select(step => curve.PointAt(step / (double)Pieces))];
             }
+        }
+    }
 
-            Vector2D[] line = [.. Enumerable.Range(0, Pieces + 1).Select(step => Pixel(_curves.Of(i).PointAt(step / (double)Pieces)))];
+    /// <summary>The lines that touch the map, in pixels.</summary>
+    private IEnumerable<Vector2D[]> InPixels(IEnumerable<Vector3D[]> lines)
+    {
+        foreach (Vector2D[] line in lines.Select(line => (Vector2D[])[.. line.Select(Pixel)]))
+        {
             if (
                 line.Max(point => point.X) >= 0
                 && line.Min(point => point.X) <= Size.Width

@@ -1,5 +1,7 @@
 using System.Text;
 using System.Text.Json;
+using Harvester.Datasets.Roads;
+using Harvester.Geometry.Maps;
 using Harvester.Reports.Sessions;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
@@ -23,6 +25,7 @@ public sealed class SessionView : IDisposable
     private readonly SessionReader _session;
     private readonly LineIndex _lines;
     private readonly Overview _overview;
+    private readonly Lazy<LaneMaps?> _maps;
     private readonly CancellationTokenSource _end = new();
     private readonly Thread _reading;
     private volatile SessionInfo _info;
@@ -39,6 +42,7 @@ public sealed class SessionView : IDisposable
         _info = session.ReadInfo();
         _lines = new LineIndex(session.PathOf(SessionReader.LabelsFile));
         _overview = new Overview([.. _info.Rig?.Cameras.Select(camera => camera.Name) ?? []]);
+        _maps = new Lazy<LaneMaps?>(() => MapsOf(session));
         _isIndexed = !_lines.Extend(BytesPerStep);
         _reading = new Thread(Read)
         {
@@ -123,6 +127,11 @@ public sealed class SessionView : IDisposable
             }
 
             json.WriteEndArray();
+            if (_maps.Value is { } maps)
+            {
+                FrameLanes.Write(json, label, maps);
+            }
+
             json.WriteEndObject();
         });
     }
@@ -223,6 +232,19 @@ public sealed class SessionView : IDisposable
         catch (DatasetFormatException e)
         {
             throw new DatasetFormatException($"{SessionReader.LabelsFile}, line {index + 1}: {e.Message}", e);
+        }
+    }
+
+    /// <summary>The lanes of the session's roads; null if it has none, or none that can be read.</summary>
+    private static LaneMaps? MapsOf(SessionReader session)
+    {
+        try
+        {
+            return SessionLanes.Of(session);
+        }
+        catch (Exception e) when (e is DatasetFormatException or IOException or UnauthorizedAccessException)
+        {
+            return null;
         }
     }
 

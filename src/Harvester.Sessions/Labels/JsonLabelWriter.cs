@@ -304,6 +304,22 @@ public static class JsonLabelWriter
             .Number(label.DistanceMetres, LabelDecimals.Metres)
             .Key("velocity")
             .Vector(label.Velocity, LabelDecimals.Speed);
+        if (label.LaneId is { } lane)
+        {
+            json.Key("laneId").String(lane);
+        }
+
+        if (label.GovernedLanes is { } governed)
+        {
+            json.Key("governedLanes").BeginArray();
+            foreach (string each in governed)
+            {
+                json.String(each);
+            }
+
+            json.EndArray();
+        }
+
         if (label.AmodalMask is { } amodal)
         {
             Append(json.Key("amodalMask"), amodal);

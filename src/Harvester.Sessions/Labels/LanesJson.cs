@@ -23,9 +23,9 @@ internal static class LanesJson
             .Key("laneCount")
             .Integer(lanes.LaneCount)
             .Key("lane")
-            .Integer(lanes.Lane)
-            .Key("laneWidthMetres")
-            .Number(lanes.LaneWidthMetres, LabelDecimals.Metres);
+            .Integer(lanes.Lane);
+        AppendNames(json, lanes);
+        json.Key("laneWidthMetres").Number(lanes.LaneWidthMetres, LabelDecimals.Metres);
         AppendWidths(json, lanes.LaneWidthsMetres);
         json.Key("laneWidthSource")
             .String(lanes.LaneWidthSource is { } source ? JsonName.Of(source) : null)
@@ -56,6 +56,22 @@ internal static class LanesJson
         }
 
         json.EndObject();
+    }
+
+    private static void AppendNames(JsonText json, LanesLabel lanes)
+    {
+        if (lanes.LanesAhead is not { } ahead)
+        {
+            return;
+        }
+
+        json.Key("laneId").String(lanes.LaneId).Key("lanesAhead").BeginArray();
+        foreach (string lane in ahead)
+        {
+            json.String(lane);
+        }
+
+        json.EndArray();
     }
 
     private static void AppendWidths(JsonText json, IReadOnlyList<double>? widths)

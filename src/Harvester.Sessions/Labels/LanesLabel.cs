@@ -26,6 +26,18 @@ public sealed record LanesLabel
     /// <summary>The car's lane, 0 the leftmost of its direction; null unless the lanes are known.</summary>
     public int? Lane { get; init; }
 
+    /// <summary>
+    /// Name of the lane on the map, or of the way through a junction, on which the car is: docs/maps.md. Null if it is on none, and in
+    /// sessions of earlier versions.
+    /// </summary>
+    public string? LaneId { get; init; }
+
+    /// <summary>
+    /// Names of the lanes and ways that begin within 70 m ahead and that the car reaches without changing lanes, the nearest first; empty
+    /// if it is on no lane, null in sessions of earlier versions.
+    /// </summary>
+    public IReadOnlyList<string>? LanesAhead { get; init; }
+
     /// <summary>Mean width of the lanes at the look-ahead point, metres; null unless the lanes are known.</summary>
     public double? LaneWidthMetres { get; init; }
 

@@ -102,6 +102,18 @@ public sealed record ObjectLabel
     /// <summary>Metres per second, world.</summary>
     public required Vector3D Velocity { get; init; }
 
+    /// <summary>
+    /// Of a vehicle, the name of the lane on the map, or of the way through a junction, on which its middle is: docs/maps.md. Null if it is
+    /// on none or no roads are known, and for other classes.
+    /// </summary>
+    public string? LaneId { get; init; }
+
+    /// <summary>
+    /// Of a traffic light, its heads, and a sign to stop or to give way: the names of the lanes whose traffic obeys it, from left to right;
+    /// empty if it faces no road at a junction near it. Null for others, and if no roads are known.
+    /// </summary>
+    public IReadOnlyList<string>? GovernedLanes { get; init; }
+
     /// <summary>The data of a face or head; null for an object of its own.</summary>
     public FaceLabel? Face { get; init; }
 

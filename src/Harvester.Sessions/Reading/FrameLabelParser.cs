@@ -200,6 +200,8 @@ public static class FrameLabelParser
             Box3D = box3D.Checked(() => new Cuboid(box3D.Vector("centre"), box3D.Vector("halfExtents"), box3D.Axes())),
             DistanceMetres = label.Number("distanceMetres"),
             Velocity = label.Vector("velocity"),
+            LaneId = label.OptionalText("laneId"),
+            GovernedLanes = label.Has("governedLanes") ? label.Texts("governedLanes") : null,
             Face = label.Has("space") ? ReadFace(label.Fields("space")) : null,
             Joints = label.Has("joints") ? JointsParser.Parse(label) : null,
         };

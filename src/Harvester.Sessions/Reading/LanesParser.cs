@@ -19,6 +19,8 @@ internal static class LanesParser
             InJunction = lanes.Boolean("inJunction"),
             LaneCount = lanes.Has("laneCount") ? lanes.Integer("laneCount") : null,
             Lane = lanes.Has("lane") ? lanes.Integer("lane") : null,
+            LaneId = lanes.OptionalText("laneId"),
+            LanesAhead = lanes.Has("lanesAhead") ? lanes.Texts("lanesAhead") : null,
             LaneWidthMetres = lanes.OptionalNumber("laneWidthMetres"),
             LaneWidthsMetres = lanes.Has("laneWidthsMetres") ? lanes.Numbers("laneWidthsMetres") : null,
             LaneWidthSource = lanes.Has("laneWidthSource") ? lanes.Name<LaneWidthSource>("laneWidthSource") : null,

@@ -2,6 +2,7 @@ using System.Text.RegularExpressions;
 using Harvester.Cli.Terminals;
 using Harvester.Exports.Assembly;
 using Harvester.Exports.Formats;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Tests.Commands;
 
@@ -57,6 +58,42 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
         CliRun run = CliRun.Of("export", session.Folder, "--format", format, "--out", _folder.PathOf("out"), "--map", map);
 
         Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
+    }
+
+    [Fact]
+    public void Roads_of_a_file_stand_in_for_those_of_the_session()
+    {
+        string roads = Path.Combine(session.Folder, FramePaths.Roads);
+        string copy = _folder.PathOf("session");
+        foreach (string file in Directory.EnumerateFiles(session.Folder, "*", SearchOption.AllDirectories).Where(file => file != roads))
+        {
+            string target = Path.Combine(copy, Path.GetRelativePath(session.Folder, file));
+            Directory.CreateDirectory(Path.GetDirectoryName(target)!);
+            File.Copy(file, target);
+        }
+
+        CliRun
+            .Of("export", copy, "--format", "openlane-v2", "--out", _folder.PathOf("out"))
+            .AssertFailed(
+                ExitCode.BadData,
+                $"{copy}, frame 0: its session has no scenes/roads.csv, from which openlane-v2 takes the lanes. "
+                    + "Name the roads with --roads, or choose another format."
+            );
+        CliRun.Of("export", copy, "--format", "openlane-v2", "--out", _folder.PathOf("out"), "--roads", roads).AssertDone();
+        CliRun.Of("export", session.Folder, "--format", "openlane-v2", "--out", _folder.PathOf("kept")).AssertDone();
+        string[] frames = [.. Directory.EnumerateFiles(_folder.PathOf("kept"), "*-ls.json", SearchOption.AllDirectories)];
+        Assert.Equal(2, frames.Length);
+        Assert.All(
+            frames,
+            frame =>
+                Assert.Equal(
+                    File.ReadAllText(frame).Replace($"\"{Path.GetFileName(session.Folder)}\"", "\"session\"", StringComparison.Ordinal),
+                    File.ReadAllText(_folder.PathOf(Path.Combine("out", Path.GetRelativePath(_folder.PathOf("kept"), frame))))
+                )
+        );
+        CliRun
+            .Of("export", copy, "--format", "openlane", "--out", _folder.PathOf("other"), "--roads", roads)
+            .AssertFailed(ExitCode.Usage, "--roads has no effect in openlane, only in openlane-v2.");
     }
 
     [Theory]
@@ -196,7 +233,7 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
         "--images",
         "copy",
         "kitti, kitti-tracking, kitti-odometry, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, semantic, "
-            + "bdd100k, motchallenge, openlabel, nuscenes, tusimple, culane, openlane, imagefolder, csv"
+            + "bdd100k, motchallenge, openlabel, nuscenes, tusimple, culane, openlane, openlane-v2, imagefolder, csv"
     )]
     [InlineData(
         "--split-block",

@@ -161,6 +161,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Dataset("indicators", "deepdriving", "indicators.csv"),
         Dataset("tusimple", "tusimple", "label_data_train.json"),
         Dataset("openlane", "openlane", "lane3d/train/segment-0000/00000000.json"),
+        Dataset("openlane-v2", "openlane-v2", "data_dict_gta.json"),
         Dataset("webdataset", "webdataset", "train-000000.tar"),
         Dataset("mcap", "mcap", "train/0000.mcap"),
         Dataset("bdd100k", "bdd100k", "labels/det_20/det_train.json"),

@@ -31,7 +31,9 @@ public sealed class PrivacyTests : IClassFixture<PrivacyTests.Work>, IDisposable
     [Theory]
     [MemberData(nameof(Formats))]
     public void Export_has_no_trace_of_its_origin(string format) =>
-        AssertMade($"export {_work.PathOf("session")} --format {format} --out OUT");
+        AssertMade(
+            $"export {_work.PathOf("session")} --format {format} --out OUT" + (DatasetFormats.Find(format)!.HasMap ? " --roads ROADS" : "")
+        );
 
     [Theory]
     [InlineData("relabel SESSION --out OUT --range 60 --roads ROADS --spaces SESSION/scenes/spaces.csv")]

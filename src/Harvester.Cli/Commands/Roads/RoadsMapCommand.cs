@@ -30,6 +30,9 @@ internal static class RoadsMapCommand
         "highways orange, one-way roads blue, streets grey, unpaved roads brown, roads that are not drivable light grey, "
         + "water light blue";
 
+    private const string LaneLegend =
+        "edges of lanes in the colours of roads, ways through junctions purple, stop lines red, crossings grey, lights green";
+
     private const string NoRoads = "The road data has no roads to draw.";
     private const string NoRoadsInArea = "There are no roads in --area. Choose another area, or omit the option to draw all roads.";
 
@@ -71,6 +74,10 @@ internal static class RoadsMapCommand
             HelpName = "FILE|SESSION",
             DefaultValueFactory = _ => [],
         };
+        Option<bool> showLanes = new("--lanes")
+        {
+            Description = "Images: lanes, ways through junctions, stop lines and lights instead of roads; for a pixel of 0.5 m or less",
+        };
         var command = new Command("map", "Draw road data as a map, or write its lanes for programs that read maps.")
         {
             from,
@@ -83,10 +90,11 @@ internal static class RoadsMapCommand
             narrowLaneWidth,
             paint,
             props,
+            showLanes,
         };
         HelpWithNotes.AddTo(
             command,
-            $"Formats:\n{RoadMapFormat.Help}\nColours: {Legend}.\n\n"
+            $"Formats:\n{RoadMapFormat.Help}\nColours: {Legend}. With --lanes: {LaneLegend}.\n\n"
                 + "Lanes are derived from the road data: docs/maps.md says what is exact and what is not.\n\n"
                 + RoadSourceArgument.NotesWith("FROM is", Example, LanesExample)
         );
@@ -101,7 +109,7 @@ internal static class RoadsMapCommand
                     throw new UsageException(NoRoads);
                 }
 
-                if (kind.Lanes is { } lanesFormat)
+                LaneNetwork Lanes()
                 {
                     CheckLength(network);
                     var curves = new RoadCurves(network);
@@ -119,8 +127,13 @@ internal static class RoadsMapCommand
                         Props = MapProps.Of(placed),
                         SpeedSigns = MapProps.SpeedSignsOf(placed),
                     };
-                    Box2D? part = parsed.GetValue(area);
-                    var lanes = LaneNetwork.Of(curves, model, content, part);
+                    return LaneNetwork.Of(curves, model, content, parsed.GetValue(area));
+                }
+
+                Box2D? part = parsed.GetValue(area);
+                if (kind.Lanes is { } lanesFormat)
+                {
+                    LaneNetwork lanes = Lanes();
                     if (lanes.Lanes.Count == 0)
                     {
                         throw new UsageException(part is null ? NoRoads : NoRoadsInArea);
@@ -131,7 +144,13 @@ internal static class RoadsMapCommand
                     return Task.FromResult(ExitCode.Done);
                 }
 
-                Draw(network, parsed.GetValue(area), parsed.GetValue(size), kind, file, terminal);
+                Draw(
+                    new RoadMap(network, part, parsed.GetValue(size), parsed.GetValue(showLanes) ? Lanes() : null),
+                    part,
+                    kind,
+                    file,
+                    terminal
+                );
                 return Task.FromResult(ExitCode.Done);
             }
         );
@@ -167,9 +186,8 @@ internal static class RoadsMapCommand
     private static double LengthOf(RoadNetwork network, RoadLink link) =>
         (network.Nodes[link.To].Position - network.Nodes[link.From].Position).Length;
 
-    private static void Draw(RoadNetwork network, Box2D? area, int size, RoadMapFormat format, string file, Terminal terminal)
+    private static void Draw(RoadMap map, Box2D? area, RoadMapFormat format, string file, Terminal terminal)
     {
-        var map = new RoadMap(network, area, size);
         if (!map.HasRoads)
         {
             throw new UsageException(area is null ? NoRoads : NoRoadsInArea);
@@ -177,7 +195,9 @@ internal static class RoadsMapCommand
 
         OutputFile.Write(file, stream => format.WriteImage!(map, stream));
         string metres = ThreeDigits(map.MetresPerPixel).ToString("0.###############", CultureInfo.InvariantCulture);
-        terminal.Out.WriteLine($"{file}: {map.Size.Width} x {map.Size.Height} pixels of {metres} m; {Legend}");
+        terminal.Out.WriteLine(
+            $"{file}: {map.Size.Width} x {map.Size.Height} pixels of {metres} m; {(map.ShowsLanes ? LaneLegend : Legend)}"
+        );
     }
 
     /// <summary>A length rounded to three significant digits, or to whole metres if it has more digits before the point.</summary>

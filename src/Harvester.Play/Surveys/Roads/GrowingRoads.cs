@@ -18,6 +18,7 @@ public sealed class GrowingRoads(double laneWidth = RoadGeometry.LaneWidth, doub
 {
     private Task<(KnownRoads Known, MeasuredPaint? Paint)?>? _preparing;
     private KnownRoads? _known;
+    private Task _mapping = Task.CompletedTask;
     private MeasuredPaint? _paint;
 
     /// <summary>Whether roads are being prepared; until then others are not accepted.</summary>
@@ -36,6 +37,12 @@ public sealed class GrowingRoads(double laneWidth = RoadGeometry.LaneWidth, doub
             {
                 (_known, _paint) = ready;
             }
+        }
+
+        if (_known is { } known && _mapping.IsCompleted)
+        {
+            // The same lanes whether they are ready in time or made when they are asked for, so labels do not depend on it.
+            _mapping = Task.Run(() => known.Maps.Value.Prepare(position));
         }
 
         return _known;
@@ -73,6 +80,13 @@ public sealed class GrowingRoads(double laneWidth = RoadGeometry.LaneWidth, doub
 
         PaintTable? paint = readPaint?.Invoke(network);
         var roads = new FixedRoads(network, source, null, laneWidth, narrowLaneWidth, paint);
-        return roads.Near(default) is { } known ? (known, paint is null ? null : new MeasuredPaint(paint)) : null;
+        if (roads.Near(default) is not { } known)
+        {
+            return null;
+        }
+
+        // Here rather than in the game's thread, at the first frame.
+        _ = known.Maps.Value;
+        return (known, paint is null ? null : new MeasuredPaint(paint));
     }
 }

@@ -19,7 +19,7 @@ function drawGround() {
   for (let ring = 20; ring <= ahead; ring += 20) {
     drawn.push(shape("circle", { r: ring, class: "ring" }), shape("text", { x: 0.5, y: -ring - 0.5, class: "metres" }, `${ring} m`));
   }
-  drawn.push(fieldOfView(frame), ...groundPoints());
+  drawn.push(fieldOfView(frame), ...mapLanes(frame), ...groundPoints());
   for (const line of frame.lines ?? []) drawn.push(shape("path", { d: pathOf(frame, pairs(line.ground)), class: `ground-line ${line.colour ?? ""}` }));
   drawn.push(shape("path", { d: pathOf(frame, egoPath()), class: "path" }));
   // A part is drawn where what it belongs to is not.
@@ -27,6 +27,16 @@ function drawGround() {
   drawn.push(...objects.filter(object => !ids.has(object.parent)).map(object => footprint(frame, object)));
   drawn.push(shape("path", { d: "M-1 2.2L0 -2.6L1 2.2Z", class: "ego" }));
   byId("ground").replaceChildren(...drawn);
+}
+
+/** The lanes of the map; those of the ego and ahead of it are on top. */
+function mapLanes(frame) {
+  const order = ["way", "lane", "ahead", "own"];
+  return [...frame.map ?? []].sort((a, b) => order.indexOf(a.role) - order.indexOf(b.role)).map(lane => {
+    const mark = shape("path", { d: `${pathOf(frame, [...pairs(lane.left), ...pairs(lane.right).reverse()])}Z`, class: `map-lane ${lane.role}` });
+    mark.append(shape("title", {}, lane.id));
+    return mark;
+  });
 }
 
 /** Where the ego is in the frames around this one, until it jumps to another place. */

@@ -35,6 +35,7 @@ async function loadFrame(index) {
   Object.assign(data.objects, answer.objects);
   answer.frame.objects = answer.frame.objects.map(seen => ({ amodal: seen.box, ...data.objects[seen.id], ...seen }));
   answer.frame.rasters = answer.rasters;
+  answer.frame.map = answer.map;
   return answer.frame;
 }
 
