@@ -30,14 +30,14 @@ internal sealed class ArrowFinder
     /// <summary>The tip of a head is at most this part of its greatest width: an arrow begins narrow, a bar does not.</summary>
     private const double MaxTip = 0.7;
 
-    /// <summary>How far a head that points straight on, and one that points to a side, reaches from the middle of the shaft, metres.</summary>
+    /// <summary>How far a head reaches from the middle of the shaft, straight on and to a side, metres.</summary>
     private const double MinReach = 0.25;
     private const double MinSideReach = 0.5;
 
     /// <summary>A head points to a side if it reaches this many times as far to it as to the other.</summary>
     private const double MinOneSided = 2;
 
-    /// <summary>The middles of the rows of a shaft follow each other within this, metres: the slant of an arrow, and the error of an edge.</summary>
+    /// <summary>The middles of the rows of a shaft follow each other within this, metres: its slant, and the error of an edge.</summary>
     private const double MaxShaftStep = 0.06;
 
     /// <summary>Rows that may be missing between two rows of an arrow.</summary>

@@ -3,8 +3,8 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Geometry.Paint;
 
 /// <summary>
-/// The mouths of all roads at the junctions of a network: where stop lines, pedestrian crossings and arrows are looked for. A road between two
-/// junctions is divided in its middle.
+/// The mouths of all roads at the junctions of a network: where stop lines, pedestrian crossings and arrows are looked for. A road between
+/// two junctions is divided in its middle.
 /// </summary>
 internal sealed class JunctionMouths
 {

@@ -12,7 +12,7 @@ internal sealed record MouthView(int Image, double Left, IReadOnlyList<(float Fr
     /// <summary>Share of a mark that must be seen for the image to show it; the rest may be behind a vehicle.</summary>
     private const double MinShare = 0.8;
 
-    /// <summary>Whether the camera looks down on the mouth, so that a picture shows paint as it is, without the sky's reflections.</summary>
+    /// <summary>Whether the camera looks down on the mouth, so that a picture shows paint without the sky's reflections.</summary>
     public bool IsFromAbove { get; init; }
 
     public double OffsetOf(int column) => Left + ((column + 0.5) * ColumnWidth);

@@ -9,7 +9,7 @@ public sealed class SurveyArea
 
     /// <summary>Creates an area.</summary>
     /// <param name="places">The places, at least one, metres, world; the survey begins at the first.</param>
-    /// <param name="rangeMetres">Roads farther than this from all of them are left out, metres; greater than 0, and infinite for none.</param>
+    /// <param name="rangeMetres">Roads farther than this from all of them are left out, metres; greater than 0.</param>
     /// <exception cref="ArgumentException">There is no place.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The range is not greater than 0.</exception>
     public SurveyArea(IReadOnlyList<Vector2D> places, double rangeMetres)

@@ -89,7 +89,7 @@ internal sealed class RoadPainter(
         }
     }
 
-    /// <summary>An arrow on each lane that leads to a junction: to the left on the leftmost of several, to the right on the rightmost.</summary>
+    /// <summary>An arrow on each lane that leads to a junction: of several, the leftmost turns left and the rightmost right.</summary>
     private void PaintArrows(RoadArm arm)
     {
         const double behindStopLine = 2.5;

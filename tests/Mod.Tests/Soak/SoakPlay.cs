@@ -23,7 +23,9 @@ internal sealed class SoakPlay
     private const double LongWaitMilliseconds = 20_000;
     private const int TicksOfMemory = 1000;
 
-    /// <summary>A tick of the game takes longer than most writes; the play's takes microseconds, in which a disk would never have room.</summary>
+    /// <summary>
+    /// A tick of the game takes longer than most writes; the play's takes microseconds, in which a disk would never have room.
+    /// </summary>
     private const int TicksOfDisk = 25;
     private const string Prop = "prop_sign_road_03g";
 

@@ -1,5 +1,4 @@
 using Harvester.Geometry;
-using Harvester.Geometry.Lanes;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;

@@ -8,8 +8,8 @@ using Xunit.Abstractions;
 namespace Harvester.Cli.Tests.Commands.Roads;
 
 /// <summary>
-/// Measured stop lines, crossings and arrows against those that are painted, on roads whose lane widths are drawn at random. The seeds were not
-/// used to choose the method's constants.
+/// Measured stop lines, crossings and arrows against those that are painted, on roads whose lane widths are drawn at random. The seeds were
+/// not used to choose the method's constants.
 /// </summary>
 [Trait("Category", "Heavy")]
 public sealed class MarkAccuracyTests(ITestOutputHelper output) : IDisposable
