@@ -48,7 +48,7 @@ internal sealed class LaneIdCheck(SessionReader session)
         {
             return SessionLanes.Of(session);
         }
-        catch (DatasetFormatException)
+        catch (Exception e) when (e is DatasetFormatException or IOException or UnauthorizedAccessException)
         {
             // Another check reports files that cannot be read.
             return null;
