@@ -160,7 +160,7 @@ public sealed class PaintSurveyTests
     }
 
     [Theory]
-    [InlineData("""{"name":"street","path":[[100,150],[100,250]]}""", "The survey of paint takes 2 pictures")]
+    [InlineData("""{"name":"street","path":[[100,190],[100,290]]}""", "The survey of paint takes 2 pictures")]
     [InlineData("""{"name":"far","x":5000,"y":5000}""", "No road lies here.")]
     [InlineData("""{"name":"any","spread":2}""", "plan.json has no place with a point or a path")]
     [InlineData("""{"name":"wrong","x":"here"}""", "The survey of paint cannot begin: plan.json: ")]
