@@ -184,6 +184,18 @@ public sealed class PaintSurveyTests
     }
 
     [Fact]
+    public void Survey_that_the_harvest_key_ends_continues_later()
+    {
+        using ScriptDriver driver = OnRoad();
+        driver.Press(Keys.End);
+        driver.UntilMessage("The survey of paint takes 4 pictures");
+        driver.Tick(3);
+        driver.Press(Keys.J);
+        driver.UntilMessage("The survey of paint ended after 0 of 4 pictures. The next one continues there.");
+        AssertGivenBack(driver);
+    }
+
+    [Fact]
     public void Survey_of_no_plan_says_where_to_name_one()
     {
         using ScriptDriver driver = OnRoad(ini: "[PaintSurvey]\nAround = Plan\n");

@@ -23,8 +23,7 @@ internal static class LaneNames
     public static LanesLabel Named(LanesLabel lanes, LaneObservation seen, EgoState ego, LaneMaps maps)
     {
         Vector3D centre = ego.Pose.ToWorld((ego.ModelMin + ego.ModelMax) * 0.5);
-        LaneNetwork map = maps.Around(centre);
-        MapLane? lane = Followed(map, seen, centre) ?? map.Index.At(centre, ego.Pose.Axes.Forward);
+        MapLane? lane = maps.Around(centre) is { } map ? Followed(map, seen, centre) ?? map.Index.At(centre, ego.Pose.Axes.Forward) : null;
         return lanes with
         {
             LaneId = lane?.Id,
@@ -40,7 +39,7 @@ internal static class LaneNames
         var found = new Dictionary<int, string>();
         foreach (ObjectLabel label in draft.Objects.Where(label => label.Parent is null && VehicleClasses.AreVehicles(label.Class)))
         {
-            if (maps.Around(label.Box3D.Centre).Index.At(label.Box3D.Centre, label.Box3D.Axes.Forward) is { } lane)
+            if (maps.Around(label.Box3D.Centre)?.Index.At(label.Box3D.Centre, label.Box3D.Axes.Forward) is { } lane)
             {
                 found.Add(label.Id, lane.Id);
             }
@@ -64,8 +63,9 @@ internal static class LaneNames
         {
             if (ids.TryGetValue(entity.Handle, out int id) && wanted.Contains(id) && MapProps.Of(entity.Model, entity.Pose) is { } prop)
             {
-                LaneNetwork map = maps.Around(prop.Position);
-                found[id] = [.. SignalLanes.Of(map, prop.Position, prop.Facing, prop.Kind).Select(lane => lane.Id)];
+                found[id] = maps.Around(prop.Position) is { } map
+                    ? [.. SignalLanes.Of(map, prop.Position, prop.Facing, prop.Kind).Select(lane => lane.Id)]
+                    : [];
                 yield return WorkStep.Pause;
             }
         }

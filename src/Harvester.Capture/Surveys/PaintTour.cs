@@ -37,6 +37,8 @@ public sealed class PaintTour : IFrameTour
     private readonly HashSet<int> _hidden = [];
     private EgoState? _home;
     private bool _isHiding;
+    private int _place = -1;
+    private int _left = -1;
 
     /// <summary>Creates a tour; the game is not used yet.</summary>
     /// <param name="game">The game, which can freeze, hide objects, set weather and time, and move its camera.</param>
@@ -69,10 +71,14 @@ public sealed class PaintTour : IFrameTour
     /// <inheritdoc/>
     public string? Obstacle { get; private set; }
 
+    /// <summary>Whether all stations were visited.</summary>
+    public bool HasVisitedAll => _left == _stations.Count - 1;
+
     /// <inheritdoc/>
     public IEnumerable<WorkStep> Approach(int place)
     {
         SurveyStation station = _stations[place];
+        _place = place;
         _home ??= _game.World.ReadEgo();
         Obstacle = "groundNotLoaded";
         _game.Sky?.Set(Weather, Noon);
@@ -114,6 +120,7 @@ public sealed class PaintTour : IFrameTour
     /// <inheritdoc/>
     public void Leave()
     {
+        _left = _place;
         _game.Pause.Unfreeze();
         ShowAll();
     }

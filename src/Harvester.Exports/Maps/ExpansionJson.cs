@@ -58,11 +58,14 @@ internal sealed class ExpansionJson : IDisposable
         Writer.WriteEndArray();
     }
 
-    public void Dispose()
+    /// <summary>Ends the file. A file that is not ended is not valid.</summary>
+    public void End()
     {
         Writer.WriteEndObject();
-        Writer.Dispose();
+        Writer.Flush();
     }
+
+    public void Dispose() => Writer.Dispose();
 
     private void Drain()
     {

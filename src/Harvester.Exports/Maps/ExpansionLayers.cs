@@ -77,6 +77,7 @@ internal sealed class ExpansionLayers(ExpansionContent content, Vector2D offset,
             }
         );
         _geometry.Write(json);
+        json.End();
     }
 
     private IEnumerable<MapSignal> Lights => content.Signals.Where(signal => signal.Kind == MapSignalKind.Light && signal.Lanes.Count > 0);

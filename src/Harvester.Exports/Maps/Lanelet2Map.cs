@@ -102,6 +102,8 @@ public sealed class Lanelet2Map
                 ("name", crossing.Id)
             );
         }
+
+        _xml.End();
     }
 
     private ILookup<MapLane, long> WriteRules()

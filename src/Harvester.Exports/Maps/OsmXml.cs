@@ -82,14 +82,14 @@ internal sealed class OsmXml : IDisposable
         End(id, tags);
     }
 
-    public void Dispose()
+    /// <summary>Ends the file. A file that is not ended is not valid.</summary>
+    public void End()
     {
         _xml.WriteEndElement();
-        _xml.Dispose();
+        _xml.Flush();
     }
 
-    /// <summary>A number with the decimals of a length in metres.</summary>
-    public static string Metres(double value) => Text(value, MetreFormat);
+    public void Dispose() => _xml.Dispose();
 
     private long Begin(string element)
     {

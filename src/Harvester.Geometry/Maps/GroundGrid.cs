@@ -7,7 +7,10 @@ internal sealed class GroundGrid<T>(double cell)
     /// <summary>A thing that meets more cells is in none, and found everywhere.</summary>
     private const double MaxCells = 256;
 
-    private readonly Dictionary<(int X, int Y), List<T>> _cells = [];
+    /// <summary>Cells farther than this from the origin are not told apart.</summary>
+    private const double MaxCell = 1e12;
+
+    private readonly Dictionary<(long X, long Y), List<T>> _cells = [];
     private readonly List<T> _large = [];
 
     /// <summary>Adds a thing that lies within a box.</summary>
@@ -19,9 +22,9 @@ internal sealed class GroundGrid<T>(double cell)
             return;
         }
 
-        for (int x = CellOf(box.XMin); x <= CellOf(box.XMax); x++)
+        for (long x = CellOf(box.XMin); x <= CellOf(box.XMax); x++)
         {
-            for (int y = CellOf(box.YMin); y <= CellOf(box.YMax); y++)
+            for (long y = CellOf(box.YMin); y <= CellOf(box.YMax); y++)
             {
                 if (!_cells.TryGetValue((x, y), out List<T>? things))
                 {
@@ -44,9 +47,9 @@ internal sealed class GroundGrid<T>(double cell)
 
     private IEnumerable<List<T>> CellsIn(Box2D box)
     {
-        for (int x = CellOf(box.XMin); x <= CellOf(box.XMax); x++)
+        for (long x = CellOf(box.XMin); x <= CellOf(box.XMax); x++)
         {
-            for (int y = CellOf(box.YMin); y <= CellOf(box.YMax); y++)
+            for (long y = CellOf(box.YMin); y <= CellOf(box.YMax); y++)
             {
                 if (_cells.TryGetValue((x, y), out List<T>? things))
                 {
@@ -56,7 +59,11 @@ internal sealed class GroundGrid<T>(double cell)
         }
     }
 
-    private double Cells(Box2D box) => ((box.Width / cell) + 1) * ((box.Height / cell) + 1);
+    private double Cells(Box2D box)
+    {
+        double farthest = Math.Max(Math.Max(Math.Abs(box.XMin), Math.Abs(box.XMax)), Math.Max(Math.Abs(box.YMin), Math.Abs(box.YMax)));
+        return farthest / cell <= MaxCell ? ((box.Width / cell) + 1) * ((box.Height / cell) + 1) : double.PositiveInfinity;
+    }
 
-    private int CellOf(double place) => (int)Math.Floor(place / cell);
+    private long CellOf(double place) => (long)Math.Floor(place / cell);
 }

@@ -18,6 +18,12 @@ public sealed class LaneMaps
     /// <summary>Number of squares whose maps are kept: those around a car, and of what it sees at a distance.</summary>
     private const int KeptSquares = 32;
 
+    /// <summary>Number of ways through junctions on the map of everything: several times GTA V's.</summary>
+    private const int MaxWays = 150_000;
+
+    /// <summary>The same around a square: several times what GTA V has anywhere.</summary>
+    private const int MaxWaysAround = 5000;
+
     /// <summary>Number of points of a curve from which its bounds follow.</summary>
     private const int BoundSteps = 8;
 
@@ -29,7 +35,7 @@ public sealed class LaneMaps
     private readonly int[] _crossings;
     private readonly Box2D[] _bounds;
     private readonly object _lock = new();
-    private readonly Dictionary<(double Column, double Row), Lazy<LaneNetwork>> _made = [];
+    private readonly Dictionary<(double Column, double Row), Lazy<LaneNetwork?>> _made = [];
     private readonly Queue<(double Column, double Row)> _order = new();
 
     /// <summary>Prepares the maps of a network; a large one takes a moment.</summary>
@@ -58,15 +64,17 @@ public sealed class LaneMaps
     /// <summary>Makes the map of the whole network.</summary>
     /// <param name="content">What it has beside its roads; null for nothing.</param>
     /// <param name="area">The part to keep, as <see cref="LaneNetwork.Of"/> cuts it, metres; null for all.</param>
+    /// <exception cref="FormatException">The network has more lanes or ways than a map takes; the message is a sentence.</exception>
     public LaneNetwork Whole(MapContent? content = null, Box2D? area = null) =>
-        Map(_links, _groups.NodesOf, _crossings, content ?? MapContent.None, area);
+        Map(_links, _groups.NodesOf, _crossings, content ?? MapContent.None, MaxWays, area);
 
     /// <summary>
     /// The map around a place, of the roads alone. Lanes farther away than <see cref="ReachMetres"/> may be missing, also among those that
     /// precede and follow others.
     /// </summary>
     /// <param name="place">Metres, world; the height is ignored.</param>
-    public LaneNetwork Around(Vector3D place)
+    /// <returns>The map; null if more roads meet there than a map takes.</returns>
+    public LaneNetwork? Around(Vector3D place)
     {
         Guard.Finite(place, nameof(place));
         return MapOf(Math.Floor(place.X / Square), Math.Floor(place.Y / Square));
@@ -88,9 +96,9 @@ public sealed class LaneMaps
         }
     }
 
-    private LaneNetwork MapOf(double column, double row)
+    private LaneNetwork? MapOf(double column, double row)
     {
-        Lazy<LaneNetwork>? map;
+        Lazy<LaneNetwork?>? map;
         lock (_lock)
         {
             if (!_made.TryGetValue((column, row), out map))
@@ -100,7 +108,7 @@ public sealed class LaneMaps
                     _made.Remove(_order.Dequeue());
                 }
 
-                _made.Add((column, row), map = new Lazy<LaneNetwork>(() => Part((column, row))));
+                _made.Add((column, row), map = new Lazy<LaneNetwork?>(() => Part((column, row))));
                 _order.Enqueue((column, row));
             }
         }
@@ -109,7 +117,7 @@ public sealed class LaneMaps
         return map.Value;
     }
 
-    private LaneNetwork Part((double Column, double Row) square)
+    private LaneNetwork? Part((double Column, double Row) square)
     {
         var area = new Box2D(
             (square.Column * Square) - ReachMetres,
@@ -142,12 +150,17 @@ public sealed class LaneMaps
             links.UnionWith(LanesAt(node));
         }
 
-        return Map(
-            links,
-            junctions,
-            _crossings.Where(link => Meet(Between(Network.Nodes[Network.Links[link].From], Network.Nodes[Network.Links[link].To]), area)),
-            MapContent.None
+        IEnumerable<int> crossings = _crossings.Where(link =>
+            Meet(Between(Network.Nodes[Network.Links[link].From], Network.Nodes[Network.Links[link].To]), area)
         );
+        try
+        {
+            return Map(links, junctions, crossings, MapContent.None, MaxWaysAround);
+        }
+        catch (FormatException)
+        {
+            return null;
+        }
     }
 
     private IEnumerable<int> LanesAt(int node) => Network.LinksOf(node).Where(link => Array.BinarySearch(_links, link) >= 0);
@@ -157,8 +170,9 @@ public sealed class LaneMaps
         IEnumerable<KeyValuePair<int, List<int>>> junctions,
         IEnumerable<int> crossings,
         MapContent content,
+        int maxWays,
         Box2D? area = null
-    ) => new LaneNetworkBuilder(_curves, _lanes, _groups, _names, content).Build(links, junctions, crossings, area);
+    ) => new LaneNetworkBuilder(_curves, _lanes, _groups, _names, content, maxWays).Build(links, junctions, crossings, area);
 
     private static Box2D Between(RoadNode a, RoadNode b) =>
         new(

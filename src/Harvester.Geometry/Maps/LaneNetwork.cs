@@ -102,6 +102,7 @@ public sealed class LaneNetwork
     /// at its border, lanes end without successors. Ways are kept if both their lanes are, and of the rest what lies in the area or
     /// governs a lane that is kept.
     /// </param>
+    /// <exception cref="FormatException">The network has more lanes or ways than a map takes; the message is a sentence.</exception>
     public static LaneNetwork Of(RoadCurves curves, LaneModel lanes, MapContent? content = null, Box2D? area = null) =>
         new LaneMaps(curves, lanes).Whole(content, area);
 

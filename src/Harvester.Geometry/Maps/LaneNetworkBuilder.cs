@@ -16,6 +16,12 @@ internal sealed class LaneNetworkBuilder
     /// <summary>The greatest number of pieces of a lane: links of more than 8 km have longer ones.</summary>
     private const int MaxSteps = 2000;
 
+    /// <summary>Length of all lanes, metres: several times GTA V's.</summary>
+    private const double MaxLaneMetres = 10_000_000;
+
+    /// <summary>Number of roads that meet at a junction: ways are as many as its square.</summary>
+    private const int MaxArms = 200;
+
     /// <summary>Lanes closer together than this have no way between them, metres.</summary>
     private const double MinWay = 0.01;
 
@@ -29,12 +35,15 @@ internal sealed class LaneNetworkBuilder
     private readonly MapNames _names;
     private readonly MapContent _content;
     private readonly MarkingFinder _markings;
+    private readonly int _maxWays;
     private readonly HashSet<MapLane> _keptLanes = [];
     private readonly Dictionary<int, int> _junctions = [];
     private readonly Dictionary<int, RoadSegment> _segments = [];
+    private int _ways;
 
-    public LaneNetworkBuilder(RoadCurves curves, LaneModel lanes, JunctionGroups groups, MapNames names, MapContent content)
+    public LaneNetworkBuilder(RoadCurves curves, LaneModel lanes, JunctionGroups groups, MapNames names, MapContent content, int maxWays)
     {
+        _maxWays = maxWays;
         _curves = curves;
         _network = curves.Network;
         _lanes = lanes;
@@ -63,8 +72,15 @@ internal sealed class LaneNetworkBuilder
             _junctions.Add(junction.Key, _junctions.Count);
         }
 
+        double metres = 0;
         foreach (int link in links)
         {
+            RoadLink road = _network.Links[link];
+            metres += (road.LanesForward + road.LanesBackward) * _curves.Of(link).Length;
+            Require(
+                metres <= MaxLaneMetres,
+                FormattableString.Invariant($"the roads have more than {MaxLaneMetres / 1000:0} km of lanes, the limit")
+            );
             _segments.Add(link, Segment(link));
         }
 
@@ -219,6 +235,14 @@ internal sealed class LaneNetworkBuilder
         }
     }
 
+    private static void Require(bool isTrue, string problem)
+    {
+        if (!isTrue)
+        {
+            throw new FormatException(problem + ".");
+        }
+    }
+
     private static IEnumerable<(int Junction, JunctionArm Arm)> ArmsOf(RoadSegment segment)
     {
         if (segment.Start.Junction is { } start)
@@ -235,12 +259,17 @@ internal sealed class LaneNetworkBuilder
     private MapJunction JunctionOf(int node, List<int> nodes, JunctionArm[] arms)
     {
         int number = _junctions[node];
+        Require(arms.Length <= MaxArms, FormattableString.Invariant($"more than {MaxArms} roads, the limit, meet at the node {node}"));
         MapLane[] ways =
         [
             .. arms.SelectMany(arm => TurnRules.WaysFrom(arm, arms))
                 .Where(way => (way.To.Centre[0] - way.From.Centre[way.From.Centre.Count - 1]).Length > MinWay)
+                .Take(_maxWays - _ways + 1)
                 .Select(way => Way(number, way.From, way.To, way.Turn)),
         ];
+        _ways += ways.Length;
+        Require(_ways <= _maxWays, FormattableString.Invariant($"the roads have more than {_maxWays} ways through junctions, the limit"));
+
         return new MapJunction(_names.Junction(node), nodes, ways);
     }
 

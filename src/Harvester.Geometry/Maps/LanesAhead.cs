@@ -13,7 +13,11 @@ public static class LanesAhead
         Guard.NotNull(from, nameof(from));
         var begins = new Dictionary<MapLane, double>();
         var found = new List<MapLane>();
-        var open = new SortedSet<(double Metres, string Id)>();
+        var open = new SortedSet<(double Metres, string Id)>(
+            Comparer<(double Metres, string Id)>.Create(
+                static (a, b) => a.Metres != b.Metres ? a.Metres.CompareTo(b.Metres) : string.CompareOrdinal(a.Id, b.Id)
+            )
+        );
         var lanes = new Dictionary<string, MapLane>(StringComparer.Ordinal);
         Reach(from, from.Length - LanePiece.NearestOf(from, place).Along);
         while (open.Count > 0)

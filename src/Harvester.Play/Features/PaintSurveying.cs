@@ -25,6 +25,7 @@ public sealed class PaintSurveying : ILastingFeature
     private Task<PreparedSurvey>? _preparing;
     private PreparedSurvey? _survey;
     private SurveyView? _view;
+    private PaintTour? _tour;
     private double _startedAt;
 
     /// <summary>Creates a survey that is off.</summary>
@@ -130,7 +131,7 @@ public sealed class PaintSurveying : ILastingFeature
         else if (_survey is { } survey && !_harvest.IsOn)
         {
             // The harvest has already reported its end, with any fault.
-            End(survey, hasVisitedAll: _harvest.LastFault is null);
+            End(survey, _harvest.LastFault is null && _tour?.HasVisitedAll == true);
         }
     }
 
@@ -191,6 +192,7 @@ public sealed class PaintSurveying : ILastingFeature
         _harvest.StartIn(survey.Folder, SurveyOptions.Of(_harvest.Options, _view!), tour);
         if (_harvest.IsOn)
         {
+            _tour = tour;
             _survey = survey;
             _startedAt = _game.Clock.Milliseconds;
         }

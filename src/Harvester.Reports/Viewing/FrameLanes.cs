@@ -19,7 +19,7 @@ internal static class FrameLanes
     {
         HashSet<string> ahead = [.. label.Lanes?.LanesAhead ?? []];
         json.WriteStartArray("map");
-        foreach (MapLane lane in maps.Around(label.Ego.Position).Index.Near(label.Ego.Position, Range))
+        foreach (MapLane lane in maps.Around(label.Ego.Position)?.Index.Near(label.Ego.Position, Range) ?? [])
         {
             json.WriteStartObject();
             json.WriteString("id", lane.Id);

@@ -15,9 +15,6 @@ public sealed class RealLaneMapsTests(ITestOutputHelper output)
     /// <summary>A place in every so many lanes is tried.</summary>
     private const int Stride = 97;
 
-    /// <summary>A map must be made within a few frames of the game, milliseconds; the test machine is shared.</summary>
-    private const double MaxMeanMilliseconds = 100;
-
     [RealWorldFact("nodes.zip")]
     public void Map_around_a_place_is_that_of_the_whole_game()
     {
@@ -38,7 +35,7 @@ public sealed class RealLaneMapsTests(ITestOutputHelper output)
             MapLane lane = whole.Lanes[i];
             Vector3D place = lane.Centre[lane.Centre.Count / 2];
             time.Restart();
-            LaneNetwork local = maps.Around(place);
+            LaneNetwork local = maps.Around(place)!;
             durations.Add(time.Elapsed.TotalMilliseconds);
             foreach (MapLane near in whole.Lanes.Skip(Math.Max(0, i - 20)).Take(40).Where(near => IsWithinReach(near, place)))
             {
@@ -57,7 +54,6 @@ public sealed class RealLaneMapsTests(ITestOutputHelper output)
                 + $"{durations[durations.Count / 2]:0.0} in the middle, {durations[^(1 + (durations.Count / 100))]:0.0} at 99 %, "
                 + $"{durations[^1]:0.0} at most"
         );
-        Assert.InRange(durations.Average(), 0, MaxMeanMilliseconds);
     }
 
     private static bool IsWithinReach(MapLane lane, Vector3D place) =>

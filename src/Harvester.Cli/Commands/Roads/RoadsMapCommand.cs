@@ -103,6 +103,16 @@ internal static class RoadsMapCommand
             {
                 string file = parsed.GetRequiredValue(output);
                 RoadMapFormat kind = parsed.GetValue(format) ?? RoadMapFormat.OfFile(file);
+                Option[] idle =
+                    kind.Lanes is not null ? [size, showLanes]
+                    : parsed.GetValue(showLanes) ? []
+                    : [laneWidth, narrowLaneWidth, paint, props];
+                if (Array.Find(idle, option => parsed.GetResult(option) is { Implicit: false }) is { } useless)
+                {
+                    string where = kind.Lanes is not null ? "has an effect on images only" : "has an effect on images with --lanes only";
+                    throw new UsageException($"{useless.Name} {where}.");
+                }
+
                 RoadNetwork network = RoadSourceArgument.Import(parsed, from, lanesIn, terminal).Network;
                 if (network.Nodes.Count == 0)
                 {
@@ -127,7 +137,14 @@ internal static class RoadsMapCommand
                         Props = MapProps.Of(placed),
                         SpeedSigns = MapProps.SpeedSignsOf(placed),
                     };
-                    return LaneNetwork.Of(curves, model, content, parsed.GetValue(area));
+                    try
+                    {
+                        return LaneNetwork.Of(curves, model, content, parsed.GetValue(area));
+                    }
+                    catch (FormatException e)
+                    {
+                        throw new UsageException($"No map can be made: {e.Message}");
+                    }
                 }
 
                 Box2D? part = parsed.GetValue(area);

@@ -69,7 +69,7 @@ internal sealed class NuScenesGround
                 network is null ? null : new NuScenesLanes(network, widths)
             );
         }
-        catch (Exception e) when (e is DatasetFormatException or JsonException)
+        catch (Exception e) when (e is DatasetFormatException or JsonException or FormatException)
         {
             throw new DatasetFormatException($"{session.PathOf(name)}: {JsonFault.InText(e)}", e);
         }

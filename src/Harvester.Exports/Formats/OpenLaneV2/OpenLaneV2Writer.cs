@@ -36,6 +36,9 @@ internal sealed class OpenLaneV2Writer(ExportOptions options) : IDatasetWriter
     /// <summary>Nanoseconds of a microsecond: frames of one time are told apart below it.</summary>
     private const int Distinct = 1000;
 
+    /// <summary>Greatest distance of a camera from the car, metres; no vehicle is as long.</summary>
+    private const double MaxReach = 1000;
+
     private (SessionReader Session, LaneMaps Maps)? _maps;
 
     public WrittenObjects Write(ExportFrame frame, FrameOutput output)
@@ -47,7 +50,13 @@ internal sealed class OpenLaneV2Writer(ExportOptions options) : IDatasetWriter
         string folder = $"{frame.Split}/{segment}";
         string image = $"{folder}/image/{camera}/{name}{frame.ImageExtension}";
         Pose vehicle = VehicleFrame.Of(frame.Label.Ego);
-        LaneNetwork map = MapsOf(frame).Around(frame.Label.Ego.Position);
+        if (!((frame.Label.Camera.Pose.Position - vehicle.Position).Length <= MaxReach))
+        {
+            throw frame.Problem(FormattableString.Invariant($"its camera is more than {MaxReach} m from its car."));
+        }
+
+        LaneNetwork map =
+            MapsOf(frame).Around(frame.Label.Ego.Position) ?? throw frame.Problem("more roads meet around it than a map of lanes takes.");
         ClippedLane[] lanes = [.. map.Lanes.SelectMany(lane => ClippedLane.Of(lane, vehicle))];
         TrafficElement[] elements = [.. TrafficElement.Of(frame.Label)];
         output.Image(image, frame);

@@ -61,7 +61,8 @@ public sealed class MarkAccuracyTests(ITestOutputHelper output) : IDisposable
         }
 
         Report(judges);
-        Assert.All(judges.Where(judge => judge.Measured > 0), Required);
+        // Cars pass few arrows, so that a town may give none of a kind.
+        Assert.All(judges.Where((judge, kind) => kind <= (int)MarkKind.Crossing || judge.Measured > 0), Required);
     }
 
     private void Report(MarkJudge[] judges)

@@ -1,0 +1,72 @@
+using Harvester.Geometry.Maps;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Geometry.Tests.Maps;
+
+/// <summary>Road data and places from strangers, which must not take all memory or never end.</summary>
+public sealed class LaneLimitsTests
+{
+    private const double Far = 1e12;
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(Far)]
+    [InlineData(-Far)]
+    [InlineData(1e15)]
+    public void Lanes_and_lights_are_looked_for_anywhere(double place)
+    {
+        var there = new Vector3D(place, -place, 0);
+        var content = new MapContent { Props = [new MapProp(MapSignalKind.Light, "prop_traffic_01a", there, new Vector3D(0, 1, 0))] };
+        LaneNetwork map = LaneNetwork.Of(new RoadCurves(Star(4)), new LaneModel(Star(4)), content);
+
+        Assert.Single(map.Signals);
+        Assert.Equal(place == 0, map.Index.Near(there, 70).Any());
+    }
+
+    [Fact]
+    public void Roads_far_from_the_origin_have_a_map()
+    {
+        RoadNetwork network = Star(4, Far);
+        var maps = new LaneMaps(new RoadCurves(network), new LaneModel(network));
+
+        Assert.Equal(maps.Whole().Lanes.Count, maps.Around(new Vector3D(Far, 0, 0))!.Lanes.Count);
+    }
+
+    [Fact]
+    public void Junction_of_too_many_roads_is_refused()
+    {
+        RoadNetwork network = Star(210);
+        var maps = new LaneMaps(new RoadCurves(network), new LaneModel(network));
+
+        Assert.Contains("more than 200 roads", Assert.Throws<FormatException>(() => maps.Whole()).Message, StringComparison.Ordinal);
+        Assert.Null(maps.Around(Vector3D.Zero));
+    }
+
+    [Fact]
+    public void Too_many_ways_around_a_place_give_no_map_there()
+    {
+        RoadNetwork network = Star(100);
+        var maps = new LaneMaps(new RoadCurves(network), new LaneModel(network));
+
+        Assert.InRange(maps.Whole().Junctions[0].Ways.Count, 5001, 100 * 99);
+        Assert.Null(maps.Around(Vector3D.Zero));
+    }
+
+    private static RoadNetwork Star(int arms, double x = 0)
+    {
+        RoadNode[] nodes =
+        [
+            .. Enumerable
+                .Range(0, arms + 1)
+                .Select(i => (Number: i, Angle: 2 * Math.PI * i / arms, Length: i == 0 ? 0 : 5000.0))
+                .Select(node => new RoadNode(
+                    1,
+                    node.Number,
+                    new Vector3D(x + (node.Length * Math.Cos(node.Angle)), node.Length * Math.Sin(node.Angle), 0),
+                    string.Empty,
+                    RoadNodeFlags.None
+                )),
+        ];
+        return new RoadNetwork(nodes, [.. Enumerable.Range(1, arms).Select(i => new RoadLink(0, i, 1, 1, null, RoadLinkFlags.None))]);
+    }
+}
