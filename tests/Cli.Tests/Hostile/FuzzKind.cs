@@ -52,8 +52,9 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         .. "coco-keypoints jta".Split(' ').Select(format => $"export {{0}}/people --format {format} --out {{0}}/{format}"),
         .. DatasetFormats
             .All.Select(format => format.Name)
-            .Except(["coco-keypoints", "jta"])
+            .Except(["coco-keypoints", "jta", "openlane-v2"])
             .Select(format => $"export {{0}}/session --format {format} --out {{0}}/{format}"),
+        "export {0}/session --format openlane-v2 --roads {0}/straight.csv --out {0}/openlane-v2",
     ];
 
     /// <summary>Whether invalid lines are ignored by design, so that nothing is ever rejected.</summary>

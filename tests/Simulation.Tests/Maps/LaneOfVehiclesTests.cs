@@ -51,7 +51,7 @@ public sealed class LaneOfVehiclesTests(ITestOutputHelper output)
             {
                 Vector3D forward = vehicle.Pose.Axes.Forward;
                 Vector3D centre = vehicle.Pose.ToWorld(new Vector3D(0, 0, 0.5));
-                MapLane? lane = maps.Around(centre).Index.At(centre, forward);
+                MapLane? lane = maps.Around(centre)!.Index.At(centre, forward);
                 LanePath path = vehicle.Path;
                 if (path.Junction is not null)
                 {
