@@ -1,10 +1,17 @@
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Ports;
 using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Maps;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Game;
 using Harvester.Simulation.Models;
+using Harvester.Simulation.Settings;
 using Harvester.Simulation.Streets;
+using Harvester.Simulation.Tests.Labelling;
 using Harvester.Simulation.Traffic;
 using Harvester.Simulation.World;
 using Xunit.Abstractions;
@@ -14,6 +21,9 @@ namespace Harvester.Simulation.Tests.Maps;
 /// <summary>The lights, signs and painted marks of a town's map, compared with those that its traffic obeys.</summary>
 public sealed class SignalLanesTests(ITestOutputHelper output)
 {
+    /// <summary>Labels have places to a millimetre or so, metres.</summary>
+    private const double SameLight = 0.01;
+
     [Theory]
     [InlineData(486)]
     [InlineData(487)]
@@ -99,6 +109,56 @@ public sealed class SignalLanesTests(ITestOutputHelper output)
             lanes.Where(lane => lane.RightNeighbour is not null),
             lane => Assert.Same(lane.RightMarking, lane.RightNeighbour!.LeftMarking)
         );
+    }
+
+    [Theory]
+    [InlineData(611)]
+    [InlineData(612)]
+    public void Labels_name_the_lanes_that_obey_lights(int seed)
+    {
+        Site site = Site.OfTown(seed);
+        LaneNetwork map = LaneNetwork.Of(new RoadCurves(site.Network), new LaneModel(site.Network));
+        LanePath[] roads = [.. site.Lanes.Paths.Where(path => path.Road is not null && path.Length > 0)];
+        (Vector3D Centre, RoadArm Arm)[] truth =
+        [
+            .. LightsOf(site)
+                .Select(light => (light.Prop.State.Pose.ToWorld((light.Prop.State.ModelMin + light.Prop.State.ModelMax) * 0.5), light.Arm)),
+        ];
+        var game = new SimulatedGame(new SimulationOptions { Seed = seed });
+        var options = new HarvestOptions
+        {
+            Image = new ImageSize(320, 240),
+            MaxFrames = 20,
+            RateHz = 0.5,
+            Classes = [ObjectClass.TrafficLight],
+        };
+        var judged = new HashSet<Vector3D>();
+        LabelledTown.Harvest(
+            game,
+            game.Ports with
+            {
+                Roads = new FixedRoads(site.Network, "town"),
+            },
+            options,
+            (frame, _) =>
+            {
+                foreach (ObjectLabel light in frame.Label.Objects.Where(label => label is { Parent: null, GovernedLanes: not null }))
+                {
+                    (Vector3D centre, RoadArm arm) = truth.MinBy(each => (each.Centre - light.Box3D.Centre).Length);
+                    Assert.Equal(0, (centre - light.Box3D.Centre).Length, SameLight);
+                    judged.Add(centre);
+                    Assert.Equal(
+                        Enumerable.Range(0, arm.Road.Layout.Lanes(!arm.AtStart)).Select(lane => (arm.Road.Index, !arm.AtStart, lane)),
+                        light
+                            .GovernedLanes!.Select(id => PathOf(map.Find(id)!, roads)!)
+                            .Select(path => (path.Road!.Index, path.IsForward, path.Lane))
+                    );
+                }
+            }
+        );
+
+        output.WriteLine($"{judged.Count} lights");
+        Assert.NotEmpty(judged);
     }
 
     private static LaneNetwork MapOf(Site site, IEnumerable<Prop> props) =>
