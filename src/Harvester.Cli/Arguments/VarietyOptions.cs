@@ -41,7 +41,7 @@ internal sealed class VarietyOptions
     private readonly Option<double> _paintWear = ValueParsers.Number(
         "--paint-wear",
         "F",
-        "How worn the paint of roads is, from 0, new, to 1: half of it gone, and the rest faded",
+        "Wear of the road paint, from 0 (new) to 1 (half of it missing, the rest faded)",
         value => value is >= 0 and <= 1,
         "a number from 0 to 1"
     );

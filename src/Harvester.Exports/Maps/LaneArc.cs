@@ -8,7 +8,7 @@ namespace Harvester.Exports.Maps;
 /// <param name="Length">Metres.</param>
 internal readonly record struct LaneArc(double X, double Y, double Heading, double Curvature, double Length)
 {
-    /// <summary>Less curvature is none, per metre: over 100 m such an arc leaves its chord by 1 mm.</summary>
+    /// <summary>Arcs with less curvature are straight, per metre: over 100 m they leave their chord by 1 mm.</summary>
     private const double Straight = 1e-6;
 
     /// <summary>Whether it is a line.</summary>

@@ -28,7 +28,7 @@ internal readonly record struct OpenDrivePlace(double S, double T, double Headin
         double parameter = Enumerable.Range(0, steps + 1).Select(i => (double)i / steps).MinBy(t => (ground - GroundAt(line, t)).Length);
         for (int i = 0; i < NewtonSteps; i++)
         {
-            // The place is square to the line where (place - p) · p' = 0; |p'|² is its slope but for the bend.
+            // Newton's method for (place - p) · p' = 0, where the place is beside p. Without the curve's bend, the derivative is -|p'|².
             Vector2D velocity = line.VelocityAt(parameter);
             double square = velocity.Dot(velocity);
             parameter =

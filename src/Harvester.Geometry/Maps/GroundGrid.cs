@@ -7,7 +7,7 @@ internal sealed class GroundGrid<T>(double cell)
     /// <summary>A thing that meets more cells is in none, and found everywhere.</summary>
     private const double MaxCells = 256;
 
-    /// <summary>Cells farther than this from the origin are not told apart.</summary>
+    /// <summary>Things farther than this many cells from the origin are in no cell, and found everywhere.</summary>
     private const double MaxCell = 1e12;
 
     private readonly Dictionary<(long X, long Y), List<T>> _cells = [];

@@ -7,15 +7,6 @@ namespace Harvester.Geometry.Maps;
 /// </summary>
 internal sealed class LaneNetworkBuilder
 {
-    /// <summary>The greatest distance of the points of lanes, metres.</summary>
-    private const double MaxStep = 4;
-
-    /// <summary>How far the line between two points may leave the curve, metres.</summary>
-    private const double MaxSagitta = 0.005;
-
-    /// <summary>The greatest number of pieces of a lane: links of more than 8 km have longer ones.</summary>
-    private const int MaxSteps = 2000;
-
     /// <summary>Length of all lanes, metres: several times GTA V's.</summary>
     private const double MaxLaneMetres = 10_000_000;
 
@@ -24,9 +15,6 @@ internal sealed class LaneNetworkBuilder
 
     /// <summary>Lanes closer together than this have no way between them, metres.</summary>
     private const double MinWay = 0.01;
-
-    /// <summary>Pieces in which the bend of a curve is summed.</summary>
-    private const int BendPieces = 8;
 
     private readonly RoadCurves _curves;
     private readonly RoadNetwork _network;
@@ -204,9 +192,9 @@ internal sealed class LaneNetworkBuilder
                     EndWidth = end[index + 1] - end[index],
                     StartDirection = Unit(line.VelocityAt(0)),
                     EndDirection = Unit(line.VelocityAt(1)),
-                    Left = Points(line, t => Edge(index, t)),
-                    Centre = Points(line, t => (Edge(index, t) + Edge(index + 1, t)) / 2),
-                    Right = Points(line, t => Edge(index + 1, t)),
+                    Left = LanePoints.Beside(line, t => Edge(index, t)),
+                    Centre = LanePoints.Beside(line, t => (Edge(index, t) + Edge(index + 1, t)) / 2),
+                    Right = LanePoints.Beside(line, t => Edge(index + 1, t)),
                 }),
         ];
         for (int i = 1; i < made.Length; i++)
@@ -289,46 +277,13 @@ internal sealed class LaneNetworkBuilder
             EndWidth = end,
             StartDirection = from.EndDirection,
             EndDirection = to.StartDirection,
-            Left = Points(curve, t => -HalfAt(t)),
-            Centre = Points(curve, static _ => 0),
-            Right = Points(curve, HalfAt),
+            Left = LanePoints.Beside(curve, t => -HalfAt(t)),
+            Centre = LanePoints.Beside(curve, static _ => 0),
+            Right = LanePoints.Beside(curve, HalfAt),
         };
         from.LeadsTo(way);
         way.LeadsTo(to);
         return way;
-    }
-
-    private static Vector3D[] Points(HermiteCurve line, Func<double, double> offset)
-    {
-        int steps = StepsOf(line);
-        var points = new Vector3D[steps + 1];
-        for (int i = 0; i <= steps; i++)
-        {
-            double t = (double)i / steps;
-            points[i] = line.PointBeside(t, offset(t));
-        }
-
-        return points;
-    }
-
-    /// <summary>
-    /// Of a curve of length l that bends by b, a piece of l / n bends by b / n and leaves its chord by s = l b / (8 n²), so that
-    /// n = √(l b / (8 s)).
-    /// </summary>
-    private static int StepsOf(HermiteCurve line)
-    {
-        double length = line.Length;
-        double bend = 0;
-        Vector2D before = line.VelocityAt(0);
-        for (int i = 1; i <= BendPieces; i++)
-        {
-            Vector2D now = line.VelocityAt(i / (double)BendPieces);
-            bend += Math.Abs(Math.Atan2(before.Cross(now), before.Dot(now)));
-            before = now;
-        }
-
-        double steps = Math.Max(length / MaxStep, Math.Sqrt(length * bend / (8 * MaxSagitta)));
-        return (int)Math.Max(1, Math.Min(MaxSteps, Math.Ceiling(steps)));
     }
 
     private static Vector2D Unit(Vector2D vector) => vector.Length > 0 ? vector * (1 / vector.Length) : new Vector2D(0, 1);

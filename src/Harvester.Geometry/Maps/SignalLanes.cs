@@ -28,7 +28,7 @@ public static class SignalLanes
     /// <summary>Greatest distance beside the lanes, metres.</summary>
     private const double MaxBeside = 25;
 
-    /// <summary>Roads farther above or below are on another level, metres; a light may be told by its pole's foot or its head.</summary>
+    /// <summary>Roads farther above or below are on another level, metres; a light's place is the foot of its pole or its head.</summary>
     private const double SameLevel = 9;
 
     /// <summary>How much an angle of a radian counts beside a distance, metres.</summary>

@@ -12,7 +12,7 @@ namespace Harvester.Datasets.Tests.Roads;
 [Trait("Category", "Heavy")]
 public sealed class RealLaneMapsTests(ITestOutputHelper output)
 {
-    /// <summary>A place in every so many lanes is tried.</summary>
+    /// <summary>One lane in this many is tried.</summary>
     private const int Stride = 97;
 
     [RealWorldFact("nodes.zip")]

@@ -3,7 +3,7 @@ using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Tests.Maps;
 
-/// <summary>Road data and places from strangers, which must not take all memory or never end.</summary>
+/// <summary>Hostile road data and places, which must neither exhaust the memory nor keep a search from ending.</summary>
 public sealed class LaneLimitsTests
 {
     private const double Far = 1e12;

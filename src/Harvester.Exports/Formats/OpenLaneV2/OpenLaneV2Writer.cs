@@ -33,7 +33,7 @@ internal sealed class OpenLaneV2Writer(ExportOptions options) : IDatasetWriter
 
     private const double Microseconds = 1e6;
 
-    /// <summary>Nanoseconds of a microsecond: frames of one time are told apart below it.</summary>
+    /// <summary>Nanoseconds in a microsecond; the digits below it distinguish frames of the same time.</summary>
     private const int Distinct = 1000;
 
     /// <summary>Greatest distance of a camera from the car, metres; no vehicle is as long.</summary>

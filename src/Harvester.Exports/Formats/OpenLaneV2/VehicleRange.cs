@@ -67,7 +67,7 @@ internal static class VehicleRange
         return line[i] + ((line[i + 1] - line[i]) * (place - i));
     }
 
-    /// <summary>The part of a piece in the range, as fractions of it; null if there is none. Liang and Barsky's clipping.</summary>
+    /// <summary>The part of a piece in the range, as fractions of it; null if there is none (Liang-Barsky clipping).</summary>
     private static (double From, double To)? Within(Vector3D start, Vector3D end)
     {
         (double from, double to) = (0, 1);
