@@ -18,6 +18,7 @@ using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 using Harvester.Reports.Comparison;
 using Harvester.Reports.Faces;
+using Harvester.Reports.Viewing;
 using Harvester.Runs.Plans;
 using Harvester.Runs.Relabelling;
 using Harvester.Runs.Sheets;
@@ -116,7 +117,10 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             Export("csv")
         ),
         new("scene", "session/scenes/00000000.json", ValidateSession, "validate {0}/session", Relabel, MapOfSession),
-        Roads("roads", "session/scenes/roads.csv", "validate {0}/session", Relabel),
+        Roads("roads", "session/scenes/roads.csv", "validate {0}/session", Relabel) with
+        {
+            Read = ReadRoadsOfSession,
+        },
         Roads("ipl", "paths.ipl"),
         Roads("paths-xml", "paths.xml"),
         Roads("ynd", "nodes.ynd.xml"),
@@ -313,6 +317,23 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
     {
         ValidateSession(folder);
         SessionStatistics.Of(new SessionReader(In(folder, "session")).ReadLabels());
+        ViewFrames(folder);
+    }
+
+    private static void ReadRoadsOfSession(string folder)
+    {
+        RoadImporter.Import(In(folder, "session/scenes/roads.csv"));
+        ViewFrames(folder);
+    }
+
+    /// <summary>As the viewer shows them, with the lanes around the ego.</summary>
+    private static void ViewFrames(string folder)
+    {
+        using var view = new SessionView(new SessionReader(In(folder, "session")));
+        for (int frame = 0; frame < view.Frames; frame++)
+        {
+            view.Frame(frame);
+        }
     }
 
     private static void ReadPeople(string folder)
