@@ -9,6 +9,7 @@ using Harvester.Geometry.PixelMaps.Coded;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Crashes;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Quirks;
 using Harvester.Simulation.Rendering;
@@ -149,6 +150,9 @@ public sealed class SimulatedGame
 
     internal SimulatedWorld World => _world;
 
+    /// <summary>The impacts of the last tick in which the world moved: who hit whom, where, and the impulse; empty without crashes.</summary>
+    internal IReadOnlyList<Impact> Impacts => _world.Impacts;
+
     /// <summary>Balls that are shown in addition to the world.</summary>
     internal IReadOnlyList<PlannedMarker> Markers
     {
@@ -270,6 +274,7 @@ public sealed class SimulatedGame
         double worldSeconds = seconds * Freezing.TakeTick();
         if (worldSeconds > 0)
         {
+            _world.SetRain(_weather.LightingAt(WeatherSeconds).RainFraction);
             _world.Advance(worldSeconds);
             _precipitation++;
             _state++;

@@ -34,6 +34,15 @@ internal sealed class BodyIndex<T>
         }
     }
 
+    /// <summary>Takes out a body that was added, or moved, to a place.</summary>
+    public void Remove(T body, Vector3D place)
+    {
+        if (Find(CellOf(place)) is { } cell && cell.Bodies.Remove(body))
+        {
+            _count--;
+        }
+    }
+
     public void Move(T body, Vector3D from, Vector3D to)
     {
         if (CellOf(from) != CellOf(to))

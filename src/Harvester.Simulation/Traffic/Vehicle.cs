@@ -64,6 +64,9 @@ internal sealed class Vehicle
     /// <summary>The lane at whose end it has stopped; null if it has not, or has left that lane.</summary>
     public LanePath? StoppedOn { get; set; }
 
+    /// <summary>Its motion after an impact; null for a vehicle that is driven.</summary>
+    public Wreck? Wreck { get; set; }
+
     /// <summary>Its brake lights and indicators.</summary>
     public VehicleSignals Signals { get; } = new();
 
@@ -101,6 +104,7 @@ internal sealed class Vehicle
         _route.Clear();
         _route.Add(path);
         _places = null;
+        Wreck = null;
         Speed = 0;
         StandingSeconds = 0;
         Plan();

@@ -3,7 +3,7 @@ using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 
-/// <summary>What a driver shows to others: brake lights, and indicators before and in turns at junctions.</summary>
+/// <summary>What a driver shows to others: brake lights, indicators before and in turns at junctions, and hazard lights after an impact.</summary>
 internal sealed class VehicleSignals
 {
     /// <summary>Weaker deceleration comes from the engine, without the pedal, m/s².</summary>
@@ -36,8 +36,9 @@ internal sealed class VehicleSignals
     public VehicleLights At(Vehicle vehicle, double timeSeconds, bool isDark)
     {
         double turn = TurnOf(vehicle);
+        bool isWarning = vehicle.Wreck is not null;
         bool isBlinkOn = ((timeSeconds * BlinkHertz) + (vehicle.Handle * 0.618)) % 1 < 0.5;
-        return new VehicleLights(_brakedSeconds < Afterglow, isBlinkOn && turn > TurnFrom, isBlinkOn && turn < -TurnFrom, isDark);
+        return new VehicleLights(_brakedSeconds < Afterglow, isBlinkOn && (isWarning || turn > TurnFrom), isBlinkOn && (isWarning || turn < -TurnFrom), isDark);
     }
 
     /// <summary>The angle of the turn on which it is or which is next, radians, positive to the left; 0 without one.</summary>
