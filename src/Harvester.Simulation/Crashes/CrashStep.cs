@@ -88,13 +88,7 @@ internal sealed class CrashStep(IReadOnlyList<CrashBody> bodies)
     private bool Collide(CrashBody first, CrashBody second, BodyContact contact, double timeSeconds)
     {
         double closing = (first.Body.VelocityAt(contact.Point) - second.Body.VelocityAt(contact.Point)).Dot(contact.Normal);
-        Vector2D impulse = ImpactLaw.Impulse(
-            first.Body,
-            second.Body,
-            contact,
-            ImpactLaw.RestitutionAt(closing),
-            ImpactLaw.VehicleFriction
-        );
+        Vector2D impulse = ImpactLaw.Impulse(first.Body, second.Body, contact, ImpactLaw.RestitutionAt(closing), ImpactLaw.VehicleFriction);
         if (impulse == default)
         {
             return false;

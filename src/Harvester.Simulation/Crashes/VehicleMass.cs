@@ -12,25 +12,41 @@ internal static class VehicleMass
         .ReadAll()
         .ToDictionary(row => row.Model, row => row.Shape, StringComparer.Ordinal);
 
-    /// <summary>The mass of a vehicle with its driver or rider, kg.</summary>
-    /// <exception cref="KeyNotFoundException">The model is no vehicle.</exception>
-    public static double Of(Model model) => Kerb(ShapeOf[model.Name]) + Person;
+    /// <summary>
+    /// Masses of what is neither vehicle nor person, kg: adult animals of the kind, a traffic cone, a barrier of boards, a crate.
+    /// </summary>
+    private static readonly Dictionary<string, double> Things = new(StringComparer.Ordinal)
+    {
+        ["a_c_retriever"] = 30,
+        ["a_c_deer"] = 80,
+        ["a_c_cow"] = 600,
+        ["prop_roadcone02a"] = 4,
+        ["prop_barrier_work05"] = 30,
+        ["prop_box_wood05a"] = 40,
+    };
+
+    /// <summary>The mass of a vehicle with its driver or rider, of an animal or of a thing, kg.</summary>
+    /// <exception cref="KeyNotFoundException">The mass of the model is unknown.</exception>
+    public static double Of(Model model) =>
+        ShapeOf.TryGetValue(model.Name, out VehicleShape shape) ? Kerb(shape) + Person : Things[model.Name];
 
     /// <summary>
-    /// The body of a vehicle. Its yaw inertia is that of an even plate, m (l² + w²) / 12; that of real cars is somewhat lower, because
-    /// bumpers are light.
+    /// The body of a vehicle or thing. Its yaw inertia is that of an even plate, m (l² + w²) / 12; that of real cars is somewhat lower,
+    /// because bumpers are light.
     /// </summary>
-    public static PlanarBody BodyOf(Model model)
+    /// <param name="model">The model.</param>
+    /// <param name="halfLength">Half of its length, metres.</param>
+    /// <param name="halfWidth">Half of its width, with an open door, metres.</param>
+    public static PlanarBody BodyOf(Model model, double halfLength, double halfWidth)
     {
-        double length = model.Max.Y - model.Min.Y;
-        double width = model.Max.X - model.Min.X;
         double mass = Of(model);
-        return new PlanarBody(mass, mass * ((length * length) + (width * width)) / 12, length / 2, width / 2);
+        return new PlanarBody(mass, mass * ((halfLength * halfLength) + (halfWidth * halfWidth)) / 3, halfLength, halfWidth);
     }
 
     /// <summary>Whether a vehicle falls over when it is struck.</summary>
     public static bool IsTwoWheeler(Model model) =>
-        ShapeOf[model.Name] is VehicleShape.Motorcycle or VehicleShape.Chopper or VehicleShape.Bicycle;
+        ShapeOf.TryGetValue(model.Name, out VehicleShape shape)
+        && shape is VehicleShape.Motorcycle or VehicleShape.Chopper or VehicleShape.Bicycle;
 
     /// <summary>Kerb mass of a common vehicle of the kind, empty, from its maker's data sheet, kg.</summary>
     private static double Kerb(VehicleShape shape) =>

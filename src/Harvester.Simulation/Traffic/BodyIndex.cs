@@ -34,7 +34,7 @@ internal sealed class BodyIndex<T>
         }
     }
 
-    /// <summary>Takes out a body that was added, or moved, to a place.</summary>
+    /// <summary>Removes a body that stands at a position.</summary>
     public void Remove(T body, Vector3D place)
     {
         if (Find(CellOf(place)) is { } cell && cell.Bodies.Remove(body))

@@ -11,12 +11,12 @@ namespace Harvester.Simulation.Traffic;
 /// <param name="lanes">The lanes, which are the ground.</param>
 /// <param name="vehicles">All vehicles; the first is the ego.</param>
 /// <param name="parked">The parked vehicles.</param>
-/// <param name="walkers">The people on foot.</param>
+/// <param name="people">The people on foot.</param>
 internal sealed class CrashFlow(
     LaneGraph lanes,
     IReadOnlyList<Vehicle> vehicles,
     IReadOnlyList<ParkedVehicle> parked,
-    IReadOnlyList<Walker> walkers
+    IReadOnlyList<IPerson> people
 )
 {
     /// <summary>A person who walks against a slower vehicle is not thrown, m/s.</summary>
@@ -26,7 +26,7 @@ internal sealed class CrashFlow(
     private const double Displaced = 1;
 
     private readonly GroundBelow _ground = new(lanes);
-    private readonly Footprint[] _before = new Footprint[vehicles.Count];
+    private readonly Dictionary<Vehicle, Footprint> _before = [];
     private readonly BodyIndex<ParkedVehicle> _parked = IndexOf(parked);
     private readonly double[] _egoStruckAt = [double.NegativeInfinity, double.NegativeInfinity, double.NegativeInfinity];
     private List<Impact> _impacts = [];
@@ -44,9 +44,10 @@ internal sealed class CrashFlow(
     /// <summary>Notes where vehicles are at the beginning of a step.</summary>
     public void Begin()
     {
-        for (int i = 0; i < vehicles.Count; i++)
+        _before.Clear();
+        foreach (Vehicle vehicle in vehicles)
         {
-            _before[i] = vehicles[i].Footprint;
+            _before.Add(vehicle, vehicle.Footprint);
         }
     }
 
@@ -56,18 +57,22 @@ internal sealed class CrashFlow(
     /// <param name="index">All vehicles.</param>
     /// <param name="before">Receives where in the index the vehicles are that were struck or have slid.</param>
     /// <returns>These vehicles.</returns>
-    public IReadOnlyList<Vehicle> End(
-        double seconds,
-        double timeSeconds,
-        BodyIndex<Vehicle> index,
-        Dictionary<Vehicle, Vector3D> before
-    )
+    public IReadOnlyList<Vehicle> End(double seconds, double timeSeconds, BodyIndex<Vehicle> index, Dictionary<Vehicle, Vector3D> before)
     {
         _impacts = [];
         SortedDictionary<int, CrashBody> bodies = [];
-        for (int i = 0; i < vehicles.Count; i++)
+        foreach (Vehicle vehicle in vehicles)
         {
-            Gather(bodies, i, seconds, index);
+            Gather(bodies, vehicle, seconds, index);
+        }
+
+        foreach (ParkedVehicle vehicle in parked)
+        {
+            if (vehicle.Wreck is { IsAtRest: false, Body: var body })
+            {
+                bodies.TryAdd(vehicle.Prop.Handle, BodyOf(vehicle));
+                GatherNear(bodies, vehicle.Footprint.Grown(Margin(body.Velocity.Length * seconds)), seconds, index);
+            }
         }
 
         List<Vehicle> moved = [];
@@ -95,7 +100,8 @@ internal sealed class CrashFlow(
     }
 
     /// <summary>Height of the ground at a place, metres; the given height where there is no lane.</summary>
-    public double GroundAt(Vector3D place, double height) => _ground.Lanes(place) is [var lane, ..] ? lane.Path.Line.PositionAt(lane.Distance).Z : height;
+    public double GroundAt(Vector3D place, double height) =>
+        _ground.Lanes(place) is [var lane, ..] ? lane.Path.Line.PositionAt(lane.Distance).Z : height;
 
     private Vehicle Ego => vehicles[0];
 
@@ -116,29 +122,44 @@ internal sealed class CrashFlow(
     }
 
     /// <summary>Adds a moving vehicle and those that it may touch in the step to the bodies.</summary>
-    private void Gather(SortedDictionary<int, CrashBody> bodies, int number, double seconds, BodyIndex<Vehicle> index)
+    private void Gather(SortedDictionary<int, CrashBody> bodies, Vehicle vehicle, double seconds, BodyIndex<Vehicle> index)
     {
-        Vehicle vehicle = vehicles[number];
         bool slides = vehicle.Wreck is { IsAtRest: false };
         if (!slides && (vehicle.Wreck is not null || vehicle.Speed == 0))
         {
             return;
         }
 
-        // Everything within the way of this vehicle and of an equally fast one can touch it.
-        double way = Horizontal.Distance(_before[number].Centre, vehicle.Footprint.Centre) + (vehicle.Speed * seconds);
-        Footprint swept = vehicle.Footprint.Grown((2 * way) + CrashStep.PartMetres);
-        bool isNear = slides;
-        foreach (Vehicle other in index.Near(vehicle.Footprint.Centre))
+        double way = Horizontal.Distance(_before[vehicle].Centre, vehicle.Footprint.Centre) + (vehicle.Speed * seconds);
+        bool isNear = GatherNear(bodies, vehicle.Footprint.Grown(Margin(way)), seconds, index, vehicle);
+        if (isNear || slides)
         {
-            if (other != vehicle && swept.Overlaps(other.Footprint))
+            Add(bodies, vehicle, seconds);
+        }
+    }
+
+    /// <summary>Everything within the way of a body and of an equally fast one can touch it.</summary>
+    private static double Margin(double way) => (2 * way) + CrashStep.PartMetres;
+
+    private bool GatherNear(
+        SortedDictionary<int, CrashBody> bodies,
+        Footprint swept,
+        double seconds,
+        BodyIndex<Vehicle> index,
+        Vehicle? without = null
+    )
+    {
+        bool isNear = false;
+        foreach (Vehicle other in index.Near(swept.Centre))
+        {
+            if (other != without && swept.Overlaps(other.Footprint))
             {
                 isNear = true;
                 Add(bodies, other, seconds);
             }
         }
 
-        foreach (ParkedVehicle other in _parked.Near(vehicle.Footprint.Centre))
+        foreach (ParkedVehicle other in _parked.Near(swept.Centre))
         {
             if (swept.Overlaps(other.Footprint))
             {
@@ -147,10 +168,7 @@ internal sealed class CrashFlow(
             }
         }
 
-        if (isNear)
-        {
-            Add(bodies, vehicle, seconds);
-        }
+        return isNear;
     }
 
     private void Add(SortedDictionary<int, CrashBody> bodies, Vehicle vehicle, double seconds)
@@ -162,15 +180,11 @@ internal sealed class CrashFlow(
 
         if (vehicle.Wreck is { } wreck)
         {
-            bodies.Add(
-                vehicle.Handle,
-                new CrashBody(vehicle.Handle, wreck.Body, vehicle.Footprint.Centre.Z, wreck.DecelerationOn(Grip))
-            );
+            bodies.Add(vehicle.Handle, new CrashBody(vehicle.Handle, wreck.Body, vehicle.Footprint.Centre.Z, wreck.DecelerationOn(Grip)));
             return;
         }
 
-        int number = NumberOf(vehicle);
-        Footprint before = _before[number];
+        Footprint before = _before[vehicle];
         Vector3D moved = vehicle.Footprint.Centre - before.Centre;
         bool wasPlaced = moved.Length > Displaced + (2 * vehicle.Speed * seconds);
         before = wasPlaced ? vehicle.Footprint : before;
@@ -180,7 +194,7 @@ internal sealed class CrashFlow(
             Flat(vehicle.Footprint.Centre),
             Horizontal.Turn(before.Forward, vehicle.Footprint.Forward)
         );
-        PlanarBody body = VehicleMass.BodyOf(vehicle.Model);
+        PlanarBody body = VehicleMass.BodyOf(vehicle.Model, before.HalfLength, before.HalfWidth);
         body.Position = way.From;
         body.Yaw = way.FromYaw;
         body.Velocity = (way.To - way.From) * (1 / seconds);
@@ -198,7 +212,7 @@ internal sealed class CrashFlow(
 
     private static PlanarBody BodyAt(Models.Model model, Footprint place)
     {
-        PlanarBody body = VehicleMass.BodyOf(model);
+        PlanarBody body = VehicleMass.BodyOf(model, place.HalfLength, place.HalfWidth);
         body.Position = Flat(place.Centre);
         body.Yaw = Math.Atan2(place.Forward.Y, place.Forward.X);
         return body;
@@ -212,7 +226,7 @@ internal sealed class CrashFlow(
         {
             if (bodies.TryGetValue(vehicle.Handle, out CrashBody? body) && body.Way is null)
             {
-                vehicle.Wreck ??= new Wreck(body.Body, vehicle.Model, GroundOf(vehicle.Pose, vehicle.Model));
+                vehicle.Wreck ??= new Wreck(body.Body, vehicle.Model, vehicle.Extents, GroundOf(vehicle.Pose, vehicle.Model));
                 vehicle.Wreck.Tick(seconds);
                 before.Add(vehicle, vehicle.Pose.Position);
                 Put(vehicle);
@@ -224,7 +238,12 @@ internal sealed class CrashFlow(
         {
             if (bodies.TryGetValue(vehicle.Prop.Handle, out CrashBody? body) && (body.IsStruck || vehicle.Wreck is not null))
             {
-                vehicle.Wreck ??= new Wreck(body.Body, vehicle.Prop.Model, GroundOf(vehicle.Prop.Pose, vehicle.Prop.Model));
+                vehicle.Wreck ??= new Wreck(
+                    body.Body,
+                    vehicle.Prop.Model,
+                    (vehicle.Prop.Model.Min, vehicle.Prop.Model.Max),
+                    GroundOf(vehicle.Prop.Pose, vehicle.Prop.Model)
+                );
                 vehicle.Wreck.Tick(seconds);
                 Put(vehicle);
             }
@@ -238,18 +257,21 @@ internal sealed class CrashFlow(
         Wreck wreck = vehicle.Wreck!;
         (List<LanePlace> near, double slope) = Settle(wreck);
         Vector3D place = new(wreck.Body.Position.X, wreck.Body.Position.Y, wreck.GroundHeight);
+        Vector2D sliding = wreck.Body.Velocity;
+        Vector3D velocity = new(sliding.X, sliding.Y, slope * sliding.Dot(wreck.Body.Forward));
+        IEnumerable<LanePlace> blocked = near.Where(lane => Math.Abs(lane.RightOffset) < EgoCar.InTheWay);
+        if (vehicle.Staged is { } motion)
+        {
+            motion.Displace(place, new Vector3D(wreck.Body.Forward.X, wreck.Body.Forward.Y, 0), sliding.Length);
+            vehicle.MoveStaged(wreck.PoseOn(slope), sliding.Length, velocity, blocked);
+            return;
+        }
+
         LanePlace onLane =
             near.Exists(lane => lane.Path == vehicle.Path) || near.Count == 0
                 ? LanePlace.Of(vehicle.Path, place, vehicle.Distance)
                 : near[0];
-        Vector2D velocity = wreck.Body.Velocity;
-        vehicle.MoveFreely(
-            onLane,
-            wreck.PoseOn(slope),
-            velocity.Length,
-            new Vector3D(velocity.X, velocity.Y, slope * velocity.Dot(wreck.Body.Forward)),
-            near.Where(lane => Math.Abs(lane.RightOffset) < EgoCar.InTheWay)
-        );
+        vehicle.MoveFreely(onLane, wreck.PoseOn(slope), sliding.Length, velocity, blocked);
     }
 
     private void Put(ParkedVehicle vehicle)
@@ -274,26 +296,26 @@ internal sealed class CrashFlow(
 
     private void StrikePeople(double timeSeconds, List<Vehicle> moved, Dictionary<Vehicle, Vector3D> before)
     {
-        foreach (Walker walker in walkers)
+        foreach (IPerson person in people)
         {
-            if (walker.IsThrown)
+            if (person.IsThrown)
             {
                 continue;
             }
 
-            Footprint person = walker.Footprint;
+            Footprint place = person.Footprint;
             foreach (Vehicle vehicle in vehicles)
             {
                 double reach = vehicle.Length + vehicle.Model.Max.X;
-                Vector3D place = vehicle.Pose.Position;
+                Vector3D indexed = vehicle.Pose.Position;
                 if (
                     vehicle.Speed > MinSpeedAgainstPerson
-                    && Horizontal.SquaredDistance(vehicle.Footprint.Centre, person.Centre) < reach * reach
-                    && vehicle.Footprint.Overlaps(person)
-                    && Strike(vehicle, walker, person, timeSeconds)
+                    && Horizontal.SquaredDistance(vehicle.Footprint.Centre, place.Centre) < reach * reach
+                    && vehicle.Footprint.Overlaps(place)
+                    && Strike(vehicle, person, place, timeSeconds)
                 )
                 {
-                    if (before.TryAdd(vehicle, place))
+                    if (before.TryAdd(vehicle, indexed))
                     {
                         moved.Add(vehicle);
                     }
@@ -304,53 +326,38 @@ internal sealed class CrashFlow(
         }
     }
 
-    private bool Strike(Vehicle vehicle, Walker walker, Footprint place, double timeSeconds)
+    private bool Strike(Vehicle vehicle, IPerson person, Footprint place, double timeSeconds)
     {
         PlanarBody body = vehicle.Wreck?.Body ?? BodyAt(vehicle.Model, vehicle.Footprint);
         body.Velocity = vehicle.Wreck is null ? Flat(vehicle.Velocity) : body.Velocity;
 
         // A person does not turn a vehicle's push into spin; the body is limp.
-        PlanarBody person = new(VehicleMass.Person, double.PositiveInfinity, place.HalfLength, place.HalfWidth)
+        PlanarBody limp = new(VehicleMass.Person, double.PositiveInfinity, place.HalfLength, place.HalfWidth)
         {
             Position = Flat(place.Centre),
             Yaw = Math.Atan2(place.Forward.Y, place.Forward.X),
-            Velocity = Flat(walker.Velocity),
+            Velocity = Flat(person.Velocity),
         };
-        if (BodyContact.Between(body, person) is not { } contact)
+        if (BodyContact.Between(body, limp) is not { } contact)
         {
             return false;
         }
 
-        double closing = (body.VelocityAt(contact.Point) - person.Velocity).Dot(contact.Normal);
-        Vector2D impulse = ImpactLaw.Impulse(body, person, contact, restitution: 0, friction: 0);
+        double closing = (body.VelocityAt(contact.Point) - limp.Velocity).Dot(contact.Normal);
+        Vector2D impulse = ImpactLaw.Impulse(body, limp, contact, restitution: 0, friction: 0);
         if (impulse == default)
         {
             return false;
         }
 
         body.Push(impulse * -1, contact.Point);
-        person.Push(impulse, contact.Point);
-        vehicle.Wreck ??= new Wreck(body, vehicle.Model, GroundOf(vehicle.Pose, vehicle.Model));
+        limp.Push(impulse, contact.Point);
+        vehicle.Wreck ??= new Wreck(body, vehicle.Model, vehicle.Extents, GroundOf(vehicle.Pose, vehicle.Model));
         Put(vehicle);
         Vector2D clear = contact.Normal * contact.Depth;
-        walker.Throw(new Vector3D(clear.X, clear.Y, 0), person.Velocity, GroundAt);
-        _impacts.Add(
-            new Impact(timeSeconds, vehicle.Handle, walker.Handle, impulse, contact.Point, contact.Normal, closing)
-        );
+        person.Throw(new Vector3D(clear.X, clear.Y, 0), limp.Velocity, GroundAt);
+        _impacts.Add(new Impact(timeSeconds, vehicle.Handle, person.Handle, impulse, contact.Point, contact.Normal, closing));
         return true;
-    }
-
-    private int NumberOf(Vehicle vehicle)
-    {
-        for (int i = 0; i < vehicles.Count; i++)
-        {
-            if (vehicles[i] == vehicle)
-            {
-                return i;
-            }
-        }
-
-        throw new ArgumentException("This vehicle is not in the traffic.", nameof(vehicle));
     }
 
     private static Vector2D Flat(Vector3D vector) => new(vector.X, vector.Y);

@@ -7,10 +7,7 @@ namespace Harvester.Simulation.Traffic;
 /// When a driver must brake as hard as the tyres allow, where vehicles do not stop at once: something is in the way that the vehicle covers
 /// while it brakes, if everything else goes on as it moves now.
 /// </summary>
-internal sealed class HardBraking(
-    BodyIndex<Vehicle> vehicles,
-    BodyIndex<Footprint> obstacles
-)
+internal sealed class HardBraking(BodyIndex<Vehicle> vehicles, BodyIndex<Footprint> obstacles)
 {
     /// <summary>Drivers look at the way in which they stop with this share of the brakes' power.</summary>
     private const double PlannedShare = 0.8;
@@ -26,7 +23,7 @@ internal sealed class HardBraking(
     /// <param name="vehicle">The vehicle, which drives along its route.</param>
     /// <param name="braking">Deceleration at full brake, m/s².</param>
     /// <param name="walkersOnRoad">The people on the carriageways.</param>
-    public bool IsNeeded(Vehicle vehicle, double braking, BodyIndex<Walker> walkersOnRoad)
+    public bool IsNeeded(Vehicle vehicle, double braking, BodyIndex<IPerson> walkersOnRoad)
     {
         double planned = PlannedShare * braking;
         double stopping = vehicle.Speed / planned;
@@ -44,7 +41,7 @@ internal sealed class HardBraking(
             if (
                 vehicles.AnyNear(place.Centre, look, static (other, look) => look.Meets(other))
                 || obstacles.AnyNear(place.Centre, look, static (other, look) => look.Place.Overlaps(other))
-                || walkersOnRoad.AnyNear(place.Centre, look, static (walker, look) => look.Meets(walker.Footprint, walker.Velocity))
+                || walkersOnRoad.AnyNear(place.Centre, look, static (person, look) => look.Meets(person))
             )
             {
                 return true;
@@ -56,9 +53,16 @@ internal sealed class HardBraking(
 
     private readonly record struct Look(Vehicle Vehicle, Footprint Place, double Seconds)
     {
-        public bool Meets(Vehicle other) => other != Vehicle && IsAhead(other.Footprint) && Meets(other.Footprint, other.Velocity);
+        public bool Meets(Vehicle other) =>
+            other != Vehicle
+            && !(Vehicle.IsBlindToStaged && other.Staged is not null)
+            && IsAhead(other.Footprint)
+            && Meets(other.Footprint, other.Velocity);
 
-        public bool Meets(Footprint other, Vector3D velocity) =>
+        public bool Meets(IPerson person) =>
+            !(Vehicle.IsBlindToStaged && person is StagedPerson) && Meets(person.Footprint, person.Velocity);
+
+        private bool Meets(Footprint other, Vector3D velocity) =>
             Place.Overlaps(other with { Centre = other.Centre + (velocity * Seconds) });
 
         /// <summary>Who comes from behind has to brake, not this driver.</summary>

@@ -29,7 +29,8 @@ internal sealed class MotionMeter(Vehicle ego, EgoCar car)
     /// <summary>Ends the step.</summary>
     public void End(double seconds)
     {
-        bool wasPlaced = (ego.Pose.Position - _before.Position).Length > Displaced + (Math.Max(Math.Abs(_speedBefore), ego.Speed) * seconds);
+        bool wasPlaced =
+            (ego.Pose.Position - _before.Position).Length > Displaced + (Math.Max(Math.Abs(_speedBefore), ego.Speed) * seconds);
         Motion = new EgoMotion(
             wasPlaced ? 0 : Horizontal.Turn(_before.Axes.Forward, ego.Pose.Axes.Forward) / seconds,
             wasPlaced ? 0 : (Speed - _speedBefore) / seconds

@@ -102,6 +102,30 @@ internal sealed class TrafficFlow
         Watch?.Jump();
     }
 
+    /// <summary>Moves staged vehicles; null in a world without any.</summary>
+    public StagedTraffic? Staged { get; private set; }
+
+    /// <summary>Whether the ego stands still, whatever its driver wants, until a stage is set.</summary>
+    public bool HoldsEgo { get; set; }
+
+    /// <summary>Lets vehicles be staged.</summary>
+    /// <param name="ground">The ground under them.</param>
+    public StagedTraffic Stage(StagedGround ground) => Staged ??= new StagedTraffic(_index, _obstacles, ground, Crashes is not null);
+
+    /// <summary>Takes note of a vehicle that came into the world.</summary>
+    public void Enter(Vehicle vehicle) => _index.Add(vehicle, vehicle.Pose.Position);
+
+    /// <summary>Forgets a vehicle that was taken out of the world.</summary>
+    public void Leave(Vehicle vehicle)
+    {
+        _rightOfWay.ReleaseAll(vehicle);
+        _index.Remove(vehicle, vehicle.Pose.Position);
+    }
+
+    /// <summary>Whether a body would meet another one, a person excepted.</summary>
+    public bool IsTaken(Footprint place) =>
+        _index.Near(place.Centre).Any(other => place.Overlaps(other.Footprint)) || _obstacles.Near(place.Centre).Any(place.Overlaps);
+
     /// <summary>Whether the ego touches another vehicle.</summary>
     public bool TouchesVehicle() =>
         _index.AnyNear(Ego.Pose.Position, Ego, static (other, ego) => other != ego && ego.Footprint.Overlaps(other.Footprint));
@@ -109,7 +133,7 @@ internal sealed class TrafficFlow
     /// <summary>Whether the ego touches something that stands beside the road, such as a parked vehicle.</summary>
     public bool TouchesObstacle() => _obstacles.AnyNear(Ego.Pose.Position, Ego, static (other, ego) => ego.Footprint.Overlaps(other));
 
-    public void Tick(double seconds, double timeSeconds, BodyIndex<Walker> walkersOnRoad)
+    public void Tick(double seconds, double timeSeconds, BodyIndex<IPerson> walkersOnRoad)
     {
         _occupation.Refresh(_vehicles);
         Crashes?.Begin();
@@ -123,6 +147,17 @@ internal sealed class TrafficFlow
             if (vehicle.Wreck is not null && !Recovers(vehicle))
             {
                 Rest(vehicle, seconds);
+                continue;
+            }
+
+            if (vehicle.Staged is { } motion)
+            {
+                Staged!.Move(vehicle, motion, seconds, walkersOnRoad);
+                continue;
+            }
+
+            if (vehicle == Ego && HoldsEgo)
+            {
                 continue;
             }
 
@@ -165,7 +200,7 @@ internal sealed class TrafficFlow
     /// The acceleration of a vehicle that may crash: at most what its tyres allow, and all of that when something is in its way. A vehicle
     /// that cannot crash stops at once instead.
     /// </summary>
-    private double Limited(Vehicle vehicle, double wanted, double seconds, BodyIndex<Walker> walkersOnRoad)
+    private double Limited(Vehicle vehicle, double wanted, double seconds, BodyIndex<IPerson> walkersOnRoad)
     {
         if (Crashes is null)
         {
@@ -175,8 +210,8 @@ internal sealed class TrafficFlow
         double most = Crashes.Grip.Braking;
         (double metres, _) = Step(vehicle, wanted, seconds);
         bool mustBrake =
-            (metres > 0 && !IsFree(vehicle, metres, walkersOnRoad))
-            || (vehicle == Ego && _egoCar.IsLoose && MeetsWalker(vehicle, walkersOnRoad))
+            (metres > 0 && !vehicle.IsBlindToStaged && !IsFree(vehicle, metres, walkersOnRoad))
+            || (vehicle == Ego && _egoCar.IsLoose && !vehicle.IsBlindToStaged && MeetsWalker(vehicle, walkersOnRoad))
             || _hardBraking!.IsNeeded(vehicle, most, walkersOnRoad);
         return mustBrake ? -most : Math.Max(wanted, -most);
     }
@@ -229,10 +264,10 @@ internal sealed class TrafficFlow
         }
     }
 
-    private void Advance(Vehicle vehicle, double acceleration, double seconds, BodyIndex<Walker> walkersOnRoad)
+    private void Advance(Vehicle vehicle, double acceleration, double seconds, BodyIndex<IPerson> walkersOnRoad)
     {
         (double metres, double speed) = Step(vehicle, acceleration, seconds);
-        if (metres > 0 && IsFree(vehicle, metres, walkersOnRoad))
+        if (metres > 0 && (Crashes is not null || IsFree(vehicle, metres, walkersOnRoad)))
         {
             vehicle.Advance(metres);
             vehicle.Speed = speed;
@@ -245,7 +280,7 @@ internal sealed class TrafficFlow
         }
     }
 
-    private bool IsEgoBlocked(double acceleration, double seconds, BodyIndex<Walker> walkersOnRoad)
+    private bool IsEgoBlocked(double acceleration, double seconds, BodyIndex<IPerson> walkersOnRoad)
     {
         (double metres, _) = Step(Ego, acceleration, seconds);
         return metres > 0 && (!IsFree(Ego, metres, walkersOnRoad) || MeetsWalker(Ego, walkersOnRoad));
@@ -281,7 +316,7 @@ internal sealed class TrafficFlow
         return atDeadEnd || isInTheWay || isStuck;
     }
 
-    private bool IsFree(Vehicle vehicle, double metres, BodyIndex<Walker> walkersOnRoad)
+    private bool IsFree(Vehicle vehicle, double metres, BodyIndex<IPerson> walkersOnRoad)
     {
         Footprint now = vehicle.Footprint;
         var way = new WayAhead(
@@ -296,7 +331,7 @@ internal sealed class TrafficFlow
     }
 
     /// <summary>Whether somebody walks just ahead of a vehicle that need not be on its lane's line.</summary>
-    private static bool MeetsWalker(Vehicle vehicle, BodyIndex<Walker> walkersOnRoad)
+    private static bool MeetsWalker(Vehicle vehicle, BodyIndex<IPerson> walkersOnRoad)
     {
         Footprint now = vehicle.Footprint.Grown(Clearance);
         Footprint ahead = now with { Centre = now.Centre + (now.Forward * LookAhead) };

@@ -11,7 +11,7 @@ namespace Harvester.Simulation.Traffic;
 /// A pedestrian who walks up and down a pavement and sometimes crosses the street at its end, when no vehicle comes; or stands there, or
 /// sits on a bench.
 /// </summary>
-internal sealed class Walker
+internal sealed class Walker : IPerson
 {
     /// <summary>
     /// At the end of a pavement with a street ahead, a pedestrian who cannot cross turns back with this probability in each span of this
@@ -93,7 +93,6 @@ internal sealed class Walker
 
     public bool IsOnRoad => _opposite is not null || IsThrown;
 
-    /// <summary>Whether a vehicle has struck this person, who flies, slides or lies.</summary>
     public bool IsThrown => _thrown is not null;
 
     public Pose Pose { get; private set; }
@@ -144,10 +143,6 @@ internal sealed class Walker
         Place();
     }
 
-    /// <summary>Lets a vehicle throw this person.</summary>
-    /// <param name="clear">The way that clears the body of the vehicle, metres.</param>
-    /// <param name="velocity">Velocity after the impact, m/s, world x and y.</param>
-    /// <param name="groundAt">Height of the ground at a place, or the given height where it is unknown.</param>
     public void Throw(Vector3D clear, Vector2D velocity, Func<Vector3D, double, double> groundAt)
     {
         _thrown = new ThrownPerson(Model, Pose with { Position = Pose.Position + clear }, velocity, groundAt);

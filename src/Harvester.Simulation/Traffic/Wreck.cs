@@ -8,8 +8,9 @@ namespace Harvester.Simulation.Traffic;
 /// <summary>A vehicle after an impact: it slides to rest on locked wheels, or on its side if it has two, and stays.</summary>
 /// <param name="body">Its motion on the ground.</param>
 /// <param name="model">Its model.</param>
+/// <param name="extents">The corners of its box in the model's frame, metres.</param>
 /// <param name="groundHeight">Height of the ground below it, metres.</param>
-internal sealed class Wreck(PlanarBody body, Model model, double groundHeight)
+internal sealed class Wreck(PlanarBody body, Model model, (Vector3D Min, Vector3D Max) extents, double groundHeight)
 {
     /// <summary>Time in which a two-wheeler falls, seconds: about that of a rod of its height.</summary>
     private const double FallSeconds = 0.6;
@@ -41,10 +42,10 @@ internal sealed class Wreck(PlanarBody body, Model model, double groundHeight)
         Axes axes = Falls ? Leaning(upright) : upright;
 
         // The lowest corner of the box stands on the ground: the middle is above it by the box's reach along the vertical.
-        Vector3D half = (model.Max - model.Min) * 0.5;
+        Vector3D half = (extents.Max - extents.Min) * 0.5;
         double above = (Math.Abs(axes.Up.Z) * half.Z) + (Math.Abs(axes.Right.Z) * half.X);
         Vector3D middle = new(Body.Position.X, Body.Position.Y, GroundHeight + above);
-        return new Pose(middle - axes.ToWorld((model.Min + model.Max) * 0.5), axes);
+        return new Pose(middle - axes.ToWorld((extents.Min + extents.Max) * 0.5), axes);
     }
 
     private Axes Leaning(Axes upright)

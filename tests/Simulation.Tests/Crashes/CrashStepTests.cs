@@ -39,9 +39,7 @@ public sealed class CrashStepTests
         // Ten cars drive into a standing one at 30 m/s, 6 m behind each other.
         CrashBody[] bodies =
         [
-            .. Enumerable
-                .Range(0, 10)
-                .Select(i => Driven(i + 1, 1500, 4.5, 1.8, new(-6 * (i + 1), 0.11 * (i % 3)), 0, new(30, 0))),
+            .. Enumerable.Range(0, 10).Select(i => Driven(i + 1, 1500, 4.5, 1.8, new(-6 * (i + 1), 0.11 * (i % 3)), 0, new(30, 0))),
             new CrashBody(99, Body(12_000, 8, 2.5, new(4, 0), 0.1, default), 0, Sliding),
         ];
         double energy = bodies.Sum(body => body.Body.KineticEnergy);
@@ -161,9 +159,7 @@ public sealed class CrashStepTests
     }
 
     private static double MostOverlap(CrashBody[] bodies) =>
-        bodies
-            .SelectMany((first, i) => bodies.Skip(i + 1).Select(second => RectangleOverlap.Depth(first.Body, second.Body)))
-            .Max();
+        bodies.SelectMany((first, i) => bodies.Skip(i + 1).Select(second => RectangleOverlap.Depth(first.Body, second.Body))).Max();
 
     private static PlanarBody Body(double mass, double length, double width, Vector2D place, double yaw, Vector2D velocity) =>
         new(mass, mass * ((length * length) + (width * width)) / 12, length / 2, width / 2)

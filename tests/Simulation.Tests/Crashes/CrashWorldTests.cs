@@ -97,7 +97,8 @@ public sealed class CrashWorldTests
 
         // Searle: s = v² / (2 μ g) + μ h, where the middle of the body falls by less than half its height, plus the way clear of the car.
         Vector3D half = (person.ModelMax - person.ModelMin) * 0.5;
-        Vector3D way = lying.Pose.ToWorld((person.ModelMin + person.ModelMax) * 0.5) - person.Pose.ToWorld((person.ModelMin + person.ModelMax) * 0.5);
+        Vector3D way =
+            lying.Pose.ToWorld((person.ModelMin + person.ModelMax) * 0.5) - person.Pose.ToWorld((person.ModelMin + person.ModelMax) * 0.5);
         double expected = (speed * speed / (2 * 0.66 * 9.81)) + (0.66 * half.Z);
         Assert.InRange(new Vector2D(way.X, way.Y).Length, expected - (0.66 * half.Z), expected + 0.5);
         Assert.True(before.Velocity.Length > 4, $"The car was slow, {before.Velocity.Length} m/s.");
@@ -175,7 +176,8 @@ public sealed class CrashWorldTests
         && !game.World.Vehicles.Any(other => other != vehicle && (other.Pose.Position - vehicle.PoseAhead(8).Position).Length < 15);
 
     private static EntityState ParkedCar(SimulatedGame game) =>
-        game.Ports.World.ReadEntities(game.Ports.World.ReadEgo().Pose.Position, 500)
+        game
+            .Ports.World.ReadEntities(game.Ports.World.ReadEgo().Pose.Position, 500)
             .First(entity => entity.Class == ObjectClass.Car && entity.Velocity == default);
 
     private static EntityState Entity(SimulatedGame game, int handle) =>

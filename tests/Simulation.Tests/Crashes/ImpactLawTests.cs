@@ -123,8 +123,7 @@ public sealed class ImpactLawTests
     [InlineData(2, 0.3)]
     [InlineData(5, 0.2)]
     [InlineData(30, 0.1)]
-    public void Restitution_falls_with_speed(double speed, double expected) =>
-        Assert.Equal(expected, ImpactLaw.RestitutionAt(speed), 9);
+    public void Restitution_falls_with_speed(double speed, double expected) => Assert.Equal(expected, ImpactLaw.RestitutionAt(speed), 9);
 
     private static BodyContact Contact(PlanarBody first, PlanarBody second)
     {
