@@ -309,6 +309,22 @@ public sealed class SimulatedGame
         }
     }
 
+    /// <summary>Changes one thing in the world, from the next tick on; the same game without the call goes on as it would have.</summary>
+    /// <exception cref="ArgumentException">There is no such vehicle, person or weather.</exception>
+    public void Make(WorldChange change)
+    {
+        ArgumentNullException.ThrowIfNull(change);
+        if (change.Kind == WorldChangeKind.Weather)
+        {
+            SetEnvironment(change.Weather, null);
+        }
+        else
+        {
+            _world.Make(change);
+            _state++;
+        }
+    }
+
     /// <summary>Sets the state of a traffic light until the next call; traffic does not obey it, as in the game.</summary>
     /// <param name="light">The light's handle.</param>
     /// <param name="state">Null or unknown gives the light back to the game.</param>

@@ -163,6 +163,7 @@ internal sealed class TrafficFlow
 
             double distanceToStop = _rightOfWay.DistanceToStop(vehicle, timeSeconds);
             double acceleration = Driver.Acceleration(vehicle, _occupation, distanceToStop, walkersOnRoad);
+            acceleration = vehicle.Ordered?.Limit(acceleration, timeSeconds) ?? acceleration;
             acceleration = Limited(vehicle, acceleration, seconds, walkersOnRoad);
             Vector3D before = vehicle.Pose.Position;
             MustEgoGiveWay = vehicle == Ego ? distanceToStop < double.PositiveInfinity : MustEgoGiveWay;

@@ -64,6 +64,9 @@ internal sealed class Vehicle
     /// <summary>The lane at whose end it has stopped; null if it has not, or has left that lane.</summary>
     public LanePath? StoppedOn { get; set; }
 
+    /// <summary>An order to brake that somebody has given to its driver; null for none.</summary>
+    public OrderedBraking? Ordered { get; set; }
+
     /// <summary>Its motion after an impact; null for a vehicle that is driven.</summary>
     public Wreck? Wreck { get; set; }
 
