@@ -20,7 +20,8 @@ internal sealed class CounterfactualCommand
         + "  frame 20: 17 brakes 3 for 8     the driver of object 17 brakes and stands, 8 s in all\n"
         + "  12.5s: ego drives 15            from the game time 12.5 s on, the driver aims for 15 m/s\n"
         + "  frame 20: without 17            object 17, a vehicle in traffic or a person on foot, disappears\n"
-        + "  frame 20: weather rain          it rains; with --crashes the road is slippery, too\n\n"
+        + "  frame 20: weather rain          it rains; with --crashes the road is slippery, too\n"
+        + "Spaces may be underscores. A command that was stopped continues when it is given again.\n\n"
         + "Examples:\n"
         + "  harvester counterfactual --out brake --near 0,0 --frames 60 --crashes --change \"frame 20: ego brakes 6\"\n"
         + "  harvester pairs brake --out sets";
@@ -61,24 +62,29 @@ internal sealed class CounterfactualCommand
 
         HarvestPlan plan = _harvest.PlanOf(parsed);
         Check(plan, changes.SelectMany(run => run));
-        string folder = plan.Folder;
         string command = CommandText.Of(parsed);
-        string original = Path.Combine(folder, ChangeSet.Base);
-        Directory.CreateDirectory(folder);
+        using var output = new CounterfactualOutput(plan.Folder, command);
+        output.Begin();
+        string original = Path.Combine(plan.Folder, ChangeSet.Base);
+        plan = plan with { Resume = output.Continues };
         int code = HarvestRun.Of(terminal, plan with { Folder = original }, command, _harvest.HasReport(parsed), cancellation);
         List<ChangedRun> runs = [];
         for (int i = 0; i < changes.Count && code == ExitCode.Done; i++)
         {
             string name = ChangeSet.FolderOf(i + 1);
-            HarvestPlan changed = plan with { Folder = Path.Combine(folder, name), Changes = ChangedActors.Resolve(changes[i], original) };
+            HarvestPlan changed = plan with
+            {
+                Folder = Path.Combine(plan.Folder, name),
+                Changes = ChangedActors.Resolve(changes[i], original),
+            };
             runs.Add(new ChangedRun(name, texts[i]));
             code = HarvestRun.Of(terminal, changed, command, _harvest.HasReport(parsed), cancellation);
         }
 
         if (code == ExitCode.Done)
         {
-            new ChangeSet(runs).Write(folder);
-            terminal.Out.WriteLine($"{folder}: the base and {Counted.Of(runs.Count, "changed run")}");
+            output.Complete(new ChangeSet(runs));
+            terminal.Out.WriteLine($"{plan.Folder}: the base and {Counted.Of(runs.Count, "changed run")}");
         }
 
         return code;
@@ -89,6 +95,13 @@ internal sealed class CounterfactualCommand
         if (plan.Options.Places is { Count: > 1 })
         {
             throw new UsageException("Counterfactuals are of one place: add --places 1, or --near.");
+        }
+
+        if (plan.Overwrite || plan.Resume)
+        {
+            throw new UsageException(
+                "--overwrite and --resume do not apply to counterfactuals: the same command continues what it left unfinished."
+            );
         }
 
         if (plan.Options.Shard.Count > 1)

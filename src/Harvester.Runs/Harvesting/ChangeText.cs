@@ -19,12 +19,12 @@ public static partial class ChangeText
     private const double MaxSeconds = 1e6;
     private const int Longest = 200;
 
-    /// <summary>Reads the changes of one run, which are separated by semicolons.</summary>
+    /// <summary>Reads the changes of one run, which are separated by semicolons. An underscore is a space.</summary>
     /// <returns>The changes; null if the text is not of this form.</returns>
     public static IReadOnlyList<TimedChange>? Read(string text)
     {
         ArgumentNullException.ThrowIfNull(text);
-        TimedChange?[] changes = text.Length > Longest ? [null] : [.. text.Split(';', StringSplitOptions.TrimEntries).Select(ReadOne)];
+        TimedChange?[] changes = text.Length > Longest ? [null] : [.. text.Replace('_', ' ').Split(';', StringSplitOptions.TrimEntries).Select(ReadOne)];
         List<TimedChange> read = [.. changes.OfType<TimedChange>()];
         return read.Count == changes.Length ? read : null;
     }

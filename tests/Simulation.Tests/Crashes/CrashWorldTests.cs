@@ -105,6 +105,31 @@ public sealed class CrashWorldTests
     }
 
     [Fact]
+    public void Wet_road_lengthens_the_braking_distance_from_the_same_state()
+    {
+        (double dry, string dryState) = Braked("clear");
+        (double wet, string wetState) = Braked("rain");
+        Assert.Equal(dryState, wetState);
+
+        // Full brakes: s = v² / (2 b). Rain takes 35 % of b; drag and rolling resistance, which it does not change, are below 0.3 m/s².
+        Assert.InRange(wet / dry, 1 / 0.7, 1 / 0.64);
+
+        static (double Metres, string Before) Braked(string weather)
+        {
+            SimulatedGame game = Game(seed: 5);
+            Run(game, 12, Nothing);
+            string before = $"{game.World.Ego.Pose} {game.World.Ego.Velocity}";
+            Assert.True(game.World.Ego.Speed > 5, $"The ego drives at {game.World.Ego.Speed} m/s.");
+            game.Make(new WorldChange(WorldChangeKind.Weather) { Weather = weather });
+            game.Make(new WorldChange(WorldChangeKind.Brake) { Value = 8 });
+            Vector3D place = game.World.Ego.Pose.Position;
+            Run(game, 5, Nothing);
+            Assert.Equal(0, game.World.Ego.Speed);
+            return ((game.World.Ego.Pose.Position - place).Length, before);
+        }
+    }
+
+    [Fact]
     public void Crash_repeats_to_the_bit()
     {
         Assert.Equal(States(), States());
