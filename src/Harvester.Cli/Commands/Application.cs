@@ -46,6 +46,7 @@ internal static class Application
     private static readonly (string Name, Func<Terminal, Command> Create)[] Commands =
     [
         ("harvest", HarvestCommand.Create),
+        ("counterfactual", CounterfactualCommand.Create),
         ("plan", PlanCommand.Create),
         ("contact-sheet", ContactSheetCommand.Create),
         ("drive", DriveCommand.Create),

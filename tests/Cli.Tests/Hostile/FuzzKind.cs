@@ -11,6 +11,7 @@ using Harvester.Datasets.Statistics;
 using Harvester.Datasets.Validation;
 using Harvester.Exports.Assembly;
 using Harvester.Exports.Formats;
+using Harvester.Exports.Pairs;
 using Harvester.Exports.Validation;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
@@ -55,6 +56,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             .Except(["coco-keypoints", "jta", "openlane-v2"])
             .Select(format => $"export {{0}}/session --format {format} --out {{0}}/{format}"),
         "export {0}/session --format openlane-v2 --roads {0}/straight.csv --out {0}/openlane-v2",
+        "counterfactual --out {0}/set --frames 2 --places 1 --change frame_0:_weather_rain --roads {0}/straight.csv --size 64x48 --no-report",
     ];
 
     /// <summary>Whether invalid lines are ignored by design, so that nothing is ever rejected.</summary>
@@ -188,6 +190,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             "plan show {0}/plan.json",
             "plan resolve {0}/plan.json --out {0}/out.json"
         ),
+        new("counterfactuals", "set/counterfactuals.json", folder => ChangeSet.Read(In(folder, "set")), "pairs {0}/set --out {0}/out"),
         new("experiment-rig", "rig.json", folder => PlanFile.Read(In(folder, "plan.json")), "plan check {0}/plan.json"),
         Compared("kitti-compared", "kitti/training/label_2/000000.txt", ComparedKitti.Open, "--kitti {0}/kitti"),
         Compared("nuscenes-compared", "nuscenes/v1.0-gta/sample_annotation.json", ComparedNuScenes.Open, "--nuscenes {0}/nuscenes"),
