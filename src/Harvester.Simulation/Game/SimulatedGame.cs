@@ -88,6 +88,7 @@ public sealed class SimulatedGame
             Surfaces = new SurfacePort(this),
             Hud = new HudPort(this),
             Card = new CardPort(this),
+            Stage = options.Stage is null ? null : new StagePort(this),
             DrawnOcclusion = options.ReportsTrueOcclusion ? new DrawnOcclusionPort(this) : null,
         };
     }
@@ -344,6 +345,13 @@ public sealed class SimulatedGame
     /// <summary>Renders the current picture on another thread, while the world moves on.</summary>
     internal Task RenderLater(PixelBuffer target) => _painter.PaintLater(MomentShown, target);
 
+    /// <summary>Notes that the present state has changed without a tick.</summary>
+    internal T Changed<T>(T result)
+    {
+        _state++;
+        return result;
+    }
+
     /// <summary>Places the ego at a position, even while the world is frozen.</summary>
     internal void ResetEgo(Vector3D position, double headingDegrees)
     {
@@ -418,7 +426,7 @@ public sealed class SimulatedGame
         _state++;
     }
 
-    private bool IsVehicle(int handle) => handle >= _world.Vehicles[0].Handle && handle <= _world.Vehicles[^1].Handle;
+    private bool IsVehicle(int handle) => _world.IsVehicle(handle);
 
     private void Hide()
     {

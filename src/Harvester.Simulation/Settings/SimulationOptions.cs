@@ -41,6 +41,9 @@ public sealed record SimulationOptions
     /// </summary>
     public int? StartSeed { get; init; }
 
+    /// <summary>Where the ego begins a scenario, into which actors can be put; null for ordinary traffic alone.</summary>
+    public StageSetting? Stage { get; init; }
+
     /// <summary>Roads farther than this from the start are not built, metres; the ego does not leave the others.</summary>
     public double RadiusMetres { get; init; } = 400;
 

@@ -10,7 +10,7 @@ namespace Harvester.Simulation.Traffic;
 /// <param name="traffic">The other vehicles.</param>
 /// <param name="walkers">The pedestrians.</param>
 /// <param name="control">The lights and stop signs.</param>
-internal sealed class EgoWatch(Vehicle ego, EgoCar car, TrafficFlow traffic, IReadOnlyList<Walker> walkers, LaneControl control)
+internal sealed class EgoWatch(Vehicle ego, EgoCar car, TrafficFlow traffic, IReadOnlyList<IPerson> walkers, LaneControl control)
 {
     /// <summary>A car that stands within this distance of the end of its lane, metres from its origin, has stopped there.</summary>
     private const double StopRange = 10;

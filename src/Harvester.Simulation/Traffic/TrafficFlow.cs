@@ -83,6 +83,30 @@ internal sealed class TrafficFlow
         Watch?.Jump();
     }
 
+    /// <summary>Moves staged vehicles; null in a world without any.</summary>
+    public StagedTraffic? Staged { get; private set; }
+
+    /// <summary>Whether the ego stands still, whatever its driver wants, until a stage is set.</summary>
+    public bool HoldsEgo { get; set; }
+
+    /// <summary>Lets vehicles be staged.</summary>
+    /// <param name="ground">The ground under them.</param>
+    public StagedTraffic Stage(StagedGround ground) => Staged ??= new StagedTraffic(_index, _obstacles, ground);
+
+    /// <summary>Takes note of a vehicle that came into the world.</summary>
+    public void Enter(Vehicle vehicle) => _index.Add(vehicle, vehicle.Pose.Position);
+
+    /// <summary>Forgets a vehicle that was taken out of the world.</summary>
+    public void Leave(Vehicle vehicle)
+    {
+        _rightOfWay.ReleaseAll(vehicle);
+        _index.Remove(vehicle, vehicle.Pose.Position);
+    }
+
+    /// <summary>Whether a body would meet another one, a person excepted.</summary>
+    public bool IsTaken(Footprint place) =>
+        _index.Near(place.Centre).Any(other => place.Overlaps(other.Footprint)) || _obstacles.Near(place.Centre).Any(place.Overlaps);
+
     /// <summary>Whether the ego touches another vehicle.</summary>
     public bool TouchesVehicle() =>
         _index.AnyNear(Ego.Pose.Position, Ego, static (other, ego) => other != ego && ego.Footprint.Overlaps(other.Footprint));
@@ -90,12 +114,23 @@ internal sealed class TrafficFlow
     /// <summary>Whether the ego touches something that stands beside the road, such as a parked vehicle.</summary>
     public bool TouchesObstacle() => _obstacles.AnyNear(Ego.Pose.Position, Ego, static (other, ego) => ego.Footprint.Overlaps(other));
 
-    public void Tick(double seconds, double timeSeconds, BodyIndex<Walker> walkersOnRoad)
+    public void Tick(double seconds, double timeSeconds, BodyIndex<IPerson> walkersOnRoad)
     {
         _occupation.Refresh(_vehicles);
         foreach (Vehicle vehicle in _vehicles)
         {
             if (Radius is { } radius && Horizontal.SquaredDistance(vehicle.Pose.Position, Ego.Pose.Position) > radius * radius)
+            {
+                continue;
+            }
+
+            if (vehicle.Staged is { } motion)
+            {
+                Staged!.Move(vehicle, motion, seconds, walkersOnRoad);
+                continue;
+            }
+
+            if (vehicle == Ego && HoldsEgo)
             {
                 continue;
             }
@@ -133,7 +168,7 @@ internal sealed class TrafficFlow
         Watch?.Tick(timeSeconds + seconds);
     }
 
-    private void Advance(Vehicle vehicle, double acceleration, double seconds, BodyIndex<Walker> walkersOnRoad)
+    private void Advance(Vehicle vehicle, double acceleration, double seconds, BodyIndex<IPerson> walkersOnRoad)
     {
         (double metres, double speed) = Step(vehicle, acceleration, seconds);
         if (metres > 0 && IsFree(vehicle, metres, walkersOnRoad))
@@ -149,7 +184,7 @@ internal sealed class TrafficFlow
         }
     }
 
-    private bool IsEgoBlocked(double acceleration, double seconds, BodyIndex<Walker> walkersOnRoad)
+    private bool IsEgoBlocked(double acceleration, double seconds, BodyIndex<IPerson> walkersOnRoad)
     {
         (double metres, _) = Step(Ego, acceleration, seconds);
         return metres > 0 && (!IsFree(Ego, metres, walkersOnRoad) || MeetsWalker(Ego, walkersOnRoad));
@@ -185,7 +220,7 @@ internal sealed class TrafficFlow
         return atDeadEnd || isInTheWay || isStuck;
     }
 
-    private bool IsFree(Vehicle vehicle, double metres, BodyIndex<Walker> walkersOnRoad)
+    private bool IsFree(Vehicle vehicle, double metres, BodyIndex<IPerson> walkersOnRoad)
     {
         Footprint now = vehicle.Footprint;
         var way = new WayAhead(
@@ -200,7 +235,7 @@ internal sealed class TrafficFlow
     }
 
     /// <summary>Whether somebody walks just ahead of a vehicle that need not be on its lane's line.</summary>
-    private static bool MeetsWalker(Vehicle vehicle, BodyIndex<Walker> walkersOnRoad)
+    private static bool MeetsWalker(Vehicle vehicle, BodyIndex<IPerson> walkersOnRoad)
     {
         Footprint now = vehicle.Footprint.Grown(Clearance);
         Footprint ahead = now with { Centre = now.Centre + (now.Forward * LookAhead) };

@@ -11,7 +11,7 @@ namespace Harvester.Simulation.Traffic;
 /// A pedestrian who walks up and down a pavement and sometimes crosses the street at its end, when no vehicle comes; or stands there, or
 /// sits on a bench.
 /// </summary>
-internal sealed class Walker
+internal sealed class Walker : IPerson
 {
     /// <summary>
     /// At the end of a pavement with a street ahead, a pedestrian who cannot cross turns back with this probability in each span of this

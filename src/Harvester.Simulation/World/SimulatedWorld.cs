@@ -31,12 +31,16 @@ internal sealed class SimulatedWorld
     private readonly List<Prop> _entities;
     private readonly List<Vehicle> _vehicles;
     private readonly List<Walker> _walkers;
+
+    /// <summary>The walkers, and the people who were put into the world.</summary>
+    private readonly List<IPerson> _people;
     private readonly TrafficFlow _traffic;
     private readonly WalkerFlow _walking;
     private readonly SignalProps _signalProps;
     private readonly IReadOnlyList<Vector3D> _lamps;
     private readonly MotionMeter _motion;
     private readonly Func<EgoWatch> _newWatch;
+    private readonly int _lastHandleInTraffic;
 
     public SimulatedWorld(SimulationOptions options)
         : this(options, new HandleCounter(), 0, 0) { }
@@ -73,11 +77,13 @@ internal sealed class SimulatedWorld
         ModelCatalogue catalogue = ModelCatalogue.Shared;
         Population population = new(seed, catalogue, handles);
         Placing placing = new(site.Lanes, seed);
-        int? visit = options.IsWarm ? place : null;
-        (LanePath Path, double Distance) startOfEgo = options.StartSeed is { } startSeed
-            ? placing.RandomStartOfEgo(startSeed)
+        bool isWarm = options.IsWarm && options.Stage is null;
+        int? visit = isWarm ? place : null;
+        (LanePath Path, double Distance) startOfEgo =
+            options.Stage is { } setting ? StageStart.Of(site.Lanes, setting)
+            : options.StartSeed is { } startSeed ? placing.RandomStartOfEgo(startSeed)
             : placing.StartOfEgo(start, visit);
-        Vector3D? busy = options.IsWarm ? startOfEgo.Path.Line.PositionAt(startOfEgo.Distance) : null;
+        Vector3D? busy = isWarm ? startOfEgo.Path.Line.PositionAt(startOfEgo.Distance) : null;
         double parkedDensity = options.ParkedDensity ?? options.TrafficDensity;
         List<Prop> parked = population.Park(site.Walkways, site.Index, busy, parkedDensity);
         if (busy is { } visited)
@@ -85,8 +91,12 @@ internal sealed class SimulatedWorld
             parked.AddRange(population.Leave(site.Plan.Roads, site.Index, visited, site.Terrain.HeightAt, parkedDensity));
         }
 
+        parked.RemoveAll(prop => options.Stage?.IsKeptClear(prop.Pose.Position) ?? false);
+
         _vehicles = population.Drive(placing, parked, startOfEgo, visit, options.TrafficDensity);
         _walkers = population.Walk(site.Walkways, busy, options.PedestrianDensity);
+        _people = [.. _walkers];
+        _lastHandleInTraffic = _vehicles[^1].Handle;
         bool isLively = options.Wander > 0 || options.LaneChanges > 0;
         Car = new EgoCar(
             Ego,
@@ -126,7 +136,7 @@ internal sealed class SimulatedWorld
         LaneControl control = new(site.Signals, scenery.StopArms);
         IEnumerable<Footprint> obstacles = parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max));
         _traffic = new TrafficFlow(site.Lanes, control, _vehicles, Car, obstacles, placing) { Radius = options.TrafficRadiusMetres };
-        _newWatch = () => new EgoWatch(Ego, Car, _traffic, _walkers, control);
+        _newWatch = () => new EgoWatch(Ego, Car, _traffic, _people, control);
         _lamps = scenery.Lamps;
         _entities = [.. parked, .. scenery.Props.Where(prop => prop.Handle != 0)];
         Scene = new RenderScene([
@@ -134,7 +144,14 @@ internal sealed class SimulatedWorld
             .. parked.Concat(scenery.Props).Select(prop => new MeshInstance(prop.Model.Variant(prop.Variant), prop.Pose, prop.Handle)),
             .. _walkers.Select(walker => walker.Bench).OfType<Pose>().Select(bench => new MeshInstance(catalogue.Bench.Mesh, bench, 0)),
         ]);
-        if (options.IsWarm)
+        if (options.Stage is { } stage)
+        {
+            TimeSeconds += StageStart.SecondsToGreen(stage, startOfEgo.Path, control, TimeSeconds);
+            Stage = new WorldStage(stage, catalogue, handles, new StagedGround(site.Lanes, site.Terrain.HeightAt), _traffic, _walking);
+            Stage.Enter(_vehicles, _people, () => Advance(MaxTick));
+        }
+
+        if (isWarm)
         {
             const double minSeconds = 5;
             const double moreSeconds = 10;
@@ -164,6 +181,9 @@ internal sealed class SimulatedWorld
 
     /// <summary>The stop lines and pedestrian crossings.</summary>
     public IReadOnlyList<PaintedMark> Marks { get; }
+
+    /// <summary>Puts actors into the world; null unless the options set a stage.</summary>
+    public WorldStage? Stage { get; }
 
     /// <summary>Seconds since the start.</summary>
     public double TimeSeconds { get; private set; }
@@ -195,6 +215,9 @@ internal sealed class SimulatedWorld
     /// <summary>Whether it is so dark that vehicles in traffic have their headlights on.</summary>
     public bool IsDark { get; set; }
 
+    /// <summary>Whether a handle is that of a vehicle in traffic or of the ego.</summary>
+    public bool IsVehicle(int handle) => handle >= _vehicles[0].Handle && handle <= _lastHandleInTraffic;
+
     /// <summary>Places the ego at a position, at rest.</summary>
     public void ResetEgo(Vector3D position, double headingDegrees) => _traffic.ResetEgo(position, headingDegrees);
 
@@ -216,6 +239,7 @@ internal sealed class SimulatedWorld
             _motion.Begin();
             _traffic.Tick(step, TimeSeconds, _walking.OnRoad());
             _walking.Tick(step, _traffic, Ego.Pose.Position, _traffic.Radius);
+            Stage?.TickPeople(step);
             _motion.End(step);
             TimeSeconds += step;
         }
@@ -232,7 +256,7 @@ internal sealed class SimulatedWorld
             .Where(vehicle => vehicle.Handle != HiddenHandle && (vehicle.Pose.Position - place).LengthSquared < squared)
             .SelectMany(vehicle => vehicle.Instances(LightsOf(vehicle)))
             .Concat(
-                _walkers
+                _people
                     .Where(walker => (walker.Pose.Position - place).LengthSquared < squared)
                     .Select(walker => new MeshInstance(walker.Look, walker.Pose, walker.Handle))
             )
@@ -257,7 +281,7 @@ internal sealed class SimulatedWorld
             )
             {
                 HasRider = VehicleClasses.HaveRiders(vehicle.Model.Class) ? true : null,
-                Lights = LightsOf(vehicle),
+                Lights = VehicleClasses.AreVehicles(vehicle.Model.Class) ? LightsOf(vehicle) : null,
             });
         IEnumerable<EntityState> riders = _vehicles
             .Skip(1)
@@ -275,7 +299,7 @@ internal sealed class SimulatedWorld
                 VehicleHandle = vehicle.Handle,
                 Skeleton = vehicle.Rider.Skeletons[0].MovedBy(vehicle.Pose),
             });
-        IEnumerable<EntityState> walkers = _walkers
+        IEnumerable<EntityState> walkers = _people
             .Where(walker => IsNear(walker.Pose))
             .Select(walker => new EntityState(
                 walker.Handle,
@@ -321,6 +345,7 @@ internal sealed class SimulatedWorld
             .Take(maxLamps)
             .Select(LightSource.StreetLamp);
         IEnumerable<LightSource> headlights = Vehicles
+            .Where(vehicle => vehicle.Model.Lamps is not null)
             .Where(vehicle => (vehicle.Pose.Position - eye).Length < range)
             .OrderBy(vehicle => (vehicle.Pose.Position - eye).LengthSquared)
             .Take(maxVehicles)
