@@ -28,7 +28,7 @@ internal sealed class PaintedEdges
     /// <summary>Distance of the places on an edge at which a marking is looked for, metres.</summary>
     private const double Step = 1;
 
-    private readonly (int Kind, int? Number, Vector3D[] Line)[] _markings;
+    private readonly (MarkingPaint? Paint, int? Number, Vector3D[] Line)[] _markings;
 
     /// <summary>Prepares the markings.</summary>
     /// <param name="markings">The markings.</param>
@@ -37,7 +37,7 @@ internal sealed class PaintedEdges
         _markings = [
             .. markings.Select(view =>
                 (
-                    view.Paint?.Style == MarkingStyle.Dashed ? Dashed : Solid,
+                    view.Paint,
                     view.SigmaMetres is null ? null : (int?)view.Index,
                     VehicleRange.Points([.. view.Points.Select(point => point.World)], vehicle)
                 )
@@ -49,25 +49,56 @@ internal sealed class PaintedEdges
     /// <param name="number">The number of its boundary, by which measured paint is found; null if it has none.</param>
     public int KindOf(IReadOnlyList<Vector3D> edge, int? number)
     {
+        if (Beside(edge, number) is not { } paints)
+        {
+            return None;
+        }
+
+        int dashed = paints.Count(static paint => paint?.Style == MarkingStyle.Dashed);
+        return dashed > paints.Count - dashed ? Dashed : Solid;
+    }
+
+    /// <summary>The paint along most of an edge: the most frequent; null if less than half of the edge is painted, or it is
+    /// unknown.</summary>
+    /// <param name="edge">The edge, vehicle's frame, metres.</param>
+    public MarkingPaint? PaintOf(IReadOnlyList<Vector3D> edge) =>
+        Beside(edge, number: null)
+            ?.GroupBy(static paint => (paint?.Style, paint?.Colour))
+            .OrderByDescending(static same => same.Count())
+            .ThenBy(static same => same.Key)
+            .First()
+            .First();
+
+    /// <summary>The paint at the places of an edge that have some; null if they are less than half of all.</summary>
+    private List<MarkingPaint?>? Beside(IReadOnlyList<Vector3D> edge, int? number)
+    {
         int places = Math.Max(2, (int)Math.Ceiling(VehicleRange.LengthOf(edge) / Step));
-        var counts = new int[3];
+        var paints = new List<MarkingPaint?>();
         for (int i = 0; i < places; i++)
         {
             double at = (i + 0.5) / places * (edge.Count - 1);
-            counts[KindAt(VehicleRange.Part(edge, at, at)[0], number)]++;
+            if (IsPainted(VehicleRange.Part(edge, at, at)[0], number, out MarkingPaint? paint))
+            {
+                paints.Add(paint);
+            }
         }
 
-        return counts[Solid] + counts[Dashed] < MinShare * places ? None
-            : counts[Dashed] > counts[Solid] ? Dashed
-            : Solid;
+        return paints.Count < MinShare * places ? null : paints;
     }
 
-    private int KindAt(Vector3D place, int? number)
+    private bool IsPainted(Vector3D place, int? number, out MarkingPaint? paint)
     {
-        (int kind, double least) = (None, double.PositiveInfinity);
-        foreach ((int of, int? marked, Vector3D[] line) in _markings.Where(marking => marking.Number is null || marking.Number == number))
+        (paint, double least) = (null, double.PositiveInfinity);
+        bool isPainted = false;
+        foreach ((MarkingPaint? of, int? marked, Vector3D[] line) in _markings)
         {
-            double most = marked is null ? MaxAside : MaxAsideOfMeasured;
+            bool hasNumber = marked is not null && number is not null;
+            if (hasNumber && marked != number)
+            {
+                continue;
+            }
+
+            double most = hasNumber ? MaxAsideOfMeasured : MaxAside;
             for (int i = 1; i < line.Length; i++)
             {
                 var along = new Vector2D(line[i].X - line[i - 1].X, line[i].Y - line[i - 1].Y);
@@ -78,11 +109,14 @@ internal sealed class PaintedEdges
                 double apart = (to - (along * t)).Length;
 
                 // So far aside, a place past the end of a line would still be near it.
-                bool isPast = marked is not null && ((i == 1 && raw < 0) || (i == line.Length - 1 && raw > 1));
-                (kind, least) = apart < Math.Min(least, most) && !isPast ? (of, apart) : (kind, least);
+                bool isPast = hasNumber && ((i == 1 && raw < 0) || (i == line.Length - 1 && raw > 1));
+                if (apart < Math.Min(least, most) && !isPast)
+                {
+                    (paint, least, isPainted) = (of, apart, true);
+                }
             }
         }
 
-        return kind;
+        return isPainted;
     }
 }
