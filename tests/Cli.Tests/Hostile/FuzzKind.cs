@@ -6,6 +6,7 @@ using Harvester.Datasets.Roads;
 using Harvester.Datasets.Sharding;
 using Harvester.Datasets.Validation;
 using Harvester.Exports.Formats;
+using Harvester.Exports.Pairs;
 using Harvester.Exports.Validation;
 using Harvester.Reports.Comparison;
 using Harvester.Reports.Faces;
@@ -151,6 +152,10 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Dataset("tusimple", "tusimple", "label_data_train.json"),
         Dataset("openlane", "openlane", "lane3d/train/segment-0000/00000000.json"),
         Dataset("openlane-v2", "openlane-v2", "data_dict_gta.json"),
+        Dataset("gpudrive", "gpudrive", "train/0000_0000.json"),
+        Dataset("gpudrive-frames", "gpudrive", "frames.csv"),
+        Dataset("womd", "womd", "train.tfrecord-00000-of-00001"),
+        Dataset("womd-scenarios", "womd", "scenarios.csv"),
         Dataset("webdataset", "webdataset", "train-000000.tar"),
         Dataset("mcap", "mcap", "train/0000.mcap"),
         Dataset("bdd100k", "bdd100k", "labels/det_20/det_train.json"),
@@ -176,6 +181,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             "plan show {0}/plan.json",
             "plan resolve {0}/plan.json --out {0}/out.json"
         ),
+        new("counterfactuals", "set/counterfactuals.json", folder => ChangeSet.Read(In(folder, "set")), "pairs {0}/set --out {0}/out"),
         new("experiment-rig", "rig.json", folder => PlanFile.Read(In(folder, "plan.json")), "plan check {0}/plan.json"),
         Compared("kitti-compared", "kitti/training/label_2/000000.txt", ComparedKitti.Open, "--kitti {0}/kitti"),
         Compared("nuscenes-compared", "nuscenes/v1.0-gta/sample_annotation.json", ComparedNuScenes.Open, "--nuscenes {0}/nuscenes"),

@@ -12,10 +12,12 @@ internal static class FuzzMakers
         "harvest --out {0}/people --frames 1 --pedestrians 5 --roads {0}/straight.csv --seed 2 --size 64x48 --masks --no-report",
         .. "coco-keypoints jta".Split(' ').Select(format => $"export {{0}}/people --format {format} --out {{0}}/{format}"),
         .. DatasetFormats
-            .All.Select(format => format.Name)
-            .Except(["coco-keypoints", "jta", "openlane-v2"])
-            .Select(format => $"export {{0}}/session --format {format} --out {{0}}/{format}"),
-        "export {0}/session --format openlane-v2 --roads {0}/straight.csv --out {0}/openlane-v2",
+            .All.Where(format => !format.HasMap && format.Name is not ("coco-keypoints" or "jta"))
+            .Select(format => $"export {{0}}/session --format {format.Name} --out {{0}}/{format.Name}"),
+        "counterfactual --out {0}/set --frames 2 --places 1 --change frame_0:_weather_rain --roads {0}/straight.csv --size 64x48 --no-report",
+        .. DatasetFormats
+            .All.Where(format => format.HasMap)
+            .Select(format => $"export {{0}}/session --format {format.Name} --roads {{0}}/straight.csv --out {{0}}/{format.Name}"),
     ];
 
     /// <summary>The options with which a harvest has the maps of all channels that are one image for each frame.</summary>
