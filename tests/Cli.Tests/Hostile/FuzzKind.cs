@@ -97,7 +97,10 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             Export("csv")
         ),
         new("scene", "session/scenes/00000000.json", ValidateSession, "validate {0}/session", Relabel, MapOfSession),
-        Roads("roads", "session/scenes/roads.csv", "validate {0}/session", Relabel),
+        Roads("roads", "session/scenes/roads.csv", "validate {0}/session", Relabel) with
+        {
+            Read = ReadRoadsOfSession,
+        },
         Roads("ipl", "paths.ipl"),
         Roads("paths-xml", "paths.xml"),
         Roads("ynd", "nodes.ynd.xml"),
