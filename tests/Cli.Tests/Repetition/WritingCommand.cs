@@ -104,6 +104,8 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("export-webdataset", "export {inputs}/session --format webdataset --out {root}/out"),
         new("export-nuscenes", "export {inputs}/session --format nuscenes --out {root}/out"),
         new("export-openlane-v2", "export {inputs}/session --format openlane-v2 --roads {inputs}/roads.csv --out {root}/out"),
+        new("export-gpudrive", "export {inputs}/session --format gpudrive --roads {inputs}/roads.csv --out {root}/out"),
+        new("export-womd", "export {inputs}/session --format womd --roads {inputs}/roads.csv --out {root}/out"),
         new("export-motchallenge", "export {inputs}/session --format motchallenge --out {root}/out"),
         new("export-imagefolder", "export {inputs}/session --format imagefolder --out {root}/out"),
         new("export-shard", "export {inputs}/session --format yolo --out {root}/out --shard 1/2 --resume"),
