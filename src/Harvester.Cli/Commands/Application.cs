@@ -6,6 +6,7 @@ using Harvester.Cli.Commands.Faces;
 using Harvester.Cli.Commands.Masks;
 using Harvester.Cli.Commands.Plans;
 using Harvester.Cli.Commands.Roads;
+using Harvester.Cli.Commands.Scenarios;
 using Harvester.Cli.Commands.Tapes;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
@@ -47,6 +48,7 @@ internal static class Application
     [
         ("harvest", HarvestCommand.Create),
         ("plan", PlanCommand.Create),
+        ("scenario", ScenarioCommand.Create),
         ("contact-sheet", ContactSheetCommand.Create),
         ("drive", DriveCommand.Create),
         ("serve", ServeCommand.Create),
