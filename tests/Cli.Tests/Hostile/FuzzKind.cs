@@ -94,7 +94,10 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             Export("csv")
         ),
         new("scene", "session/scenes/00000000.json", ValidateSession, "validate {0}/session", Relabel, MapOfSession),
-        Roads("roads", "session/scenes/roads.csv", "validate {0}/session", Relabel),
+        Roads("roads", "session/scenes/roads.csv", "validate {0}/session", Relabel) with
+        {
+            Read = ReadRoadsOfSession,
+        },
         Roads("ipl", "paths.ipl"),
         Roads("paths-xml", "paths.xml"),
         Roads("ynd", "nodes.ynd.xml"),
@@ -179,6 +182,14 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             "plan resolve {0}/plan.json --out {0}/out.json"
         ),
         new("counterfactuals", "set/counterfactuals.json", folder => ChangeSet.Read(In(folder, "set")), "pairs {0}/set --out {0}/out"),
+        new(
+            "scenario",
+            "scenario.json",
+            folder => PlanFile.Read(In(folder, "staged.json")),
+            "scenario check {0}/scenario.json",
+            "scenario show {0}/scenario.json",
+            "plan check {0}/staged.json"
+        ),
         new("experiment-rig", "rig.json", folder => PlanFile.Read(In(folder, "plan.json")), "plan check {0}/plan.json"),
         Compared("kitti-compared", "kitti/training/label_2/000000.txt", ComparedKitti.Open, "--kitti {0}/kitti"),
         Compared("nuscenes-compared", "nuscenes/v1.0-gta/sample_annotation.json", ComparedNuScenes.Open, "--nuscenes {0}/nuscenes"),

@@ -10,6 +10,7 @@ using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
+using Harvester.Reports.Viewing;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
@@ -28,6 +29,13 @@ internal static class FuzzReads
     {
         ValidateSession(folder);
         SessionStatistics.Of(new SessionReader(In(folder, "session")).ReadLabels());
+        ViewFrames(folder);
+    }
+
+    public static void ReadRoadsOfSession(string folder)
+    {
+        RoadImporter.Import(In(folder, "session/scenes/roads.csv"));
+        ViewFrames(folder);
     }
 
     public static void ReadPeople(string folder)
@@ -62,6 +70,16 @@ internal static class FuzzReads
         var observer = new LaneObserver(new RoadCurves(network), new LaneModel(network), LookAhead.Thesis);
         TrafficVehicle[] vehicles = LanesCommand.ReadVehicles(new FileInfo(In(folder, "vehicles.csv")));
         LanesCommand.TextOf(observer.Observe(Vector3D.Zero, headingDegrees: 0, speed: 10, length: 4.5, vehicles, previous: null));
+    }
+
+    /// <summary>As the viewer shows them, with the lanes around the ego.</summary>
+    private static void ViewFrames(string folder)
+    {
+        using var view = new SessionView(new SessionReader(In(folder, "session")));
+        for (int frame = 0; frame < view.Frames; frame++)
+        {
+            view.Frame(frame);
+        }
     }
 
     public static string In(string folder, string name) => Path.Combine(folder, name);
