@@ -99,7 +99,7 @@ public sealed class CounterfactualCommandTests : IDisposable
         return labels[0]
             .Objects.First(item =>
                 item.Velocity is { Length: > 1 }
-                && item.VehicleId is null
+                && item.Vehicle is null
                 && VehicleClasses.AreVehicles(item.Class)
                 && labels.All(label => label.Objects.Any(other => other.Id == item.Id))
             )
