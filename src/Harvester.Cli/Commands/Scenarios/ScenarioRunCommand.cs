@@ -62,6 +62,9 @@ internal sealed class ScenarioRunCommand
             DefaultValueFactory = _ => "on",
         };
 
+    private Option<bool> Crashes { get; } =
+        new("--crashes") { Description = "Let vehicles brake only as hard as tyres allow, and collide; otherwise they stop at once" };
+
     private Option<ImageSize> Size { get; } = WithDefault(CameraOptions.SizeOfHarvest(), new ImageSize(800, 600));
     private Option<ImageFormat?> Format { get; } = ImageFormatOption.Format("Image format: png, bmp or jpg (lossy) [default: png]");
     private Option<int?> Quality { get; } = ImageFormatOption.Quality();
@@ -96,6 +99,7 @@ internal sealed class ScenarioRunCommand
             Roads,
             Near,
             Brake,
+            Crashes,
             Size,
             Format,
             Quality,
@@ -163,7 +167,7 @@ internal sealed class ScenarioRunCommand
             },
         };
         ImageFormat format = parsed.GetValue(Format) ?? ImageFormat.Png;
-        HarvestPlan plan = ScenarioHarvest.Of(
+        HarvestPlan ordinary = ScenarioHarvest.Of(
             planned,
             folder,
             new HarvestOptions
@@ -176,8 +180,10 @@ internal sealed class ScenarioRunCommand
             },
             parsed.GetValue(Roads)?.FullName,
             parsed.GetValue(Near)
-        ) with
+        );
+        HarvestPlan plan = ordinary with
         {
+            Variety = ordinary.Variety with { HasCrashes = parsed.GetValue(Crashes) },
             Overwrite = parsed.GetValue(Overwrite),
             Resume = parsed.GetValue(Resume),
             Weather = Moment.Weather(parsed),
