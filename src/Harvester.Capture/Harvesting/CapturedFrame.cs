@@ -1,5 +1,6 @@
 using Harvester.Capture.Labelling;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
@@ -46,6 +47,9 @@ public sealed class CapturedFrame : IDisposable
 
     /// <summary>The scene from which its labels were made; null if scenes are not recorded.</summary>
     public RecordedScene? Scene { get; init; }
+
+    /// <summary>The events that have ended since the frame before; all their frames come before this one.</summary>
+    public IReadOnlyList<DrivingEvent> EndedEvents { get; init; } = [];
 
     /// <summary>What one channel has found; null if that is nothing.</summary>
     public T? Part<T>()

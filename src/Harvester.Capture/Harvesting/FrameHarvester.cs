@@ -1,3 +1,4 @@
+using Harvester.Capture.Events;
 using Harvester.Capture.Labelling;
 using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
@@ -21,6 +22,9 @@ internal sealed class FrameHarvester(
     private readonly PictureQueue _drawing = new(options.Pairs.IsAny ? 0 : Math.Max(PictureQueue.UsualCapacity, options.ViewsPerMoment));
     private CapturedFrame? _ready;
 
+    /// <summary>Finds the events; null if they are not recorded.</summary>
+    public EventRecorder? Events { get; init; }
+
     /// <summary>Watches the pictures of a single camera; null for a rig.</summary>
     public PictureWatch? Watch { get; init; }
 
@@ -34,6 +38,7 @@ internal sealed class FrameHarvester(
             flow.Taken[0].Draft.Motion = samples;
         }
 
+        AddEvents();
         foreach (TakenFrame frame in flow.Taken)
         {
             _drawing.Add(sink.FirstFrame + counters.Taken, frame);
@@ -74,6 +79,25 @@ internal sealed class FrameHarvester(
             _ready?.Dispose();
             _ready = null;
             _drawing.Dispose();
+        }
+    }
+
+    private void AddEvents()
+    {
+        if (Events is null || flow.TakenSeconds is not { } seconds)
+        {
+            return;
+        }
+
+        Events.Note(sink.FirstFrame + counters.Taken, options.ViewsPerMoment, seconds);
+        if (flow.Taken.Count > 0)
+        {
+            TakenEvents events = Events.TakeAt(seconds);
+            flow.Taken[0].Draft.EndedEvents = events.Ended;
+            foreach (TakenFrame frame in flow.Taken)
+            {
+                frame.Draft.Events = events.Open;
+            }
         }
     }
 
@@ -118,6 +142,7 @@ internal sealed class FrameHarvester(
             return new CapturedFrame(draft.Label(number, options.Format, options.Places), picture, grabbed.Pool)
             {
                 Mask = draft.Mask,
+                EndedEvents = draft.EndedEvents,
                 Parts = draft.Parts,
                 Files = [.. draft.Parts.SelectMany(part => part.FilesIn(key))],
                 Folders = [.. draft.Parts.Select(part => part.FolderIn(key)).OfType<string>()],

@@ -1,5 +1,6 @@
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Jpeg;
@@ -172,6 +173,9 @@ public sealed record HarvestOptions : LabellingOptions
         get => field || Rig is not null;
         init;
     }
+
+    /// <summary>How events are found; null (default) to find none.</summary>
+    public EventOptions? Events { get; init; }
 
     /// <summary>When the session's writer waits for the disk; the bytes of the session do not depend on it.</summary>
     public SyncMode Sync { get; init; } = SyncMode.Batch;

@@ -1,4 +1,5 @@
 using Harvester.Capture.Calibration;
+using Harvester.Capture.Events;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
@@ -33,6 +34,7 @@ public sealed class HarvestSession : IDisposable
     private double _timeSeconds;
     private bool _opened;
     private CaptureFlows? _flows;
+    private EventRecorder? _events;
     private IReadOnlyList<CaptureFault> _unchecked = [];
     private HarvestPhase _phase = HarvestPhase.Waiting;
 
@@ -160,6 +162,7 @@ public sealed class HarvestSession : IDisposable
                 Calls.Charge(HarvestPhase.Waiting);
             }
 
+            ObserveEvents();
             if (_run.Advance())
             {
                 _phase = (HarvestPhase)_run.Phase!.Value;
@@ -180,6 +183,27 @@ public sealed class HarvestSession : IDisposable
         }
 
         return Status;
+    }
+
+    /// <summary>
+    /// Looks for events, in a tick without a step: for those who step the harvest only for its frames. Nothing is done before the first
+    /// frame is due, and without <see cref="HarvestOptions.Events"/>.
+    /// </summary>
+    public void Observe()
+    {
+        try
+        {
+            if (!Status.IsOver)
+            {
+                ObserveEvents();
+            }
+        }
+#pragma warning disable CA1031 // As in Step.
+        catch (Exception exception)
+#pragma warning restore CA1031
+        {
+            Fail(exception);
+        }
     }
 
     /// <summary>Ends the harvest, resumes the game and closes the sink. An unfinished frame is dropped. Further calls do nothing.</summary>
@@ -233,7 +257,10 @@ public sealed class HarvestSession : IDisposable
         _unchecked = [.. warnings.OfType<CaptureFault>()];
         CaptureFlows flows = _flows = new CaptureFlows(_options, _game, reader, pool, _budget, Counters, Calls) { NextLag = NextLag };
         ICaptureFlow flow = flows.For(_sink, Lag);
-        using var frames = new FrameHarvester(_options, _sink, flow, Counters, _motion) { Watch = _watch };
+        _events = _options.Events is { } events
+            ? new EventRecorder(events, _game.World, entity => flows.Registry!.IdOf(entity), _sink.FirstEventId)
+            : null;
+        using var frames = new FrameHarvester(_options, _sink, flow, Counters, _motion) { Watch = _watch, Events = _events };
         if (Tour is { } tour)
         {
             yield return WorkStep.Do(new TourHarvester(tour, frames, Counters).Run());
@@ -260,6 +287,15 @@ public sealed class HarvestSession : IDisposable
             }
 
             yield return HarvestPhase.Waiting.Tick();
+        }
+    }
+
+    private void ObserveEvents()
+    {
+        if (_opened && _events is not null)
+        {
+            _events.Observe();
+            Calls.Charge(HarvestPhase.Waiting);
         }
     }
 
@@ -366,6 +402,7 @@ public sealed class HarvestSession : IDisposable
                 new SessionEnd(_gameFrame, _timeSeconds, Counters.Captured, [.. Counters.Discards], [.. Counters.SettleTicks], Lag, Fault)
                 {
                     Reading = _game.Reading?.Report,
+                    Events = _options.Events is null ? null : _events?.Finish(_sink.FirstFrame + Counters.Captured - 1) ?? [],
                     MaskComparison = MaskComparison,
                     PictureWarning = _watch?.Warning,
                     MaskWarning = _flows?.Photographer?.Warning?.Message,

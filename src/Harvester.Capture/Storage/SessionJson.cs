@@ -154,6 +154,17 @@ internal static class SessionJson
             json.Key("motion").Boolean(true);
         }
 
+        if (options.Events is { } events)
+        {
+            json.Key("events")
+                .BeginObject()
+                .Key("rateHz")
+                .Number(events.RateHz, LabelDecimals.Seconds)
+                .Key("rangeMetres")
+                .Number(events.RangeMetres, LabelDecimals.Metres)
+                .EndObject();
+        }
+
         json.Key("semantics")
             .String(options.Semantics is { } semantics ? JsonName.Of(semantics) : null)
             .Key("scenes")

@@ -111,6 +111,9 @@ public sealed class SessionWriter : IFrameSink
     /// <inheritdoc />
     public int FirstObjectId => Replays ? 1 : _before.MaxObjectId + 1;
 
+    /// <inheritdoc />
+    public int FirstEventId => Replays ? 1 : _before.MaxEventId + 1;
+
     /// <summary>Frames of the session whose label lines are written, including those of earlier runs.</summary>
     public int FramesWritten => _before.Frames + (_store?.Committed ?? 0);
 
@@ -143,7 +146,8 @@ public sealed class SessionWriter : IFrameSink
             start.Options.Sync,
             new PictureEncoder(start.Options.Format, start.Options.JpegQuality),
             KeepsManifest,
-            start.Options.ViewsPerMoment
+            start.Options.ViewsPerMoment,
+            Replays ? _before.Events : 0
         );
         _space = new SpaceWatch(Folder, start.Options.MinFreeBytes, _disk);
         // The pictures of one moment may take more memory than all other frames in the queue.
@@ -247,6 +251,11 @@ public sealed class SessionWriter : IFrameSink
             throw new IOException("it was recorded with other options; resume it with the same ones, or name another directory.");
         }
 
+        if (Replays)
+        {
+            _before.CutEvents(Folder);
+        }
+
         foreach (string folder in FoldersOf(_start!.Options))
         {
             _files.MakeFolder(folder);
@@ -290,6 +299,11 @@ public sealed class SessionWriter : IFrameSink
 
     private void Finish(SessionEnd end)
     {
+        if (end.Events is { } events)
+        {
+            _store!.FinishEvents(events);
+        }
+
         WriteHeader(end);
         int last = _store!.LastCommitted;
         _store.TidyManifest(frame => frame <= _before.LastFrame || frame <= last, keepsReplaced: false);

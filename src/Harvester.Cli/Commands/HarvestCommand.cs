@@ -127,6 +127,8 @@ internal sealed class HarvestCommand
     private Option<bool> Motion { get; } =
         new("--motion") { Description = "Record the motion of the vehicle at every tick between frames; always recorded with --rig" };
 
+    private EventChoice EventsOf { get; } = new();
+
     private Option<bool> NoScenes { get; } =
         new("--no-scenes") { Description = "Do not write scenes; the session cannot be relabelled then" };
     private Option<double> Range { get; } =
@@ -229,6 +231,7 @@ internal sealed class HarvestCommand
         Variety.AddTo(command);
         LensOf.AddTo(command);
         RigOf.AddTo(command);
+        EventsOf.AddTo(command);
         PairsOf.AddTo(command);
         HelpWithNotes.AddTo(command, Notes, OptionGroups.OfHarvest);
         command.SetAction(
@@ -305,6 +308,7 @@ internal sealed class HarvestCommand
             FreezeBy = FreezeOption.Parse(parsed.GetRequiredValue(FreezeBy)),
             Scenes = !parsed.GetValue(NoScenes),
             Motion = parsed.GetValue(Motion),
+            Events = EventsOf.Parse(parsed),
             Sync = parsed.GetValue(Sync),
             MinFreeBytes = MinFreeOption.BytesIn(parsed, MinFree),
             Pairs = PairsOf.Parse(parsed),

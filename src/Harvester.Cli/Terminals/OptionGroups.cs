@@ -45,7 +45,7 @@ internal static class OptionGroups
             ]
         ),
         new("Objects", ["--classes", "--range", "--ignore-range", "--spaces", "--true-occlusion", "--rays", "--ray-reach"]),
-        new("Further data", ["--masks", "--semantics", "--materials", .. Switches, "--motion", "--no-scenes"]),
+        new("Further data", ["--masks", "--semantics", "--materials", .. Switches, "--motion", "--events", "--no-scenes"]),
         new("Lanes", ["--look-ahead", "--paint", "--lane-width", "--narrow-lane-width"]),
         new("Pairs of pictures", ["--pair-weathers", "--pair-hours", "--pair-without", "--pair-ticks"]),
         new("Faults of the game", ["--quirks", "--freeze", "--max-picture-lag", "--max-camera-error"]),
