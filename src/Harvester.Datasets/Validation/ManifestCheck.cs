@@ -65,7 +65,7 @@ internal sealed class ManifestCheck : IDisposable
             );
         }
 
-        string[] known = [SessionInfo.FileName, FramePaths.Roads, FramePaths.Faces];
+        string[] known = [SessionInfo.FileName, FramePaths.Roads, FramePaths.Faces, .. isClosed ? [FramePaths.Events] : (string[])[]];
         foreach (string name in known.Where(name => !_manifest.Files.ContainsKey(name) && File.Exists(_session.PathOf(name))))
         {
             yield return new SessionProblem(name, null, $"it has no intact line in {Manifest.FileName}.");

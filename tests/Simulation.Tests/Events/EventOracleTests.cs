@@ -1,0 +1,66 @@
+using Harvester.Sessions.Events;
+using Xunit.Abstractions;
+
+namespace Harvester.Simulation.Tests.Events;
+
+/// <summary>
+/// Precision and recall of the events against an oracle, on drives that provoke them. The seeds were not used while the detection was
+/// built; 1 to 4 were.
+/// </summary>
+public class EventOracleTests(ITestOutputHelper output)
+{
+    private const double Seconds = 60;
+    private const double Required = 0.98;
+    private const double Tick = 1.0 / 60;
+
+    [Fact]
+    [Trait("Category", "Heavy")]
+    public void Events_are_those_of_the_oracle()
+    {
+        var found = new Dictionary<EventKind, (int Detected, int True, int Right, int Recalled)>();
+        foreach (int seed in Enumerable.Range(7001, 6))
+        {
+            ProvokedDrive drive = ProvokedDrive.Of(seed, Seconds);
+            List<TrueEvent> truth = new EventOracle(drive.Truth).Find();
+            foreach (EventKind kind in new[] { EventKind.NearMiss, EventKind.HardBraking, EventKind.Collision })
+            {
+                List<TrueEvent> expected = truth.FindAll(each => each.Kind == kind);
+                List<TrueEvent> detected = [.. drive.Events.Where(each => each.Kind == kind).Select(drive.WithHandles)];
+                (int Detected, int True, int Right, int Recalled) sum = found.GetValueOrDefault(kind);
+                found[kind] = (
+                    sum.Detected + detected.Count,
+                    sum.True + expected.Count,
+                    sum.Right + detected.Count(each => expected.Exists(other => AreSame(each, other))),
+                    sum.Recalled + expected.Count(each => detected.Exists(other => AreSame(each, other)))
+                );
+            }
+        }
+
+        foreach ((EventKind kind, (int detected, int expected, int right, int recalled)) in found)
+        {
+            output.WriteLine($"{kind}: {detected} detected, {right} of them right; {expected} true, {recalled} of them found");
+            Assert.True(expected >= 10, $"only {expected} {kind}");
+            Assert.True(right >= Required * detected, $"precision of {kind}");
+            Assert.True(recalled >= Required * expected, $"recall of {kind}");
+        }
+    }
+
+    [Fact]
+    [Trait("Category", "Heavy")]
+    public void Collisions_are_those_of_the_geometry_at_the_same_tick()
+    {
+        foreach (int seed in Enumerable.Range(7101, 3))
+        {
+            ProvokedDrive drive = ProvokedDrive.Of(seed, Seconds);
+            TrueEvent[] expected = [.. new EventOracle(drive.Truth).Find().Where(each => each.Kind == EventKind.Collision).Order()];
+            TrueEvent[] detected = [.. drive.Events.Where(each => each.Kind == EventKind.Collision).Select(drive.WithHandles).Order()];
+
+            Assert.NotEmpty(expected);
+            Assert.Equal(expected, detected);
+        }
+    }
+
+    /// <summary>Whether two events have the same kind and participants, and begin and end within a tick of each other.</summary>
+    private static bool AreSame(TrueEvent a, TrueEvent b) =>
+        (a.First, a.Second) == (b.First, b.Second) && Math.Abs(a.Begin - b.Begin) <= Tick * 1.01 && Math.Abs(a.End - b.End) <= Tick * 1.01;
+}
