@@ -59,19 +59,24 @@ internal sealed class EventRecorder(EventOptions options, IWorld world, Func<Ent
     /// <param name="seconds">The game's time that it shows, seconds.</param>
     public TakenEvents TakeAt(double seconds)
     {
-        EventMark[] open =
+        EventSpan[] open =
         [
             .. _detector
                 .Book.Open.Where(each => each.Begin <= seconds + TimeTolerance)
-                .Select(static each => each.Mark)
+                .Select(static each => new EventSpan(each.Mark.Id, each.Mark.Kind, each.Begin, double.PositiveInfinity))
                 .Concat(
                     _detector
                         .Book.Closed.Where(each =>
                             each.ClosedSeconds > seconds + TimeTolerance && each.Event.BeginSeconds <= seconds + TimeTolerance
                         )
-                        .Select(static each => new EventMark(each.Event.Id, each.Event.Kind))
+                        .Select(static each => new EventSpan(
+                            each.Event.Id,
+                            each.Event.Kind,
+                            each.Event.BeginSeconds,
+                            double.PositiveInfinity
+                        ))
                 )
-                .OrderBy(static mark => mark.Id),
+                .OrderBy(static span => span.Id),
         ];
         DrivingEvent[] ended =
         [

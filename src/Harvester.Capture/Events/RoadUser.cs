@@ -80,7 +80,9 @@ internal sealed class RoadUser
         return true;
     }
 
-    /// <summary>Horizontal speed at a time, m/s, between two readings by their mean weighted by time; null before the oldest reading.</summary>
+    /// <summary>
+    /// Horizontal speed at a time, m/s, between two readings by their mean weighted by time; null before the oldest reading.
+    /// </summary>
     public double? SpeedAt(double seconds)
     {
         for (int i = _readings.Count - 1; i >= 0; i--)

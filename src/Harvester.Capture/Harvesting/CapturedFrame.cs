@@ -1,3 +1,4 @@
+using Harvester.Capture.Events;
 using Harvester.Capture.Labelling;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Events;
@@ -49,7 +50,10 @@ public sealed class CapturedFrame : IDisposable
     public RecordedScene? Scene { get; init; }
 
     /// <summary>The events that have ended since the frame before; all their frames come before this one.</summary>
-    public IReadOnlyList<DrivingEvent> EndedEvents { get; init; } = [];
+    public IReadOnlyList<DrivingEvent> EndedEvents { get; internal set; } = [];
+
+    /// <summary>The events that are open at its moment or have ended since the frame before, with their times.</summary>
+    internal IReadOnlyList<EventSpan> Events { get; init; } = [];
 
     /// <summary>What one channel has found; null if that is nothing.</summary>
     public T? Part<T>()
@@ -57,6 +61,9 @@ public sealed class CapturedFrame : IDisposable
 
     /// <summary>Adds to the label what is known only later: the action that answered the frame, and the motion up to the frame.</summary>
     public void Attach(DriveLabel drive, IReadOnlyList<MotionSample> motion) => Label = Label with { Drive = drive, Motion = motion };
+
+    /// <summary>Adds events that ended before its own, which an earlier frame had that was dropped.</summary>
+    internal void Bring(IReadOnlyList<DrivingEvent> earlier) => EndedEvents = [.. earlier, .. EndedEvents];
 
     /// <inheritdoc />
     public void Dispose()

@@ -22,6 +22,9 @@ internal sealed class FrameHarvester(
     private readonly PictureQueue _drawing = new(options.Pairs.IsAny ? 0 : Math.Max(PictureQueue.UsualCapacity, options.ViewsPerMoment));
     private CapturedFrame? _ready;
 
+    /// <summary>Holds frames back until it is known whether they are kept; null if all are.</summary>
+    public FrameKeeper? Keeper { get; init; }
+
     /// <summary>Finds the events; null if they are not recorded.</summary>
     public EventRecorder? Events { get; init; }
 
@@ -65,6 +68,9 @@ internal sealed class FrameHarvester(
             yield return HarvestPhase.WaitingForSink.Tick();
             yield return WorkStep.Do(HandOver());
         }
+
+        Keeper?.IsEnding = true;
+        yield return WorkStep.Do(HandOverReady());
     }
 
     /// <inheritdoc />
@@ -72,12 +78,13 @@ internal sealed class FrameHarvester(
     {
         try
         {
-            while ((_ready is not null || _drawing.Count > 0) && TryHandOver()) { }
+            while ((HasReady() && TryHandOver()) || (_ready is null && HasMore())) { }
         }
         finally
         {
             _ready?.Dispose();
             _ready = null;
+            Keeper?.Dispose();
             _drawing.Dispose();
         }
     }
@@ -96,24 +103,82 @@ internal sealed class FrameHarvester(
             flow.Taken[0].Draft.EndedEvents = events.Ended;
             foreach (TakenFrame frame in flow.Taken)
             {
-                frame.Draft.Events = events.Open;
+                frame.Draft.Events = events.Marks;
+                frame.Draft.Spans = events.Spans;
             }
         }
     }
 
     private IEnumerable<WorkStep> HandOver()
     {
-        while (!TryHandOver())
+        Draw();
+        yield return WorkStep.Do(HandOverReady());
+    }
+
+    private IEnumerable<WorkStep> HandOverReady()
+    {
+        while (HasReady())
         {
-            counters.TicksWaitedForSink++;
-            yield return HarvestPhase.WaitingForSink.Tick();
+            while (!TryHandOver())
+            {
+                counters.TicksWaitedForSink++;
+                yield return HarvestPhase.WaitingForSink.Tick();
+            }
+
+            if (Keeper is { IsEnding: true })
+            {
+                yield return HarvestPhase.WaitingForSink.Tick();
+            }
         }
+    }
+
+    /// <summary>Takes the oldest drawn frame over.</summary>
+    private void Draw()
+    {
+        CapturedFrame oldest = OldestFrame();
+        if (Keeper is null)
+        {
+            _ready = oldest;
+        }
+        else
+        {
+            Keeper.Add(oldest);
+        }
+    }
+
+    /// <summary>At the end: takes over the next drawn frame, or decides the frames that are held back.</summary>
+    private bool HasMore()
+    {
+        if (_drawing.Count > 0)
+        {
+            Draw();
+            return true;
+        }
+
+        if (Keeper is null or { IsEnding: true })
+        {
+            return false;
+        }
+
+        Keeper.IsEnding = true;
+        return true;
+    }
+
+    private bool HasReady()
+    {
+        if (_ready is null && Keeper is not null)
+        {
+            int before = Keeper.Dropped;
+            _ready = Keeper.Next();
+            counters.Captured += Keeper.Dropped - before;
+        }
+
+        return _ready is not null;
     }
 
     private bool TryHandOver()
     {
-        _ready ??= OldestFrame();
-        if (!sink.TryEnqueue(_ready))
+        if (!sink.TryEnqueue(_ready!))
         {
             return false;
         }
@@ -143,6 +208,7 @@ internal sealed class FrameHarvester(
             {
                 Mask = draft.Mask,
                 EndedEvents = draft.EndedEvents,
+                Events = draft.Spans,
                 Parts = draft.Parts,
                 Files = [.. draft.Parts.SelectMany(part => part.FilesIn(key))],
                 Folders = [.. draft.Parts.Select(part => part.FolderIn(key)).OfType<string>()],

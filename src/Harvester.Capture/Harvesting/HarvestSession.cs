@@ -35,6 +35,7 @@ public sealed class HarvestSession : IDisposable
     private bool _opened;
     private CaptureFlows? _flows;
     private EventRecorder? _events;
+    private FrameKeeper? _keeper;
     private IReadOnlyList<CaptureFault> _unchecked = [];
     private HarvestPhase _phase = HarvestPhase.Waiting;
 
@@ -68,6 +69,11 @@ public sealed class HarvestSession : IDisposable
                 "A rig needs a game that is frozen for each moment and lets its camera move, and masks from rays.",
                 nameof(options)
             );
+        }
+
+        if (options.KeepProblem is { } keeping)
+        {
+            throw new ArgumentException(keeping, nameof(options));
         }
 
         if (CaptureChannels.ProblemFor(options, game) is { } problem)
@@ -260,7 +266,13 @@ public sealed class HarvestSession : IDisposable
         _events = _options.Events is { } events
             ? new EventRecorder(events, _game.World, entity => flows.Registry!.IdOf(entity), _sink.FirstEventId)
             : null;
-        using var frames = new FrameHarvester(_options, _sink, flow, Counters, _motion) { Watch = _watch, Events = _events };
+        _keeper = _options.Events is { KeepAroundSeconds: { } around } keeping ? new FrameKeeper(around, keeping.KeepKinds) : null;
+        using var frames = new FrameHarvester(_options, _sink, flow, Counters, _motion)
+        {
+            Watch = _watch,
+            Events = _events,
+            Keeper = _keeper,
+        };
         if (Tour is { } tour)
         {
             yield return WorkStep.Do(new TourHarvester(tour, frames, Counters).Run());
@@ -402,7 +414,9 @@ public sealed class HarvestSession : IDisposable
                 new SessionEnd(_gameFrame, _timeSeconds, Counters.Captured, [.. Counters.Discards], [.. Counters.SettleTicks], Lag, Fault)
                 {
                     Reading = _game.Reading?.Report,
-                    Events = _options.Events is null ? null : _events?.Finish(_sink.FirstFrame + Counters.Captured - 1) ?? [],
+                    Events = _options.Events is null
+                        ? null
+                        : [.. _keeper?.TakeCarried() ?? [], .. _events?.Finish(_sink.FirstFrame + Counters.Captured - 1) ?? []],
                     MaskComparison = MaskComparison,
                     PictureWarning = _watch?.Warning,
                     MaskWarning = _flows?.Photographer?.Warning?.Message,

@@ -1,3 +1,4 @@
+using Harvester.Capture.Events;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
@@ -61,6 +62,9 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
 
     /// <summary>The events that have ended since the frame before; empty in all but the first view of a moment.</summary>
     public IReadOnlyList<DrivingEvent> EndedEvents { get; set; } = [];
+
+    /// <summary>The events that are open at its moment or have ended since the frame before, with their times.</summary>
+    public IReadOnlyList<EventSpan> Spans { get; set; } = [];
 
     /// <summary>The ids of the entities that have one, by handle.</summary>
     public IReadOnlyDictionary<int, int> Ids { get; set; } = new Dictionary<int, int>();

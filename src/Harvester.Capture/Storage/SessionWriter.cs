@@ -106,7 +106,7 @@ public sealed class SessionWriter : IFrameSink
     public bool IsSpaceLow => _isSpaceLow;
 
     /// <inheritdoc />
-    public int FirstFrame => Replays ? 0 : _before.Frames;
+    public int FirstFrame => Replays ? 0 : Math.Max(_before.Frames, _before.LastFrame + 1);
 
     /// <inheritdoc />
     public int FirstObjectId => Replays ? 1 : _before.MaxObjectId + 1;

@@ -283,7 +283,7 @@ internal sealed class HarvestCommand
     {
         ImageFormat format = parsed.GetValue(Format) ?? ImageFormat.Png;
         MaskMethod? masks = MaskOption.Parse(parsed, Masks, isWhole: parsed.GetValue(ShardOf).Count == 1 && !parsed.GetValue(Resume));
-        return new HarvestOptions
+        var options = new HarvestOptions
         {
             Image = parsed.GetValue(Size),
             Format = format,
@@ -313,6 +313,7 @@ internal sealed class HarvestCommand
             MinFreeBytes = MinFreeOption.BytesIn(parsed, MinFree),
             Pairs = PairsOf.Parse(parsed),
         };
+        return options.KeepProblem is { } problem ? throw new UsageException(problem) : options;
     }
 
     private static bool IsDistance(double value) => value is > 0 and <= MaxRange;

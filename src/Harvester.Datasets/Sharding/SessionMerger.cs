@@ -136,8 +136,8 @@ public static class SessionMerger
         if (Array.FindIndex(events, each => each != events[0]) is var other and > 0)
         {
             throw new DatasetFormatException(
-                $"'{sources[other].Session.Folder}' and '{sources[0].Session.Folder}' have different {FramePaths.Events}, which each shard has "
-                    + "of the whole session. Run 'harvester validate', and harvest the damaged one again."
+                $"'{sources[other].Session.Folder}' and '{sources[0].Session.Folder}' have different {FramePaths.Events}, which each "
+                    + "shard has of the whole session. Run 'harvester validate', and harvest the damaged one again."
             );
         }
     }

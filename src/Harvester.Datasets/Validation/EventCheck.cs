@@ -20,7 +20,7 @@ internal sealed class EventCheck
     /// <summary>Times are written with six decimals, seconds.</summary>
     private const double TimeTolerance = 1e-6;
 
-    /// <summary>Time after its end for which an event stays open, and the longest time between two readings, seconds: docs/events.md.</summary>
+    /// <summary>Time after its end for which an event stays open, and the longest time between readings, seconds: docs/events.md.</summary>
     private const double HoldSeconds = 1;
     private const double LongestReading = 1;
 
@@ -158,7 +158,7 @@ internal sealed class EventCheck
             yield return "firstFrame and lastFrame must be in this order, or both null.";
         }
 
-        int expected = happened.Kind is EventKind.NearMiss or EventKind.Collision or EventKind.CutIn ? 2 : 1;
+        int expected = happened.Kind is EventKind.NearMiss or EventKind.Collision ? 2 : 1;
         if (happened.Participants.Count != expected)
         {
             yield return $"{JsonName.Of(happened.Kind)} has {expected} participants, not {happened.Participants.Count}.";

@@ -3,6 +3,7 @@ using Harvester.Capture.Labelling;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 using Harvester.Runs.Harvesting;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Plans;
 using Harvester.Sessions.Rigs;
 using Harvester.Simulation.Settings;
@@ -39,6 +40,7 @@ public static class TrialPlan
                 RangeMetres = RangeMetres,
                 Masks = plan.Masks != PlanMasks.Off,
                 MaskMethod = plan.Masks == PlanMasks.Coded ? MaskMethod.Coded : MaskMethod.Rays,
+                Events = plan.Events ? new EventOptions() : null,
                 MaxCalibrationErrorPixels = 1,
                 Sync = disk.Sync,
                 MinFreeBytes = disk.MinFreeBytes,

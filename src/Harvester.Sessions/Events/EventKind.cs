@@ -11,19 +11,4 @@ public enum EventKind
 
     /// <summary>The footprints of two road users touched.</summary>
     Collision,
-
-    /// <summary>Another vehicle entered the lane of the ego shortly ahead of it.</summary>
-    CutIn,
-
-    /// <summary>A vehicle passed a stop line at a red light.</summary>
-    RedLightRun,
-
-    /// <summary>A vehicle passed a stop sign without having stopped.</summary>
-    StopSignRun,
-
-    /// <summary>The ego left its lanes.</summary>
-    OffRoad,
-
-    /// <summary>A vehicle drove against the direction of its lane.</summary>
-    WrongWay,
 }

@@ -17,19 +17,4 @@ public static class EventMeasures
 
     /// <summary>Speed at the end of the window, m/s.</summary>
     public const string SpeedAfter = "speedAfter";
-
-    /// <summary>Distance between footprints, metres.</summary>
-    public const string Gap = "gapMetres";
-
-    /// <summary>Time that the follower takes for the gap at its speed, seconds.</summary>
-    public const string Headway = "headwaySeconds";
-
-    /// <summary>Speed, m/s.</summary>
-    public const string Speed = "speed";
-
-    /// <summary>Greatest distance beyond the lanes, metres.</summary>
-    public const string Beyond = "beyondMetres";
-
-    /// <summary>Angle to the direction of the lane, degrees.</summary>
-    public const string Angle = "angleDegrees";
 }
