@@ -266,6 +266,7 @@ public sealed class HarvestSession : IDisposable
         _events = _options.Events is { } events
             ? new EventRecorder(events, _game.World, entity => flows.Registry!.IdOf(entity), _sink.FirstEventId)
             : null;
+        ObserveEvents();
         _keeper = _options.Events is { KeepAroundSeconds: { } around } keeping ? new FrameKeeper(around, keeping.KeepKinds) : null;
         using var frames = new FrameHarvester(_options, _sink, flow, Counters, _motion)
         {

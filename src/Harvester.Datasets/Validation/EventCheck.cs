@@ -15,7 +15,10 @@ namespace Harvester.Datasets.Validation;
 internal sealed class EventCheck
 {
     /// <summary>Events that are read at most; a recording of weeks has fewer.</summary>
-    private const int MaxEvents = 1_000_000;
+    private const int MaxEvents = 200_000;
+
+    /// <summary>Events that last at once at most; a street has fewer road users.</summary>
+    private const int MaxAtOnce = 10_000;
 
     /// <summary>Times are written with six decimals, seconds.</summary>
     private const double TimeTolerance = 1e-6;
@@ -28,8 +31,8 @@ internal sealed class EventCheck
     private const string SimulatedGame = "simulation";
 
     private readonly List<SessionProblem> _problems = [];
-    private readonly SortedList<double, List<(DrivingEvent Event, int Line)>> _waiting = [];
-    private readonly List<(DrivingEvent Event, int Line)> _near = [];
+    private readonly PriorityQueue<DrivingEvent, double> _waiting = new();
+    private readonly List<DrivingEvent> _near = [];
     private readonly Dictionary<int, (DrivingEvent Event, int Line)> _events = [];
     private readonly Dictionary<int, (int First, int Last)> _frames = [];
     private readonly HashSet<int> _marked = [];
@@ -121,12 +124,7 @@ internal sealed class EventCheck
                     Add(line.Number, problem);
                 }
 
-                if (!_waiting.TryGetValue(happened.BeginSeconds, out var begun))
-                {
-                    _waiting.Add(happened.BeginSeconds, begun = []);
-                }
-
-                begun.Add((happened, line.Number));
+                _waiting.Enqueue(happened, happened.BeginSeconds);
             }
         }
     }
@@ -257,16 +255,23 @@ internal sealed class EventCheck
     /// <summary>Compares the marks with the events that last at the time of the frame.</summary>
     private IEnumerable<string> TimeProblems(FrameLabel label)
     {
-        while (_waiting.Count > 0 && _waiting.Keys[0] <= label.TimeSeconds + TimeTolerance)
+        while (_waiting.TryPeek(out DrivingEvent? next, out double begin) && begin <= label.TimeSeconds + TimeTolerance)
         {
-            _near.AddRange(_waiting.Values[0]);
-            _waiting.RemoveAt(0);
+            _near.Add(next);
+            _waiting.Dequeue();
         }
 
-        _near.RemoveAll(each => each.Event.EndSeconds < label.TimeSeconds - TimeTolerance);
+        _near.RemoveAll(each => each.EndSeconds < label.TimeSeconds - TimeTolerance);
+        if (_near.Count > MaxAtOnce)
+        {
+            _isOrdered = false;
+            yield return $"more than {MaxAtOnce} events last at the time of the frame; events are not compared with later frames.";
+            yield break;
+        }
+
         _marked.Clear();
         _marked.UnionWith(label.Events!.Select(mark => mark.Id));
-        foreach ((DrivingEvent happened, _) in _near)
+        foreach (DrivingEvent happened in _near)
         {
             _frames[happened.Id] = (_frames.TryGetValue(happened.Id, out var before) ? before.First : label.Frame, label.Frame);
             if (!_marked.Contains(happened.Id))

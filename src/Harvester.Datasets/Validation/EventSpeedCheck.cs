@@ -29,14 +29,18 @@ internal sealed class EventSpeedCheck
 
     private const int Ego = 0;
 
-    private readonly ILookup<int, DrivingEvent> _events;
+    /// <summary>One with more events is not looked at: a text from outside must not take forever.</summary>
+    private const int MaxEvents = 10_000;
+
+    private readonly Dictionary<int, DrivingEvent[]> _events;
     private readonly Queue<(double Seconds, Dictionary<int, (Vector3D Position, Vector3D Velocity)> Bodies)> _frames = new();
 
     public EventSpeedCheck(IEnumerable<DrivingEvent> events) =>
         _events = events
             .Where(each => each.Kind is EventKind.HardBraking or EventKind.Collision)
             .SelectMany(each => each.Participants.Select(participant => (Id: participant.Object ?? Ego, Event: each)))
-            .ToLookup(each => each.Id, each => each.Event);
+            .GroupBy(each => each.Id, each => each.Event)
+            .ToDictionary(each => each.Key, each => each.ToArray());
 
     /// <summary>What hard braking the label shows without an event.</summary>
     public IEnumerable<string> Problems(FrameLabel label)
@@ -63,7 +67,7 @@ internal sealed class EventSpeedCheck
                     _frames.Peek().Bodies.TryGetValue(id, out (Vector3D Position, Vector3D Velocity) before)
                     && (Speed(before.Velocity) - Speed(body.Velocity)) / Window > HardBraking + Rounding
                     && (body.Position - before.Position).Length <= (before.Velocity.Length * Window) + Jump
-                    && !_events[id].Any(each => Explains(each, label.TimeSeconds))
+                    && !IsExplained(id, label.TimeSeconds)
                 )
                 {
                     yield return $"{(id == Ego ? "the ego" : $"object {id}")} brakes hard, but no event says so.";
@@ -77,6 +81,10 @@ internal sealed class EventSpeedCheck
     private static bool IsDriven(ObjectClass kind) => VehicleClasses.AreVehicles(kind) && kind != ObjectClass.Trailer;
 
     private static double Speed(Vector3D velocity) => Math.Sqrt((velocity.X * velocity.X) + (velocity.Y * velocity.Y));
+
+    private bool IsExplained(int id, double seconds) =>
+        _events.TryGetValue(id, out DrivingEvent[]? events)
+        && (events.Length > MaxEvents || Array.Exists(events, each => Explains(each, seconds)));
 
     /// <summary>Whether an event says what the deceleration up to a moment is: hard braking then, or a collision up to a second before.</summary>
     private static bool Explains(DrivingEvent each, double seconds) =>
