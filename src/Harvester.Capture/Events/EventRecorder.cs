@@ -28,7 +28,7 @@ internal sealed class EventRecorder(EventOptions options, IWorld world, Func<Ent
         {
             // A game that was loaded again begins at an earlier time, at which the frames so far do not count.
             _detector.Lose(_last);
-            _earlier.AddRange(_detector.Book.Take(static _ => true).Select(each => WithFrames(each.Event, int.MaxValue)));
+            _earlier.AddRange(_detector.Book.Take(static _ => true).Select(each => WithFrames(each.Event)));
             _frames.Clear();
             _next = double.NegativeInfinity;
         }
@@ -81,9 +81,7 @@ internal sealed class EventRecorder(EventOptions options, IWorld world, Func<Ent
         DrivingEvent[] ended =
         [
             .. _earlier,
-            .. _detector
-                .Book.Take(each => each.ClosedSeconds <= seconds + TimeTolerance)
-                .Select(each => WithFrames(each.Event, int.MaxValue)),
+            .. _detector.Book.Take(each => each.ClosedSeconds <= seconds + TimeTolerance).Select(each => WithFrames(each.Event)),
         ];
         _earlier.Clear();
         double oldest = _detector
@@ -96,19 +94,25 @@ internal sealed class EventRecorder(EventOptions options, IWorld world, Func<Ent
     }
 
     /// <summary>Ends all events and takes those that are left.</summary>
+    /// <param name="lost">The events of frames that were given up.</param>
     /// <param name="lastFrame">Number of the last frame that is part of the session; later ones were given up.</param>
-    public IReadOnlyList<DrivingEvent> Finish(int lastFrame)
+    public IReadOnlyList<DrivingEvent> Finish(IEnumerable<DrivingEvent> lost, int lastFrame)
     {
         _detector.Book.CloseAll(EventEnd.SessionEnd, _last);
-        return [.. _earlier, .. _detector.Book.Take(static _ => true).Select(each => WithFrames(each.Event, lastFrame))];
+        IEnumerable<DrivingEvent> left = _detector.Book.Take(static _ => true).Select(each => WithFrames(each.Event));
+        return [.. lost.Concat(_earlier).Concat(left).Select(each => Through(each, lastFrame))];
     }
 
-    private DrivingEvent WithFrames(DrivingEvent happened, int lastFrame)
+    /// <summary>The event with those of its frames that are part of the session.</summary>
+    private static DrivingEvent Through(DrivingEvent happened, int lastFrame) =>
+        happened.FirstFrame > lastFrame ? happened with { FirstFrame = null, LastFrame = null }
+        : happened.LastFrame > lastFrame ? happened with { LastFrame = lastFrame }
+        : happened;
+
+    private DrivingEvent WithFrames(DrivingEvent happened)
     {
         List<(int First, int Last, double Seconds)> spanned = _frames.FindAll(frame =>
-            frame.Seconds >= happened.BeginSeconds - TimeTolerance
-            && frame.Seconds <= happened.EndSeconds + TimeTolerance
-            && frame.Last <= lastFrame
+            frame.Seconds >= happened.BeginSeconds - TimeTolerance && frame.Seconds <= happened.EndSeconds + TimeTolerance
         );
         return spanned.Count == 0 ? happened : happened with { FirstFrame = spanned[0].First, LastFrame = spanned[spanned.Count - 1].Last };
     }

@@ -1,6 +1,7 @@
 using Harvester.Capture.Events;
 using Harvester.Capture.Labelling;
 using Harvester.Geometry.Work;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
 
@@ -20,7 +21,11 @@ internal sealed class FrameHarvester(
 ) : IDisposable
 {
     private readonly PictureQueue _drawing = new(options.Pairs.IsAny ? 0 : Math.Max(PictureQueue.UsualCapacity, options.ViewsPerMoment));
+    private readonly List<DrivingEvent> _lostEvents = [];
     private CapturedFrame? _ready;
+
+    /// <summary>The events of frames that were given up, once this is disposed.</summary>
+    public IReadOnlyList<DrivingEvent> LostEvents => _lostEvents;
 
     /// <summary>Holds frames back until it is known whether they are kept; null if all are.</summary>
     public FrameKeeper? Keeper { get; init; }
@@ -82,9 +87,11 @@ internal sealed class FrameHarvester(
         }
         finally
         {
+            _lostEvents.AddRange(_ready?.EndedEvents ?? []);
             _ready?.Dispose();
             _ready = null;
-            Keeper?.Dispose();
+            _lostEvents.AddRange(Keeper?.GiveUp() ?? []);
+            _lostEvents.AddRange(_drawing.Frames.SelectMany(static frame => frame.Draft.EndedEvents));
             _drawing.Dispose();
         }
     }
@@ -146,21 +153,15 @@ internal sealed class FrameHarvester(
         }
     }
 
-    /// <summary>At the end: takes over the next drawn frame, or decides the frames that are held back.</summary>
+    /// <summary>Takes over the next drawn frame, if there is one.</summary>
     private bool HasMore()
     {
-        if (_drawing.Count > 0)
-        {
-            Draw();
-            return true;
-        }
-
-        if (Keeper is null or { IsEnding: true })
+        if (_drawing.Count == 0)
         {
             return false;
         }
 
-        Keeper.IsEnding = true;
+        Draw();
         return true;
     }
 

@@ -9,7 +9,7 @@ namespace Harvester.Capture.Harvesting;
 /// </summary>
 /// <param name="seconds">Time before and after an event in which frames are kept, seconds.</param>
 /// <param name="kinds">The kinds of events that count.</param>
-internal sealed class FrameKeeper(double seconds, IReadOnlyList<EventKind> kinds) : IDisposable
+internal sealed class FrameKeeper(double seconds, IReadOnlyList<EventKind> kinds)
 {
     /// <summary>Times closer than this, seconds, are equal: labels have six decimals.</summary>
     private const double TimeTolerance = 1e-6;
@@ -39,44 +39,53 @@ internal sealed class FrameKeeper(double seconds, IReadOnlyList<EventKind> kinds
     /// <summary>Takes the next frame that is kept, which belongs to the caller; null if none is known yet.</summary>
     public CapturedFrame? Next()
     {
-        while (_waiting.Count > 0 && (IsEnding || _newest >= _waiting.Peek().Label.TimeSeconds + seconds - TimeTolerance))
+        while (_waiting.Count > 0)
         {
-            CapturedFrame frame = _waiting.Dequeue();
-            double time = frame.Label.TimeSeconds;
+            double time = _waiting.Peek().Label.TimeSeconds;
             Forget(time);
-            if (
-                _events.Values.Any(span =>
-                    time >= span.BeginSeconds - seconds - TimeTolerance && time <= span.EndSeconds + seconds + TimeTolerance
-                )
-            )
+            bool isNear = _events.Values.Any(span =>
+                time >= span.BeginSeconds - seconds - TimeTolerance && time <= span.EndSeconds + seconds + TimeTolerance
+            );
+            if (isNear)
             {
-                frame.Bring(TakeCarried());
-                return frame;
+                CapturedFrame kept = _waiting.Dequeue();
+                kept.Bring(TakeCarried());
+                return kept;
             }
 
-            _carried.AddRange(frame.EndedEvents);
-            frame.Dispose();
+            // An event may still begin so soon after the frame that it counts.
+            if (!IsEnding && _newest < time + seconds - TimeTolerance)
+            {
+                return null;
+            }
+
+            CapturedFrame dropped = _waiting.Dequeue();
+            _carried.AddRange(dropped.EndedEvents);
+            dropped.Dispose();
             Dropped++;
         }
 
         return null;
     }
 
-    /// <summary>Takes the events that ended before frames that were dropped and that no kept frame brought.</summary>
-    public IReadOnlyList<DrivingEvent> TakeCarried()
+    /// <summary>Gives up the frames that wait; returns the events of these and of dropped ones that no kept frame brought.</summary>
+    public IReadOnlyList<DrivingEvent> GiveUp()
+    {
+        while (_waiting.Count > 0)
+        {
+            CapturedFrame frame = _waiting.Dequeue();
+            _carried.AddRange(frame.EndedEvents);
+            frame.Dispose();
+        }
+
+        return TakeCarried();
+    }
+
+    private List<DrivingEvent> TakeCarried()
     {
         List<DrivingEvent> taken = [.. _carried];
         _carried.Clear();
         return taken;
-    }
-
-    /// <inheritdoc/>
-    public void Dispose()
-    {
-        while (_waiting.Count > 0)
-        {
-            _waiting.Dequeue().Dispose();
-        }
     }
 
     /// <summary>Forgets the events that are too long ago for a frame and all later ones.</summary>

@@ -35,7 +35,7 @@ public sealed class HarvestSession : IDisposable
     private bool _opened;
     private CaptureFlows? _flows;
     private EventRecorder? _events;
-    private FrameKeeper? _keeper;
+    private FrameHarvester? _frames;
     private IReadOnlyList<CaptureFault> _unchecked = [];
     private HarvestPhase _phase = HarvestPhase.Waiting;
 
@@ -267,13 +267,13 @@ public sealed class HarvestSession : IDisposable
             ? new EventRecorder(events, _game.World, entity => flows.Registry!.IdOf(entity), _sink.FirstEventId)
             : null;
         ObserveEvents();
-        _keeper = _options.Events is { KeepAroundSeconds: { } around } keeping ? new FrameKeeper(around, keeping.KeepKinds) : null;
         using var frames = new FrameHarvester(_options, _sink, flow, Counters, _motion)
         {
             Watch = _watch,
             Events = _events,
-            Keeper = _keeper,
+            Keeper = _options.Events is { KeepAroundSeconds: { } around } keeping ? new FrameKeeper(around, keeping.KeepKinds) : null,
         };
+        _frames = frames;
         if (Tour is { } tour)
         {
             yield return WorkStep.Do(new TourHarvester(tour, frames, Counters).Run());
@@ -417,7 +417,7 @@ public sealed class HarvestSession : IDisposable
                     Reading = _game.Reading?.Report,
                     Events = _options.Events is null
                         ? null
-                        : [.. _keeper?.TakeCarried() ?? [], .. _events?.Finish(_sink.FirstFrame + Counters.Captured - 1) ?? []],
+                        : _events?.Finish(_frames?.LostEvents ?? [], _sink.FirstFrame + Counters.Captured - 1) ?? [],
                     MaskComparison = MaskComparison,
                     PictureWarning = _watch?.Warning,
                     MaskWarning = _flows?.Photographer?.Warning?.Message,

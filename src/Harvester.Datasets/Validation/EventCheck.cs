@@ -103,7 +103,7 @@ internal sealed class EventCheck
     {
         foreach (EventLine line in session.ReadEventLines())
         {
-            if (_events.Count == MaxEvents)
+            if (line.Number > MaxEvents)
             {
                 Add(line.Number, $"more than {MaxEvents} events are not read.");
                 break;
