@@ -81,57 +81,57 @@ internal sealed class FrameStore(
         }
     }
 
-    /// <summary>Writes a frame's files, and its lines when they are due.</summary>
-    public void Write(CapturedFrame frame)
-    {
-        var written = new List<KeyValuePair<string, FileDigest>>
-        {
-            new(frame.Label.Image, files.WriteWhole(frame.Label.Image, stream => pictures.Write(frame.Picture, stream))),
-        };
-        if (frame is { Label.Mask: { } path, Mask: { } mask })
-        {
-            written.Add(new(path, files.WriteWhole(path, stream => _png.Write(mask, stream))));
-        }
-
-        foreach (string folder in frame.Folders)
-        {
-            files.MakeFolder(folder);
-        }
-
-        foreach (FrameFile file in frame.Files)
-        {
-            written.Add(new(file.Path, files.WriteWhole(file.Path, stream => file.Content(stream, _png))));
-        }
-
-        if (frame.Scene is { } scene)
-        {
-            string name = FramePaths.Scene(frame.Label.Frame);
-            byte[] bytes = new UTF8Encoding(false).GetBytes(SceneJson.Text(scene));
-            written.Add(new(name, files.WriteWhole(name, stream => stream.Write(bytes, 0, bytes.Length))));
-        }
-
-        string line = JsonLabelWriter.Line(frame.Label);
-        if (_labelLines.Count == 0)
-        {
-            _age.Restart();
-        }
-
-        _manifestLines.Add(Manifest.FrameLine(frame.Label.Frame, FileDigest.Of(line), written));
-        _labelLines.Add(line);
-        _frames.Add(frame.Label.Frame);
-        AddEvents(frame.EndedEvents);
-        if (mode != SyncMode.Batch || _labelLines.Count >= SyncBatch.MaxFrames || _age.Elapsed >= SyncBatch.MaxAge)
-        {
-            Commit();
-        }
-    }
-
     /// <summary>
-    /// Writes the lines held back, of whole moments only. After a failure their frames are given up: a disk that could not keep a file does
-    /// not say so twice.
+    /// Writes a frame's files, and the lines held back when they are due. After a failure of the lines their frames are given up: a disk
+    /// that could not keep a file does not say so twice.
     /// </summary>
-    public void Commit()
+    /// <param name="frame">The frame; null if none has come, so that all lines of whole moments are due.</param>
+    public void Write(CapturedFrame? frame)
     {
+        if (frame is not null)
+        {
+            var written = new List<KeyValuePair<string, FileDigest>>
+            {
+                new(frame.Label.Image, files.WriteWhole(frame.Label.Image, stream => pictures.Write(frame.Picture, stream))),
+            };
+            if (frame is { Label.Mask: { } path, Mask: { } mask })
+            {
+                written.Add(new(path, files.WriteWhole(path, stream => _png.Write(mask, stream))));
+            }
+
+            foreach (string folder in frame.Folders)
+            {
+                files.MakeFolder(folder);
+            }
+
+            foreach (FrameFile file in frame.Files)
+            {
+                written.Add(new(file.Path, files.WriteWhole(file.Path, stream => file.Content(stream, _png))));
+            }
+
+            if (frame.Scene is { } scene)
+            {
+                string name = FramePaths.Scene(frame.Label.Frame);
+                byte[] bytes = new UTF8Encoding(false).GetBytes(SceneJson.Text(scene));
+                written.Add(new(name, files.WriteWhole(name, stream => stream.Write(bytes, 0, bytes.Length))));
+            }
+
+            string line = JsonLabelWriter.Line(frame.Label);
+            if (_labelLines.Count == 0)
+            {
+                _age.Restart();
+            }
+
+            _manifestLines.Add(Manifest.FrameLine(frame.Label.Frame, FileDigest.Of(line), written));
+            _labelLines.Add(line);
+            _frames.Add(frame.Label.Frame);
+            AddEvents(frame.EndedEvents);
+            if (mode == SyncMode.Batch && _labelLines.Count < SyncBatch.MaxFrames && _age.Elapsed < SyncBatch.MaxAge)
+            {
+                return;
+            }
+        }
+
         int whole = _labelLines.Count - (_labelLines.Count % viewsPerMoment);
         if (whole == 0)
         {

@@ -27,6 +27,9 @@ internal sealed record SessionContent(
     bool HasManifest
 )
 {
+    /// <summary>Whether a manifest is kept; a session of an earlier version gets none of its later frames alone.</summary>
+    public bool KeepsManifest => HasManifest || Frames == 0;
+
     public static SessionContent Nothing { get; } = new(null, 0, -1, 0, 0, 0, false);
 
     /// <summary>

@@ -1,30 +1,23 @@
-using Harvester.Cli.Commands;
 using Harvester.Cli.Commands.Tapes;
 using Harvester.Datasets.Boxes;
 using Harvester.Datasets.Diagnosis;
-using Harvester.Datasets.Faces;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
 using Harvester.Datasets.Sharding;
-using Harvester.Datasets.Statistics;
 using Harvester.Datasets.Validation;
-using Harvester.Exports.Assembly;
 using Harvester.Exports.Formats;
+using Harvester.Exports.Pairs;
 using Harvester.Exports.Validation;
-using Harvester.Geometry;
-using Harvester.Geometry.Cameras;
-using Harvester.Geometry.Lanes;
-using Harvester.Geometry.Roads;
 using Harvester.Reports.Comparison;
 using Harvester.Reports.Faces;
 using Harvester.Runs.Plans;
 using Harvester.Runs.Relabelling;
 using Harvester.Runs.Sheets;
-using Harvester.Sessions.Faces;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Reading.Images;
+using static Harvester.Cli.Tests.Hostile.FuzzReads;
 
 namespace Harvester.Cli.Tests.Hostile;
 
@@ -44,18 +37,6 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
 
     private const string Schema = "validate {0}/session --schema --quick";
     private const string Merge = "merge {0}/shard {0}/shard2 --out {0}/out";
-
-    /// <summary>Makes the datasets of the corpus, and a session that shows people with joints; {0} is its folder.</summary>
-    public static IReadOnlyList<string> Makers { get; } =
-    [
-        "harvest --out {0}/people --frames 1 --pedestrians 5 --roads {0}/straight.csv --seed 2 --size 64x48 --masks --no-report",
-        .. "coco-keypoints jta".Split(' ').Select(format => $"export {{0}}/people --format {format} --out {{0}}/{format}"),
-        .. DatasetFormats
-            .All.Select(format => format.Name)
-            .Except(["coco-keypoints", "jta", "openlane-v2"])
-            .Select(format => $"export {{0}}/session --format {format} --out {{0}}/{format}"),
-        "export {0}/session --format openlane-v2 --roads {0}/straight.csv --out {0}/openlane-v2",
-    ];
 
     /// <summary>Whether invalid lines are ignored by design, so that nothing is ever rejected.</summary>
     public bool IsReadWhatever { get; init; }
@@ -116,7 +97,10 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             Export("csv")
         ),
         new("scene", "session/scenes/00000000.json", ValidateSession, "validate {0}/session", Relabel, MapOfSession),
-        Roads("roads", "session/scenes/roads.csv", "validate {0}/session", Relabel),
+        Roads("roads", "session/scenes/roads.csv", "validate {0}/session", Relabel) with
+        {
+            Read = ReadRoadsOfSession,
+        },
         Roads("ipl", "paths.ipl"),
         Roads("paths-xml", "paths.xml"),
         Roads("ynd", "nodes.ynd.xml"),
@@ -133,7 +117,15 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Picture("png", "session", "png", "export {0}/session --format csv --image-format bmp --out {0}/out", Export("deepdriving")),
         new("mask", "session/masks/00000000.png", ValidatePictures, "validate {0}/session", Export("coco"), Export("cityscapes"), Relabel),
         new("class-map", "session/classes/00000000.png", ValidatePictures, "validate {0}/session", Export("semantic")),
-        new("normals", "session/normals/00000000.png", ValidatePictures, "validate {0}/session", Relabel),
+        .. FrameChannels
+            .All.OfType<MapChannel>()
+            .Select(channel => new FuzzKind(
+                channel.Key,
+                $"session/{channel.PathOf(0, null)}",
+                ValidatePictures,
+                "validate {0}/session",
+                Relabel
+            )),
         new(
             "map",
             "maps/0.png",
@@ -163,6 +155,10 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Dataset("tusimple", "tusimple", "label_data_train.json"),
         Dataset("openlane", "openlane", "lane3d/train/segment-0000/00000000.json"),
         Dataset("openlane-v2", "openlane-v2", "data_dict_gta.json"),
+        Dataset("gpudrive", "gpudrive", "train/0000_0000.json"),
+        Dataset("gpudrive-frames", "gpudrive", "frames.csv"),
+        Dataset("womd", "womd", "train.tfrecord-00000-of-00001"),
+        Dataset("womd-scenarios", "womd", "scenarios.csv"),
         Dataset("webdataset", "webdataset", "train-000000.tar"),
         Dataset("mcap", "mcap", "train/0000.mcap"),
         Dataset("bdd100k", "bdd100k", "labels/det_20/det_train.json"),
@@ -187,6 +183,15 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             "plan check {0}/plan.json",
             "plan show {0}/plan.json",
             "plan resolve {0}/plan.json --out {0}/out.json"
+        ),
+        new("counterfactuals", "set/counterfactuals.json", folder => ChangeSet.Read(In(folder, "set")), "pairs {0}/set --out {0}/out"),
+        new(
+            "scenario",
+            "scenario.json",
+            folder => PlanFile.Read(In(folder, "staged.json")),
+            "scenario check {0}/scenario.json",
+            "scenario show {0}/scenario.json",
+            "plan check {0}/staged.json"
         ),
         new("experiment-rig", "rig.json", folder => PlanFile.Read(In(folder, "plan.json")), "plan check {0}/plan.json"),
         Compared("kitti-compared", "kitti/training/label_2/000000.txt", ComparedKitti.Open, "--kitti {0}/kitti"),
@@ -302,52 +307,4 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
     }
 
     private static string Export(string format) => $"export {{0}}/session --format {format} --out {{0}}/out";
-
-    private static void ValidatePictures(string folder) => SessionValidator.Validate(new SessionReader(In(folder, "session")));
-
-    /// <summary>Without decoding pictures, which are sound and would take most of the time.</summary>
-    private static void ValidateSession(string folder) =>
-        SessionValidator.Validate(new SessionReader(In(folder, "session")), isQuick: true);
-
-    private static void ReadLabels(string folder)
-    {
-        ValidateSession(folder);
-        SessionStatistics.Of(new SessionReader(In(folder, "session")).ReadLabels());
-    }
-
-    private static void ReadPeople(string folder)
-    {
-        var session = new SessionReader(In(folder, "people"));
-        SessionStatistics.Of(session.ReadLabels());
-    }
-
-    private static FaceTable ReadFaces(string path) => FaceFile.ReadValid(path, static _ => { });
-
-    private static void MergeShards(string folder)
-    {
-        string merged = In(folder, "merged");
-        if (Directory.Exists(merged))
-        {
-            Directory.Delete(merged, recursive: true);
-        }
-
-        DatasetMerger.Merge([In(folder, "shard"), In(folder, "shard2")], merged, new MergeOptions(ImageTransfer.Link));
-    }
-
-    private static void ReadPoints(string folder)
-    {
-        var intrinsics = new CameraIntrinsics(50, new ImageSize(80, 60), 4.0 / 3, 0.1, Lens.Ideal);
-        var camera = new Camera(new Pose(Vector3D.Zero, Axes.FromHeading(0)), intrinsics);
-        ProjectCommand.Project(camera, InputFile.OpenText(In(folder, "points.csv")), "points.csv", TextWriter.Null);
-    }
-
-    private static void ReadVehicles(string folder)
-    {
-        RoadNetwork network = RoadImporter.Import(In(folder, "session/scenes/roads.csv")).Network;
-        var observer = new LaneObserver(new RoadCurves(network), new LaneModel(network), LookAhead.Thesis);
-        TrafficVehicle[] vehicles = LanesCommand.ReadVehicles(new FileInfo(In(folder, "vehicles.csv")));
-        LanesCommand.TextOf(observer.Observe(Vector3D.Zero, headingDegrees: 0, speed: 10, length: 4.5, vehicles, previous: null));
-    }
-
-    private static string In(string folder, string name) => Path.Combine(folder, name);
 }
