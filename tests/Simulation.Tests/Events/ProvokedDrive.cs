@@ -39,22 +39,18 @@ internal sealed class ProvokedDrive
     public List<TrueMoment> Truth { get; } = [];
 
     /// <summary>Drives for some time.</summary>
-    public static ProvokedDrive Of(int seed, double seconds, SimulationOptions? options = null)
+    public static ProvokedDrive Of(int seed, double seconds, bool hasCrashes = false)
     {
         var drive = new ProvokedDrive();
         var game = new SimulatedGame(
-            (
-                options
-                ?? new SimulationOptions
-                {
-                    TrafficDensity = 2.5,
-                    PedestrianDensity = 3,
-                    LaneChanges = 1,
-                    Wander = 1,
-                }
-            ) with
+            new SimulationOptions
             {
                 Seed = seed,
+                TrafficDensity = 2.5,
+                PedestrianDensity = 3,
+                LaneChanges = 1,
+                Wander = 1,
+                HasCrashes = hasCrashes,
             }
         );
         var random = new Random(seed);
