@@ -78,6 +78,7 @@ internal sealed class ScenarioRunCommand
         );
     private Option<string> DetailOf { get; } = DetailOption.Create();
     private MomentOptions Moment { get; } = new();
+    private EventChoice EventsOf { get; } = new();
     private Option<bool> NoReport { get; } = ReportOption.Create();
 
     public static Command Create(Terminal terminal) => new ScenarioRunCommand().Build(terminal);
@@ -104,6 +105,7 @@ internal sealed class ScenarioRunCommand
             NoReport,
         };
         Moment.AddTo(command);
+        EventsOf.AddTo(command);
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(
             (parsed, cancellation) =>
@@ -172,6 +174,7 @@ internal sealed class ScenarioRunCommand
                 Format = format,
                 JpegQuality = ImageFormatOption.QualityOf(parsed, Quality, format),
                 RateHz = parsed.GetValue(Hz),
+                Events = EventsOf.Parse(parsed),
                 MaxCalibrationErrorPixels = 1,
             },
             parsed.GetValue(Roads)?.FullName,
