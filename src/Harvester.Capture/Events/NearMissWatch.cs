@@ -1,5 +1,4 @@
 using Harvester.Sessions.Events;
-using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Events;
 

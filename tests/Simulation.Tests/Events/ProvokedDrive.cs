@@ -3,7 +3,6 @@ using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Events;
 using Harvester.Sessions.Labels;
-using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Settings;
 
