@@ -17,6 +17,7 @@ from .errors import (
     PictureError,
     SessionError,
 )
+from .events import EVENT_KINDS, Contact, Event, EventMark, Participant
 from .frame import Frame, View
 from .lanes import INDICATOR_NAMES, Indicators, LaneLine, Lanes, VehicleInLane
 from .points import POINT_TYPE
@@ -40,6 +41,7 @@ from .session import FORMAT_VERSION, Session, Track, open_session
 __all__ = [
     "CLASS_NAMES",
     "Camera",
+    "Contact",
     "Controls",
     "Cuboid",
     "DRIVERS",
@@ -47,7 +49,10 @@ __all__ = [
     "DriveTarget",
     "DriveTick",
     "DriveTruth",
+    "EVENT_KINDS",
     "Ego",
+    "Event",
+    "EventMark",
     "FORMAT_VERSION",
     "Face",
     "Frame",
@@ -70,6 +75,7 @@ __all__ = [
     "POINT_TYPE",
     "Pair",
     "PartialSessionError",
+    "Participant",
     "PictureError",
     "Projection",
     "SEMANTIC_CLASS_NAMES",

@@ -13,6 +13,7 @@ from .camera import Array, Camera
 from .checks import checked, each, integer, number, one_line, optional, text
 from .drive import Drive
 from .errors import LabelError, MissingPictureError, NotInSessionError, SessionError
+from .events import EventMark
 from .lanes import Lanes
 from .motion import motion_rows
 from .picture_header import Picture
@@ -305,6 +306,13 @@ class Frame:
         what is unknown.
         """
         return checked(self._source, lambda: motion_rows(self.raw["motion"]) if "motion" in self.raw else None)
+
+    @functools.cached_property
+    def events(self) -> Optional[Tuple[EventMark, ...]]:
+        """The events that are open at the moment, by ascending id; None if events are not recorded."""
+        return checked(
+            self._source, lambda: each(EventMark.from_json, self.raw["events"]) if "events" in self.raw else None
+        )
 
     @functools.cached_property
     def drive(self) -> Optional[Drive]:

@@ -23,7 +23,7 @@ internal sealed class CaptureFlows(
     /// <exception cref="HarvestFaultException">The harvest is live, and the lag is unknown.</exception>
     public ICaptureFlow For(IFrameSink sink, PictureLag? lag)
     {
-        var registry = new ObjectRegistry(sink.FirstObjectId);
+        ObjectRegistry registry = Registry = new ObjectRegistry(sink.FirstObjectId);
         FrameRays rays = CaptureChannels.Of(options).Any(channel => channel.NeedsNormals(game))
             ? new FrameRays(game.SurfaceRays!, options.RayBudget) { Record = new RayRecord() }
             : new FrameRays(game.Rays, options.RayBudget);
@@ -64,6 +64,9 @@ internal sealed class CaptureFlows(
 
     /// <summary>Compares masks of both methods; null if they are not compared.</summary>
     public MaskComparison? Comparison { get; } = options is { Masks: true, MaskMethod: MaskMethod.Both } ? new MaskComparison() : null;
+
+    /// <summary>The ids of the objects; null until there is a flow.</summary>
+    public ObjectRegistry? Registry { get; private set; }
 
     /// <summary>Gives the picture lag of the next live frame; null if it is always the same.</summary>
     public Func<PictureLag>? NextLag { get; init; }

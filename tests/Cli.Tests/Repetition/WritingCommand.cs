@@ -82,6 +82,14 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
             Only = ["out/session.json", "out/labels.jsonl"],
             IsKilled = true,
         },
+        new(
+            "harvest-events",
+            $"harvest --out {{root}}/out --frames 2 --resume --no-report --no-scenes --events --keep-around 1s {Unchecked}"
+        )
+        {
+            Only = ["out/events.jsonl", "out/session.json", "out/manifest.jsonl"],
+            IsKilled = true,
+        },
         new("harvest-pairs", $"harvest --out {{root}}/out --frames 1 --resume --no-report {Pairs} {Unchecked}")
         {
             Only = ["out/pairs", "out/session.json", "out/labels.jsonl"],

@@ -81,6 +81,7 @@ internal sealed class ScenarioRunCommand
         );
     private Option<string> DetailOf { get; } = DetailOption.Create();
     private MomentOptions Moment { get; } = new();
+    private EventChoice EventsOf { get; } = new();
     private Option<bool> NoReport { get; } = ReportOption.Create();
 
     public static Command Create(Terminal terminal) => new ScenarioRunCommand().Build(terminal);
@@ -108,6 +109,7 @@ internal sealed class ScenarioRunCommand
             NoReport,
         };
         Moment.AddTo(command);
+        EventsOf.AddTo(command);
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(
             (parsed, cancellation) =>
@@ -176,6 +178,7 @@ internal sealed class ScenarioRunCommand
                 Format = format,
                 JpegQuality = ImageFormatOption.QualityOf(parsed, Quality, format),
                 RateHz = parsed.GetValue(Hz),
+                Events = EventsOf.Parse(parsed),
                 MaxCalibrationErrorPixels = 1,
             },
             parsed.GetValue(Roads)?.FullName,
