@@ -1,5 +1,6 @@
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
+using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 
@@ -27,9 +28,9 @@ internal sealed class FrozenFlow(
     PairPhotographer? pairs
 ) : ICaptureFlow
 {
-    private readonly FrozenScene _scene = new(options, reader, counters, calls);
+    private readonly FrozenScene _scene = new(options, game.World, reader, calls);
 
-    public IReadOnlyList<TakenFrame> Taken { get; private set; } = [];
+    public IReadOnlyList<FrameDraft> Taken { get; private set; } = [];
 
     public bool IsPassed { get; private set; }
 
@@ -51,24 +52,27 @@ internal sealed class FrozenFlow(
         game.Pause.Freeze();
         try
         {
-            yield return WorkStep.Do(_scene.Settle());
+            yield return WorkStep.Do(_scene.Read(HarvestPhase.Settling, options.MaxPictureLagTicks));
 
-            if (_scene.Settled is not { } snapshot)
+            if (_scene.Latest is not { } snapshot)
             {
+                counters.Discard("neverStill");
                 yield break;
             }
 
-            picture = isOurs ? GrabbedPicture.Of(game.Screen, pool) : null;
+            counters.Settled(_scene.MovingTicks);
+            picture = isOurs ? new GrabbedPicture(game.Screen, pool) : null;
             if (picture?.Refusal is { } refusal)
             {
                 counters.Discard(refusal);
                 yield break;
             }
 
-            PreparedFrame frame = labeller.Prepare(snapshot);
+            Camera camera = labeller.CameraOf(snapshot);
+            var frame = new FrameDraft(snapshot, camera, labeller.CandidatesOf(camera, snapshot));
             if (photographer is not null)
             {
-                yield return HarvestPhase.Photographing.Do(photographer.Take(frame.Camera, frame.Targets, picture?.WaitForPixels()));
+                yield return HarvestPhase.Photographing.Do(photographer.Take(camera, frame.Targets, picture?.WaitForPixels()));
 
                 calls.Charge(HarvestPhase.Photographing);
                 if (photographer.Refusal is { } failed)
@@ -91,12 +95,12 @@ internal sealed class FrozenFlow(
             if (pairs is not null)
             {
                 photographer?.Release();
-                yield return HarvestPhase.Photographing.Do(isOurs ? pairs.Take(frame.Draft, picture!.WaitForPixels()) : pairs.Pass());
+                yield return HarvestPhase.Photographing.Do(isOurs ? pairs.Take(frame, picture!.WaitForPixels()) : pairs.Pass());
 
                 calls.Charge(HarvestPhase.Photographing);
             }
 
-            yield return WorkStep.Do(_scene.Read(HarvestPhase.Labelling));
+            yield return WorkStep.Do(_scene.Read(HarvestPhase.Labelling, stillTicks: 0));
 
             if (_scene.Comparison.FirstDifference(snapshot, _scene.Latest!) is { } difference)
             {
@@ -110,11 +114,11 @@ internal sealed class FrozenFlow(
             {
                 if (pairs is { Taken: { Count: > 0 } pictures })
                 {
-                    frame.Draft.Add(new PairPictures(pictures));
+                    frame.Add(new PairPictures(pictures));
                 }
 
-                Taken = [new TakenFrame(frame.Draft, picture!)];
-                picture = null;
+                (frame.Picture, picture) = (picture, null);
+                Taken = [frame];
             }
         }
         finally

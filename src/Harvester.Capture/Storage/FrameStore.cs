@@ -70,8 +70,51 @@ internal sealed class FrameStore(ISessionFiles files, SyncMode mode, PictureEnco
         }
     }
 
-    /// <summary>Writes a frame's files, and its lines when they are due.</summary>
-    public void Write(CapturedFrame frame)
+    /// <summary>
+    /// Writes a frame's files, and the lines held back when they are due. After a failure of the lines their frames are given up: a disk
+    /// that could not keep a file does not say so twice.
+    /// </summary>
+    /// <param name="frame">The frame; null if none has come, so that all lines of whole moments are due.</param>
+    public void Write(CapturedFrame? frame)
+    {
+        if (frame is not null)
+        {
+            IReadOnlyList<KeyValuePair<string, FileDigest>> written = WriteFiles(frame);
+            string line = JsonLabelWriter.Line(frame.Label);
+            if (_labelLines.Count == 0)
+            {
+                _age.Restart();
+            }
+
+            _manifestLines.Add(Manifest.FrameLine(frame.Label.Frame, FileDigest.Of(line), written));
+            _labelLines.Add(line);
+            _frames.Add(frame.Label.Frame);
+            if (mode == SyncMode.Batch && _labelLines.Count < SyncBatch.MaxFrames && _age.Elapsed < SyncBatch.MaxAge)
+            {
+                return;
+            }
+        }
+
+        int whole = _labelLines.Count - (_labelLines.Count % viewsPerMoment);
+        if (whole == 0)
+        {
+            return;
+        }
+
+        List<string> manifestLines = _manifestLines.GetRange(0, whole);
+        List<string> labelLines = _labelLines.GetRange(0, whole);
+        int last = _frames[whole - 1];
+        _manifestLines.RemoveRange(0, whole);
+        _labelLines.RemoveRange(0, whole);
+        _frames.RemoveRange(0, whole);
+        Sync();
+        AppendToManifest(manifestLines);
+        files.Append(SessionDirectory.Labels, labelLines, IsDurable);
+        LastCommitted = last;
+        Volatile.Write(ref _committed, _committed + whole);
+    }
+
+    private List<KeyValuePair<string, FileDigest>> WriteFiles(CapturedFrame frame)
     {
         var written = new List<KeyValuePair<string, FileDigest>>
         {
@@ -99,44 +142,7 @@ internal sealed class FrameStore(ISessionFiles files, SyncMode mode, PictureEnco
             written.Add(new(name, files.WriteWhole(name, stream => stream.Write(bytes, 0, bytes.Length))));
         }
 
-        string line = JsonLabelWriter.Line(frame.Label);
-        if (_labelLines.Count == 0)
-        {
-            _age.Restart();
-        }
-
-        _manifestLines.Add(Manifest.FrameLine(frame.Label.Frame, FileDigest.Of(line), written));
-        _labelLines.Add(line);
-        _frames.Add(frame.Label.Frame);
-        if (mode != SyncMode.Batch || _labelLines.Count >= SyncBatch.MaxFrames || _age.Elapsed >= SyncBatch.MaxAge)
-        {
-            Commit();
-        }
-    }
-
-    /// <summary>
-    /// Writes the lines held back, of whole moments only. After a failure their frames are given up: a disk that could not keep a file does
-    /// not say so twice.
-    /// </summary>
-    public void Commit()
-    {
-        int whole = _labelLines.Count - (_labelLines.Count % viewsPerMoment);
-        if (whole == 0)
-        {
-            return;
-        }
-
-        List<string> manifestLines = _manifestLines.GetRange(0, whole);
-        List<string> labelLines = _labelLines.GetRange(0, whole);
-        int last = _frames[whole - 1];
-        _manifestLines.RemoveRange(0, whole);
-        _labelLines.RemoveRange(0, whole);
-        _frames.RemoveRange(0, whole);
-        Sync();
-        AppendToManifest(manifestLines);
-        files.Append(SessionDirectory.Labels, labelLines, IsDurable);
-        LastCommitted = last;
-        Volatile.Write(ref _committed, _committed + whole);
+        return written;
     }
 
     private void AppendToManifest(IReadOnlyList<string> lines)

@@ -13,6 +13,9 @@ namespace Harvester.Capture.Storage;
 /// <param name="HasManifest">Whether there is a manifest; sessions of earlier versions have none.</param>
 internal sealed record SessionContent(string? Header, int Frames, int LastFrame, int MaxObjectId, bool HasManifest)
 {
+    /// <summary>Whether a manifest is kept; a session of an earlier version gets none of its later frames alone.</summary>
+    public bool KeepsManifest => HasManifest || Frames == 0;
+
     public static SessionContent Nothing { get; } = new(null, 0, -1, 0, false);
 
     /// <summary>

@@ -1,7 +1,7 @@
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Imaging;
 
-namespace Harvester.Capture.Harvesting;
+namespace Harvester.Capture.Labelling;
 
 /// <summary>
 /// A picture in a buffer of the session's pool, which a screen may still be drawing. Disposing it returns the buffer, unless it was taken.
@@ -12,7 +12,8 @@ internal sealed class GrabbedPicture : IDisposable
     private readonly Task? _drawing;
     private PixelBuffer? _buffer;
 
-    private GrabbedPicture(IScreen screen, PixelBufferPool pool)
+    /// <summary>Grabs the current picture of a screen; one that can defers drawing it.</summary>
+    public GrabbedPicture(IScreen screen, PixelBufferPool pool)
     {
         _pool = pool;
         _buffer = pool.Rent();
@@ -42,9 +43,6 @@ internal sealed class GrabbedPicture : IDisposable
 
     /// <summary>Whether the picture was, or is, drawn by another thread.</summary>
     public bool IsDeferred => _drawing is not null;
-
-    /// <summary>Grabs the current picture of a screen; one that can defers drawing it.</summary>
-    public static GrabbedPicture Of(IScreen screen, PixelBufferPool pool) => new(screen, pool);
 
     /// <summary>Waits until the picture is drawn, and returns its pixels, which still belong to the picture.</summary>
     /// <exception cref="Exception">The failure of drawing it.</exception>
