@@ -81,6 +81,9 @@ public sealed class ExportFrame
     /// <summary>The camera of the sequence's first frame.</summary>
     public required CameraLabel SequenceCamera { get; init; }
 
+    /// <summary>Game time of the sequence's first frame, seconds.</summary>
+    public required double SequenceTimeSeconds { get; init; }
+
     /// <summary>The label, with all objects.</summary>
     public FrameLabel Label { get; }
 

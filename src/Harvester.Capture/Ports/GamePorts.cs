@@ -58,4 +58,7 @@ public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IP
 
     /// <summary>Draws known colours over the picture; null if the game cannot.</summary>
     public IColourCard? Card { get; init; }
+
+    /// <summary>Puts actors into the world; null if the game cannot.</summary>
+    public IStage? Stage { get; init; }
 }

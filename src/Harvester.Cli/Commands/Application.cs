@@ -3,6 +3,7 @@ using System.CommandLine.Completions;
 using System.CommandLine.Parsing;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Commands.Faces;
+using Harvester.Cli.Commands.Logs;
 using Harvester.Cli.Commands.Masks;
 using Harvester.Cli.Commands.Plans;
 using Harvester.Cli.Commands.Roads;
@@ -46,6 +47,7 @@ internal static class Application
     private static readonly (string Name, Func<Terminal, Command> Create)[] Commands =
     [
         ("harvest", HarvestCommand.Create),
+        ("counterfactual", CounterfactualCommand.Create),
         ("plan", PlanCommand.Create),
         ("contact-sheet", ContactSheetCommand.Create),
         ("drive", DriveCommand.Create),
@@ -67,6 +69,7 @@ internal static class Application
         ("boxes", BoxesCommand.Create),
         ("masks", MasksCommand.Create),
         ("roads", RoadsCommand.Create),
+        ("log", LogCommand.Create),
         ("lanes", LanesCommand.Create),
         ("spaces", SpacesCommand.Create),
         ("tape", TapeCommand.Create),

@@ -117,7 +117,7 @@ internal sealed class ExportCommand
     private Option<LaneSelection> Lanes { get; } =
         ValueParsers.Choice<LaneSelection>("--lanes", "Lane lines of a frame in tusimple: the five nearest, or all [default: nearest]");
     private Option<FileInfo?> Roads { get; } =
-        new("--roads") { Description = "Roads of sessions that do not keep theirs, in openlane-v2", HelpName = "FILE" };
+        new("--roads") { Description = "Roads of sessions that do not keep theirs, in openlane-v2, gpudrive and womd", HelpName = "FILE" };
     private Option<ImageTransfer> Images { get; } = TransferOption.Create("images");
 
     private Option<ImageFormat?> ImageFormat { get; } =

@@ -182,10 +182,11 @@ internal sealed class HarvestCommand
 
     public static Command Create(Terminal terminal) => new HarvestCommand().Build(terminal);
 
-    private Command Build(Terminal terminal)
+    /// <summary>Adds the options of a harvest to a command.</summary>
+    public void AddTo(Command command)
     {
-        var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
-        {
+        Option[] options =
+        [
             Out,
             Overwrite,
             Resume,
@@ -222,7 +223,8 @@ internal sealed class HarvestCommand
             Sync,
             MinFree,
             NoReport,
-        };
+        ];
+        Array.ForEach(options, command.Options.Add);
         Semantics.AddTo(command);
         Channels.AddTo(command);
         Moment.AddTo(command);
@@ -230,23 +232,28 @@ internal sealed class HarvestCommand
         LensOf.AddTo(command);
         RigOf.AddTo(command);
         PairsOf.AddTo(command);
+    }
+
+    /// <summary>Whether the session gets a report.</summary>
+    public bool HasReport(ParseResult parsed) => !parsed.GetValue(NoReport);
+
+    /// <summary>The harvest that a command line describes.</summary>
+    /// <exception cref="Runs.Faults.UsageException">Options contradict each other.</exception>
+    public HarvestPlan PlanOf(ParseResult parsed) => RigOf.AppliedTo(parsed, PlanWithoutRig(parsed));
+
+    private Command Build(Terminal terminal)
+    {
+        var command = new Command("harvest", "Harvest a labelled session from a simulated game.");
+        AddTo(command);
         HelpWithNotes.AddTo(command, Notes, OptionGroups.OfHarvest);
         command.SetAction(
             (parsed, cancellation) =>
-                Task.FromResult(
-                    HarvestRun.Of(
-                        terminal,
-                        RigOf.AppliedTo(parsed, PlanOf(parsed)),
-                        CommandText.Of(parsed),
-                        !parsed.GetValue(NoReport),
-                        cancellation
-                    )
-                )
+                Task.FromResult(HarvestRun.Of(terminal, PlanOf(parsed), CommandText.Of(parsed), HasReport(parsed), cancellation))
         );
         return command;
     }
 
-    private HarvestPlan PlanOf(ParseResult parsed)
+    private HarvestPlan PlanWithoutRig(ParseResult parsed)
     {
         ResumeOption.Check(parsed.GetValue(Resume), parsed.GetValue(Overwrite));
         return new HarvestPlan

@@ -41,6 +41,7 @@ internal static class OptionGroups
                 "--parked",
                 "--varied-roads",
                 "--paint-wear",
+                "--crashes",
                 "--detail",
             ]
         ),

@@ -24,6 +24,7 @@ internal static class PlannedFrames
             var inSession = new int[views.Length];
             var inSequence = new int[views.Length];
             var cameras = new CameraLabel?[views.Length];
+            var times = new double?[views.Length];
             int? place = null;
             foreach (LabelLine line in plan.Sessions[session].ReadGoodLines())
             {
@@ -34,6 +35,7 @@ internal static class PlannedFrames
                     sequences += views.Length;
                     Array.Clear(inSequence);
                     Array.Clear(cameras);
+                    Array.Clear(times);
                 }
 
                 place = here;
@@ -48,6 +50,7 @@ internal static class PlannedFrames
                     Split = plan.Options.Splits.Of(new FramePlace(session, here, inSession[view])),
                     FrameInSession = inSession[view]++,
                     SequenceCamera = cameras[view] ??= line.Label.Camera,
+                    SequenceTimeSeconds = times[view] ??= line.Label.TimeSeconds,
                 };
             }
 

@@ -9,6 +9,7 @@ using Harvester.Exports.Formats.Kitti;
 using Harvester.Exports.Formats.Lanes;
 using Harvester.Exports.Formats.Mcap;
 using Harvester.Exports.Formats.MotChallenge;
+using Harvester.Exports.Formats.MotionScenarios;
 using Harvester.Exports.Formats.NuScenes;
 using Harvester.Exports.Formats.OpenLabel;
 using Harvester.Exports.Formats.OpenLaneV2;
@@ -214,6 +215,24 @@ public static class DatasetFormats
             NeedsRectilinear = true,
             KeepsSequences = true,
             Check = OpenLaneV2Check.Problems,
+        },
+        new("gpudrive", "GPUDrive: what moves and the map, a file for each 9 s", options => new MotionScenarioWriter(options, isWomd: false))
+        {
+            HasMap = true,
+            KeepsImages = false,
+            KeepsSequences = true,
+            ListsObjects = false,
+            MinRateHz = MotionScenarioWriter.MinRateHz,
+            Check = MotionScenarioCheck.GpuDriveProblems,
+        },
+        new("womd", "Waymo Open Motion Dataset: the same as Scenario messages", options => new MotionScenarioWriter(options, isWomd: true))
+        {
+            HasMap = true,
+            KeepsImages = false,
+            KeepsSequences = true,
+            ListsObjects = false,
+            MinRateHz = MotionScenarioWriter.MinRateHz,
+            Check = MotionScenarioCheck.WomdProblems,
         },
         new("webdataset", "Tar archives for streaming readers", _ => new WebDatasetWriter())
         {

@@ -83,6 +83,9 @@ public sealed record HarvestPlan
     /// <summary>The value of --quirks; null if it is not given.</summary>
     public required string? QuirksText { get; init; }
 
+    /// <summary>What is changed in the course of the harvest, in the order of time.</summary>
+    public IReadOnlyList<TimedChange> Changes { get; init; } = [];
+
     /// <summary>What is harvested, in words.</summary>
     public string Description
     {

@@ -127,10 +127,12 @@ public sealed class SimulatedHarvest
         {
             Tour = tour,
         };
+        var changes = new ChangeSchedule(_plan.Changes);
         do
         {
             // The game waits for the disk; otherwise the frames would depend on the disk's speed.
             writer.WaitForRoom();
+            changes.Apply(_game, session.Counters.Taken);
             _plan.Trial?.Drive.Tick(_game);
             _game.Tick(1 / TicksPerSecond);
             int before = session.Status.Captured;
@@ -264,6 +266,16 @@ public sealed class SimulatedHarvest
         if (plan.Variety.PaintWear > 0)
         {
             yield return new("paintWear", plan.Variety.PaintWear.ToString(CultureInfo.InvariantCulture));
+        }
+
+        if (plan.Variety.HasCrashes)
+        {
+            yield return new("crashes", "true");
+        }
+
+        if (plan.Changes.Count > 0)
+        {
+            yield return new("change", string.Join("; ", plan.Changes.Select(change => change.Text)));
         }
 
         if (plan.Near is { } near)

@@ -9,6 +9,7 @@ using Harvester.Geometry.PixelMaps.Coded;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Crashes;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Quirks;
 using Harvester.Simulation.Rendering;
@@ -88,6 +89,7 @@ public sealed class SimulatedGame
             Surfaces = new SurfacePort(this),
             Hud = new HudPort(this),
             Card = new CardPort(this),
+            Stage = options.Stage is null ? null : new StagePort(this),
             DrawnOcclusion = options.ReportsTrueOcclusion ? new DrawnOcclusionPort(this) : null,
         };
     }
@@ -148,6 +150,9 @@ public sealed class SimulatedGame
     internal MountedView View { get; set; }
 
     internal SimulatedWorld World => _world;
+
+    /// <summary>The impacts of the last tick in which the world moved: who hit whom, where, and the impulse; empty without crashes.</summary>
+    internal IReadOnlyList<Impact> Impacts => _world.Impacts;
 
     /// <summary>Balls that are shown in addition to the world.</summary>
     internal IReadOnlyList<PlannedMarker> Markers
@@ -270,6 +275,7 @@ public sealed class SimulatedGame
         double worldSeconds = seconds * Freezing.TakeTick();
         if (worldSeconds > 0)
         {
+            _world.SetRain(_weather.LightingAt(WeatherSeconds).RainFraction);
             _world.Advance(worldSeconds);
             _precipitation++;
             _state++;
@@ -300,6 +306,22 @@ public sealed class SimulatedGame
             {
                 _toBeShown.Dequeue();
             }
+        }
+    }
+
+    /// <summary>Changes one thing in the world, from the next tick on; the same game without the call goes on as it would have.</summary>
+    /// <exception cref="ArgumentException">There is no such vehicle, person or weather.</exception>
+    public void Make(WorldChange change)
+    {
+        ArgumentNullException.ThrowIfNull(change);
+        if (change.Kind == WorldChangeKind.Weather)
+        {
+            SetEnvironment(change.Weather, null);
+        }
+        else
+        {
+            _world.Make(change);
+            _state++;
         }
     }
 
@@ -343,6 +365,13 @@ public sealed class SimulatedGame
 
     /// <summary>Renders the current picture on another thread, while the world moves on.</summary>
     internal Task RenderLater(PixelBuffer target) => _painter.PaintLater(MomentShown, target);
+
+    /// <summary>Notes that the present state has changed without a tick.</summary>
+    internal T Changed<T>(T result)
+    {
+        _state++;
+        return result;
+    }
 
     /// <summary>Places the ego at a position, even while the world is frozen.</summary>
     internal void ResetEgo(Vector3D position, double headingDegrees)
@@ -418,7 +447,7 @@ public sealed class SimulatedGame
         _state++;
     }
 
-    private bool IsVehicle(int handle) => handle >= _world.Vehicles[0].Handle && handle <= _world.Vehicles[^1].Handle;
+    private bool IsVehicle(int handle) => _world.IsVehicle(handle);
 
     private void Hide()
     {

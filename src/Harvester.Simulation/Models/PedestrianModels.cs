@@ -135,7 +135,8 @@ internal static class PedestrianModels
 
     public static IEnumerable<Model> All() => People.Select(Build);
 
-    private static Model Build(Person person)
+    /// <summary>The model of a person.</summary>
+    public static Model Build(Person person)
     {
         IReadOnlyList<BodyPose> poses = PersonPoses.Of(person);
         return Model.Of(person.Name, ObjectClass.Pedestrian, [.. poses.Select(pose => BodyMesher.MeshOf(person, pose))]) with

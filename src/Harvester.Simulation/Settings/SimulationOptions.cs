@@ -41,6 +41,9 @@ public sealed record SimulationOptions
     /// </summary>
     public int? StartSeed { get; init; }
 
+    /// <summary>Where the ego begins a scenario, into which actors can be put; null for ordinary traffic alone.</summary>
+    public StageSetting? Stage { get; init; }
+
     /// <summary>Roads farther than this from the start are not built, metres; the ego does not leave the others.</summary>
     public double RadiusMetres { get; init; } = 400;
 
@@ -99,6 +102,12 @@ public sealed record SimulationOptions
 
     /// <summary>Factor on the number of lane changes, drifts onto markings between lanes and overtakings; 0 for none.</summary>
     public double LaneChanges { get; init; }
+
+    /// <summary>
+    /// Whether vehicles brake only as hard as tyres allow and collide when that does not suffice; otherwise they stop at once before they
+    /// touch anything.
+    /// </summary>
+    public bool HasCrashes { get; init; }
 
     /// <summary>
     /// Whether the ego starts beside the start position and the world has already moved for some seconds, which depend on the seed.

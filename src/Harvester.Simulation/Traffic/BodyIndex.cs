@@ -34,6 +34,15 @@ internal sealed class BodyIndex<T>
         }
     }
 
+    /// <summary>Removes a body that stands at a position.</summary>
+    public void Remove(T body, Vector3D place)
+    {
+        if (Find(CellOf(place)) is { } cell && cell.Bodies.Remove(body))
+        {
+            _count--;
+        }
+    }
+
     public void Move(T body, Vector3D from, Vector3D to)
     {
         if (CellOf(from) != CellOf(to))

@@ -45,7 +45,7 @@ internal static class Driver
     private const double MotorwayFactor = 1.4;
     private const double UnpavedFactor = 0.7;
 
-    public static double Acceleration(Vehicle vehicle, LaneOccupation occupation, double distanceToStop, BodyIndex<Walker> walkersOnRoad)
+    public static double Acceleration(Vehicle vehicle, LaneOccupation occupation, double distanceToStop, BodyIndex<IPerson> walkersOnRoad)
     {
         double freeShare = vehicle.Speed > 0 ? Math.Pow(vehicle.Speed / DesiredSpeed(vehicle), FreeExponent) : 0;
         (double gap, double leaderSpeed) = Leader(vehicle, occupation);
@@ -107,7 +107,12 @@ internal static class Driver
             {
                 double distance = other.DistanceOn(path);
                 leader =
-                    other != vehicle && toStart + distance > 0 && (leader is null || distance < leader.DistanceOn(path)) ? other : leader;
+                    other != vehicle
+                    && !(vehicle.IsBlindToStaged && other.Staged is not null)
+                    && toStart + distance > 0
+                    && (leader is null || distance < leader.DistanceOn(path))
+                        ? other
+                        : leader;
             }
 
             if (leader is not null)
@@ -126,7 +131,7 @@ internal static class Driver
         return (double.PositiveInfinity, 0);
     }
 
-    private static double DistanceToWalker(Vehicle vehicle, BodyIndex<Walker> walkersOnRoad)
+    private static double DistanceToWalker(Vehicle vehicle, BodyIndex<IPerson> walkersOnRoad)
     {
         const double halfLane = 2.2;
         const double step = 1.5;
@@ -138,7 +143,12 @@ internal static class Driver
             return double.PositiveInfinity;
         }
 
-        Walker[] near = [.. walkersOnRoad.Near(vehicle.PoseAhead(range / 2).Position)];
+        IPerson[] near =
+        [
+            .. walkersOnRoad
+                .Near(vehicle.PoseAhead(range / 2).Position)
+                .Where(person => !(vehicle.IsBlindToStaged && person is StagedPerson)),
+        ];
         for (double ahead = vehicle.FrontOverhang; near.Length > 0 && ahead < range; ahead += step)
         {
             Vector3D place = vehicle.PoseAhead(ahead).Position;

@@ -29,17 +29,23 @@ internal sealed class TrafficFlow
     private readonly BodyIndex<Footprint> _obstacles = new();
     private readonly LaneOccupation _occupation;
     private readonly EgoCar _egoCar;
+    private readonly HardBraking? _hardBraking;
 
-    /// <summary>Starts with vehicles that are on lanes and clear of each other and of obstacles; the first is the ego.</summary>
+    /// <summary>
+    /// Starts with vehicles that are on lanes and clear of each other and of obstacles; the first is the ego. Without crashes, a vehicle stops
+    /// at once before it moves into another.
+    /// </summary>
     public TrafficFlow(
         LaneGraph lanes,
         LaneControl control,
         IReadOnlyList<Vehicle> vehicles,
         EgoCar egoCar,
         IEnumerable<Footprint> obstacles,
-        Placing placing
+        Placing placing,
+        CrashFlow? crashes = null
     )
     {
+        Crashes = crashes;
         _vehicles = vehicles;
         _egoCar = egoCar;
         _placing = placing;
@@ -54,7 +60,20 @@ internal sealed class TrafficFlow
         {
             _obstacles.Add(obstacle, obstacle.Centre);
         }
+
+        if (crashes is not null)
+        {
+            _hardBraking = new HardBraking(_index, _obstacles);
+            crashes.HasPushed = (before, after) =>
+            {
+                _obstacles.Remove(before, before.Centre);
+                _obstacles.Add(after, after.Centre);
+            };
+        }
     }
+
+    /// <summary>Lets vehicles collide; null in a world without crashes.</summary>
+    public CrashFlow? Crashes { get; }
 
     /// <summary>Whether the ego has to stop at a line ahead.</summary>
     public bool MustEgoGiveWay { get; private set; }
@@ -83,6 +102,30 @@ internal sealed class TrafficFlow
         Watch?.Jump();
     }
 
+    /// <summary>Moves staged vehicles; null in a world without any.</summary>
+    public StagedTraffic? Staged { get; private set; }
+
+    /// <summary>Whether the ego stands still, whatever its driver wants, until a stage is set.</summary>
+    public bool HoldsEgo { get; set; }
+
+    /// <summary>Lets vehicles be staged.</summary>
+    /// <param name="ground">The ground under them.</param>
+    public StagedTraffic Stage(StagedGround ground) => Staged ??= new StagedTraffic(_index, _obstacles, ground, Crashes is not null);
+
+    /// <summary>Takes note of a vehicle that came into the world.</summary>
+    public void Enter(Vehicle vehicle) => _index.Add(vehicle, vehicle.Pose.Position);
+
+    /// <summary>Forgets a vehicle that was taken out of the world.</summary>
+    public void Leave(Vehicle vehicle)
+    {
+        _rightOfWay.ReleaseAll(vehicle);
+        _index.Remove(vehicle, vehicle.Pose.Position);
+    }
+
+    /// <summary>Whether a body would meet another one, a person excepted.</summary>
+    public bool IsTaken(Footprint place) =>
+        _index.Near(place.Centre).Any(other => place.Overlaps(other.Footprint)) || _obstacles.Near(place.Centre).Any(place.Overlaps);
+
     /// <summary>Whether the ego touches another vehicle.</summary>
     public bool TouchesVehicle() =>
         _index.AnyNear(Ego.Pose.Position, Ego, static (other, ego) => other != ego && ego.Footprint.Overlaps(other.Footprint));
@@ -90,9 +133,10 @@ internal sealed class TrafficFlow
     /// <summary>Whether the ego touches something that stands beside the road, such as a parked vehicle.</summary>
     public bool TouchesObstacle() => _obstacles.AnyNear(Ego.Pose.Position, Ego, static (other, ego) => ego.Footprint.Overlaps(other));
 
-    public void Tick(double seconds, double timeSeconds, BodyIndex<Walker> walkersOnRoad)
+    public void Tick(double seconds, double timeSeconds, BodyIndex<IPerson> walkersOnRoad)
     {
         _occupation.Refresh(_vehicles);
+        Crashes?.Begin();
         foreach (Vehicle vehicle in _vehicles)
         {
             if (Radius is { } radius && Horizontal.SquaredDistance(vehicle.Pose.Position, Ego.Pose.Position) > radius * radius)
@@ -100,20 +144,39 @@ internal sealed class TrafficFlow
                 continue;
             }
 
+            if (vehicle.Wreck is not null && !Recovers(vehicle))
+            {
+                Rest(vehicle, seconds);
+                continue;
+            }
+
+            if (vehicle.Staged is { } motion)
+            {
+                Staged!.Move(vehicle, motion, seconds, walkersOnRoad);
+                continue;
+            }
+
+            if (vehicle == Ego && HoldsEgo)
+            {
+                continue;
+            }
+
             double distanceToStop = _rightOfWay.DistanceToStop(vehicle, timeSeconds);
             double acceleration = Driver.Acceleration(vehicle, _occupation, distanceToStop, walkersOnRoad);
+            acceleration = vehicle.Ordered?.Limit(acceleration, timeSeconds) ?? acceleration;
+            acceleration = Limited(vehicle, acceleration, seconds, walkersOnRoad);
             Vector3D before = vehicle.Pose.Position;
             MustEgoGiveWay = vehicle == Ego ? distanceToStop < double.PositiveInfinity : MustEgoGiveWay;
             if (vehicle == Ego && _egoCar.IsLoose)
             {
                 _egoCar.Decide(seconds, _occupation, place => IsTaken(vehicle, place));
-                if (!_egoCar.IsDriven && IsEgoBlocked(acceleration, seconds, walkersOnRoad))
+                if (Crashes is null && !_egoCar.IsDriven && IsEgoBlocked(acceleration, seconds, walkersOnRoad))
                 {
                     _egoCar.Stop();
                     acceleration = Math.Min(acceleration, HoldingAcceleration);
                 }
 
-                _egoCar.Advance(seconds, acceleration, room => IsTaken(vehicle, vehicle.Footprint.Grown(room)));
+                _egoCar.Advance(seconds, acceleration, room => Crashes is null && IsTaken(vehicle, vehicle.Footprint.Grown(room)));
             }
             else
             {
@@ -130,13 +193,82 @@ internal sealed class TrafficFlow
             _index.Move(vehicle, before, vehicle.Pose.Position);
         }
 
+        Collide(seconds, timeSeconds + seconds);
         Watch?.Tick(timeSeconds + seconds);
     }
 
-    private void Advance(Vehicle vehicle, double acceleration, double seconds, BodyIndex<Walker> walkersOnRoad)
+    /// <summary>
+    /// The acceleration of a vehicle that may crash: at most what its tyres allow, and all of that when something is in its way. A vehicle
+    /// that cannot crash stops at once instead.
+    /// </summary>
+    private double Limited(Vehicle vehicle, double wanted, double seconds, BodyIndex<IPerson> walkersOnRoad)
+    {
+        if (Crashes is null)
+        {
+            return wanted;
+        }
+
+        double most = Crashes.Grip.Braking;
+        (double metres, _) = Step(vehicle, wanted, seconds);
+        bool mustBrake =
+            (metres > 0 && !vehicle.IsBlindToStaged && !IsFree(vehicle, metres, walkersOnRoad))
+            || (vehicle == Ego && _egoCar.IsLoose && !vehicle.IsBlindToStaged && MeetsWalker(vehicle, walkersOnRoad))
+            || _hardBraking!.IsNeeded(vehicle, most, walkersOnRoad);
+        return mustBrake ? -most : Math.Max(wanted, -most);
+    }
+
+    /// <summary>Whether a wreck drives again: the ego can, once it has come to rest and a program drives it.</summary>
+    private bool Recovers(Vehicle vehicle)
+    {
+        if (vehicle != Ego || !_egoCar.IsDriven || !vehicle.Wreck!.IsAtRest)
+        {
+            return false;
+        }
+
+        vehicle.Wreck = null;
+        _egoCar.Loosen();
+        return true;
+    }
+
+    private void Rest(Vehicle vehicle, double seconds)
+    {
+        vehicle.StandingSeconds = vehicle.Wreck!.IsAtRest ? vehicle.StandingSeconds + seconds : 0;
+        vehicle.Signals.Tick(vehicle.Speed, seconds);
+        if (vehicle == Ego)
+        {
+            _egoCar.Slide();
+            if (HasToLeave(vehicle))
+            {
+                Vector3D before = vehicle.Pose.Position;
+                Replace(vehicle);
+                _index.Move(vehicle, before, vehicle.Pose.Position);
+            }
+        }
+    }
+
+    private void Collide(double seconds, double timeSeconds)
+    {
+        if (Crashes is null)
+        {
+            return;
+        }
+
+        Dictionary<Vehicle, Vector3D> before = [];
+        foreach (Vehicle vehicle in Crashes.End(seconds, timeSeconds, _index, before))
+        {
+            _rightOfWay.ReleaseAll(vehicle);
+            _index.Move(vehicle, before[vehicle], vehicle.Pose.Position);
+            if (vehicle == Ego)
+            {
+                _egoCar.Slide();
+            }
+        }
+    }
+
+    private void Advance(Vehicle vehicle, double acceleration, double seconds, BodyIndex<IPerson> walkersOnRoad)
     {
         (double metres, double speed) = Step(vehicle, acceleration, seconds);
-        if (metres > 0 && IsFree(vehicle, metres, walkersOnRoad))
+        if (metres > 0 && (Crashes is not null || IsFree(vehicle, metres, walkersOnRoad)))
         {
             vehicle.Advance(metres);
             vehicle.Speed = speed;
@@ -149,7 +281,7 @@ internal sealed class TrafficFlow
         }
     }
 
-    private bool IsEgoBlocked(double acceleration, double seconds, BodyIndex<Walker> walkersOnRoad)
+    private bool IsEgoBlocked(double acceleration, double seconds, BodyIndex<IPerson> walkersOnRoad)
     {
         (double metres, _) = Step(Ego, acceleration, seconds);
         return metres > 0 && (!IsFree(Ego, metres, walkersOnRoad) || MeetsWalker(Ego, walkersOnRoad));
@@ -185,7 +317,7 @@ internal sealed class TrafficFlow
         return atDeadEnd || isInTheWay || isStuck;
     }
 
-    private bool IsFree(Vehicle vehicle, double metres, BodyIndex<Walker> walkersOnRoad)
+    private bool IsFree(Vehicle vehicle, double metres, BodyIndex<IPerson> walkersOnRoad)
     {
         Footprint now = vehicle.Footprint;
         var way = new WayAhead(
@@ -200,7 +332,7 @@ internal sealed class TrafficFlow
     }
 
     /// <summary>Whether somebody walks just ahead of a vehicle that need not be on its lane's line.</summary>
-    private static bool MeetsWalker(Vehicle vehicle, BodyIndex<Walker> walkersOnRoad)
+    private static bool MeetsWalker(Vehicle vehicle, BodyIndex<IPerson> walkersOnRoad)
     {
         Footprint now = vehicle.Footprint.Grown(Clearance);
         Footprint ahead = now with { Centre = now.Centre + (now.Forward * LookAhead) };

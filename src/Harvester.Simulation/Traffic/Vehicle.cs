@@ -31,7 +31,7 @@ internal sealed class Vehicle
     public Model Model { get; }
 
     /// <summary>Speed on a free straight street, metres per second.</summary>
-    public double CruiseSpeed { get; }
+    public double CruiseSpeed { get; set; }
 
     /// <summary>Its current path and those that follow.</summary>
     public IReadOnlyList<LanePath> Route => _route;
@@ -53,7 +53,7 @@ internal sealed class Vehicle
 
     public Footprint Footprint { get; private set; }
 
-    public Vector3D Velocity => _places is null ? Pose.Axes.Forward * Speed : _freeVelocity;
+    public Vector3D Velocity => _places is null && Staged is null ? Pose.Axes.Forward * Speed : _freeVelocity;
 
     /// <summary>The paths on which it is.</summary>
     public IEnumerable<LanePath> Ways => _places is null ? [Path] : _places.Keys;
@@ -64,6 +64,12 @@ internal sealed class Vehicle
     /// <summary>The lane at whose end it has stopped; null if it has not, or has left that lane.</summary>
     public LanePath? StoppedOn { get; set; }
 
+    /// <summary>An order to brake that somebody has given to its driver; null for none.</summary>
+    public OrderedBraking? Ordered { get; set; }
+
+    /// <summary>Its motion after an impact; null for a vehicle that is driven.</summary>
+    public Wreck? Wreck { get; set; }
+
     /// <summary>Its brake lights and indicators.</summary>
     public VehicleSignals Signals { get; } = new();
 
@@ -72,6 +78,21 @@ internal sealed class Vehicle
 
     /// <summary>The model of its rider; null for a vehicle that has none.</summary>
     public Model? Rider => Model.Riders.Count > 0 ? Model.Riders[Handle % Model.Riders.Count] : null;
+
+    /// <summary>How an actor moves that somebody has put into the world; null for a vehicle in traffic.</summary>
+    public StagedMotion? Staged { get; init; }
+
+    /// <summary>Whether its driver takes no notice of staged actors.</summary>
+    public bool IsBlindToStaged { get; set; }
+
+    /// <summary>Chooses the next of several paths; null for a random choice.</summary>
+    public Func<IReadOnlyList<LanePath>, LanePath>? Guide { get; set; }
+
+    /// <summary>The side of its open door, -1 left or 1 right; 0 if all are shut.</summary>
+    public int OpenDoor { get; set; }
+
+    /// <summary>The corners of its box, with an open door, metres, in the model's frame.</summary>
+    public (Vector3D Min, Vector3D Max) Extents => OpenDoor == 0 ? (Model.Min, Model.Max) : DoorModel.ExtentsOf(Model, OpenDoor);
 
     /// <summary>Its meshes: the vehicle itself, the light of its lamps, and its rider, who is an entity of its own.</summary>
     public IEnumerable<MeshInstance> Instances(VehicleLights lights)
@@ -82,10 +103,22 @@ internal sealed class Vehicle
             yield return new MeshInstance(lamps, Pose, Handle);
         }
 
+        if (OpenDoor != 0)
+        {
+            yield return new MeshInstance(DoorModel.MeshOf(Model, OpenDoor), Pose, Handle);
+        }
+
         if (Rider is { } rider)
         {
             yield return new MeshInstance(rider.Mesh, Pose, RiderHandle);
         }
+    }
+
+    /// <summary>Chooses again what follows its path.</summary>
+    public void PlanAgain()
+    {
+        _route.RemoveRange(1, _route.Count - 1);
+        Plan();
     }
 
     public double FrontOverhang => Model.Max.Y;
@@ -101,6 +134,7 @@ internal sealed class Vehicle
         _route.Clear();
         _route.Add(path);
         _places = null;
+        Wreck = null;
         Speed = 0;
         StandingSeconds = 0;
         Plan();
@@ -130,6 +164,20 @@ internal sealed class Vehicle
         _freeVelocity = velocity;
         _places = alsoOn.ToDictionary(other => other.Path, other => other.Distance);
         _places[place.Path] = place.Distance;
+    }
+
+    /// <summary>Moves a staged vehicle, which follows no lanes.</summary>
+    /// <param name="pose">Its pose.</param>
+    /// <param name="speed">Metres per second.</param>
+    /// <param name="velocity">Velocity, m/s, world.</param>
+    /// <param name="on">Its positions on the paths that it blocks; empty off the lanes.</param>
+    public void MoveStaged(Pose pose, double speed, Vector3D velocity, IEnumerable<LanePlace> on)
+    {
+        Speed = speed;
+        Pose = pose;
+        Footprint = Footprint.Of(pose, Extents.Min, Extents.Max);
+        _freeVelocity = velocity;
+        _places = on.ToDictionary(place => place.Path, place => place.Distance);
     }
 
     /// <summary>Metres from the start of a path on which it is.</summary>
@@ -195,7 +243,7 @@ internal sealed class Vehicle
         while (length < PlannedAhead + Path.Length && _route[^1].Next.Count > 0)
         {
             List<LanePath> next = Continuing(_route[^1].Next);
-            _route.Add(next[_random.Next(next.Count)]);
+            _route.Add(Guide is { } guide ? guide(_route[^1].Next) : next[_random.Next(next.Count)]);
             length += _route[^1].Length;
         }
     }

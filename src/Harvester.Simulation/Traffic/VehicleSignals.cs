@@ -1,9 +1,10 @@
+using Harvester.Capture.Ports;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 
-/// <summary>What a driver shows to others: brake lights, and indicators before and in turns at junctions.</summary>
+/// <summary>What a driver shows to others: brake lights, indicators before and in turns at junctions, and hazard lights after an impact.</summary>
 internal sealed class VehicleSignals
 {
     /// <summary>Weaker deceleration comes from the engine, without the pedal, m/s².</summary>
@@ -21,6 +22,9 @@ internal sealed class VehicleSignals
     /// <summary>The brake lights stay on for a moment after the pedal was used, so that they do not flicker, seconds.</summary>
     private const double Afterglow = 0.25;
 
+    /// <summary>The indicators of a staged vehicle, which has no route that sets them.</summary>
+    public StageIndicators Ordered { get; set; }
+
     private double _brakedSeconds = Afterglow;
     private double _speedBefore;
 
@@ -35,9 +39,12 @@ internal sealed class VehicleSignals
     /// <summary>The lamps that shine at a time.</summary>
     public VehicleLights At(Vehicle vehicle, double timeSeconds, bool isDark)
     {
-        double turn = TurnOf(vehicle);
+        double turn = vehicle.Staged is null ? TurnOf(vehicle) : 0;
+        bool isWarning = vehicle.Wreck is not null;
+        bool isLeft = turn > TurnFrom || Ordered is StageIndicators.Left or StageIndicators.Hazard || isWarning;
+        bool isRight = turn < -TurnFrom || Ordered is StageIndicators.Right or StageIndicators.Hazard || isWarning;
         bool isBlinkOn = ((timeSeconds * BlinkHertz) + (vehicle.Handle * 0.618)) % 1 < 0.5;
-        return new VehicleLights(_brakedSeconds < Afterglow, isBlinkOn && turn > TurnFrom, isBlinkOn && turn < -TurnFrom, isDark);
+        return new VehicleLights(_brakedSeconds < Afterglow, isBlinkOn && isLeft, isBlinkOn && isRight, isDark);
     }
 
     /// <summary>The angle of the turn on which it is or which is next, radians, positive to the left; 0 without one.</summary>

@@ -12,7 +12,7 @@ internal sealed class WalkerFlow
 
     private readonly IReadOnlyList<Walker> _walkers;
     private readonly ILookup<Road, Walkway> _walkwaysOf;
-    private readonly BodyIndex<Walker> _onRoad = new();
+    private readonly BodyIndex<IPerson> _onRoad = new();
 
     public WalkerFlow(IReadOnlyList<Walker> walkers, IEnumerable<Walkway> walkways)
     {
@@ -20,13 +20,24 @@ internal sealed class WalkerFlow
         _walkwaysOf = walkways.ToLookup(walkway => walkway.Road);
     }
 
+    /// <summary>Somewhere pedestrians of the traffic do not begin to cross: a middle and a radius, metres; null for nowhere.</summary>
+    public (Vector3D Middle, double Radius)? Quiet { get; set; }
+
+    /// <summary>People who were put into the world.</summary>
+    public List<StagedPerson> Staged { get; } = [];
+
     /// <summary>The pedestrians on a carriageway now; valid until the next call.</summary>
-    public BodyIndex<Walker> OnRoad()
+    public BodyIndex<IPerson> OnRoad()
     {
         _onRoad.Clear();
         foreach (Walker walker in _walkers.Where(walker => walker.IsOnRoad))
         {
             _onRoad.Add(walker, walker.Pose.Position);
+        }
+
+        foreach (StagedPerson person in Staged.Where(person => person.IsOnRoad))
+        {
+            _onRoad.Add(person, person.Pose.Position);
         }
 
         return _onRoad;
@@ -36,7 +47,8 @@ internal sealed class WalkerFlow
     public void Tick(double seconds, TrafficFlow traffic, Vector3D place, double? radius)
     {
         Func<Walkway, double, Walkway?> opposite = Opposite;
-        Func<Vector3D, bool> isSafe = place => IsSafe(place, traffic);
+        Func<Vector3D, bool> isSafe = place =>
+            IsSafe(place, traffic) && !(Quiet is { } quiet && Horizontal.Distance(place, quiet.Middle) < quiet.Radius);
         double squared = radius * radius ?? double.PositiveInfinity;
         foreach (Walker walker in _walkers)
         {

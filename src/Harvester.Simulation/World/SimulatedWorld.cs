@@ -3,6 +3,7 @@ using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Crashes;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;
@@ -31,12 +32,19 @@ internal sealed class SimulatedWorld
     private readonly List<Prop> _entities;
     private readonly List<Vehicle> _vehicles;
     private readonly List<Walker> _walkers;
+
+    /// <summary>The parked vehicles of a world with crashes, in which they can move.</summary>
+    private readonly List<ParkedVehicle> _loose;
+
+    /// <summary>The walkers, and the people who were put into the world.</summary>
+    private readonly List<IPerson> _people;
     private readonly TrafficFlow _traffic;
     private readonly WalkerFlow _walking;
     private readonly SignalProps _signalProps;
     private readonly IReadOnlyList<Vector3D> _lamps;
     private readonly MotionMeter _motion;
     private readonly Func<EgoWatch> _newWatch;
+    private readonly int _lastHandleInTraffic;
 
     public SimulatedWorld(SimulationOptions options)
         : this(options, new HandleCounter(), 0, 0) { }
@@ -73,11 +81,13 @@ internal sealed class SimulatedWorld
         ModelCatalogue catalogue = ModelCatalogue.Shared;
         Population population = new(seed, catalogue, handles);
         Placing placing = new(site.Lanes, seed);
-        int? visit = options.IsWarm ? place : null;
-        (LanePath Path, double Distance) startOfEgo = options.StartSeed is { } startSeed
-            ? placing.RandomStartOfEgo(startSeed)
+        bool isWarm = options.IsWarm && options.Stage is null;
+        int? visit = isWarm ? place : null;
+        (LanePath Path, double Distance) startOfEgo =
+            options.Stage is { } setting ? StageStart.Of(site.Lanes, setting)
+            : options.StartSeed is { } startSeed ? placing.RandomStartOfEgo(startSeed)
             : placing.StartOfEgo(start, visit);
-        Vector3D? busy = options.IsWarm ? startOfEgo.Path.Line.PositionAt(startOfEgo.Distance) : null;
+        Vector3D? busy = isWarm ? startOfEgo.Path.Line.PositionAt(startOfEgo.Distance) : null;
         double parkedDensity = options.ParkedDensity ?? options.TrafficDensity;
         List<Prop> parked = population.Park(site.Walkways, site.Index, busy, parkedDensity);
         if (busy is { } visited)
@@ -85,8 +95,12 @@ internal sealed class SimulatedWorld
             parked.AddRange(population.Leave(site.Plan.Roads, site.Index, visited, site.Terrain.HeightAt, parkedDensity));
         }
 
+        parked.RemoveAll(prop => options.Stage?.IsKeptClear(prop.Pose.Position) ?? false);
+
         _vehicles = population.Drive(placing, parked, startOfEgo, visit, options.TrafficDensity);
         _walkers = population.Walk(site.Walkways, busy, options.PedestrianDensity);
+        _people = [.. _walkers];
+        _lastHandleInTraffic = _vehicles[^1].Handle;
         bool isLively = options.Wander > 0 || options.LaneChanges > 0;
         Car = new EgoCar(
             Ego,
@@ -125,16 +139,30 @@ internal sealed class SimulatedWorld
 
         LaneControl control = new(site.Signals, scenery.StopArms);
         IEnumerable<Footprint> obstacles = parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max));
-        _traffic = new TrafficFlow(site.Lanes, control, _vehicles, Car, obstacles, placing) { Radius = options.TrafficRadiusMetres };
-        _newWatch = () => new EgoWatch(Ego, Car, _traffic, _walkers, control);
+        _loose = options.HasCrashes ? [.. parked.Select(prop => new ParkedVehicle(prop))] : [];
+        CrashFlow? crashes = options.HasCrashes ? new CrashFlow(site.Lanes, _vehicles, _loose, _people) : null;
+        _traffic = new TrafficFlow(site.Lanes, control, _vehicles, Car, obstacles, placing, crashes)
+        {
+            Radius = options.TrafficRadiusMetres,
+        };
+        _newWatch = () => new EgoWatch(Ego, Car, _traffic, _people, control);
         _lamps = scenery.Lamps;
-        _entities = [.. parked, .. scenery.Props.Where(prop => prop.Handle != 0)];
+        List<Prop> still = options.HasCrashes ? [] : parked;
+        _entities = [.. still, .. scenery.Props.Where(prop => prop.Handle != 0)];
         Scene = new RenderScene([
             .. site.Ground,
-            .. parked.Concat(scenery.Props).Select(prop => new MeshInstance(prop.Model.Variant(prop.Variant), prop.Pose, prop.Handle)),
+            .. still.Concat(scenery.Props).Select(prop => new MeshInstance(prop.Model.Variant(prop.Variant), prop.Pose, prop.Handle)),
             .. _walkers.Select(walker => walker.Bench).OfType<Pose>().Select(bench => new MeshInstance(catalogue.Bench.Mesh, bench, 0)),
         ]);
-        if (options.IsWarm)
+        SetRain(Weather.LightingOf(options.Weather, options.DayOfYear, options.TimeOfDay).RainFraction);
+        if (options.Stage is { } stage)
+        {
+            TimeSeconds += StageStart.SecondsToGreen(stage, startOfEgo.Path, control, TimeSeconds);
+            Stage = new WorldStage(stage, catalogue, handles, new StagedGround(site.Lanes, site.Terrain.HeightAt), _traffic, _walking);
+            Stage.Enter(_vehicles, _people, () => Advance(MaxTick));
+        }
+
+        if (isWarm)
         {
             const double minSeconds = 5;
             const double moreSeconds = 10;
@@ -164,6 +192,9 @@ internal sealed class SimulatedWorld
 
     /// <summary>The stop lines and pedestrian crossings.</summary>
     public IReadOnlyList<PaintedMark> Marks { get; }
+
+    /// <summary>Puts actors into the world; null unless the options set a stage.</summary>
+    public WorldStage? Stage { get; }
 
     /// <summary>Seconds since the start.</summary>
     public double TimeSeconds { get; private set; }
@@ -195,6 +226,9 @@ internal sealed class SimulatedWorld
     /// <summary>Whether it is so dark that vehicles in traffic have their headlights on.</summary>
     public bool IsDark { get; set; }
 
+    /// <summary>Whether a handle is that of a vehicle in traffic or of the ego.</summary>
+    public bool IsVehicle(int handle) => handle >= _vehicles[0].Handle && handle <= _lastHandleInTraffic;
+
     /// <summary>Places the ego at a position, at rest.</summary>
     public void ResetEgo(Vector3D position, double headingDegrees) => _traffic.ResetEgo(position, headingDegrees);
 
@@ -207,19 +241,40 @@ internal sealed class SimulatedWorld
     /// <summary>The state of a traffic light at a time; null for another entity.</summary>
     public LightState? LightAt(int handle, double timeSeconds) => _signalProps.StateAt(handle, timeSeconds)?.AsLight();
 
+    /// <summary>The impacts of the last call of <see cref="Advance"/>; empty in a world without crashes.</summary>
+    public IReadOnlyList<Impact> Impacts { get; private set; } = [];
+
+    /// <summary>Sets how wet the road is, from 0, dry, to 1; it has no influence on a world without crashes.</summary>
+    public void SetRain(double fraction)
+    {
+        if (_traffic.Crashes is { } crashes)
+        {
+            crashes.Grip = RoadGrip.In(fraction);
+            Car.SetGrip(crashes.Grip);
+        }
+    }
+
+    /// <summary>Makes a change of a driver, or removes an entity.</summary>
+    /// <exception cref="ArgumentException">There is no such vehicle or person.</exception>
+    public void Make(WorldChange change) => new WorldChanges(_vehicles, _walkers, _people, _traffic).Make(change, TimeSeconds);
+
     public void Advance(double seconds)
     {
+        List<Impact> impacts = [];
         int steps = (int)Math.Ceiling(seconds / MaxTick);
         for (int i = 0; i < steps; i++)
         {
             double step = seconds / steps;
             _motion.Begin();
             _traffic.Tick(step, TimeSeconds, _walking.OnRoad());
+            impacts.AddRange(_traffic.Crashes?.Impacts ?? []);
             _walking.Tick(step, _traffic, Ego.Pose.Position, _traffic.Radius);
+            Stage?.TickPeople(step);
             _motion.End(step);
             TimeSeconds += step;
         }
 
+        Impacts = impacts;
         Car.EndTick();
     }
 
@@ -232,9 +287,12 @@ internal sealed class SimulatedWorld
             .Where(vehicle => vehicle.Handle != HiddenHandle && (vehicle.Pose.Position - place).LengthSquared < squared)
             .SelectMany(vehicle => vehicle.Instances(LightsOf(vehicle)))
             .Concat(
-                _walkers
+                _people
                     .Where(walker => (walker.Pose.Position - place).LengthSquared < squared)
                     .Select(walker => new MeshInstance(walker.Look, walker.Pose, walker.Handle))
+            )
+            .Concat(
+                _loose.Where(vehicle => (vehicle.Prop.Pose.Position - place).LengthSquared < squared).Select(vehicle => vehicle.Instance)
             )
             .Concat(_signalProps.Instances(TimeSeconds).Where(signal => (signal.Pose.Position - place).LengthSquared < squared));
     }
@@ -257,7 +315,7 @@ internal sealed class SimulatedWorld
             )
             {
                 HasRider = VehicleClasses.HaveRiders(vehicle.Model.Class) ? true : null,
-                Lights = LightsOf(vehicle),
+                Lights = VehicleClasses.AreVehicles(vehicle.Model.Class) ? LightsOf(vehicle) : null,
             });
         IEnumerable<EntityState> riders = _vehicles
             .Skip(1)
@@ -275,7 +333,7 @@ internal sealed class SimulatedWorld
                 VehicleHandle = vehicle.Handle,
                 Skeleton = vehicle.Rider.Skeletons[0].MovedBy(vehicle.Pose),
             });
-        IEnumerable<EntityState> walkers = _walkers
+        IEnumerable<EntityState> walkers = _people
             .Where(walker => IsNear(walker.Pose))
             .Select(walker => new EntityState(
                 walker.Handle,
@@ -289,7 +347,10 @@ internal sealed class SimulatedWorld
             {
                 Skeleton = walker.Skeleton,
             });
-        IEnumerable<EntityState> props = _entities.Where(prop => IsNear(prop.Pose)).Select(prop => prop.State);
+        IEnumerable<EntityState> props = _entities
+            .Where(prop => IsNear(prop.Pose))
+            .Select(prop => prop.State)
+            .Concat(_loose.Where(vehicle => IsNear(vehicle.Prop.Pose)).Select(vehicle => vehicle.State));
         return
         [
             .. vehicles
@@ -321,6 +382,7 @@ internal sealed class SimulatedWorld
             .Take(maxLamps)
             .Select(LightSource.StreetLamp);
         IEnumerable<LightSource> headlights = Vehicles
+            .Where(vehicle => vehicle.Model.Lamps is not null)
             .Where(vehicle => (vehicle.Pose.Position - eye).Length < range)
             .OrderBy(vehicle => (vehicle.Pose.Position - eye).LengthSquared)
             .Take(maxVehicles)

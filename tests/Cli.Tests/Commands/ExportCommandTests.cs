@@ -93,7 +93,7 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
         );
         CliRun
             .Of("export", copy, "--format", "openlane", "--out", _folder.PathOf("other"), "--roads", roads)
-            .AssertFailed(ExitCode.Usage, "--roads has no effect in openlane, only in openlane-v2.");
+            .AssertFailed(ExitCode.Usage, "--roads has no effect in openlane, only in openlane-v2, gpudrive, womd.");
     }
 
     [Theory]

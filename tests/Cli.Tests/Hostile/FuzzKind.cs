@@ -11,6 +11,7 @@ using Harvester.Datasets.Statistics;
 using Harvester.Datasets.Validation;
 using Harvester.Exports.Assembly;
 using Harvester.Exports.Formats;
+using Harvester.Exports.Pairs;
 using Harvester.Exports.Validation;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
@@ -42,6 +43,8 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
     private const string MapWithProps = "roads map {0}/straight.csv --props {0}/props.json --out {0}/out.xodr";
     private const string MapOfSession = "roads map {0}/straight.csv --props {0}/session --out {0}/out.geojson";
 
+    private static readonly string[] WithMaps = ["openlane-v2", "gpudrive", "womd"];
+
     private const string Schema = "validate {0}/session --schema --quick";
     private const string Merge = "merge {0}/shard {0}/shard2 --out {0}/out";
 
@@ -52,9 +55,10 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         .. "coco-keypoints jta".Split(' ').Select(format => $"export {{0}}/people --format {format} --out {{0}}/{format}"),
         .. DatasetFormats
             .All.Select(format => format.Name)
-            .Except(["coco-keypoints", "jta", "openlane-v2"])
+            .Except(["coco-keypoints", "jta", .. WithMaps])
             .Select(format => $"export {{0}}/session --format {format} --out {{0}}/{format}"),
-        "export {0}/session --format openlane-v2 --roads {0}/straight.csv --out {0}/openlane-v2",
+        "counterfactual --out {0}/set --frames 2 --places 1 --change frame_0:_weather_rain --roads {0}/straight.csv --size 64x48 --no-report",
+        .. WithMaps.Select(format => $"export {{0}}/session --format {format} --roads {{0}}/straight.csv --out {{0}}/{format}"),
     ];
 
     /// <summary>Whether invalid lines are ignored by design, so that nothing is ever rejected.</summary>
@@ -163,6 +167,10 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Dataset("tusimple", "tusimple", "label_data_train.json"),
         Dataset("openlane", "openlane", "lane3d/train/segment-0000/00000000.json"),
         Dataset("openlane-v2", "openlane-v2", "data_dict_gta.json"),
+        Dataset("gpudrive", "gpudrive", "train/0000_0000.json"),
+        Dataset("gpudrive-frames", "gpudrive", "frames.csv"),
+        Dataset("womd", "womd", "train.tfrecord-00000-of-00001"),
+        Dataset("womd-scenarios", "womd", "scenarios.csv"),
         Dataset("webdataset", "webdataset", "train-000000.tar"),
         Dataset("mcap", "mcap", "train/0000.mcap"),
         Dataset("bdd100k", "bdd100k", "labels/det_20/det_train.json"),
@@ -188,6 +196,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             "plan show {0}/plan.json",
             "plan resolve {0}/plan.json --out {0}/out.json"
         ),
+        new("counterfactuals", "set/counterfactuals.json", folder => ChangeSet.Read(In(folder, "set")), "pairs {0}/set --out {0}/out"),
         new("experiment-rig", "rig.json", folder => PlanFile.Read(In(folder, "plan.json")), "plan check {0}/plan.json"),
         Compared("kitti-compared", "kitti/training/label_2/000000.txt", ComparedKitti.Open, "--kitti {0}/kitti"),
         Compared("nuscenes-compared", "nuscenes/v1.0-gta/sample_annotation.json", ComparedNuScenes.Open, "--nuscenes {0}/nuscenes"),

@@ -17,7 +17,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
 
     /// <summary>Whether it builds a world, which takes longer than all else.</summary>
     public bool BuildsWorld =>
-        Words.Split(' ')[0] is "harvest" or "drive" or "serve" or "contact-sheet" or "plan"
+        Words.Split(' ')[0] is "harvest" or "counterfactual" or "drive" or "serve" or "contact-sheet" or "plan"
         || Words.StartsWith("roads photograph", StringComparison.Ordinal);
 
     /// <summary>A straight road, the file roads.csv of the inputs: its world is built in a fraction of the time of a town.</summary>
@@ -87,6 +87,14 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("pairs", "pairs {inputs}/pairs --out {root}/out --images copy --resume"),
         new("pairs-webdataset", "pairs {inputs}/pairs --out {root}/out --format webdataset --resume"),
         new("relabel", "relabel {inputs}/session --out {root}/out --resume --range 60"),
+        new(
+            "counterfactual",
+            $"counterfactual --out {{root}}/out --frames 3 --no-report --change frame_0:_weather_rain --places 1 {Unchecked}"
+        )
+        {
+            Only = ["out/.", "out/counterfactuals.json"],
+            IsKilled = true,
+        },
         new("relabel-overwrite", "relabel {inputs}/session --out {root}/out --range 60 --images copy --overwrite", Former),
         new("merge", "merge {inputs}/part-1 {inputs}/part-2 --out {root}/out --resume"),
         new("export-kitti", "export {inputs}/session --format kitti --out {root}/out"),
@@ -96,6 +104,8 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("export-webdataset", "export {inputs}/session --format webdataset --out {root}/out"),
         new("export-nuscenes", "export {inputs}/session --format nuscenes --out {root}/out"),
         new("export-openlane-v2", "export {inputs}/session --format openlane-v2 --roads {inputs}/roads.csv --out {root}/out"),
+        new("export-gpudrive", "export {inputs}/session --format gpudrive --roads {inputs}/roads.csv --out {root}/out"),
+        new("export-womd", "export {inputs}/session --format womd --roads {inputs}/roads.csv --out {root}/out"),
         new("export-motchallenge", "export {inputs}/session --format motchallenge --out {root}/out"),
         new("export-imagefolder", "export {inputs}/session --format imagefolder --out {root}/out"),
         new("export-shard", "export {inputs}/session --format yolo --out {root}/out --shard 1/2 --resume"),

@@ -22,42 +22,62 @@ internal sealed class PaintedEdges
     /// <summary>Distance of the places on an edge at which a marking is looked for, metres.</summary>
     private const double Step = 1;
 
-    private readonly (int Kind, Vector3D[] Line)[] _markings;
+    private readonly (MarkingPaint? Paint, Vector3D[] Line)[] _markings;
 
     /// <summary>Prepares the markings.</summary>
     /// <param name="markings">The markings.</param>
     /// <param name="vehicle">The vehicle's frame.</param>
     public PaintedEdges(IReadOnlyList<LaneLineView> markings, Pose vehicle) =>
         _markings = [
-            .. markings.Select(view =>
-                (
-                    view.Paint?.Style == MarkingStyle.Dashed ? Dashed : Solid,
-                    VehicleRange.Points([.. view.Points.Select(point => point.World)], vehicle)
-                )
-            ),
+            .. markings.Select(view => (view.Paint, VehicleRange.Points([.. view.Points.Select(point => point.World)], vehicle))),
         ];
 
     /// <summary>How most of an edge is painted.</summary>
     /// <param name="edge">The edge, vehicle's frame, metres.</param>
     public int KindOf(IReadOnlyList<Vector3D> edge)
     {
+        if (Beside(edge) is not { } paints)
+        {
+            return None;
+        }
+
+        int dashed = paints.Count(static paint => paint?.Style == MarkingStyle.Dashed);
+        return dashed > paints.Count - dashed ? Dashed : Solid;
+    }
+
+    /// <summary>The paint along most of an edge: the most frequent; null if less than half of the edge is painted, or it is
+    /// unknown.</summary>
+    /// <param name="edge">The edge, vehicle's frame, metres.</param>
+    public MarkingPaint? PaintOf(IReadOnlyList<Vector3D> edge) =>
+        Beside(edge)
+            ?.GroupBy(static paint => (paint?.Style, paint?.Colour))
+            .OrderByDescending(static same => same.Count())
+            .ThenBy(static same => same.Key)
+            .First()
+            .First();
+
+    /// <summary>The paint at the places of an edge that have some; null if they are less than half of all.</summary>
+    private List<MarkingPaint?>? Beside(IReadOnlyList<Vector3D> edge)
+    {
         int places = Math.Max(2, (int)Math.Ceiling(VehicleRange.LengthOf(edge) / Step));
-        var counts = new int[3];
+        var paints = new List<MarkingPaint?>();
         for (int i = 0; i < places; i++)
         {
             double at = (i + 0.5) / places * (edge.Count - 1);
-            counts[KindAt(VehicleRange.Part(edge, at, at)[0])]++;
+            if (IsPainted(VehicleRange.Part(edge, at, at)[0], out MarkingPaint? paint))
+            {
+                paints.Add(paint);
+            }
         }
 
-        return counts[Solid] + counts[Dashed] < MinShare * places ? None
-            : counts[Dashed] > counts[Solid] ? Dashed
-            : Solid;
+        return paints.Count < MinShare * places ? null : paints;
     }
 
-    private int KindAt(Vector3D place)
+    private bool IsPainted(Vector3D place, out MarkingPaint? paint)
     {
-        (int kind, double least) = (None, MaxAside);
-        foreach ((int of, Vector3D[] line) in _markings)
+        (paint, double least) = (null, MaxAside);
+        bool isPainted = false;
+        foreach ((MarkingPaint? of, Vector3D[] line) in _markings)
         {
             for (int i = 1; i < line.Length; i++)
             {
@@ -66,10 +86,13 @@ internal sealed class PaintedEdges
                 double square = along.Dot(along);
                 double t = square > 0 ? Math.Clamp(to.Dot(along) / square, 0, 1) : 0;
                 double apart = (to - (along * t)).Length;
-                (kind, least) = apart < least ? (of, apart) : (kind, least);
+                if (apart < least)
+                {
+                    (paint, least, isPainted) = (of, apart, true);
+                }
             }
         }
 
-        return kind;
+        return isPainted;
     }
 }

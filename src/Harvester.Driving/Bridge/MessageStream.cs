@@ -2,36 +2,55 @@ using System.Text;
 
 namespace Harvester.Driving.Bridge;
 
-/// <summary>A message on the socket: two lengths of four bytes each (big-endian), then the header (UTF-8), then the payload.</summary>
-internal static class SocketFraming
+/// <summary>
+/// Messages on a socket: two lengths of four bytes each (big-endian), then the header (UTF-8), then the payload. One thread reads; any may
+/// write.
+/// </summary>
+/// <param name="stream">The connection.</param>
+internal sealed class MessageStream(Stream stream)
 {
     /// <summary>Maximum length of a header that is read, bytes.</summary>
     public const int MaxHeaderLength = 65_536;
 
     private const int LengthBytes = 8;
+    private readonly object _writing = new();
 
-    /// <summary>Writes a message: lengths, header, payload.</summary>
-    /// <exception cref="IOException">The connection is broken.</exception>
-    public static void Write(Stream stream, byte[] header, ArraySegment<byte> payload)
+    /// <summary>Writes a message.</summary>
+    /// <returns>Why the other side did not receive it; null if it was written.</returns>
+    public string? FaultOfWriting(byte[] header, ArraySegment<byte> payload)
     {
         byte[] lengths = new byte[LengthBytes];
         PutInt(lengths, 0, header.Length);
         PutInt(lengths, 4, payload.Count);
-        stream.Write(lengths, 0, lengths.Length);
-        stream.Write(header, 0, header.Length);
-        if (payload.Count > 0)
+        try
         {
-            stream.Write(payload.Array!, payload.Offset, payload.Count);
-        }
+            lock (_writing)
+            {
+                stream.Write(lengths, 0, lengths.Length);
+                stream.Write(header, 0, header.Length);
+                if (payload.Count > 0)
+                {
+                    stream.Write(payload.Array!, payload.Offset, payload.Count);
+                }
 
-        stream.Flush();
+                stream.Flush();
+            }
+
+            return null;
+        }
+#pragma warning disable CA1031 // An exception that leaves a thread ends the game, whatever its type.
+        catch (Exception e) when (e is not ThreadAbortException)
+#pragma warning restore CA1031
+        {
+            return e.Message;
+        }
     }
 
     /// <summary>Reads a client's header; clients send no payload.</summary>
     /// <returns>Null at the end of the stream.</returns>
     /// <exception cref="BridgeException">The header is too long, or there is a payload.</exception>
     /// <exception cref="IOException">The stream ends within the header.</exception>
-    public static string? ReadHeader(Stream stream)
+    public string? ReadHeader()
     {
         byte[] lengths = new byte[LengthBytes];
         int first = stream.Read(lengths, 0, 1);
@@ -40,7 +59,7 @@ internal static class SocketFraming
             return null;
         }
 
-        Fill(stream, lengths, 1);
+        Fill(lengths, 1);
         int headerLength = GetInt(lengths, 0);
         int payloadLength = GetInt(lengths, 4);
         if (headerLength is < 2 or > MaxHeaderLength || payloadLength != 0)
@@ -53,11 +72,11 @@ internal static class SocketFraming
         }
 
         byte[] header = new byte[headerLength];
-        Fill(stream, header, 0);
+        Fill(header, 0);
         return Encoding.UTF8.GetString(header);
     }
 
-    private static void Fill(Stream stream, byte[] buffer, int from)
+    private void Fill(byte[] buffer, int from)
     {
         while (from < buffer.Length)
         {

@@ -1,0 +1,91 @@
+using Harvester.Geometry;
+using Harvester.Simulation.Models;
+using Harvester.Simulation.Settings;
+using Harvester.Simulation.Streets;
+using Harvester.Simulation.Traffic;
+
+namespace Harvester.Simulation.World;
+
+/// <summary>Where and when the ego begins a scenario.</summary>
+internal static class StageStart
+{
+    /// <summary>How much an angle of a radian counts beside the distance from a lane's line, metres.</summary>
+    private const double MetresPerRadian = 3;
+    private const double MaxTurn = 1;
+
+    /// <summary>Time between two looks at the lights, and the longest time to look ahead, seconds: two cycles of the lights.</summary>
+    private const double LightStep = 0.25;
+    private const double LongestWait = 60;
+
+    /// <summary>The lane on which the ego begins.</summary>
+    /// <exception cref="ArgumentException">No lane leads there in its direction.</exception>
+    public static (LanePath Path, double Distance) Of(LaneGraph lanes, StageSetting setting)
+    {
+        Vector3D forward = Axes.FromHeading(setting.HeadingDegrees).Forward;
+        LanePlace[] near =
+        [
+            .. new LaneFinder(lanes)
+                .Near(setting.Ground)
+                .Where(place => Turn(place) < MaxTurn)
+                .OrderBy(place => Math.Abs(place.RightOffset) + (MetresPerRadian * Turn(place))),
+        ];
+        return near.Length > 0
+            ? (near[0].Path, near[0].Distance)
+            : throw new ArgumentException(
+                FormattableString.Invariant($"No lane leads that way at {setting.Ground.X:0.0}, {setting.Ground.Y:0.0}.")
+            );
+
+        double Turn(LanePlace place) => Math.Abs(Horizontal.Turn(place.Path.Line.TangentAt(place.Distance), forward));
+    }
+
+    /// <summary>Seconds to let pass until the lights before the ego are green when it is to come to them.</summary>
+    public static double SecondsToGreen(StageSetting setting, LanePath lane, LaneControl control, double timeSeconds)
+    {
+        if (setting.Green is not { } green || lane.Road is null || lane.Next.Count == 0)
+        {
+            return 0;
+        }
+
+        Junction junction = lane.Next[0].Junction!;
+        for (double from = green.From; from < green.To; from += LightStep)
+        {
+            for (double wait = 0; wait < LongestWait; wait += LightStep)
+            {
+                if (IsGreen(wait, from))
+                {
+                    return wait;
+                }
+            }
+        }
+
+        return 0;
+
+        bool IsGreen(double wait, double from)
+        {
+            for (double at = from; at <= green.To; at += LightStep)
+            {
+                if (control.LightFor(lane, junction, timeSeconds + wait + at) is SignalState.Amber or SignalState.Red)
+                {
+                    return false;
+                }
+            }
+
+            return true;
+        }
+    }
+
+    /// <summary>Chooses of several lanes the one that leads nearest to the ego's way.</summary>
+    public static LanePath Along(IReadOnlyList<Vector3D> way, IReadOnlyList<LanePath> choices) =>
+        choices.MinBy(path => DistanceTo(way, path.Line.PositionAt(path.Length)) + DistanceTo(way, path.Line.PositionAt(path.Length / 2)))!;
+
+    private static double DistanceTo(IReadOnlyList<Vector3D> way, Vector3D place)
+    {
+        double least = double.PositiveInfinity;
+        for (int i = 0; i < way.Count; i++)
+        {
+            least = Math.Min(least, Horizontal.SquaredDistance(way[i], place));
+        }
+
+        return Math.Sqrt(least);
+    }
+}
