@@ -152,7 +152,16 @@ def _reads_of_a_frame(frame: gtaharvest.Frame) -> List[Tuple[str, Any]]:
         ("class map", frame.class_map),
         ("depth", frame.depth),
         ("normals", frame.normals),
-        ("flow", lambda: (frame.flow_from, frame.flow(), frame.flow("forward"), frame.flow_flags(), frame.flow_flags("forward"))),
+        (
+            "flow",
+            lambda: (
+                frame.flow_from,
+                frame.flow(),
+                frame.flow("forward"),
+                frame.flow_flags(),
+                frame.flow_flags("forward"),
+            ),
+        ),
         ("motion of surfaces", frame.surface_motion),
         ("drawing", lambda: (draw.annotate(frame.view), draw.annotate(frame.view, "3d"))),
     ]

@@ -85,7 +85,12 @@ def test_flow_is_in_pixels_and_motion_in_metres(handmade: HandmadeSession) -> No
     flags = np.zeros((HEIGHT, WIDTH), np.uint8)
     flags[0, 1] = 3
     names = ("backward", "forward", "motion", "backwardFlags", "forwardFlags")
-    handmade.lines[1]["flow"] = {"from": 0, "method": "exact", "raysCast": 0, **{name: f"flow/{name}.png" for name in names}}
+    handmade.lines[1]["flow"] = {
+        "from": 0,
+        "method": "exact",
+        "raysCast": 0,
+        **{name: f"flow/{name}.png" for name in names},
+    }
     folder = handmade.write()
     (folder / "flow").mkdir()
     for name, picture in zip(names, (coded, coded[::-1].copy(), moved, flags, flags)):

@@ -66,7 +66,11 @@ internal sealed class FrozenFlow(
             }
 
             Camera camera = labeller.CameraOf(snapshot);
-            var frame = new FrameDraft(snapshot, camera, labeller.CandidatesOf(camera, snapshot)) { Number = turn.Number, Before = turn.Before };
+            var frame = new FrameDraft(snapshot, camera, labeller.CandidatesOf(camera, snapshot))
+            {
+                Number = turn.Number,
+                Before = turn.Before,
+            };
             if (photographer is not null)
             {
                 yield return HarvestPhase.Photographing.Do(photographer.Take(camera, frame.Targets, picture?.WaitForPixels()));

@@ -35,11 +35,7 @@ public sealed class FlowMaps(FlowField backward, FlowField forward, int from, Se
 
     /// <inheritdoc />
     public override IChannelLabel LabelIn(FrameKey key) =>
-        new FlowLabel(from, method, FlowChannel.FilesOf(key.Frame, key.View))
-        {
-            ErrorPixels = _errorPixels,
-            RaysCast = raysCast,
-        };
+        new FlowLabel(from, method, FlowChannel.FilesOf(key.Frame, key.View)) { ErrorPixels = _errorPixels, RaysCast = raysCast };
 
     private FileContent Deep(Action<int, byte[]> readRow) => (stream, png) => png.WriteDeepColour(backward.Image, readRow, stream);
 

@@ -67,6 +67,11 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
             return sweeps.Select(sweep => SweepProblem(sweep, taken, manifest)).OfType<string>();
         }
 
+        if (found is FlowLabel link && FlowCheck.ProblemOf(link, label) is { } misled)
+        {
+            return [misled];
+        }
+
         string[] problems =
         [
             .. found

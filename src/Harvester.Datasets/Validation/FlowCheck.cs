@@ -11,6 +11,10 @@ internal static class FlowCheck
     private const FlowFlags Reasons = FlowFlags.Valid | FlowFlags.Person | FlowFlags.Unknown;
     private const FlowFlags Known = (FlowFlags)127;
 
+    /// <summary>What is wrong with the label; null for nothing.</summary>
+    public static string? ProblemOf(FlowLabel flow, FrameLabel frame) =>
+        flow.From < 0 || flow.From >= frame.Frame ? $"flow is from frame {flow.From}, which is not before it." : null;
+
     /// <summary>What is wrong with the maps, one line each.</summary>
     /// <param name="maps">Their names.</param>
     /// <param name="pathOf">The path of a file of the session.</param>
@@ -29,12 +33,12 @@ internal static class FlowCheck
 
             if (FirstOf(known, at => !Agrees(vectors.AsSpan(3 * at, 3), (FlowFlags)known.Ids[at])) is { } wrong)
             {
-                yield return $"map of flow '{flow}' and '{flags}' disagree on {PlaceOf(known, wrong)}: a pixel has a flow if its flags say so.";
+                yield return $"map of flow '{flow}' and '{flags}' disagree on {PlaceOf(known, wrong)}: the flags say where a flow is.";
             }
 
             if (moved is not null && FirstOf(known, at => !Fits(moved.AsSpan(3 * at, 3), (FlowFlags)known.Ids[at])) is { } bad)
             {
-                yield return $"map of flow '{motion}' and '{flags}' disagree on {PlaceOf(known, bad)}: only a surface with a known motion has one.";
+                yield return $"map of flow '{motion}' and '{flags}' disagree on {PlaceOf(known, bad)}: only a known surface has a motion.";
             }
         }
     }
@@ -66,7 +70,10 @@ internal static class FlowCheck
         FlowFlags reason = flags & Reasons;
         bool hasFlow = reason == FlowFlags.Valid;
         return (flags & ~Known) == 0
-            && (hasFlow || reason is FlowFlags.Person or FlowFlags.Unknown ? true : reason == 0 && flags.HasFlag(FlowFlags.LeavesPicture))
+            && (
+                reason is FlowFlags.Valid or FlowFlags.Person or FlowFlags.Unknown
+                || (reason == 0 && flags.HasFlag(FlowFlags.LeavesPicture))
+            )
             && (reason is not (FlowFlags.Person or FlowFlags.Unknown) || flags == reason)
             && (!flags.HasFlag(FlowFlags.Covered) || (hasFlow && !flags.HasFlag(FlowFlags.LeavesPicture)))
             && (!flags.HasFlag(FlowFlags.Infinite) || !flags.HasFlag(FlowFlags.Moved));

@@ -24,6 +24,12 @@ public sealed class FlowMaker
     private readonly CameraIntrinsics _lens;
     private readonly Camera _camera;
     private readonly bool _isRectilinear;
+    private readonly int _width;
+    private readonly int _height;
+    private readonly float[] _metres;
+    private readonly float[] _u;
+    private readonly float[] _v;
+    private readonly float[]? _motion;
 
     /// <summary>Prepares a flow; rows are made by <see cref="MakeRows"/>.</summary>
     /// <param name="from">The picture whose pixels get a flow.</param>
@@ -48,6 +54,8 @@ public sealed class FlowMaker
             ErrorPixels = from.ErrorMetres is null ? null : new float[pixels],
             Motion = hasMotion ? new float[3 * pixels] : null,
         };
+        (_width, _height, _metres) = (from.Camera.Image.Width, from.Camera.Image.Height, from.Metres);
+        (_u, _v, _motion) = (Field.U, Field.V, Field.Motion);
     }
 
     /// <summary>The flow, of the rows that were made.</summary>
@@ -63,29 +71,29 @@ public sealed class FlowMaker
     /// <summary>Makes rows from a number up to another one, which is not included.</summary>
     public void MakeRows(int top, int bottom)
     {
-        int width = Field.Image.Width;
+        int[] entities = _from.Entities;
+        byte[] flags = Field.Flags;
         int entity = 0;
         PixelTransform transform = TransformOf(0);
         for (int row = top; row < bottom; row++)
         {
-            for (int column = 0; column < width; column++)
+            for (int column = 0; column < _width; column++)
             {
-                int at = (row * width) + column;
-                if (_from.Entities[at] != entity)
+                int at = (row * _width) + column;
+                if (entities[at] != entity)
                 {
-                    entity = _from.Entities[at];
+                    entity = entities[at];
                     transform = TransformOf(entity);
                 }
 
-                FlowFlags flags = Make(at, column, row, entity, transform);
-                Field.Flags[at] = (byte)flags;
+                flags[at] = (byte)Make(at, column, row, entity, transform);
             }
         }
     }
 
     private FlowFlags Make(int at, int column, int row, int entity, PixelTransform transform)
     {
-        double depth = _from.Metres[at];
+        double depth = _metres[at];
         if (transform.Kind is BodyMotionKind.Person or BodyMotionKind.Unknown || double.IsNaN(depth))
         {
             SetMotion(at, double.NaN, double.NaN, double.NaN);
@@ -126,16 +134,16 @@ public sealed class FlowMaker
             return flags | FlowFlags.LeavesPicture;
         }
 
-        (Field.U[at], Field.V[at]) = ((float)flowU, (float)flowV);
-        double error = _from.ErrorMetres is { } errors && !isInfinite ? errors[at] : 0;
+        (_u[at], _v[at]) = ((float)flowU, (float)flowV);
+        double error = 0;
         if (Field.ErrorPixels is { } errorPixels)
         {
+            error = isInfinite ? 0 : _from.ErrorMetres![at];
             errorPixels[at] = (float)ErrorOf(line, transform.Translation, depth, error, u, v);
         }
 
         flags |= FlowFlags.Valid;
-        return
-            !(u >= 0 && v >= 0 && u < Field.Image.Width && v < Field.Image.Height) ? flags | FlowFlags.LeavesPicture
+        return !(u >= 0 && v >= 0 && u < _width && v < _height) ? flags | FlowFlags.LeavesPicture
             : IsCovered(u, v, isInfinite ? double.PositiveInfinity : point.Y, entity, error) ? flags | FlowFlags.Covered
             : flags;
     }
@@ -179,9 +187,8 @@ public sealed class FlowMaker
     /// <summary>Whether the other picture shows, at a place, a surface in front of a point.</summary>
     private bool IsCovered(double u, double v, double depth, int entity, double error)
     {
-        int width = Field.Image.Width;
         (int column, int row) = ((int)u, (int)v);
-        int at = (row * width) + column;
+        int at = (row * _width) + column;
         double limit = (depth * (1 - CoveredFraction)) - error;
         if (!IsNearer(at, limit))
         {
@@ -195,8 +202,8 @@ public sealed class FlowMaker
 
         // Within one surface the place lies among the centres of four pixels. If it is the point's own surface, seen at a slant, one of
         // them is not nearer than the point.
-        int across = u - column < 0.5 ? (column > 0 ? -1 : 0) : (column < width - 1 ? 1 : 0);
-        int down = (v - row < 0.5 ? (row > 0 ? -1 : 0) : (row < Field.Image.Height - 1 ? 1 : 0)) * width;
+        int across = u - column < 0.5 ? (column > 0 ? -1 : 0) : (column < _width - 1 ? 1 : 0);
+        int down = (v - row < 0.5 ? (row > 0 ? -1 : 0) : (row < _height - 1 ? 1 : 0)) * _width;
         return IsNearer(at + across, limit) && IsNearer(at + down, limit) && IsNearer(at + across + down, limit);
     }
 
@@ -204,9 +211,9 @@ public sealed class FlowMaker
 
     private void SetMotion(int at, double right, double down, double forward)
     {
-        if (Field.Motion is { } motion)
+        if (_motion is not null)
         {
-            (motion[3 * at], motion[(3 * at) + 1], motion[(3 * at) + 2]) = ((float)right, (float)down, (float)forward);
+            (_motion[3 * at], _motion[(3 * at) + 1], _motion[(3 * at) + 2]) = ((float)right, (float)down, (float)forward);
         }
     }
 

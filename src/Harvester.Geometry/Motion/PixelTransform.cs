@@ -8,7 +8,7 @@ namespace Harvester.Geometry.Motion;
 /// </summary>
 internal sealed class PixelTransform
 {
-    /// <summary>Displacement in the world that counts as motion, metres: the physics of games lets parked vehicles tremble by less.</summary>
+    /// <summary>Displacement in the world that counts as motion, metres: in games, parked vehicles tremble by less.</summary>
     private const double MovedMetres = 0.01;
 
     private readonly Vector3D _right,
@@ -55,7 +55,7 @@ internal sealed class PixelTransform
     /// <summary>How the body moves.</summary>
     public BodyMotionKind Kind { get; }
 
-    /// <summary>Where the body was seen last; it spares a look-up where neighbouring pixels show one body.</summary>
+    /// <summary>The translation t.</summary>
     public Vector3D Translation => _origin;
 
     /// <summary>R l for a line of sight (right, 1, up).</summary>
@@ -68,9 +68,7 @@ internal sealed class PixelTransform
 
     /// <summary>How far a point has moved, metres, along the axes of the pixel's camera: from the pixel's moment to the other.</summary>
     public Vector3D Displacement(double right, double up, double depth) =>
-        Kind == BodyMotionKind.Static
-            ? Vector3D.Zero
-            : (((_movedRight * right) + _movedForward + (_movedUp * up)) * depth) + _movedOrigin;
+        Kind == BodyMotionKind.Static ? Vector3D.Zero : (((_movedRight * right) + _movedForward + (_movedUp * up)) * depth) + _movedOrigin;
 
     /// <summary>Whether a displacement counts as motion.</summary>
     public static bool IsMotion(Vector3D displacement) => displacement.LengthSquared > MovedMetres * MovedMetres;

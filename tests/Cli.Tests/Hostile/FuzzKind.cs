@@ -138,6 +138,8 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         new("mask", "session/masks/00000000.png", ValidatePictures, "validate {0}/session", Export("coco"), Export("cityscapes"), Relabel),
         new("class-map", "session/classes/00000000.png", ValidatePictures, "validate {0}/session", Export("semantic")),
         new("normals", "session/normals/00000000.png", ValidatePictures, "validate {0}/session", Relabel),
+        new("flow", "session/flow-forward/00000001.png", ValidatePictures, "validate {0}/session", Relabel),
+        new("flow-flags", "session/flow-backward-flags/00000001.png", ValidatePictures, "validate {0}/session", Relabel),
         new(
             "map",
             "maps/0.png",

@@ -10,7 +10,7 @@ namespace Harvester.Cli.Tests.Hostile;
 /// </summary>
 public sealed class FuzzReaderCorpus : IDisposable
 {
-    private const string Small = "--seed 5 --size 64x48 --masks --semantics rays --normals --no-report --roads {0}/roads.csv";
+    private const string Small = "--seed 5 --size 64x48 --masks --semantics rays --normals --flow --no-report --roads {0}/roads.csv";
 
     private readonly TemporaryFolder _folder = new();
 
