@@ -33,53 +33,56 @@ public sealed class HarvestFlowTests : IDisposable
     }
 
     [Fact]
-    public void Shards_and_resumed_sessions_have_the_bytes_of_a_whole_one()
+    public void Shards_merge_to_the_bytes_of_a_whole_session()
     {
         string whole = Harvest("whole", "--frames", "6", "--places", "2");
-        string shard = Harvest("shard", "--frames", "6", "--places", "2", "--shard", "2/3");
-        string resumed = Harvest("resumed", "--frames", "6", "--places", "2");
-        string[] lines = File.ReadAllLines(Path.Combine(resumed, "labels.jsonl"));
-        File.WriteAllText(Path.Combine(resumed, "labels.jsonl"), string.Concat(lines.Take(4).Select(line => line + "\n")));
+        string[] parts =
+        [
+            .. Enumerable.Range(1, 3).Select(part => Harvest($"part-{part}", "--frames", "6", "--places", "2", "--shard", $"{part}/3")),
+        ];
+        CliRun.Of(["merge", .. parts, "--out", _folder.PathOf("merged"), "--no-report"]).AssertDone();
+
+        AssertSame(whole, _folder.PathOf("merged"));
+    }
+
+    [Fact]
+    public void Resumed_session_has_the_bytes_of_a_whole_one()
+    {
+        string whole = Harvest("whole", "--frames", "6", "--places", "2");
+        string torn = Harvest("torn", "--frames", "6", "--places", "2");
+        string labels = Path.Combine(torn, "labels.jsonl");
+
+        // The session ends after frame 4, so that the next one, 5, needs the flow from a frame that the session holds.
+        File.WriteAllText(labels, string.Concat(File.ReadAllLines(labels).Take(5).Select(line => line + "\n")));
         foreach (string folder in Folders)
         {
-            Array.ForEach(Directory.GetFiles(Path.Combine(resumed, folder), "0000000[45].png"), File.Delete);
+            File.Delete(Path.Combine(torn, folder, "00000005.png"));
         }
 
-        Harvest("resumed", "--frames", "6", "--places", "2", "--resume");
+        File.WriteAllText(
+            Path.Combine(torn, ".harvester-unfinished"),
+            "harvester harvest --size 80x60 --flow --seed 3 --no-report --frames 6 --places 2"
+        );
+        Harvest("torn", "--frames", "6", "--places", "2", "--resume");
 
-        Assert.NotEmpty(new SessionReader(shard).ReadLabels().Where(label => FlowOf(label) is not null));
-        foreach (FrameLabel label in new SessionReader(shard).ReadLabels().Concat(new SessionReader(resumed).ReadLabels()))
-        {
-            string session = label.Frame is 1 or 4 ? shard : resumed;
-            foreach (string file in FlowOf(label)?.Files ?? [])
-            {
-                Assert.Equal(File.ReadAllBytes(Path.Combine(whole, file)), File.ReadAllBytes(Path.Combine(session, file)));
-            }
-        }
-
-        Assert.Equal(File.ReadAllText(Path.Combine(whole, "labels.jsonl")), File.ReadAllText(Path.Combine(resumed, "labels.jsonl")));
+        AssertSame(whole, torn);
     }
 
     [Fact]
     public void Views_of_a_rig_have_the_flow_of_their_own_camera()
     {
-        string rig = _folder.File(
-            "rig.json",
-            """
-            {"name": "two", "cameras": [
-              {"name": "A", "position": [0, 1.7, 1.5], "verticalFovDegrees": 50, "width": 80, "height": 60},
-              {"name": "B", "position": [0, -1.7, 1.5], "rotation": [0, 0, 180], "verticalFovDegrees": 60, "width": 64, "height": 48}
-            ]}
-            """
-        );
-        string session = _folder.PathOf("rig");
-        CliRun
-            .Of("harvest", "--out", session, "--frames", "2", "--places", "1", "--rig", rig, "--flow", "--seed", "3", "--no-report")
-            .AssertDone();
-        CliRun.Of("validate", "--schema", session).AssertDone();
+        string rig = _folder.File("rig.json", HarvestedRig.Rig);
+        string[] options = ["--frames", "3", "--hz", "2", "--places", "1", "--rig", rig, "--flow", "--seed", "3", "--no-report"];
+        string[] sessions = [_folder.PathOf("rig"), _folder.PathOf("rig-1"), _folder.PathOf("rig-2")];
+        CliRun.Of(["harvest", "--out", sessions[0], .. options]).AssertDone();
+        CliRun.Of(["harvest", "--out", sessions[1], "--shard", "1/2", .. options]).AssertDone();
+        CliRun.Of(["harvest", "--out", sessions[2], "--shard", "2/2", .. options]).AssertDone();
+        CliRun.Of("validate", "--schema", sessions[0]).AssertDone();
+        CliRun.Of("merge", sessions[1], sessions[2], "--out", _folder.PathOf("merged"), "--no-report").AssertDone();
 
-        Assert.Equal([null, null, 0, 1], new SessionReader(session).ReadLabels().Select(label => FlowOf(label)?.From));
-        Assert.True(File.Exists(Path.Combine(session, "flow-backward", "B", "00000003.png")));
+        Assert.Equal([null, null, 0, 1, 2, 3], new SessionReader(sessions[0]).ReadLabels().Select(label => FlowOf(label)?.From));
+        Assert.True(File.Exists(Path.Combine(sessions[0], "flow-backward", "right", "00000003.png")));
+        AssertSame(sessions[0], _folder.PathOf("merged"));
     }
 
     [Fact]
@@ -141,6 +144,16 @@ public sealed class HarvestFlowTests : IDisposable
             at => Assert.Equal(((FlowFlags)flags[at]).HasFlag(FlowFlags.Valid) ? 1 : 0, flow[(3 * at) + 2])
         );
         Assert.Contains(flags, number => (FlowFlags)number == FlowFlags.Valid);
+    }
+
+    /// <summary>The labels of two sessions and all files that they name are the same.</summary>
+    private static void AssertSame(string expected, string found)
+    {
+        Assert.Equal(File.ReadAllText(Path.Combine(expected, "labels.jsonl")), File.ReadAllText(Path.Combine(found, "labels.jsonl")));
+        foreach (string file in new SessionReader(expected).ReadLabels().SelectMany(label => label.Files))
+        {
+            Assert.True(File.ReadAllBytes(Path.Combine(expected, file)).SequenceEqual(File.ReadAllBytes(Path.Combine(found, file))), file);
+        }
     }
 
     private static FlowLabel? FlowOf(FrameLabel label) => label.Channels.Get<FlowLabel>();
