@@ -11,7 +11,4 @@ public readonly record struct BodyMotion(BodyMotionKind Kind, Pose From = defaul
 
     /// <summary>A body that is rigid.</summary>
     public static BodyMotion Rigid(Pose from, Pose to) => new(BodyMotionKind.Rigid, from, to);
-
-    /// <summary>The other motion of the same body: from the other picture to this one.</summary>
-    public BodyMotion Reversed => this with { From = To, To = From };
 }

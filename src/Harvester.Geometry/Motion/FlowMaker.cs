@@ -156,11 +156,13 @@ public sealed class FlowMaker
             return 0;
         }
 
-        // The image of a line of sight is a line that starts, for depth 0, at the image of the camera and ends in that of the direction; a
-        // point whose error reaches behind a camera may be anywhere.
-        Vector3D nearer = (line * (depth - error)) + translation;
-        Vector3D farther = (line * (depth + error)) + translation;
-        if (error >= depth || nearer.Y < _lens.NearClip || farther.Y < _lens.NearClip)
+        // The images of the points of a line of sight lie on a line, on which the inverse depth is about linear. An error of the whole depth
+        // or more says that the pixel may show what is behind the surface, up to infinity; towards the camera it then counts in inverse
+        // depth. A point that the error brings behind the other camera may be anywhere.
+        bool isBounded = error < depth;
+        Vector3D nearer = (line * (isBounded ? depth - error : depth * depth / (depth + error))) + translation;
+        Vector3D farther = isBounded ? (line * (depth + error)) + translation : line;
+        if (nearer.Y < _lens.NearClip || farther.Y < _lens.NearClip)
         {
             return MaxPixels;
         }

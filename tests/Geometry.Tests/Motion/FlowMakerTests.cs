@@ -231,6 +231,20 @@ public sealed class FlowMakerTests
     }
 
     [Fact]
+    public void Error_of_the_whole_depth_reaches_from_half_of_it_to_infinity()
+    {
+        // At 10 m ± 10 m the flow of f · 0.3 / 10 to the left may be that of 5 m, twice as much, or none.
+        var lines = new PixelLines(Ideal);
+        float[] errors = [.. Enumerable.Repeat(10f, Image.PixelCount)];
+        var first = new SurfaceMap(North, lines, WallDepths(10), new int[Image.PixelCount]) { ErrorMetres = errors };
+        var second = new SurfaceMap(new Pose(new Vector3D(0.3, 0, 0), Axes.Identity), lines, WallDepths(10), new int[Image.PixelCount]);
+
+        FlowField flow = new FlowMaker(first, second, _ => default, hasMotion: false).Make();
+
+        Assert.All(flow.ErrorPixels!, error => Assert.Equal(Focal * 0.3 / 10, error, 1e-4));
+    }
+
+    [Fact]
     public void Pictures_of_two_sizes_are_refused()
     {
         var small = new CameraIntrinsics(50, new ImageSize(80, 60), 4.0 / 3, 0.1, Lens.Ideal);
