@@ -91,6 +91,9 @@ public sealed class HarvesterScript : Script
         Aborted += OnAborted;
     }
 
+    /// <summary>The actors of scenarios.</summary>
+    internal StagedActors Actors => _features.Actors;
+
     /// <summary>Whether work continues on another thread.</summary>
     internal bool IsBusy => _features.All.IsBusy || _tape is { IsBusy: true };
 

@@ -79,7 +79,32 @@ internal sealed class FrameStore(ISessionFiles files, SyncMode mode, PictureEnco
     {
         if (frame is not null)
         {
-            IReadOnlyList<KeyValuePair<string, FileDigest>> written = WriteFiles(frame);
+            var written = new List<KeyValuePair<string, FileDigest>>
+            {
+                new(frame.Label.Image, files.WriteWhole(frame.Label.Image, stream => pictures.Write(frame.Picture, stream))),
+            };
+            if (frame is { Label.Mask: { } path, Mask: { } mask })
+            {
+                written.Add(new(path, files.WriteWhole(path, stream => _png.Write(mask, stream))));
+            }
+
+            foreach (string folder in frame.Folders)
+            {
+                files.MakeFolder(folder);
+            }
+
+            foreach (FrameFile file in frame.Files)
+            {
+                written.Add(new(file.Path, files.WriteWhole(file.Path, stream => file.Content(stream, _png))));
+            }
+
+            if (frame.Scene is { } scene)
+            {
+                string name = FramePaths.Scene(frame.Label.Frame);
+                byte[] bytes = new UTF8Encoding(false).GetBytes(SceneJson.Text(scene));
+                written.Add(new(name, files.WriteWhole(name, stream => stream.Write(bytes, 0, bytes.Length))));
+            }
+
             string line = JsonLabelWriter.Line(frame.Label);
             if (_labelLines.Count == 0)
             {
@@ -112,37 +137,6 @@ internal sealed class FrameStore(ISessionFiles files, SyncMode mode, PictureEnco
         files.Append(SessionDirectory.Labels, labelLines, IsDurable);
         LastCommitted = last;
         Volatile.Write(ref _committed, _committed + whole);
-    }
-
-    private List<KeyValuePair<string, FileDigest>> WriteFiles(CapturedFrame frame)
-    {
-        var written = new List<KeyValuePair<string, FileDigest>>
-        {
-            new(frame.Label.Image, files.WriteWhole(frame.Label.Image, stream => pictures.Write(frame.Picture, stream))),
-        };
-        if (frame is { Label.Mask: { } path, Mask: { } mask })
-        {
-            written.Add(new(path, files.WriteWhole(path, stream => _png.Write(mask, stream))));
-        }
-
-        foreach (string folder in frame.Folders)
-        {
-            files.MakeFolder(folder);
-        }
-
-        foreach (FrameFile file in frame.Files)
-        {
-            written.Add(new(file.Path, files.WriteWhole(file.Path, stream => file.Content(stream, _png))));
-        }
-
-        if (frame.Scene is { } scene)
-        {
-            string name = FramePaths.Scene(frame.Label.Frame);
-            byte[] bytes = new UTF8Encoding(false).GetBytes(SceneJson.Text(scene));
-            written.Add(new(name, files.WriteWhole(name, stream => stream.Write(bytes, 0, bytes.Length))));
-        }
-
-        return written;
     }
 
     private void AppendToManifest(IReadOnlyList<string> lines)

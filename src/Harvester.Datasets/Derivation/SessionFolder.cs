@@ -3,6 +3,7 @@ using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
+using Harvester.Sessions.Scenarios;
 
 namespace Harvester.Datasets.Derivation;
 
@@ -19,6 +20,7 @@ public static class SessionFolder
         Manifest.FileName,
         Report,
         SessionJournal.FileName,
+        ScenarioRecord.FileName,
     ];
     private static readonly IReadOnlyList<string> Folders = FrameChannels.Folders;
     private static readonly string[] Common = [Path.GetFileName(FramePaths.Faces), Path.GetFileName(FramePaths.Roads)];

@@ -5,6 +5,7 @@ using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Capture.Surveys;
 using Harvester.Datasets.Faces;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry;
@@ -12,14 +13,17 @@ using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Runs.Faults;
+using Harvester.Runs.Scenarios;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Roads;
+using Harvester.Sessions.Scenarios;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Rendering;
+using Harvester.Simulation.Settings;
 using Harvester.Simulation.World;
 
 namespace Harvester.Runs.Harvesting;
@@ -36,9 +40,18 @@ public sealed class SimulatedHarvest
 
     private readonly IReadOnlyList<Vector2D> _places;
     private readonly PaintTable? _paint;
+    private readonly StagedRun? _staged;
 
-    private SimulatedHarvest(HarvestPlan plan, SimulatedGame game, FaceTable faces, IReadOnlyList<Vector2D> places, PaintTable? paint)
+    private SimulatedHarvest(
+        HarvestPlan plan,
+        SimulatedGame game,
+        FaceTable faces,
+        IReadOnlyList<Vector2D> places,
+        PaintTable? paint,
+        StagedRun? staged
+    )
     {
+        _staged = staged;
         _places = places;
         _paint = paint;
         _plan = plan;
@@ -63,34 +76,38 @@ public sealed class SimulatedHarvest
         List<Vector2D> places = count == 1 ? [] : SpreadPlaces.Of(roads ?? TownBuilder.Build(plan.Seed), count, plan.Seed, plan.Near);
         try
         {
-            var game = new SimulatedGame(
-                plan.Variety with
-                {
-                    Seed = plan.Seed,
-                    TrafficSeed = plan.Trial?.TrafficSeed,
-                    Roads = roads,
-                    Near = count == 1 ? plan.Near : places[0],
-                    Props = plan.Props.Count > 0 ? props : null,
-                    Weather = plan.Weather,
-                    DayOfYear = plan.DayOfYear,
-                    TimeOfDay = plan.TimeOfDay,
-                    VerticalFovDegrees = plan.FovDegrees,
-                    WindowAspect = plan.Options.Image.Aspect,
-                    Lens = new RenderLens(lens.FocalScale, lens.CentreOffsetX, lens.CentreOffsetY, lens.K1, lens.K2),
-                    Detail = plan.Detail,
-                    DefersPictures = true,
-                    IsWarm = true,
-                    Quirks = plan.Quirks,
-                }
-            );
+            StagedRun? staged = plan.Scenario is { } scenario ? StagedRun.Bind(scenario, roads, plan.Seed, plan.Near) : null;
+            SimulationOptions options = plan.Variety with
+            {
+                Seed = plan.Seed,
+                TrafficSeed = plan.Trial?.TrafficSeed,
+                Roads = roads,
+                Near = count == 1 ? plan.Near : places[0],
+                Props = plan.Props.Count > 0 ? props : null,
+                Weather = plan.Weather,
+                DayOfYear = plan.DayOfYear,
+                TimeOfDay = plan.TimeOfDay,
+                VerticalFovDegrees = plan.FovDegrees,
+                WindowAspect = plan.Options.Image.Aspect,
+                Lens = new RenderLens(lens.FocalScale, lens.CentreOffsetX, lens.CentreOffsetY, lens.K1, lens.K2),
+                Detail = plan.Detail,
+                DefersPictures = true,
+                IsWarm = true,
+                Quirks = plan.Quirks,
+            };
+            var game = new SimulatedGame(staged?.Options(options) ?? options);
             if (plan.Options.Rig is { } rig)
             {
                 RigMounting.Mount(rig, game);
             }
 
-            plan.Trial?.Drive.Begin(game);
+            if (staged is null)
+            {
+                plan.Trial?.Drive.Begin(game);
+            }
 
-            return new SimulatedHarvest(plan, game, faces, places, paint);
+            staged?.Begin(game);
+            return new SimulatedHarvest(plan, game, faces, places, paint, staged);
         }
         catch (ArgumentException e)
         {
@@ -134,6 +151,7 @@ public sealed class SimulatedHarvest
             writer.WaitForRoom();
             changes.Apply(_game, session.Counters.Taken);
             _plan.Trial?.Drive.Tick(_game);
+            _staged?.Tick(_game);
             _game.Tick(1 / TicksPerSecond);
             int before = session.Status.Captured;
             if (session.Step().Captured != before)
@@ -142,10 +160,20 @@ public sealed class SimulatedHarvest
             }
 
             GoOn(session.Counters.Taken);
-        } while (!session.Status.IsOver && !(_plan.Trial?.Drive.IsOver ?? false) && !cancellation.IsCancellationRequested);
+        } while (
+            !session.Status.IsOver
+            && !(_plan.Trial?.Drive.IsOver ?? false)
+            && !(_staged?.IsOver ?? false)
+            && !cancellation.IsCancellationRequested
+        );
 
         session.Stop();
         writer.Dispose();
+        if (_staged is not null && writer.FramesWritten > 0)
+        {
+            AtomicFile.Write(Path.Combine(folder, ScenarioRecord.FileName), _staged.Record!.ToJson());
+        }
+
         return new HarvestOutcome(
             writer.FramesWritten,
             session.Status.Discarded,
@@ -307,6 +335,17 @@ public sealed class SimulatedHarvest
             yield return new("plan", trial.Plan);
             yield return new("trial", trial.Id);
             yield return new("trafficSeed", trial.TrafficSeed.ToString(CultureInfo.InvariantCulture));
+        }
+
+        if (plan.Scenario is { } scenario)
+        {
+            yield return new("scenario", scenario.Template.Middle.Name);
+            yield return new("scenarioKind", scenario.Template.Middle.Kind);
+            yield return new("scenarioSeed", scenario.Seed.ToString(CultureInfo.InvariantCulture));
+            if (scenario.IsEgoBlind)
+            {
+                yield return new("egoBrakes", "false");
+            }
         }
 
         if (plan.Survey is { } survey)

@@ -91,9 +91,14 @@ public static class PlanJson
         {
             json.Key("space").String(space).Key("metresBefore").Exact(place.MetresBefore);
         }
-        else
+        else if (place.Spread is { } spread)
         {
-            json.Key("spread").Integer(place.Spread);
+            json.Key("spread").Integer(spread);
+        }
+
+        if (place.Scenario is { } scenario)
+        {
+            json.Key("scenario").String(scenario);
         }
 
         Append(json, "headingDegrees", place.HeadingDegrees);

@@ -8,29 +8,35 @@ namespace Harvester.Simulation.Traffic;
 /// Lets bodies collide: after vehicles have moved as their drivers want, those that touch exchange impulses and become wrecks, and people who
 /// are struck are thrown.
 /// </summary>
-/// <param name="lanes">The lanes, which are the ground.</param>
-/// <param name="vehicles">All vehicles; the first is the ego.</param>
-/// <param name="parked">The parked vehicles.</param>
-/// <param name="people">The people on foot.</param>
-internal sealed class CrashFlow(
-    LaneGraph lanes,
-    IReadOnlyList<Vehicle> vehicles,
-    IReadOnlyList<ParkedVehicle> parked,
-    IReadOnlyList<IPerson> people
-)
+internal sealed class CrashFlow
 {
-    /// <summary>A person who walks against a slower vehicle is not thrown, m/s.</summary>
-    private const double MinSpeedAgainstPerson = 0.5;
-
     /// <summary>A way longer than that at its speed by this, metres, is a vehicle that was placed elsewhere.</summary>
     private const double Displaced = 1;
 
-    private readonly GroundBelow _ground = new(lanes);
     private readonly Dictionary<Vehicle, Footprint> _before = [];
-    private readonly BodyIndex<ParkedVehicle> _parked = IndexOf(parked);
+    private readonly WreckGround _ground;
+    private readonly PersonStrikes _strikes;
+    private readonly BodyIndex<ParkedVehicle> _parkedNear = new();
+    private readonly IReadOnlyList<Vehicle> _vehicles;
+    private readonly IReadOnlyList<ParkedVehicle> _parked;
     private readonly double[] _egoStruckAt = [double.NegativeInfinity, double.NegativeInfinity, double.NegativeInfinity];
     private List<Impact> _impacts = [];
     private double _timeSeconds;
+
+    /// <param name="lanes">The lanes, which are the ground.</param>
+    /// <param name="vehicles">All vehicles; the first is the ego.</param>
+    /// <param name="parked">The parked vehicles.</param>
+    /// <param name="people">The people on foot.</param>
+    public CrashFlow(LaneGraph lanes, IReadOnlyList<Vehicle> vehicles, IReadOnlyList<ParkedVehicle> parked, IReadOnlyList<IPerson> people)
+    {
+        (_vehicles, _parked) = (vehicles, parked);
+        _ground = new WreckGround(lanes);
+        _strikes = new PersonStrikes(vehicles, people, _ground);
+        foreach (ParkedVehicle vehicle in _parked)
+        {
+            _parkedNear.Add(vehicle, vehicle.Footprint.Centre);
+        }
+    }
 
     /// <summary>The impacts of the last step, in their order.</summary>
     public IReadOnlyList<Impact> Impacts => _impacts;
@@ -45,7 +51,7 @@ internal sealed class CrashFlow(
     public void Begin()
     {
         _before.Clear();
-        foreach (Vehicle vehicle in vehicles)
+        foreach (Vehicle vehicle in _vehicles)
         {
             _before.Add(vehicle, vehicle.Footprint);
         }
@@ -61,12 +67,12 @@ internal sealed class CrashFlow(
     {
         _impacts = [];
         SortedDictionary<int, CrashBody> bodies = [];
-        foreach (Vehicle vehicle in vehicles)
+        foreach (Vehicle vehicle in _vehicles)
         {
             Gather(bodies, vehicle, seconds, index);
         }
 
-        foreach (ParkedVehicle vehicle in parked)
+        foreach (ParkedVehicle vehicle in _parked)
         {
             if (vehicle.Wreck is { IsAtRest: false, Body: var body })
             {
@@ -82,7 +88,7 @@ internal sealed class CrashFlow(
             moved = Take(bodies, seconds, before);
         }
 
-        StrikePeople(timeSeconds, moved, before);
+        _strikes.Strike(timeSeconds, moved, before, _impacts);
         foreach (Impact impact in _impacts.Where(impact => impact.First == Ego.Handle || impact.Second == Ego.Handle))
         {
             _egoStruckAt[(int)KindOf(impact.First == Ego.Handle ? impact.Second : impact.First)] = timeSeconds;
@@ -99,27 +105,12 @@ internal sealed class CrashFlow(
         return _timeSeconds - _egoStruckAt[(int)kind] < moment;
     }
 
-    /// <summary>Height of the ground at a place, metres; the given height where there is no lane.</summary>
-    public double GroundAt(Vector3D place, double height) =>
-        _ground.Lanes(place) is [var lane, ..] ? lane.Path.Line.PositionAt(lane.Distance).Z : height;
-
-    private Vehicle Ego => vehicles[0];
+    private Vehicle Ego => _vehicles[0];
 
     private EgoContact KindOf(int handle) =>
-        vehicles.Any(vehicle => vehicle.Handle == handle) ? EgoContact.Vehicle
-        : parked.Any(vehicle => vehicle.Prop.Handle == handle) ? EgoContact.Parked
+        _vehicles.Any(vehicle => vehicle.Handle == handle) ? EgoContact.Vehicle
+        : _parked.Any(vehicle => vehicle.Prop.Handle == handle) ? EgoContact.Parked
         : EgoContact.Pedestrian;
-
-    private static BodyIndex<ParkedVehicle> IndexOf(IReadOnlyList<ParkedVehicle> parked)
-    {
-        BodyIndex<ParkedVehicle> index = new();
-        foreach (ParkedVehicle vehicle in parked)
-        {
-            index.Add(vehicle, vehicle.Footprint.Centre);
-        }
-
-        return index;
-    }
 
     /// <summary>Adds a moving vehicle and those that it may touch in the step to the bodies.</summary>
     private void Gather(SortedDictionary<int, CrashBody> bodies, Vehicle vehicle, double seconds, BodyIndex<Vehicle> index)
@@ -159,7 +150,7 @@ internal sealed class CrashFlow(
             }
         }
 
-        foreach (ParkedVehicle other in _parked.Near(swept.Centre))
+        foreach (ParkedVehicle other in _parkedNear.Near(swept.Centre))
         {
             if (swept.Overlaps(other.Footprint))
             {
@@ -189,9 +180,9 @@ internal sealed class CrashFlow(
         bool wasPlaced = moved.Length > Displaced + (2 * vehicle.Speed * seconds);
         before = wasPlaced ? vehicle.Footprint : before;
         DrivenWay way = new(
-            Flat(before.Centre),
+            VehicleBodies.Flat(before.Centre),
             Math.Atan2(before.Forward.Y, before.Forward.X),
-            Flat(vehicle.Footprint.Centre),
+            VehicleBodies.Flat(vehicle.Footprint.Centre),
             Horizontal.Turn(before.Forward, vehicle.Footprint.Forward)
         );
         PlanarBody body = VehicleMass.BodyOf(vehicle.Model, before.HalfLength, before.HalfWidth);
@@ -205,36 +196,28 @@ internal sealed class CrashFlow(
 
     private CrashBody BodyOf(ParkedVehicle vehicle)
     {
-        PlanarBody body = vehicle.Wreck?.Body ?? BodyAt(vehicle.Prop.Model, vehicle.Footprint);
+        PlanarBody body = vehicle.Wreck?.Body ?? VehicleBodies.At(vehicle.Prop.Model, vehicle.Footprint);
         double deceleration = VehicleMass.IsTwoWheeler(vehicle.Prop.Model) ? Grip.LyingSlide : Grip.Sliding;
         return new CrashBody(vehicle.Prop.Handle, body, vehicle.Footprint.Centre.Z, deceleration);
-    }
-
-    private static PlanarBody BodyAt(Models.Model model, Footprint place)
-    {
-        PlanarBody body = VehicleMass.BodyOf(model, place.HalfLength, place.HalfWidth);
-        body.Position = Flat(place.Centre);
-        body.Yaw = Math.Atan2(place.Forward.Y, place.Forward.X);
-        return body;
     }
 
     /// <summary>Moves the vehicles of bodies that nobody drives, and returns those in traffic.</summary>
     private List<Vehicle> Take(SortedDictionary<int, CrashBody> bodies, double seconds, Dictionary<Vehicle, Vector3D> before)
     {
         List<Vehicle> moved = [];
-        foreach (Vehicle vehicle in vehicles)
+        foreach (Vehicle vehicle in _vehicles)
         {
             if (bodies.TryGetValue(vehicle.Handle, out CrashBody? body) && body.Way is null)
             {
-                vehicle.Wreck ??= new Wreck(body.Body, vehicle.Model, vehicle.Extents, GroundOf(vehicle.Pose, vehicle.Model));
+                vehicle.Wreck ??= new Wreck(body.Body, vehicle.Model, vehicle.Extents, WreckGround.Below(vehicle.Pose, vehicle.Model));
                 vehicle.Wreck.Tick(seconds);
                 before.Add(vehicle, vehicle.Pose.Position);
-                Put(vehicle);
+                _ground.Put(vehicle);
                 moved.Add(vehicle);
             }
         }
 
-        foreach (ParkedVehicle vehicle in parked)
+        foreach (ParkedVehicle vehicle in _parked)
         {
             if (bodies.TryGetValue(vehicle.Prop.Handle, out CrashBody? body) && (body.IsStruck || vehicle.Wreck is not null))
             {
@@ -242,123 +225,16 @@ internal sealed class CrashFlow(
                     body.Body,
                     vehicle.Prop.Model,
                     (vehicle.Prop.Model.Min, vehicle.Prop.Model.Max),
-                    GroundOf(vehicle.Prop.Pose, vehicle.Prop.Model)
+                    WreckGround.Below(vehicle.Prop.Pose, vehicle.Prop.Model)
                 );
                 vehicle.Wreck.Tick(seconds);
-                Put(vehicle);
+                Footprint stood = vehicle.Footprint;
+                _ground.Put(vehicle);
+                _parkedNear.Move(vehicle, stood.Centre, vehicle.Footprint.Centre);
+                HasPushed?.Invoke(stood, vehicle.Footprint);
             }
         }
 
         return moved;
     }
-
-    private void Put(Vehicle vehicle)
-    {
-        Wreck wreck = vehicle.Wreck!;
-        (List<LanePlace> near, double slope) = Settle(wreck);
-        Vector3D place = new(wreck.Body.Position.X, wreck.Body.Position.Y, wreck.GroundHeight);
-        Vector2D sliding = wreck.Body.Velocity;
-        Vector3D velocity = new(sliding.X, sliding.Y, slope * sliding.Dot(wreck.Body.Forward));
-        IEnumerable<LanePlace> blocked = near.Where(lane => Math.Abs(lane.RightOffset) < EgoCar.InTheWay);
-        if (vehicle.Staged is { } motion)
-        {
-            motion.Displace(place, new Vector3D(wreck.Body.Forward.X, wreck.Body.Forward.Y, 0), sliding.Length);
-            vehicle.MoveStaged(wreck.PoseOn(slope), sliding.Length, velocity, blocked);
-            return;
-        }
-
-        LanePlace onLane =
-            near.Exists(lane => lane.Path == vehicle.Path) || near.Count == 0
-                ? LanePlace.Of(vehicle.Path, place, vehicle.Distance)
-                : near[0];
-        vehicle.MoveFreely(onLane, wreck.PoseOn(slope), sliding.Length, velocity, blocked);
-    }
-
-    private void Put(ParkedVehicle vehicle)
-    {
-        Footprint before = vehicle.Footprint;
-        Wreck wreck = vehicle.Wreck!;
-        vehicle.MoveTo(wreck.PoseOn(Settle(wreck).Slope));
-        _parked.Move(vehicle, before.Centre, vehicle.Footprint.Centre);
-        HasPushed?.Invoke(before, vehicle.Footprint);
-    }
-
-    /// <summary>Finds the ground below a wreck.</summary>
-    private (List<LanePlace> Near, double Slope) Settle(Wreck wreck)
-    {
-        Vector2D forward = wreck.Body.Forward;
-        List<LanePlace> near = _ground.Lanes(new Vector3D(wreck.Body.Position.X, wreck.Body.Position.Y, wreck.GroundHeight));
-        (wreck.GroundHeight, double slope) = GroundBelow.At(near, new Vector3D(forward.X, forward.Y, 0), wreck.GroundHeight);
-        return (near, slope);
-    }
-
-    private static double GroundOf(Pose pose, Models.Model model) => pose.Position.Z + (pose.Axes.Up.Z * model.Min.Z);
-
-    private void StrikePeople(double timeSeconds, List<Vehicle> moved, Dictionary<Vehicle, Vector3D> before)
-    {
-        foreach (IPerson person in people)
-        {
-            if (person.IsThrown)
-            {
-                continue;
-            }
-
-            Footprint place = person.Footprint;
-            foreach (Vehicle vehicle in vehicles)
-            {
-                double reach = vehicle.Length + vehicle.Model.Max.X;
-                Vector3D indexed = vehicle.Pose.Position;
-                if (
-                    vehicle.Speed > MinSpeedAgainstPerson
-                    && Horizontal.SquaredDistance(vehicle.Footprint.Centre, place.Centre) < reach * reach
-                    && vehicle.Footprint.Overlaps(place)
-                    && Strike(vehicle, person, place, timeSeconds)
-                )
-                {
-                    if (before.TryAdd(vehicle, indexed))
-                    {
-                        moved.Add(vehicle);
-                    }
-
-                    break;
-                }
-            }
-        }
-    }
-
-    private bool Strike(Vehicle vehicle, IPerson person, Footprint place, double timeSeconds)
-    {
-        PlanarBody body = vehicle.Wreck?.Body ?? BodyAt(vehicle.Model, vehicle.Footprint);
-        body.Velocity = vehicle.Wreck is null ? Flat(vehicle.Velocity) : body.Velocity;
-
-        // A person does not turn a vehicle's push into spin; the body is limp.
-        PlanarBody limp = new(VehicleMass.Person, double.PositiveInfinity, place.HalfLength, place.HalfWidth)
-        {
-            Position = Flat(place.Centre),
-            Yaw = Math.Atan2(place.Forward.Y, place.Forward.X),
-            Velocity = Flat(person.Velocity),
-        };
-        if (BodyContact.Between(body, limp) is not { } contact)
-        {
-            return false;
-        }
-
-        double closing = (body.VelocityAt(contact.Point) - limp.Velocity).Dot(contact.Normal);
-        Vector2D impulse = ImpactLaw.Impulse(body, limp, contact, restitution: 0, friction: 0);
-        if (impulse == default)
-        {
-            return false;
-        }
-
-        body.Push(impulse * -1, contact.Point);
-        limp.Push(impulse, contact.Point);
-        vehicle.Wreck ??= new Wreck(body, vehicle.Model, vehicle.Extents, GroundOf(vehicle.Pose, vehicle.Model));
-        Put(vehicle);
-        Vector2D clear = contact.Normal * contact.Depth;
-        person.Throw(new Vector3D(clear.X, clear.Y, 0), limp.Velocity, GroundAt);
-        _impacts.Add(new Impact(timeSeconds, vehicle.Handle, person.Handle, impulse, contact.Point, contact.Normal, closing));
-        return true;
-    }
-
-    private static Vector2D Flat(Vector3D vector) => new(vector.X, vector.Y);
 }

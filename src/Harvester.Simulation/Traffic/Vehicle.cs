@@ -33,6 +33,9 @@ internal sealed class Vehicle
     /// <summary>Speed on a free straight street, metres per second.</summary>
     public double CruiseSpeed { get; set; }
 
+    /// <summary>Whether that is its speed on every kind of road.</summary>
+    public bool IsSpeedGiven { get; set; }
+
     /// <summary>Its current path and those that follow.</summary>
     public IReadOnlyList<LanePath> Route => _route;
 

@@ -35,6 +35,14 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
             "cameras":[{"name":"c","width":64,"height":48}],"masks":"rays"}
             """;
 
+    /// <summary>A scenario that the small roads have a place for, the file scenario.json of the inputs.</summary>
+    public static string Scenario { get; } =
+        """
+            {"name":"small","kind":"leader","place":{"metres":30},"ego":{"speed":5},"end":{"seconds":2},
+            "actors":[{"id":"a","type":"vehicle","start":{"metresAhead":15}}],
+            "events":[{"id":"b","actor":"a","do":{"action":"brake","acceleration":4}}]}
+            """;
+
     /// <summary>
     /// How the paths of the files begin whose operations are the command's own, because another command has all others; null for all.
     /// </summary>
@@ -82,6 +90,15 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("plan-run", "plan run {inputs}/plan.json --out {root}/out --resume --roads {inputs}/roads.csv")
         {
             Only = ["out/plan", "out/world.json", "out/trials/."],
+            IsKilled = true,
+        },
+        new(
+            "scenario-run",
+            "scenario run {inputs}/scenario.json --out {root}/out --resume --near=0,-50 --hz 1 --size 64x48 --no-report --roads "
+                + "{inputs}/roads.csv"
+        )
+        {
+            Only = ["out/scenario.json"],
             IsKilled = true,
         },
         new("pairs", "pairs {inputs}/pairs --out {root}/out --images copy --resume"),

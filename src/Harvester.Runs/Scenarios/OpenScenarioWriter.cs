@@ -1,0 +1,368 @@
+using System.Globalization;
+using System.Xml.Linq;
+using Harvester.Sessions.Scenarios;
+using Harvester.Sessions.Text;
+
+namespace Harvester.Runs.Scenarios;
+
+/// <summary>
+/// Writes a scenario as ASAM OpenSCENARIO XML 1.2: starts on lanes relative to the ego, speeds, changes of lanes, and the conditions that
+/// both have. Whatever has no counterpart is refused by name.
+/// </summary>
+public sealed class OpenScenarioWriter
+{
+    /// <summary>The name of the ego's entity.</summary>
+    public const string Ego = "Ego";
+
+    private readonly Scenario _scenario;
+
+    private OpenScenarioWriter(Scenario scenario) => _scenario = scenario;
+
+    /// <summary>What of a scenario OpenSCENARIO cannot express, a line each; empty if it can be written.</summary>
+    public static IReadOnlyList<string> Problems(Scenario scenario)
+    {
+        ArgumentNullException.ThrowIfNull(scenario);
+        return
+        [
+            .. scenario
+                .Actors.Where(actor => actor.Start is not { Kind: ScenarioPlaceKind.Lane, Lane: not ScenarioLane.Oncoming })
+                .Select(actor => $"actor '{actor.Id}': its start must be on a lane of the ego's direction."),
+            .. scenario
+                .Events.Where(each => !IsKnown(each.Action.Kind) || each.Action is { Kind: ScenarioActionKind.KeepLane, Speed: null })
+                .Select(each => $"event '{each.Id}': the action {JsonName.Of(each.Action.Kind)} has no counterpart."),
+            .. scenario.Events.SelectMany(each =>
+                each.When.Where(condition => !IsKnown(condition.Kind))
+                    .Select(condition => $"event '{each.Id}': the condition {JsonName.Of(condition.Kind)} has no counterpart.")
+            ),
+        ];
+    }
+
+    /// <summary>The text of a file.</summary>
+    /// <param name="scenario">A scenario without <see cref="Problems"/>.</param>
+    /// <param name="roads">Path of the OpenDRIVE file that the scenario is to be played on; null for none.</param>
+    public static string Of(Scenario scenario, string? roads)
+    {
+        var writer = new OpenScenarioWriter(scenario);
+        return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n"
+            + writer.Document(roads).ToString().Replace("\r\n", "\n", StringComparison.Ordinal)
+            + "\n";
+    }
+
+    private static bool IsKnown(ScenarioActionKind kind) =>
+        kind
+            is ScenarioActionKind.KeepLane
+                or ScenarioActionKind.ChangeLane
+                or ScenarioActionKind.CutIn
+                or ScenarioActionKind.Brake
+                or ScenarioActionKind.BreakDown
+                or ScenarioActionKind.SpeedProfile;
+
+    private static bool IsKnown(ScenarioConditionKind kind) =>
+        kind
+            is ScenarioConditionKind.Seconds
+                or ScenarioConditionKind.Distance
+                or ScenarioConditionKind.TimeToCollision
+                or ScenarioConditionKind.EgoFaster
+                or ScenarioConditionKind.EgoSlower
+                or ScenarioConditionKind.ActorSlower
+                or ScenarioConditionKind.Begun
+                or ScenarioConditionKind.Ended;
+
+    private XElement Document(string? roads) =>
+        new(
+            "OpenSCENARIO",
+            new XElement(
+                "FileHeader",
+                new XAttribute("revMajor", 1),
+                new XAttribute("revMinor", 2),
+                new XAttribute("date", "2000-01-01T00:00:00"),
+                new XAttribute("description", $"{_scenario.Name} ({_scenario.Kind}): {_scenario.Description}"),
+                new XAttribute("author", "GtaDataHarvester")
+            ),
+            new XElement("CatalogLocations"),
+            new XElement("RoadNetwork", roads is null ? null : new XElement("LogicFile", new XAttribute("filepath", roads))),
+            new XElement(
+                "Entities",
+                EntityOf(Ego, ScenarioActorType.Vehicle, "car"),
+                _scenario.Actors.Select(actor => EntityOf(actor.Id, actor.Type, actor.Model))
+            ),
+            new XElement(
+                "Storyboard",
+                new XElement(
+                    "Init",
+                    new XElement(
+                        "Actions",
+                        new XElement("Private", new XAttribute("entityRef", Ego), Private(SpeedAction(_scenario.Ego.Speed, null))),
+                        _scenario.Actors.Select(InitOf)
+                    )
+                ),
+                _scenario.Events.Count == 0 ? null : StoryOf(),
+                new XElement("StopTrigger", new XElement("ConditionGroup", TimeCondition("end", _scenario.End.Seconds, 0)))
+            )
+        );
+
+    private static XElement EntityOf(string name, ScenarioActorType type, string model)
+    {
+        XElement box = new(
+            "BoundingBox",
+            new XElement("Center", Number("x", 0), Number("y", 0), Number("z", 0.75)),
+            new XElement("Dimensions", Number("width", 1.9), Number("length", 4.5), Number("height", 1.5))
+        );
+        XElement entity = type switch
+        {
+            ScenarioActorType.Pedestrian or ScenarioActorType.Animal => new XElement(
+                "Pedestrian",
+                new XAttribute("name", model),
+                new XAttribute("pedestrianCategory", type == ScenarioActorType.Animal ? "animal" : "pedestrian"),
+                Number("mass", 75),
+                box,
+                new XElement("Properties")
+            ),
+            ScenarioActorType.Object => new XElement(
+                "MiscObject",
+                new XAttribute("name", model),
+                new XAttribute("miscObjectCategory", "obstacle"),
+                Number("mass", 50),
+                box,
+                new XElement("Properties")
+            ),
+            _ => new XElement(
+                "Vehicle",
+                new XAttribute("name", model),
+                new XAttribute("vehicleCategory", type == ScenarioActorType.Cyclist ? "bicycle" : "car"),
+                box,
+                new XElement("Performance", Number("maxSpeed", 70), Number("maxAcceleration", 10), Number("maxDeceleration", 10)),
+                new XElement("Axles", AxleOf("FrontAxle", 0.5, 2.7), AxleOf("RearAxle", 0, 0)),
+                new XElement("Properties")
+            ),
+        };
+        return new XElement("ScenarioObject", new XAttribute("name", name), entity);
+    }
+
+    private static XElement AxleOf(string name, double steering, double x) =>
+        new(
+            name,
+            Number("maxSteering", steering),
+            Number("wheelDiameter", 0.65),
+            Number("trackWidth", 1.6),
+            Number("positionX", x),
+            Number("positionZ", 0.325)
+        );
+
+    private XElement InitOf(ScenarioActor actor)
+    {
+        // Lanes are counted to the left in OpenSCENARIO, and offsets too.
+        int lanes = actor.Start.Lane switch
+        {
+            ScenarioLane.Left => 1,
+            ScenarioLane.Right => -1,
+            _ => 0,
+        };
+        var position = new XElement(
+            "RelativeLanePosition",
+            new XAttribute("entityRef", Ego),
+            new XAttribute("dLane", lanes),
+            Number("ds", actor.Start.MetresAhead),
+            Number("offset", -actor.Start.MetresRight),
+            new XElement("Orientation", new XAttribute("type", "relative"), Number("h", actor.Start.HeadingDegrees * Math.PI / 180))
+        );
+        return new XElement(
+            "Private",
+            new XAttribute("entityRef", actor.Id),
+            Private(new XElement("TeleportAction", new XElement("Position", position))),
+            Private(SpeedAction(actor.Speed ?? _scenario.Ego.Speed, null))
+        );
+    }
+
+    private XElement StoryOf() =>
+        new(
+            "Story",
+            new XAttribute("name", "story"),
+            new XElement(
+                "Act",
+                new XAttribute("name", "act"),
+                _scenario
+                    .Events.GroupBy(each => each.Actor)
+                    .Select(group => new XElement(
+                        "ManeuverGroup",
+                        new XAttribute("name", $"group-{group.Key}"),
+                        new XAttribute("maximumExecutionCount", 1),
+                        new XElement(
+                            "Actors",
+                            new XAttribute("selectTriggeringEntities", "false"),
+                            new XElement("EntityRef", new XAttribute("entityRef", group.Key))
+                        ),
+                        new XElement("Maneuver", new XAttribute("name", $"maneuver-{group.Key}"), group.Select(EventOf))
+                    )),
+                new XElement("StartTrigger", new XElement("ConditionGroup", TimeCondition("begin", 0, 0)))
+            )
+        );
+
+    private XElement EventOf(ScenarioEvent each)
+    {
+        XElement[] conditions =
+        [
+            .. each.When.Select(
+                (condition, index) => ConditionOf(condition, $"{each.Id}-{index.ToString(CultureInfo.InvariantCulture)}", each)
+            ),
+        ];
+        XElement[] groups =
+            conditions.Length == 0 ? [new XElement("ConditionGroup", TimeCondition($"{each.Id}-0", 0, each.Delay))]
+            : each.IsAny ? [.. conditions.Select(condition => new XElement("ConditionGroup", condition))]
+            : [new XElement("ConditionGroup", conditions)];
+        return new XElement(
+            "Event",
+            new XAttribute("name", each.Id),
+            new XAttribute("priority", "override"),
+            new XAttribute("maximumExecutionCount", 1),
+            new XElement("Action", new XAttribute("name", $"action-{each.Id}"), Private(ActionOf(each))),
+            new XElement("StartTrigger", groups)
+        );
+    }
+
+    private static XElement ActionOf(ScenarioEvent each)
+    {
+        ScenarioAction action = each.Action;
+        return action.Kind switch
+        {
+            ScenarioActionKind.ChangeLane => LaneChange(each.Actor, action.Side < 0 ? 1 : -1, action.Seconds),
+            ScenarioActionKind.CutIn => LaneChange(Ego, 0, action.Seconds),
+            ScenarioActionKind.SpeedProfile => new XElement(
+                "LongitudinalAction",
+                new XElement(
+                    "SpeedProfileAction",
+                    new XAttribute("followingMode", "position"),
+                    action.Profile.Select(
+                        (point, index) =>
+                            new XElement(
+                                "SpeedProfileEntry",
+                                Number("speed", point.Speed),
+                                Number("time", point.Seconds - (index == 0 ? 0 : action.Profile[index - 1].Seconds))
+                            )
+                    )
+                )
+            ),
+            _ => SpeedAction(action.Speed ?? 0, action.Acceleration),
+        };
+    }
+
+    private static XElement LaneChange(string relativeTo, int lanes, double seconds) =>
+        new(
+            "LateralAction",
+            new XElement(
+                "LaneChangeAction",
+                new XElement(
+                    "LaneChangeActionDynamics",
+                    new XAttribute("dynamicsShape", "sinusoidal"),
+                    new XAttribute("dynamicsDimension", "time"),
+                    Number("value", seconds)
+                ),
+                new XElement(
+                    "LaneChangeTarget",
+                    new XElement("RelativeTargetLane", new XAttribute("entityRef", relativeTo), new XAttribute("value", lanes))
+                )
+            )
+        );
+
+    /// <summary>A change of speed at a rate, m/s²; at once without one.</summary>
+    private static XElement SpeedAction(double speed, double? rate) =>
+        new(
+            "LongitudinalAction",
+            new XElement(
+                "SpeedAction",
+                new XElement(
+                    "SpeedActionDynamics",
+                    new XAttribute("dynamicsShape", rate is null ? "step" : "linear"),
+                    new XAttribute("dynamicsDimension", rate is null ? "time" : "rate"),
+                    Number("value", rate ?? 0)
+                ),
+                new XElement("SpeedActionTarget", new XElement("AbsoluteTargetSpeed", Number("value", speed)))
+            )
+        );
+
+    private static XElement ConditionOf(ScenarioCondition condition, string name, ScenarioEvent each) =>
+        condition.Kind switch
+        {
+            ScenarioConditionKind.Seconds => TimeCondition(name, condition.Value, each.Delay),
+            ScenarioConditionKind.Begun or ScenarioConditionKind.Ended => Condition(
+                name,
+                each.Delay,
+                new XElement(
+                    "ByValueCondition",
+                    new XElement(
+                        "StoryboardElementStateCondition",
+                        new XAttribute("storyboardElementType", "event"),
+                        new XAttribute("storyboardElementRef", condition.Event!),
+                        new XAttribute("state", condition.Kind == ScenarioConditionKind.Begun ? "runningState" : "completeState")
+                    )
+                )
+            ),
+            ScenarioConditionKind.Distance => OfEntity(
+                name,
+                each.Delay,
+                Ego,
+                new XElement(
+                    "RelativeDistanceCondition",
+                    new XAttribute("entityRef", condition.Actor!),
+                    new XAttribute("relativeDistanceType", "euclidianDistance"),
+                    new XAttribute("freespace", "false"),
+                    new XAttribute("rule", "lessOrEqual"),
+                    Number("value", condition.Value)
+                )
+            ),
+            ScenarioConditionKind.TimeToCollision => OfEntity(
+                name,
+                each.Delay,
+                Ego,
+                new XElement(
+                    "TimeToCollisionCondition",
+                    new XAttribute("freespace", "true"),
+                    new XAttribute("rule", "lessOrEqual"),
+                    Number("value", condition.Value),
+                    new XElement("TimeToCollisionConditionTarget", new XElement("EntityRef", new XAttribute("entityRef", condition.Actor!)))
+                )
+            ),
+            _ => OfEntity(
+                name,
+                each.Delay,
+                condition.Actor ?? Ego,
+                new XElement(
+                    "SpeedCondition",
+                    new XAttribute("rule", condition.Kind == ScenarioConditionKind.EgoFaster ? "greaterOrEqual" : "lessOrEqual"),
+                    Number("value", condition.Value)
+                )
+            ),
+        };
+
+    private static XElement TimeCondition(string name, double seconds, double delay) =>
+        Condition(
+            name,
+            delay,
+            new XElement(
+                "ByValueCondition",
+                new XElement("SimulationTimeCondition", new XAttribute("rule", "greaterOrEqual"), Number("value", seconds))
+            )
+        );
+
+    private static XElement OfEntity(string name, double delay, string entity, XElement condition) =>
+        Condition(
+            name,
+            delay,
+            new XElement(
+                "ByEntityCondition",
+                new XElement(
+                    "TriggeringEntities",
+                    new XAttribute("triggeringEntitiesRule", "any"),
+                    new XElement("EntityRef", new XAttribute("entityRef", entity))
+                ),
+                new XElement("EntityCondition", condition)
+            )
+        );
+
+    private static XElement Condition(string name, double delay, XElement content) =>
+        new("Condition", new XAttribute("name", name), Number("delay", delay), new XAttribute("conditionEdge", "none"), content);
+
+    private static XElement Private(XElement action) => new("PrivateAction", action);
+
+    private static XAttribute Number(string name, double value) => new(name, value.ToString("R", CultureInfo.InvariantCulture));
+}
