@@ -18,7 +18,17 @@ from .errors import (
     SessionError,
 )
 from .events import EVENT_KINDS, Contact, Event, EventMark, Participant
-from .frame import Frame, View
+from .frame import (
+    FLOW_COVERED,
+    FLOW_INFINITE,
+    FLOW_LEAVES_PICTURE,
+    FLOW_MOVED,
+    FLOW_PERSON,
+    FLOW_UNKNOWN,
+    FLOW_VALID,
+    Frame,
+    View,
+)
 from .lanes import INDICATOR_NAMES, Indicators, LaneLine, Lanes, VehicleInLane
 from .points import POINT_TYPE
 from .records import (
@@ -46,6 +56,13 @@ __all__ = [
     "Cuboid",
     "DRIVERS",
     "Drive",
+    "FLOW_COVERED",
+    "FLOW_INFINITE",
+    "FLOW_LEAVES_PICTURE",
+    "FLOW_MOVED",
+    "FLOW_PERSON",
+    "FLOW_UNKNOWN",
+    "FLOW_VALID",
     "DriveTarget",
     "DriveTick",
     "DriveTruth",

@@ -17,6 +17,8 @@ internal sealed class CaptureFlows(
     PhaseCalls calls
 )
 {
+    private readonly bool _needsFrameBefore = CaptureChannels.Of(options).Any(static channel => channel.NeedsFrameBefore);
+
     /// <summary>Creates the flow for a sink.</summary>
     /// <param name="sink">Receives the frames; it gives the numbers of the first frame and object.</param>
     /// <param name="lag">The picture lag; null if it is unknown.</param>
@@ -42,7 +44,7 @@ internal sealed class CaptureFlows(
                 calls
             )
             {
-                TakesNext = () => Takes(sink.FirstFrame + counters.Taken),
+                NextTurn = () => TurnOf(sink.FirstFrame + counters.Taken),
             };
         }
 
@@ -50,7 +52,7 @@ internal sealed class CaptureFlows(
         return options.Freeze
             ? new FrozenFlow(options, game, reader, labeller, pool, budget, counters, calls, Photographer, Pairs)
             {
-                TakesNext = () => Takes(sink.FirstFrame + counters.Taken),
+                NextTurn = () => TurnOf(sink.FirstFrame + counters.Taken),
             }
             : new LiveFlow(game, reader, labeller, pool, budget, counters, NextLag ?? Always(lag ?? throw LagUnknown()));
     }
@@ -72,6 +74,21 @@ internal sealed class CaptureFlows(
     public Func<PictureLag>? NextLag { get; init; }
 
     private static Func<PictureLag> Always(PictureLag lag) => () => lag;
+
+    private FrameTurn TurnOf(int frame)
+    {
+        int views = options.ViewsPerMoment;
+        bool isOurs = Takes(frame);
+        bool isNeeded = _needsFrameBefore && Takes(frame + views) && IsOneCourse(frame, frame + views);
+        return new FrameTurn(
+            frame,
+            frame >= views && IsOneCourse(frame - views, frame) ? frame - views : null,
+            isOurs,
+            IsLabelled: isOurs || isNeeded
+        );
+    }
+
+    private bool IsOneCourse(int frame, int next) => options.Places is not { } places || places.PlaceOf(frame) == places.PlaceOf(next);
 
     private bool Takes(int frame) => frame > options.RecordedThrough && options.Shard.Takes(frame / options.ViewsPerMoment);
 

@@ -47,6 +47,15 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera, List<Lab
             ),
         ];
 
+    /// <summary>Its number in the session; 0 for labels made without a game.</summary>
+    public int Number { get; init; }
+
+    /// <summary>Number of the frame of the same view before it at the same place; null for the first.</summary>
+    public int? Before { get; init; }
+
+    /// <summary>Whether the frame was not discarded; known only after it was labelled.</summary>
+    public bool IsKept { get; set; }
+
     /// <summary>The image; null until it is grabbed, and for labels made without a game.</summary>
     public GrabbedPicture? Picture { get; set; }
 

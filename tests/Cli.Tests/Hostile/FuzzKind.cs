@@ -123,6 +123,8 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
                 "validate {0}/session",
                 Relabel
             )),
+        new("flow", "session/flow-forward/00000001.png", ValidatePictures, "validate {0}/session", Relabel),
+        new("flow-flags", "session/flow-backward-flags/00000001.png", ValidatePictures, "validate {0}/session", Relabel),
         new(
             "map",
             "maps/0.png",
