@@ -52,7 +52,7 @@ public sealed class NuScenesLanesTests(SimulatedSession simulated)
     }
 
     [Fact]
-    public void Lights_of_labels_have_the_lanes_that_they_govern_and_a_stop_line()
+    public void Lights_of_labels_have_their_lanes_and_a_stop_line()
     {
         RoadNetwork network = Network();
         LaneNetwork whole = Whole(network);

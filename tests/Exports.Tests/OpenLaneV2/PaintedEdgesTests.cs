@@ -22,7 +22,7 @@ public sealed class PaintedEdgesTests
     private static readonly LaneNetwork Map = MapOf();
 
     [Fact]
-    public void Measured_paint_marks_the_edge_of_its_number_although_it_lies_aside()
+    public void Measured_paint_marks_the_edge_of_its_number()
     {
         var painted = new PaintedEdges(
             [

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text.Json;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
@@ -12,7 +13,6 @@ using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Roads;
-using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Settings;
@@ -61,7 +61,7 @@ public sealed class ExportedLightsTests(ITestOutputHelper output) : IDisposable
         [
             .. Directory
                 .EnumerateFiles(exported, "*-ls.json", SearchOption.AllDirectories)
-                .OrderBy(file => int.Parse(Path.GetFileName(Path.GetDirectoryName(Path.GetDirectoryName(file)!)!)))
+                .OrderBy(file => int.Parse(SegmentOf(file), CultureInfo.InvariantCulture))
                 .ThenBy(file => file, StringComparer.Ordinal),
         ];
         Assert.Equal(labels.Length, files.Length);
@@ -106,6 +106,9 @@ public sealed class ExportedLightsTests(ITestOutputHelper output) : IDisposable
         output.WriteLine($"{elements} elements, {joined} lanes governed");
         Assert.True(joined > 0);
     }
+
+    /// <summary>The name of the segment in whose folder "info" a file lies.</summary>
+    private static string SegmentOf(string file) => Path.GetFileName(Path.GetDirectoryName(Path.GetDirectoryName(file)!)!);
 
     private static bool IsWay(JsonElement lane) => lane.GetProperty("is_intersection_or_connector").GetBoolean();
 

@@ -1,6 +1,5 @@
 using Harvester.Geometry;
 using Harvester.Geometry.Maps;
-using Harvester.Geometry.Roads;
 
 namespace Harvester.Simulation.Tests.Maps;
 
