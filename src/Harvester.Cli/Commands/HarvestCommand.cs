@@ -89,6 +89,7 @@ internal sealed class HarvestCommand
 
     private Option<Vector2D?> Near { get; } =
         ValueParsers.Point("--near", "X,Y", "Start position, metres [default: the middle of the road network]");
+    private LogOption LogOf { get; } = new();
     private VarietyOptions Variety { get; } = new();
     private MomentOptions Moment { get; } = new();
 
@@ -229,6 +230,7 @@ internal sealed class HarvestCommand
         Variety.AddTo(command);
         LensOf.AddTo(command);
         RigOf.AddTo(command);
+        LogOf.AddTo(command);
         PairsOf.AddTo(command);
         HelpWithNotes.AddTo(command, Notes, OptionGroups.OfHarvest);
         command.SetAction(
@@ -236,7 +238,7 @@ internal sealed class HarvestCommand
                 Task.FromResult(
                     HarvestRun.Of(
                         terminal,
-                        RigOf.AppliedTo(parsed, PlanOf(parsed)),
+                        RigOf.AppliedTo(parsed, LogOf.AppliedTo(parsed, PlanOf(parsed))),
                         CommandText.Of(parsed),
                         !parsed.GetValue(NoReport),
                         cancellation

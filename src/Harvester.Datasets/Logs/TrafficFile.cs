@@ -21,7 +21,7 @@ internal static class TrafficFile
     private const int Radians = 6;
 
     /// <summary>Largest file, bytes, and what it may have.</summary>
-    private const int MaxBytes = 48 << 20;
+    private const int MaxBytes = 32 << 20;
     private const int MaxSteps = 12_000;
     private const int MaxStates = 2_000_000;
     private const double MaxMetres = 1e6;

@@ -1,30 +1,32 @@
-using Harvester.Cli.Commands;
 using Harvester.Cli.Commands.Tapes;
+using Harvester.Cli.Commands;
 using Harvester.Datasets.Boxes;
 using Harvester.Datasets.Diagnosis;
 using Harvester.Datasets.Faces;
 using Harvester.Datasets.Files;
+using Harvester.Datasets.Logs;
 using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
 using Harvester.Datasets.Sharding;
 using Harvester.Datasets.Statistics;
 using Harvester.Datasets.Validation;
 using Harvester.Exports.Assembly;
+using Harvester.Exports.Formats.MotionScenarios;
 using Harvester.Exports.Formats;
 using Harvester.Exports.Validation;
-using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
+using Harvester.Geometry;
 using Harvester.Reports.Comparison;
 using Harvester.Reports.Faces;
 using Harvester.Runs.Plans;
 using Harvester.Runs.Relabelling;
 using Harvester.Runs.Sheets;
 using Harvester.Sessions.Faces;
-using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Reading.Images;
+using Harvester.Sessions.Reading;
 
 namespace Harvester.Cli.Tests.Hostile;
 
@@ -57,6 +59,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             .Except(["coco-keypoints", "jta", .. WithMaps])
             .Select(format => $"export {{0}}/session --format {format} --out {{0}}/{format}"),
         .. WithMaps.Select(format => $"export {{0}}/session --format {format} --roads {{0}}/straight.csv --out {{0}}/{format}"),
+        "log import {0}/gpudrive/train/0000_0000.json --out {0}/logs",
     ];
 
     /// <summary>Whether invalid lines are ignored by design, so that nothing is ever rejected.</summary>
@@ -216,6 +219,24 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             "relabel {0}/people --roads {0}/straight.csv --paint {0}/paint.csv --no-report --out {0}/out",
             "harvest --roads {0}/straight.csv --paint {0}/paint.csv --frames 1 --size 64x48 --no-report --out {0}/out",
             "drive --roads {0}/straight.csv --paint {0}/paint.csv --distance 1 --out {0}/out"
+        ),
+        new(
+            "log-gpudrive",
+            "gpudrive/train/0000_0000.json",
+            folder => GpuDriveReader.Read(In(folder, "gpudrive/train/0000_0000.json")),
+            "log import {0}/gpudrive/train/0000_0000.json --out {0}/out"
+        ),
+        new(
+            "log-womd",
+            "womd/train.tfrecord-00000-of-00001",
+            folder => WomdReader.Read(In(folder, "womd/train.tfrecord-00000-of-00001")).ToList(),
+            "log import {0}/womd/train.tfrecord-00000-of-00001 --out {0}/out"
+        ),
+        new(
+            "traffic",
+            "logs/0000/traffic.json",
+            folder => TrafficFile.Read(In(folder, "logs/0000/traffic.json")),
+            "harvest --log {0}/logs/0000 --frames 1 --size 64x48 --no-report --out {0}/out"
         ),
         new("places", "places.csv", folder => PlaceList.Read(In(folder, "places.csv")), $"{Sheet} --list {{0}}/places.csv"),
         new(

@@ -11,7 +11,7 @@ namespace Harvester.Exports.Formats.MotionScenarios;
 internal static class TfRecord
 {
     /// <summary>Largest size of a record that is read, bytes: many times that of a scenario of WOMD.</summary>
-    public const int MaxBytes = 12 << 20;
+    public const int MaxBytes = 8 << 20;
 
     private const int LengthBytes = sizeof(ulong);
     private const int CrcBytes = sizeof(uint);
