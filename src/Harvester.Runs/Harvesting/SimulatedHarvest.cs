@@ -20,6 +20,7 @@ using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Rendering;
+using Harvester.Simulation.Settings;
 using Harvester.Simulation.World;
 
 namespace Harvester.Runs.Harvesting;

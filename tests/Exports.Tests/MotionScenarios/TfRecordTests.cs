@@ -27,7 +27,8 @@ public sealed class TfRecordTests
         TfRecord.Write(stream, []);
         stream.Position = 0;
 
-        Assert.Equal(["one"u8.ToArray(), []], TfRecord.Read(stream));
+        byte[][] expected = ["one"u8.ToArray(), []];
+        Assert.Equal(expected, TfRecord.Read(stream).ToArray());
     }
 
     [Theory]

@@ -76,7 +76,7 @@ internal static class LogImportCommand
     private static IEnumerable<LogReading> Read(string path)
     {
         using IEnumerator<LogReading> scenarios = (
-            path.EndsWith(".json", StringComparison.OrdinalIgnoreCase) ? Single(path) : WomdReader.Read(path)
+            path.EndsWith(".json", StringComparison.OrdinalIgnoreCase) ? GpuDriveReader.ReadAll(path) : WomdReader.Read(path)
         ).GetEnumerator();
         while (true)
         {
@@ -94,11 +94,6 @@ internal static class LogImportCommand
 
             yield return scenarios.Current;
         }
-    }
-
-    private static IEnumerable<LogReading> Single(string path)
-    {
-        yield return GpuDriveReader.Read(path);
     }
 
     private static string Write(LogReading reading, string folder, FileInfo file)
