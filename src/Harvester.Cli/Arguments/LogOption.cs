@@ -70,14 +70,7 @@ internal sealed class LogOption
             Roads = LoggedTraffic.RoadsOf(log),
             Frames = frames,
             Options = plan.Options with { MaxFrames = frames, Places = new PlaceSequence(frames, 1) },
-            Variety = plan.Variety with
-            {
-                TrafficDensity = 0,
-                ParkedDensity = 0,
-                PedestrianDensity = 0,
-                Wander = 0,
-                LaneChanges = 0,
-            },
+            Variety = plan.Variety with { TrafficDensity = 0, ParkedDensity = 0, PedestrianDensity = 0, Wander = 0, LaneChanges = 0 },
         };
     }
 

@@ -153,7 +153,10 @@ internal static class TrafficFile
         Require(tracks.Select(track => track.Id).Distinct().Count() == tracks.Length, "two tracks have the same id.");
         int ego = file.Integer("ego");
         int index = Array.FindIndex(tracks, track => track.Id == ego);
-        Require(index >= 0 && tracks[index].Kind == LogKind.Vehicle, FormattableString.Invariant($"ego is {ego}, which is no vehicle of tracks."));
+        Require(
+            index >= 0 && tracks[index].Kind == LogKind.Vehicle,
+            FormattableString.Invariant($"ego is {ego}, which is no vehicle of tracks.")
+        );
         List<LogSignal>[] signals = [.. times.Select(_ => new List<LogSignal>())];
         foreach (JsonFields light in file.List("lights"))
         {

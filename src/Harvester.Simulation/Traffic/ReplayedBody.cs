@@ -35,8 +35,9 @@ internal sealed class ReplayedBody(int handle, int riderHandle, Model model, Rep
     private Model? Rider => model.Riders.Count > 0 ? model.Riders[0] : null;
 
     private int Posture =>
-        _isWalking ? (int)(_walked / model.StrideMetres * PersonPoses.Phases) % PersonPoses.Phases
-        : PersonPoses.FirstStanding + (handle % PersonPoses.StandingCount);
+        _isWalking
+            ? (int)(_walked / model.StrideMetres * PersonPoses.Phases) % PersonPoses.Phases
+            : PersonPoses.FirstStanding + (handle % PersonPoses.StandingCount);
 
     /// <summary>Moves it to a time.</summary>
     /// <param name="step">The step before the time.</param>

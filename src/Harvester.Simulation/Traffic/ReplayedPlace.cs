@@ -64,7 +64,10 @@ internal static class ReplayedPlace
         double HeightAt(Vector3D place) => ground.At(place).Height;
 
         // The slope follows from the ground before and behind the middle: tan = (front - rear) / distance.
-        Vector3D foot = state.Centre with { Z = state.Centre.Z + ((min.Z - max.Z) / 2) };
+        Vector3D foot = state.Centre with
+        {
+            Z = state.Centre.Z + ((min.Z - max.Z) / 2),
+        };
         double slope = (HeightAt(foot + (level * HalfBase)) - HeightAt(foot - (level * HalfBase))) / (2 * HalfBase);
         slope = Math.Abs(slope) > MaxSlope || model.Skeletons.Count > 0 ? 0 : slope;
         Axes axes = Horizontal.AxesAlong((level + (Horizontal.Up * slope)).Normalized());

@@ -32,7 +32,22 @@ public sealed class LogCommandTests : IDisposable
     {
         string first = _folder.PathOf("first");
         CliRun
-            .Of("harvest", "--out", first, "--seed", "17", "--hz", "10", "--frames", "45", "--places", "1", "--size", "64x48", "--no-report")
+            .Of(
+                "harvest",
+                "--out",
+                first,
+                "--seed",
+                "17",
+                "--hz",
+                "10",
+                "--frames",
+                "45",
+                "--places",
+                "1",
+                "--size",
+                "64x48",
+                "--no-report"
+            )
             .AssertDone();
         CliRun.Of("export", first, "--format", format, "--out", _folder.PathOf("export")).AssertDone();
         CliRun.Of("log", "import", _folder.PathOf($"export/{file}"), "--out", _folder.PathOf("logs")).AssertDone();
@@ -55,7 +70,10 @@ public sealed class LogCommandTests : IDisposable
             double part = (seconds - before[after - 1].Seconds + start) / (before[after].Seconds - before[after - 1].Seconds);
             var later = before[after].Scene.Snapshot.Entities.ToDictionary(entity => entity.Handle);
             EntityState[] replayed = [.. scene.Snapshot.Entities.Where(IsCompared)];
-            EntityState[] recorded = [.. before[after - 1].Scene.Snapshot.Entities.Where(entity => IsCompared(entity) && later.ContainsKey(entity.Handle))];
+            EntityState[] recorded =
+            [
+                .. before[after - 1].Scene.Snapshot.Entities.Where(entity => IsCompared(entity) && later.ContainsKey(entity.Handle)),
+            ];
             foreach (EntityState entity in recorded.Where(entity => (entity.Pose.Position - scene.Snapshot.Ego.Pose.Position).Length < 60))
             {
                 Vector3D expected = (Middle(entity) * (1 - part)) + (Middle(later[entity.Handle]) * part);

@@ -1,5 +1,5 @@
-using Harvester.Cli.Commands.Tapes;
 using Harvester.Cli.Commands;
+using Harvester.Cli.Commands.Tapes;
 using Harvester.Datasets.Boxes;
 using Harvester.Datasets.Diagnosis;
 using Harvester.Datasets.Faces;
@@ -11,22 +11,22 @@ using Harvester.Datasets.Sharding;
 using Harvester.Datasets.Statistics;
 using Harvester.Datasets.Validation;
 using Harvester.Exports.Assembly;
-using Harvester.Exports.Formats.MotionScenarios;
 using Harvester.Exports.Formats;
+using Harvester.Exports.Formats.MotionScenarios;
 using Harvester.Exports.Validation;
+using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
-using Harvester.Geometry;
 using Harvester.Reports.Comparison;
 using Harvester.Reports.Faces;
 using Harvester.Runs.Plans;
 using Harvester.Runs.Relabelling;
 using Harvester.Runs.Sheets;
 using Harvester.Sessions.Faces;
+using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Reading.Images;
-using Harvester.Sessions.Reading;
 
 namespace Harvester.Cli.Tests.Hostile;
 

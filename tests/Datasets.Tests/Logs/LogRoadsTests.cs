@@ -46,5 +46,15 @@ public sealed class LogRoadsTests
     private static LogFeature Straight(long id, double from, double to) =>
         new(id, LogFeatureKind.Lane, 2, [new Vector3D(from, 0, 0), new Vector3D((from + to) / 2, 0, 0), new Vector3D(to, 0, 0)]);
 
-    private static MotionLog LogOf(LogFeature[] features) => new("log", [0], [], 0, features, [[]]);
+    private static MotionLog LogOf(LogFeature[] features) =>
+        new(
+            "log",
+            [0],
+            [],
+            0,
+            features,
+            [
+                [],
+            ]
+        );
 }

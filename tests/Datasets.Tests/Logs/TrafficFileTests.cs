@@ -38,7 +38,11 @@ public sealed class TrafficFileTests : IDisposable
     [InlineData("\"firstStep\":1", "\"firstStep\":2", "a track has states before the first or after the last of times, or none.")]
     [InlineData("\"firstStep\":0", "\"firstStep\":-1", "a track has states before the first or after the last of times, or none.")]
     [InlineData("\"kind\":\"pedestrian\"", "\"kind\":\"horse\"", "the kind of a track is not vehicle, pedestrian or cyclist.")]
-    [InlineData("\\[1,2,3,4", "[1e300,2,3,4", "a state of a track has a place, size, heading or velocity beyond the limits of docs/logs.md.")]
+    [InlineData(
+        "\\[1,2,3,4",
+        "[1e300,2,3,4",
+        "a state of a track has a place, size, heading or velocity beyond the limits of docs/logs.md."
+    )]
     [InlineData("\\[1,2,3,4", "[1,2,3", "a state of a track is not a list of 9 numbers.")]
     [InlineData("\"states\":\\[4,", "\"states\":[9,", "a light has an unknown state.")]
     [InlineData("\"states\":\\[4,", "\"states\":[", "a light has not as many states as there are times.")]
@@ -66,7 +70,11 @@ public sealed class TrafficFileTests : IDisposable
             ],
             0,
             [],
-            [[Light(LogLight.Stop)], [Light(LogLight.Unknown)], [Light(LogLight.Go)]]
+            [
+                [Light(LogLight.Stop)],
+                [Light(LogLight.Unknown)],
+                [Light(LogLight.Go)],
+            ]
         );
         using FileStream stream = File.Create(_path);
         TrafficFile.Write(stream, log, "log.json");

@@ -8,7 +8,11 @@ public sealed class MotionScenarioCheckTests(SimulatedSession simulated) : Check
 
     [Theory]
     [InlineData("^\\{", "", "invalid JSON at ")]
-    [InlineData("\"geometry\":\\[\\{\"x\":[^,]*", "\"geometry\":[{\"x\":1e9", "x of a point is 1000000000, which is not from -1000000 to 1000000.")]
+    [InlineData(
+        "\"geometry\":\\[\\{\"x\":[^,]*",
+        "\"geometry\":[{\"x\":1e9",
+        "x of a point is 1000000000, which is not from -1000000 to 1000000."
+    )]
     [InlineData("\"valid\":\\[true,", "\"valid\":[", "the lists of an object have different lengths.")]
     [InlineData("\"type\":\"vehicle\"", "\"type\":\"tank\"", "its scenario 0 is not that of line 2 of scenarios.csv.")]
     [InlineData("\"scenario_id\":\"", "\"scenario_id\":\"x", "its scenario 0 is not that of line 2 of scenarios.csv.")]

@@ -27,12 +27,18 @@ public sealed class MotionScenarioWriterTests(SimulatedSession simulated) : Expo
     public void States_at_frames_are_the_boxes_of_labels()
     {
         JsonElement root = GpuDrive();
-        Dictionary<int, JsonElement> objects = root.GetProperty("objects").EnumerateArray().ToDictionary(item => item.GetProperty("id").GetInt32());
+        Dictionary<int, JsonElement> objects = root.GetProperty("objects")
+            .EnumerateArray()
+            .ToDictionary(item => item.GetProperty("id").GetInt32());
         int compared = 0;
         foreach ((int frame, FrameLabel label) in simulated.OpenWithRoads().ReadLabels().Index())
         {
             int step = frame * StepsPerFrame;
-            foreach (ObjectLabel item in label.Objects.Where(item => item.Class is ObjectClass.Car or ObjectClass.Truck or ObjectClass.Pedestrian))
+            foreach (
+                ObjectLabel item in label.Objects.Where(item =>
+                    item.Class is ObjectClass.Car or ObjectClass.Truck or ObjectClass.Pedestrian
+                )
+            )
             {
                 JsonElement track = objects[item.Id];
                 Assert.True(track.GetProperty("valid")[step].GetBoolean());
@@ -127,7 +133,10 @@ public sealed class MotionScenarioWriterTests(SimulatedSession simulated) : Expo
         }
 
         Assert.Equal(json.Log.Signals.Select(step => step.Count), proto.Log.Signals.Select(step => step.Count));
-        Assert.Equal(json.Log.Features.Select(part => (part.Id, part.Kind, part.Type)), proto.Log.Features.Select(part => (part.Id, part.Kind, part.Type)));
+        Assert.Equal(
+            json.Log.Features.Select(part => (part.Id, part.Kind, part.Type)),
+            proto.Log.Features.Select(part => (part.Id, part.Kind, part.Type))
+        );
         var parts = proto.Log.Features.ToDictionary(part => part.Id);
         int joined = 0;
         foreach (var lane in proto.Log.Features)

@@ -153,9 +153,7 @@ internal static class GpuDriveReader
             );
             List<LogSignal> signals = draft.Signals[steps[i].GetInt32()];
             LogLimits.Require(signals.Count < LogLimits.Features, "tl_states has too many lanes.");
-            signals.Add(
-                new LogSignal(id, (LogLight)light, LogDraft.Point(NumberOf(x[i], "x"), NumberOf(y[i], "y"), NumberOf(z[i], "z")))
-            );
+            signals.Add(new LogSignal(id, (LogLight)light, LogDraft.Point(NumberOf(x[i], "x"), NumberOf(y[i], "y"), NumberOf(z[i], "z"))));
         }
     }
 

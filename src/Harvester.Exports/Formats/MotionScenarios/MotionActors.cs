@@ -28,10 +28,12 @@ internal static class MotionActors
             .ToLookup(entity => entity.VehicleHandle!.Value);
         foreach (EntityState entity in entities)
         {
-            if (KindOf(entity, riders[entity.Handle].Any()) is { } kind && !(IsRider(entity) && present.Contains(entity.VehicleHandle!.Value)))
+            if (
+                KindOf(entity, riders[entity.Handle].Any()) is { } kind
+                && !(IsRider(entity) && present.Contains(entity.VehicleHandle!.Value))
+            )
             {
-                Cuboid box = riders[entity.Handle]
-                    .Aggregate(BoxOf(entity), static (whole, rider) => Enclosing(whole, BoxOf(rider)));
+                Cuboid box = riders[entity.Handle].Aggregate(BoxOf(entity), static (whole, rider) => Enclosing(whole, BoxOf(rider)));
                 yield return new MotionActor(
                     FormattableString.Invariant($"{entity.Handle} {entity.Model}"),
                     scene.Ids.TryGetValue(entity.Handle, out int id) ? id : null,

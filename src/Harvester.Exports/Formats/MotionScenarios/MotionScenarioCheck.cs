@@ -30,9 +30,15 @@ internal static class MotionScenarioCheck
     private static IEnumerable<SessionProblem> Problems(DatasetContent dataset, Func<string, IEnumerable<LogReading>> read)
     {
         string[] columns = MotionScenarioWriter.FrameColumns.Split(',');
-        foreach ((int number, string[] words, string? problem) in Rows(dataset, MotionScenarioWriter.Frames, MotionScenarioWriter.FrameColumns))
+        foreach (
+            (int number, string[] words, string? problem) in Rows(dataset, MotionScenarioWriter.Frames, MotionScenarioWriter.FrameColumns)
+        )
         {
-            if (problem is not null || !dataset.Splits.Contains(words[0]) || Numbers.Parse([words[Array.IndexOf(columns, "time_seconds")]]) is null)
+            if (
+                problem is not null
+                || !dataset.Splits.Contains(words[0])
+                || Numbers.Parse([words[Array.IndexOf(columns, "time_seconds")]]) is null
+            )
             {
                 yield return new SessionProblem(MotionScenarioWriter.Frames, LineOf(number), problem ?? "its split or time is invalid.");
             }
@@ -43,7 +49,13 @@ internal static class MotionScenarioCheck
         }
 
         var files = new Dictionary<string, List<(int Number, string[] Words)>>(StringComparer.Ordinal);
-        foreach ((int number, string[] words, string? problem) in Rows(dataset, MotionScenarioWriter.Scenarios, MotionScenarioWriter.ScenarioColumns))
+        foreach (
+            (int number, string[] words, string? problem) in Rows(
+                dataset,
+                MotionScenarioWriter.Scenarios,
+                MotionScenarioWriter.ScenarioColumns
+            )
+        )
         {
             if (problem is not null)
             {

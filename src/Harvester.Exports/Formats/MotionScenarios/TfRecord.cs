@@ -49,7 +49,10 @@ internal static class TfRecord
             }
 
             ulong length = BinaryPrimitives.ReadUInt64LittleEndian(head);
-            if (got < head.Length || Checksum(head.AsSpan(0, LengthBytes)) != BinaryPrimitives.ReadUInt32LittleEndian(head.AsSpan(LengthBytes)))
+            if (
+                got < head.Length
+                || Checksum(head.AsSpan(0, LengthBytes)) != BinaryPrimitives.ReadUInt32LittleEndian(head.AsSpan(LengthBytes))
+            )
             {
                 throw new DatasetFormatException(
                     FormattableString.Invariant($"record {number} in it is damaged, or it is no TFRecord file without compression.")

@@ -28,9 +28,7 @@ internal sealed class PaintedEdges
     /// <param name="markings">The markings.</param>
     /// <param name="vehicle">The vehicle's frame.</param>
     public PaintedEdges(IReadOnlyList<LaneLineView> markings, Pose vehicle) =>
-        _markings = [
-            .. markings.Select(view => (view.Paint, VehicleRange.Points([.. view.Points.Select(point => point.World)], vehicle))),
-        ];
+        _markings = [.. markings.Select(view => (view.Paint, VehicleRange.Points([.. view.Points.Select(point => point.World)], vehicle)))];
 
     /// <summary>How most of an edge is painted.</summary>
     /// <param name="edge">The edge, vehicle's frame, metres.</param>
