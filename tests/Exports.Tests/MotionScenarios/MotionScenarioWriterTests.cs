@@ -73,43 +73,6 @@ public sealed class MotionScenarioWriterTests(SimulatedSession simulated) : Expo
     }
 
     [Fact]
-    public void Lights_are_those_of_labels()
-    {
-        JsonElement lights = GpuDrive().GetProperty("tl_states");
-        string[] words = ["unknown", "stop", "caution", "go"];
-        int compared = 0;
-        foreach ((int frame, FrameLabel label) in simulated.OpenWithRoads().ReadLabels().Index())
-        {
-            string[] expected =
-            [
-                .. label
-                    .Objects.Where(item => item is { GovernedLanes.Count: > 0, Face.Light: not null })
-                    .SelectMany(item => item.GovernedLanes!.Select(lane => (lane, word: words[(int)item.Face!.Light!.State])))
-                    .Distinct()
-                    .Select(pair => pair.word)
-                    .Order(StringComparer.Ordinal),
-            ];
-            string[] written =
-            [
-                .. lights
-                    .EnumerateObject()
-                    .SelectMany(lane =>
-                        lane.Value.GetProperty("time_index")
-                            .EnumerateArray()
-                            .Select((step, index) => (Step: step.GetInt32(), Word: lane.Value.GetProperty("state")[index].GetString()!))
-                    )
-                    .Where(state => state.Step == frame * StepsPerFrame)
-                    .Select(state => state.Word)
-                    .Order(StringComparer.Ordinal),
-            ];
-            Assert.Equal(expected, written);
-            compared += written.Length;
-        }
-
-        Assert.True(compared > 0);
-    }
-
-    [Fact]
     public void Womd_has_what_gpudrive_has_and_which_lane_leads_to_which()
     {
         GpuDrive();

@@ -20,11 +20,7 @@ internal sealed class ScenarioAssembly
         {
             foreach (NamedFeature feature in moment.Features)
             {
-                // A line whose paint was seen from one frame keeps it.
-                if (!_features.TryGetValue(feature.Name, out NamedFeature? known) || (known.Type == 0 && feature.Type != 0))
-                {
-                    _features[feature.Name] = feature;
-                }
+                _features[feature.Name] = _features.TryGetValue(feature.Name, out NamedFeature? known) ? known.With(feature) : feature;
             }
 
             _moments.Add(moment with { Features = [] });
