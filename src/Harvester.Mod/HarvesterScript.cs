@@ -91,6 +91,9 @@ public sealed class HarvesterScript : Script
         Aborted += OnAborted;
     }
 
+    /// <summary>The actors of scenarios.</summary>
+    internal StagedActors Actors => _features.Actors;
+
     /// <summary>Whether work continues on another thread.</summary>
     internal bool IsBusy => _features.All.IsBusy || _tape is { IsBusy: true };
 
@@ -118,16 +121,22 @@ public sealed class HarvesterScript : Script
 
     private void OnTick(object? sender, EventArgs e)
     {
-        Handle(
-            null,
-            () =>
-            {
-                _greeting.Tick(_features.All);
-                _features.Gaps.Begin();
-                _features.All.Tick();
-                _features.Gaps.End();
-            }
-        );
+        if (!BeginEvent(null))
+        {
+            return;
+        }
+
+        try
+        {
+            _greeting.Tick(_features.All);
+            _features.Gaps.Begin();
+            _features.All.Tick();
+            _features.Gaps.End();
+        }
+        finally
+        {
+            EndEvent();
+        }
     }
 
     // Key up instead of key down: Windows repeats the latter as long as a key is held.
@@ -135,7 +144,7 @@ public sealed class HarvesterScript : Script
     {
         if (_keys.HasPress(e.KeyCode))
         {
-            Handle(new TapeKey((int)e.KeyCode, false), () => _keys.Press(e.KeyCode));
+            Handle(new TapeKey((int)e.KeyCode, false), _keys.Press, e.KeyCode);
         }
     }
 
@@ -144,28 +153,44 @@ public sealed class HarvesterScript : Script
     {
         if (_keys.HasGoingDown(e.KeyCode))
         {
-            Handle(new TapeKey((int)e.KeyCode, true), () => _keys.GoDown(e.KeyCode));
+            Handle(new TapeKey((int)e.KeyCode, true), _keys.GoDown, e.KeyCode);
         }
     }
 
-    private void Handle(TapeKey? key, Action handle)
+    private void Handle(TapeKey key, Action<Keys> handle, Keys code)
     {
-        if (_aborted != 0)
+        if (!BeginEvent(key))
         {
             return;
         }
 
-        Background.Watch = _work;
-        _tape?.BeginEvent(key);
         try
         {
-            handle();
+            handle(code);
         }
         finally
         {
-            _tape?.EndEvent();
-            Background.Watch = null;
+            EndEvent();
         }
+    }
+
+    /// <returns>Whether the event is handled; after the script's end none is.</returns>
+    private bool BeginEvent(TapeKey? key)
+    {
+        if (_aborted != 0)
+        {
+            return false;
+        }
+
+        Background.Watch = _work;
+        _tape?.BeginEvent(key);
+        return true;
+    }
+
+    private void EndEvent()
+    {
+        _tape?.EndEvent();
+        Background.Watch = null;
     }
 
     // The loader may raise this twice, and on another thread while the script's own is stopped in the middle of a tick. So this takes no

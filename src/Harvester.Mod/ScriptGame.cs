@@ -71,6 +71,9 @@ internal sealed class ScriptGame : IGameAdapters
     public ITrialGame Trials { get; } = new GameTrials();
 
     /// <inheritdoc/>
+    public IActorGame Actors { get; } = new GameActors();
+
+    /// <inheritdoc/>
     public ISurveyStage Stage { get; }
 
     /// <inheritdoc/>

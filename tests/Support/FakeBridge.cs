@@ -7,7 +7,7 @@ namespace Harvester.TestSupport;
 /// <summary>
 /// A bridge in memory, to a client that is the test. It gives messages out as the real ones do: commands first, of controls the newest.
 /// </summary>
-internal sealed class FakeBridge : IDrivingBridge
+internal sealed class FakeBridge : IDrivingBridge, IClientInbox, IFrameOutbox
 {
     private readonly ClientInbox<FakeBridge> _inbox = new();
 
@@ -28,6 +28,10 @@ internal sealed class FakeBridge : IDrivingBridge
         _inbox.Leave(this);
         _inbox.Welcome(this);
     }
+
+    public IClientInbox Inbox => this;
+
+    public IFrameOutbox Outbox => this;
 
     public bool HasClientGone => _inbox.HasClientGone;
 
@@ -58,7 +62,7 @@ internal sealed class FakeBridge : IDrivingBridge
 
     public bool TryReceive([NotNullWhen(true)] out ClientMessage? message)
     {
-        if (_inbox.TryTake(out message))
+        if (_inbox.TryReceive(out message))
         {
             return true;
         }

@@ -1,3 +1,4 @@
+using System.Diagnostics.CodeAnalysis;
 using Harvester.Driving.Bridge;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
@@ -31,6 +32,11 @@ internal static class Frames
             Thread.Sleep(2);
         }
     }
+
+    public static bool Publish(this IDrivingBridge bridge, BridgeState state, PixelBuffer picture) => bridge.Outbox.Publish(state, picture);
+
+    public static bool TryReceive(this IDrivingBridge bridge, [NotNullWhen(true)] out ClientMessage? message) =>
+        bridge.Inbox.TryReceive(out message);
 
     public static ClientMessage AwaitMessage(IDrivingBridge bridge)
     {

@@ -1,5 +1,6 @@
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
+using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 
@@ -27,48 +28,52 @@ internal sealed class FrozenFlow(
     PairPhotographer? pairs
 ) : ICaptureFlow
 {
-    private readonly FrozenScene _scene = new(options, reader, counters, calls);
+    private readonly FrozenScene _scene = new(options, game.World, reader, calls);
 
-    public IReadOnlyList<TakenFrame> Taken { get; private set; } = [];
+    public IReadOnlyList<FrameDraft> Taken { get; private set; } = [];
 
     public bool IsPassed { get; private set; }
 
     public double? TakenSeconds { get; private set; }
 
-    /// <summary>
-    /// Whether the next frame is to be taken. One of another shard, or one that the session already holds, is read and settled too, but not
-    /// grabbed or labelled.
-    /// </summary>
-    public required Func<bool> TakesNext { get; init; }
+    /// <summary>Says what is to be done with the next frame.</summary>
+    public required Func<FrameTurn> NextTurn { get; init; }
 
     public IEnumerable<WorkStep> TakeFrame()
     {
         Taken = [];
         IsPassed = false;
         TakenSeconds = null;
-        bool isOurs = TakesNext();
+        FrameTurn turn = NextTurn();
         GrabbedPicture? picture = null;
         game.Pause.Freeze();
         try
         {
-            yield return WorkStep.Do(_scene.Settle());
+            yield return WorkStep.Do(_scene.Read(HarvestPhase.Settling, options.MaxPictureLagTicks));
 
-            if (_scene.Settled is not { } snapshot)
+            if (_scene.Latest is not { } snapshot)
             {
+                counters.Discard("neverStill");
                 yield break;
             }
 
-            picture = isOurs ? GrabbedPicture.Of(game.Screen, pool) : null;
+            counters.Settled(_scene.MovingTicks);
+            picture = turn.IsLabelled ? new GrabbedPicture(game.Screen, pool) : null;
             if (picture?.Refusal is { } refusal)
             {
                 counters.Discard(refusal);
                 yield break;
             }
 
-            PreparedFrame frame = labeller.Prepare(snapshot);
+            Camera camera = labeller.CameraOf(snapshot);
+            var frame = new FrameDraft(snapshot, camera, labeller.CandidatesOf(camera, snapshot))
+            {
+                Number = turn.Number,
+                Before = turn.Before,
+            };
             if (photographer is not null)
             {
-                yield return HarvestPhase.Photographing.Do(photographer.Take(frame.Camera, frame.Targets, picture?.WaitForPixels()));
+                yield return HarvestPhase.Photographing.Do(photographer.Take(camera, frame.Targets, picture?.WaitForPixels()));
 
                 calls.Charge(HarvestPhase.Photographing);
                 if (photographer.Refusal is { } failed)
@@ -79,7 +84,7 @@ internal sealed class FrozenFlow(
             }
 
             budget.BeginSteps();
-            if (isOurs)
+            if (turn.IsLabelled)
             {
                 yield return HarvestPhase.Labelling.Do(labeller.Label(frame, static () => true, photographer?.Pictures));
             }
@@ -91,12 +96,12 @@ internal sealed class FrozenFlow(
             if (pairs is not null)
             {
                 photographer?.Release();
-                yield return HarvestPhase.Photographing.Do(isOurs ? pairs.Take(frame.Draft, picture!.WaitForPixels()) : pairs.Pass());
+                yield return HarvestPhase.Photographing.Do(turn.IsOurs ? pairs.Take(frame, picture!.WaitForPixels()) : pairs.Pass());
 
                 calls.Charge(HarvestPhase.Photographing);
             }
 
-            yield return WorkStep.Do(_scene.Read(HarvestPhase.Labelling));
+            yield return WorkStep.Do(_scene.Read(HarvestPhase.Labelling, stillTicks: 0));
 
             if (_scene.Comparison.FirstDifference(snapshot, _scene.Latest!) is { } difference)
             {
@@ -104,17 +109,18 @@ internal sealed class FrozenFlow(
                 yield break;
             }
 
-            IsPassed = !isOurs;
+            IsPassed = !turn.IsOurs;
+            frame.IsKept = true;
             TakenSeconds = snapshot.TimeSeconds;
-            if (isOurs)
+            if (turn.IsOurs)
             {
                 if (pairs is { Taken: { Count: > 0 } pictures })
                 {
-                    frame.Draft.Add(new PairPictures(pictures));
+                    frame.Add(new PairPictures(pictures));
                 }
 
-                Taken = [new TakenFrame(frame.Draft, picture!)];
-                picture = null;
+                (frame.Picture, picture) = (picture, null);
+                Taken = [frame];
             }
         }
         finally

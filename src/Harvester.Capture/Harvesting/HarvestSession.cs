@@ -1,4 +1,5 @@
 using Harvester.Capture.Calibration;
+using Harvester.Capture.Events;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
@@ -14,26 +15,23 @@ namespace Harvester.Capture.Harvesting;
 /// </summary>
 public sealed class HarvestSession : IDisposable
 {
-    private static readonly CaptureFault LagUnchecked = new(
-        FaultCode.LagUnchecked,
-        "The picture lag was not checked: neither markers nor movement showed it. Check that the boxes align with moving objects."
-    );
-
     private readonly HarvestOptions _options;
     private readonly GamePorts _game;
     private readonly IFrameSink _sink;
-    private readonly WorkRun _run;
+    private readonly PixelBufferPool _pool;
+    private readonly SceneReader _reader;
+    private readonly HarvestTime _time;
+    private readonly HarvestStart _checks;
     private readonly PictureWatch? _watch;
     private readonly TickBudget _budget;
     private readonly MotionRecorder? _motion;
-    private readonly DrivingPace _pace = new();
     private double _startMilliseconds;
     private double _endMilliseconds;
-    private long _gameFrame;
-    private double _timeSeconds;
     private bool _opened;
+    private WorkRun _run;
     private CaptureFlows? _flows;
-    private IReadOnlyList<CaptureFault> _unchecked = [];
+    private EventRecorder? _events;
+    private FrameHarvester? _frames;
     private HarvestPhase _phase = HarvestPhase.Waiting;
 
     /// <summary>Creates a session. The game is not used before the first step.</summary>
@@ -45,30 +43,7 @@ public sealed class HarvestSession : IDisposable
         _options = options ?? throw new ArgumentNullException(nameof(options));
         _game = game ?? throw new ArgumentNullException(nameof(game));
         _sink = sink ?? throw new ArgumentNullException(nameof(sink));
-        if (options is { Freeze: false, Masks: true })
-        {
-            throw new ArgumentException("Masks need a game that is frozen for each frame.", nameof(options));
-        }
-
-        if (options is { MaskMethod: MaskMethod.Both, Shard.Count: > 1 } or { MaskMethod: MaskMethod.Both, RecordedThrough: >= 0 })
-        {
-            throw new ArgumentException("Masks of two methods are compared in whole harvests only.", nameof(options));
-        }
-
-        if (options is { Freeze: false, Shard.Count: > 1 } or { Freeze: false, RecordedThrough: >= 0 })
-        {
-            throw new ArgumentException("Skipping frames needs a game that is frozen for each frame.", nameof(options));
-        }
-
-        if (options.Rig is not null && (!options.Freeze || options.MaskMethod != MaskMethod.Rays || game.RigCamera is null))
-        {
-            throw new ArgumentException(
-                "A rig needs a game that is frozen for each moment and lets its camera move, and masks from rays.",
-                nameof(options)
-            );
-        }
-
-        if (CaptureChannels.ProblemFor(options, game) is { } problem)
+        if (HarvestConflicts.Of(options, game) is { } problem)
         {
             throw new ArgumentException(problem, nameof(options));
         }
@@ -77,7 +52,11 @@ public sealed class HarvestSession : IDisposable
         Calls = new PhaseCalls(game.Calls);
         _motion = options.Motion ? new MotionRecorder(game.World) : null;
         _watch = options.Rig is null ? new PictureWatch(options.Image) : null;
-        _run = new WorkRun(Run(), () => _budget.IsSpent);
+        _pool = new PixelBufferPool(options.Image);
+        _reader = new SceneReader(game.World, options);
+        _time = new HarvestTime(game);
+        _checks = new HarvestStart(options, game, _reader, _pool, Open);
+        _run = new WorkRun(_checks.Run(), () => _budget.IsSpent);
     }
 
     /// <summary>The counters of the harvest.</summary>
@@ -94,25 +73,25 @@ public sealed class HarvestSession : IDisposable
 
     /// <summary>What could not be checked; empty until the first frame.</summary>
     public IReadOnlyList<CaptureFault> Warnings =>
-        [.. _unchecked, .. new[] { _flows?.Photographer?.Warning, _flows?.Pairs?.Warning, PictureFault }.OfType<CaptureFault>()];
+        [.. _checks.Unchecked, .. new[] { _flows?.Photographer?.Warning, _flows?.Pairs?.Warning, PictureFault }.OfType<CaptureFault>()];
 
     /// <summary>How well masks from rays agree with those from photographs; null if they are not compared.</summary>
     public MaskComparison? MaskComparison => _flows?.Comparison;
 
     /// <summary>Error of the camera model, pixels; null if it was not checked, or not yet.</summary>
-    public double? CalibrationErrorPixels { get; private set; }
+    public double? CalibrationErrorPixels => _checks.CalibrationErrorPixels;
 
     /// <summary>The freeze methods that were tried, here or earlier in the same session; null if none was, or not yet.</summary>
-    public FreezeReport? Freezing { get; private set; }
+    public FreezeReport? Freezing => _checks.Freezing;
 
     /// <summary>Whether the game's display can be hidden while it is frozen; null if it was not checked, or not yet.</summary>
-    public DisplayFinding? Display { get; private set; }
+    public DisplayFinding? Display => _checks.Display;
 
     /// <summary>How pictures show known colours; null if that was not checked, or not yet.</summary>
-    public ColourFinding? Colours { get; private set; }
+    public ColourFinding? Colours => _checks.Colours;
 
     /// <summary>The picture lag; null if it was not measured.</summary>
-    public PictureLag? Lag { get; private set; }
+    public PictureLag? Lag => _checks.Lag;
 
     /// <summary>
     /// Live mode only: gives the picture lag of the next frame, for a game that is paused now and then, so that its picture catches up;
@@ -127,7 +106,7 @@ public sealed class HarvestSession : IDisposable
     public IFrameTour? Tour { get; init; }
 
     /// <summary>Real time that the game takes for a second of its own time; null in the first second of game time.</summary>
-    public double? RealSecondsPerGameSecond => _pace.RealSecondsPerGameSecond;
+    public double? RealSecondsPerGameSecond => _time.RealSecondsPerGameSecond;
 
     /// <summary>The current state of the harvest.</summary>
     public HarvestStatus Status => new(_phase, Counters.Captured, Counters.Discarded, FramesPerSecond, Fault);
@@ -160,7 +139,15 @@ public sealed class HarvestSession : IDisposable
                 Calls.Charge(HarvestPhase.Waiting);
             }
 
-            if (_run.Advance())
+            ObserveEvents();
+            bool isGoingOn = _run.Advance();
+            if (!isGoingOn && _flows is null)
+            {
+                _run = BeginFrames();
+                isGoingOn = _run.Advance();
+            }
+
+            if (isGoingOn)
             {
                 _phase = (HarvestPhase)_run.Phase!.Value;
                 Calls.Charge(_phase);
@@ -180,6 +167,27 @@ public sealed class HarvestSession : IDisposable
         }
 
         return Status;
+    }
+
+    /// <summary>
+    /// Looks for events, in a tick without a step: for those who step the harvest only for its frames. Nothing is done before the first
+    /// frame is due, and without <see cref="HarvestOptions.Events"/>.
+    /// </summary>
+    public void Observe()
+    {
+        try
+        {
+            if (!Status.IsOver)
+            {
+                ObserveEvents();
+            }
+        }
+#pragma warning disable CA1031 // As in Step.
+        catch (Exception exception)
+#pragma warning restore CA1031
+        {
+            Fail(exception);
+        }
     }
 
     /// <summary>Ends the harvest, resumes the game and closes the sink. An unfinished frame is dropped. Further calls do nothing.</summary>
@@ -205,70 +213,40 @@ public sealed class HarvestSession : IDisposable
     /// <summary>Ends the harvest like <see cref="Stop"/>; the caller disposes the sink.</summary>
     public void Dispose() => Stop();
 
-    private IEnumerable<WorkStep> Run()
+    private WorkRun BeginFrames()
     {
-        var pool = new PixelBufferPool(_options.Image);
-        var reader = new SceneReader(_game.World, _options);
-        var freeze = new FreezeProbe(_options, _game, reader, pool);
-        yield return HarvestPhase.MeasuringFreeze.Do(freeze.Choose());
-
-        Freezing = freeze.Report;
-        var display = new DisplayProbe(_options, _game, pool);
-        yield return HarvestPhase.CheckingDisplay.Do(display.Run());
-
-        Display = display.Finding;
-        var colours = new ColourProbe(_options, _game, pool);
-        yield return HarvestPhase.CheckingDisplay.Do(colours.Run());
-
-        Colours = colours.Finding;
-        var check = new CalibrationCheck(_options, _game);
-        yield return HarvestPhase.CheckingCalibration.Do(check.Run());
-
-        CalibrationErrorPixels = check.ErrorPixels;
-        Open();
-        yield return HarvestPhase.Probing.Do(FindLag(reader, pool));
-
-        bool isLagOpen = Lag is null && check.ErrorPixels is null && (_options.ProbeLag || check.Warning is not null);
-        CaptureFault?[] warnings = [freeze.Warning, display.Warning, colours.Warning, check.Warning, isLagOpen ? LagUnchecked : null];
-        _unchecked = [.. warnings.OfType<CaptureFault>()];
-        CaptureFlows flows = _flows = new CaptureFlows(_options, _game, reader, pool, _budget, Counters, Calls) { NextLag = NextLag };
-        ICaptureFlow flow = flows.For(_sink, Lag);
-        using var frames = new FrameHarvester(_options, _sink, flow, Counters, _motion) { Watch = _watch };
-        if (Tour is { } tour)
+        _flows = new CaptureFlows(_options, _game, _reader, _pool, _budget, Counters, Calls) { NextLag = NextLag };
+        ICaptureFlow flow = _flows.For(_sink, Lag);
+        CaptureFlows flows = _flows;
+        _events = _options.Events is { } events
+            ? new EventRecorder(events, _game.World, entity => flows.Registry!.IdOf(entity), _sink.FirstEventId)
+            : null;
+        ObserveEvents();
+        _frames = new FrameHarvester(_options, _sink, flow, Counters, _motion)
         {
-            yield return WorkStep.Do(new TourHarvester(tour, frames, Counters).Run());
+            Watch = _watch,
+            Events = _events,
+            Keeper = _options.Events is { KeepAroundSeconds: { } around } keeping ? new FrameKeeper(around, keeping.KeepKinds) : null,
+        };
+        IFrameTrigger trigger = Tour is { } tour ? new TourTrigger(tour, Counters) : new RateTrigger(_options, _time, Counters, Calls);
+        return new WorkRun(_frames.Run(trigger), () => _budget.IsSpent);
+    }
 
-            yield break;
-        }
-
-        var schedule = new FrameSchedule(_options.RateHz, _options.EarlyFraction);
-        while (true)
+    private void ObserveEvents()
+    {
+        if (_opened && _events is not null)
         {
-            ReadTime();
-            _pace.Observe(_game.Clock.Milliseconds, _timeSeconds);
+            _events.Observe();
             Calls.Charge(HarvestPhase.Waiting);
-            if (schedule.TakeIfDue(_timeSeconds))
-            {
-                yield return WorkStep.Do(frames.HarvestOne());
-
-                if (Counters.Taken == _options.MaxFrames)
-                {
-                    yield return WorkStep.Do(frames.Finish());
-
-                    yield break;
-                }
-            }
-
-            yield return HarvestPhase.Waiting.Tick();
         }
     }
 
     private void Open()
     {
-        ReadTime();
+        _time.Read();
         _startMilliseconds = _game.Clock.Milliseconds;
         _sink.Open(
-            new SessionStart(_options, _gameFrame, _timeSeconds, _game.World.ReadCamera())
+            new SessionStart(_options, _time.GameFrame, _time.Seconds, _game.World.ReadCamera())
             {
                 CameraErrorPixels = CalibrationErrorPixels,
                 Freezing = Freezing,
@@ -278,27 +256,6 @@ public sealed class HarvestSession : IDisposable
         );
         _game.Reading?.Begin();
         _opened = true;
-    }
-
-    private IEnumerable<WorkStep> FindLag(SceneReader reader, PixelBufferPool pool)
-    {
-        if (!_options.Freeze && _options.LiveLag is { } known)
-        {
-            Lag = known;
-        }
-        else if (_options.ProbeLag)
-        {
-            var probe = new LagProbe(_options, _game, reader, pool) { IsLagWithinLimit = CalibrationErrorPixels is not null };
-            yield return WorkStep.Do(probe.Measure(_options.Freeze));
-
-            Lag = probe.Lag;
-        }
-    }
-
-    private void ReadTime()
-    {
-        _gameFrame = _game.World.GameFrame;
-        _timeSeconds = _game.World.TimeSeconds;
     }
 
     private void Fail(Exception exception)
@@ -363,9 +320,20 @@ public sealed class HarvestSession : IDisposable
         {
             _opened = false;
             _sink.Close(
-                new SessionEnd(_gameFrame, _timeSeconds, Counters.Captured, [.. Counters.Discards], [.. Counters.SettleTicks], Lag, Fault)
+                new SessionEnd(
+                    _time.GameFrame,
+                    _time.Seconds,
+                    Counters.Captured,
+                    [.. Counters.Discards],
+                    [.. Counters.SettleTicks],
+                    Lag,
+                    Fault
+                )
                 {
                     Reading = _game.Reading?.Report,
+                    Events = _options.Events is null
+                        ? null
+                        : _events?.Finish(_frames?.LostEvents ?? [], _sink.FirstFrame + Counters.Captured - 1) ?? [],
                     MaskComparison = MaskComparison,
                     PictureWarning = _watch?.Warning,
                     MaskWarning = _flows?.Photographer?.Warning?.Message,

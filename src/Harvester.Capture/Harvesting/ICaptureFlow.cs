@@ -1,3 +1,4 @@
+using Harvester.Capture.Labelling;
 using Harvester.Geometry.Work;
 
 namespace Harvester.Capture.Harvesting;
@@ -7,8 +8,8 @@ namespace Harvester.Capture.Harvesting;
 /// </summary>
 internal interface ICaptureFlow
 {
-    /// <summary>The frame of the last flow, or the views of its moment; empty if it was discarded.</summary>
-    IReadOnlyList<TakenFrame> Taken { get; }
+    /// <summary>The frame of the last flow, or the views of its moment, with their pictures; empty if it was discarded.</summary>
+    IReadOnlyList<FrameDraft> Taken { get; }
 
     /// <summary>Whether the last flow skipped a frame of another shard, or one that the session already holds.</summary>
     bool IsPassed { get; }

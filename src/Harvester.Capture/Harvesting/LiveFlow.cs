@@ -21,7 +21,7 @@ internal sealed class LiveFlow(
     Func<PictureLag> nextLag
 ) : ICaptureFlow
 {
-    public IReadOnlyList<TakenFrame> Taken { get; private set; } = [];
+    public IReadOnlyList<FrameDraft> Taken { get; private set; } = [];
 
     public bool IsPassed => false;
 
@@ -61,7 +61,7 @@ internal sealed class LiveFlow(
                 if (tick == grabTick)
                 {
                     grabSeconds = game.World.TimeSeconds;
-                    picture = GrabbedPicture.Of(game.Screen, pool);
+                    picture = new GrabbedPicture(game.Screen, pool);
                     if (picture.Refusal is { } refusal)
                     {
                         counters.Discard(refusal);
@@ -81,9 +81,9 @@ internal sealed class LiveFlow(
 
             draft!.LagFrames = lag.EntityTicks;
             draft.LagSeconds = grabSeconds - draft.Snapshot.TimeSeconds;
-            Taken = [new TakenFrame(draft, picture!)];
+            (draft.Picture, picture) = (picture, null);
+            Taken = [draft];
             TakenSeconds = draft.Snapshot.TimeSeconds;
-            picture = null;
         }
         finally
         {

@@ -1,3 +1,5 @@
+using Harvester.Capture.Labelling;
+
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
@@ -13,30 +15,33 @@ internal sealed class PictureQueue(int capacity) : IDisposable
     /// </summary>
     public const int UsualCapacity = 2;
 
-    private readonly Queue<(int Number, TakenFrame Frame)> _frames = new();
+    private readonly Queue<(int Number, FrameDraft Frame)> _frames = new();
 
     /// <summary>Number of frames.</summary>
     public int Count => _frames.Count;
 
+    /// <summary>The frames, the oldest first.</summary>
+    public IEnumerable<FrameDraft> Frames => _frames.Select(static each => each.Frame);
+
     /// <summary>
     /// Whether the oldest frame is due: the queue is over its capacity, or the oldest picture was not deferred.
     /// </summary>
-    public bool IsOldestDue => _frames.Count > capacity || (_frames.Count > 0 && !_frames.Peek().Frame.Picture.IsDeferred);
+    public bool IsOldestDue => _frames.Count > capacity || (_frames.Count > 0 && !_frames.Peek().Frame.Picture!.IsDeferred);
 
     /// <summary>Adds a frame.</summary>
     /// <param name="number">Its number in the session.</param>
     /// <param name="frame">The frame, which belongs to the queue from now on.</param>
-    public void Add(int number, TakenFrame frame) => _frames.Enqueue((number, frame));
+    public void Add(int number, FrameDraft frame) => _frames.Enqueue((number, frame));
 
     /// <summary>Removes the oldest frame, which belongs to the caller.</summary>
-    public (int Number, TakenFrame Frame) Remove() => _frames.Dequeue();
+    public (int Number, FrameDraft Frame) Remove() => _frames.Dequeue();
 
     /// <summary>Drops all frames.</summary>
     public void Dispose()
     {
         while (_frames.Count > 0)
         {
-            _frames.Dequeue().Frame.Picture.Dispose();
+            _frames.Dequeue().Frame.Picture!.Dispose();
         }
     }
 }

@@ -2,6 +2,7 @@ using Harvester.Capture.Faults;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Work;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Lidar;
@@ -40,7 +41,7 @@ internal sealed class RigFlow : ICaptureFlow
     )
     {
         (_options, _game, _rig, _budget, _counters, _calls) = (options, game, rig, budget, counters, calls);
-        _scene = new FrozenScene(options, reader, counters, calls);
+        _scene = new FrozenScene(options, game.World, reader, calls);
         _views =
         [
             .. rig.Cameras.Select(camera => new ViewCapture(
@@ -53,40 +54,44 @@ internal sealed class RigFlow : ICaptureFlow
         _lidars = [.. rig.Lidars.Select(lidar => new LidarScanner(lidar, rig.OnVehicle(lidar.Mount), options, game, registry))];
     }
 
-    public IReadOnlyList<TakenFrame> Taken { get; private set; } = [];
+    public IReadOnlyList<FrameDraft> Taken { get; private set; } = [];
 
     public bool IsPassed { get; private set; }
 
     public double? TakenSeconds { get; private set; }
 
-    /// <summary>Whether the next moment is to be taken, as in <see cref="FrozenFlow"/>.</summary>
-    public required Func<bool> TakesNext { get; init; }
+    /// <summary>Says what is to be done with the views of the next moment, as in <see cref="FrozenFlow"/>.</summary>
+    public required Func<FrameTurn> NextTurn { get; init; }
 
     public IEnumerable<WorkStep> TakeFrame()
     {
         Taken = [];
         IsPassed = false;
         TakenSeconds = null;
-        bool isOurs = TakesNext();
-        var taken = new List<TakenFrame>();
+        FrameTurn turn = NextTurn();
+        var taken = new List<FrameDraft>();
         _game.Pause.Freeze();
         try
         {
-            yield return WorkStep.Do(_scene.Settle());
+            yield return WorkStep.Do(_scene.Read(HarvestPhase.Settling, _options.MaxPictureLagTicks));
 
-            if (_scene.Settled is not { } moment)
+            if (_scene.Latest is not { } moment)
             {
+                _counters.Discard("neverStill");
                 yield break;
             }
+
+            _counters.Settled(_scene.MovingTicks);
 
             foreach (LidarScanner lidar in _lidars)
             {
                 lidar.AssignIds(moment);
             }
 
-            foreach (ViewCapture view in _views)
+            for (int index = 0; index < _views.Length; index++)
             {
-                yield return WorkStep.Do(Take(view, moment, isOurs ? taken : null));
+                ViewCapture view = _views[index];
+                yield return WorkStep.Do(Take(view, moment, turn.OfView(index), taken));
 
                 if (view.Refusal is { } refusal)
                 {
@@ -95,12 +100,12 @@ internal sealed class RigFlow : ICaptureFlow
                 }
             }
 
-            if (isOurs)
+            if (turn.IsOurs)
             {
-                yield return HarvestPhase.Labelling.Do(Measure(moment, [.. taken.Select(static view => view.Draft)]));
+                yield return HarvestPhase.Labelling.Do(Measure(moment, taken));
             }
 
-            yield return WorkStep.Do(_scene.Read(HarvestPhase.Labelling));
+            yield return WorkStep.Do(_scene.Read(HarvestPhase.Labelling, stillTicks: 0));
 
             if (_scene.Comparison.FirstDifference(moment with { Camera = _scene.Latest!.Camera }, _scene.Latest) is { } difference)
             {
@@ -108,14 +113,18 @@ internal sealed class RigFlow : ICaptureFlow
                 yield break;
             }
 
-            IsPassed = !isOurs;
+            IsPassed = !turn.IsOurs;
             TakenSeconds = moment.TimeSeconds;
-            Taken = [.. taken];
-            taken.Clear();
+            taken.ForEach(static frame => frame.IsKept = true);
+            if (turn.IsOurs)
+            {
+                Taken = [.. taken];
+                taken.Clear();
+            }
         }
         finally
         {
-            taken.ForEach(static frame => frame.Picture.Dispose());
+            taken.ForEach(static frame => frame.Picture!.Dispose());
             _game.RigCamera!.Show(_rig.Cameras[0], _views[0].Mount);
             _game.Pause.Unfreeze();
             _calls.Charge(HarvestPhase.Labelling);
@@ -123,19 +132,21 @@ internal sealed class RigFlow : ICaptureFlow
     }
 
     /// <summary>Takes one view; it sets the view's refusal if the picture cannot be used.</summary>
-    private IEnumerable<WorkStep> Take(ViewCapture view, SceneSnapshot moment, List<TakenFrame>? taken)
+    private IEnumerable<WorkStep> Take(ViewCapture view, SceneSnapshot moment, FrameTurn turn, List<FrameDraft> taken)
     {
         view.Refusal = null;
         yield return WorkStep.Do(Show(view, moment.Ego.Pose));
 
-        PreparedFrame frame = view.Labeller.Prepare(SeenFrom(_game.World.ReadCamera(), moment));
-        if (taken is null)
+        SceneSnapshot seen = SeenFrom(_game.World.ReadCamera(), moment);
+        Camera camera = view.Labeller.CameraOf(seen);
+        var frame = new FrameDraft(seen, camera, view.Labeller.CandidatesOf(camera, seen)) { Number = turn.Number, Before = turn.Before };
+        if (!turn.IsLabelled)
         {
             view.Labeller.Pass(frame);
             yield break;
         }
 
-        GrabbedPicture picture = GrabbedPicture.Of(_game.Screen, view.Pool);
+        var picture = new GrabbedPicture(_game.Screen, view.Pool);
         if (picture.Refusal is { } refusal)
         {
             view.Refusal = refusal;
@@ -163,8 +174,8 @@ internal sealed class RigFlow : ICaptureFlow
 
         if (isGood)
         {
-            frame.Draft.View = view.View;
-            taken.Add(new TakenFrame(frame.Draft, picture));
+            (frame.View, frame.Picture) = (view.View, picture);
+            taken.Add(frame);
         }
     }
 

@@ -1,6 +1,8 @@
+using Harvester.Capture.Events;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
@@ -8,11 +10,16 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>A frame in progress: a scene, the camera that sees it, and what labelling finds.</summary>
+/// <summary>
+/// A frame in progress: a scene, the camera that sees it, its picture, and what labelling finds. Photographs and labels of a frame use the
+/// same candidates, so that the numbers of the objects in both agree.
+/// </summary>
 /// <param name="snapshot">The state that the image shows.</param>
 /// <param name="camera">The camera of the saved image.</param>
-internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
+/// <param name="candidates">The objects that may be labelled.</param>
+internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera, List<LabelCandidate> candidates)
 {
+    private MapTarget[]? _targets;
     private readonly List<ObjectLabel> _objects = [];
     private readonly List<IgnoreRegion> _regions = [];
     private readonly List<RecordedOcclusion> _occlusions = [];
@@ -25,6 +32,32 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
 
     /// <summary>The camera of the saved image.</summary>
     public Camera Camera => camera;
+
+    /// <summary>The objects that may be labelled.</summary>
+    public List<LabelCandidate> Candidates => candidates;
+
+    /// <summary>
+    /// The candidates as targets of a mask, in their order. Which objects are kept is known only after the mask, so until then they have
+    /// consecutive numbers from 1.
+    /// </summary>
+    public IReadOnlyList<MapTarget> Targets =>
+        _targets ??= [
+            .. candidates.Select(
+                (candidate, index) => new MapTarget(candidate.Entity.Handle, (ushort)(index + 1), candidate.Cuboid, candidate.Projection)
+            ),
+        ];
+
+    /// <summary>Its number in the session; 0 for labels made without a game.</summary>
+    public int Number { get; init; }
+
+    /// <summary>Number of the frame of the same view before it at the same place; null for the first.</summary>
+    public int? Before { get; init; }
+
+    /// <summary>Whether the frame was not discarded; known only after it was labelled.</summary>
+    public bool IsKept { get; set; }
+
+    /// <summary>The image; null until it is grabbed, and for labels made without a game.</summary>
+    public GrabbedPicture? Picture { get; set; }
 
     /// <summary>Game frames from reading the state to grabbing the image.</summary>
     public int LagFrames { get; set; }
@@ -54,6 +87,15 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
     /// The motion of the ego since the frame before; null if it is not recorded, or the frame is not a moment's first view.
     /// </summary>
     public IReadOnlyList<MotionSample>? Motion { get; set; }
+
+    /// <summary>The events that are open at its moment; null if events are not recorded.</summary>
+    public IReadOnlyList<EventMark>? Events { get; set; }
+
+    /// <summary>The events that have ended since the frame before; empty in all but the first view of a moment.</summary>
+    public IReadOnlyList<DrivingEvent> EndedEvents { get; set; } = [];
+
+    /// <summary>The events that are open at its moment or have ended since the frame before, with their times.</summary>
+    public IReadOnlyList<EventSpan> Spans { get; set; } = [];
 
     /// <summary>The ids of the entities that have one, by handle.</summary>
     public IReadOnlyDictionary<int, int> Ids { get; set; } = new Dictionary<int, int>();
@@ -103,9 +145,6 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
     public T? Part<T>()
         where T : FramePart => _parts.OfType<T>().FirstOrDefault();
 
-    /// <summary>What the names of its files are made of.</summary>
-    public FrameKey KeyOf(int frame, ImageFormat format) => new(frame, View?.Camera.Name, format);
-
     /// <summary>Replaces each object label by the result of a function.</summary>
     public void Update(Func<ObjectLabel, ObjectLabel> change)
     {
@@ -114,37 +153,6 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
             _objects[i] = change(_objects[i]);
         }
     }
-
-    /// <summary>The label of the finished frame.</summary>
-    /// <param name="frame">Its number in the session.</param>
-    /// <param name="format">The format of the session's images.</param>
-    /// <param name="places">The places of the session; null if it visits none.</param>
-    public FrameLabel Label(int frame, ImageFormat format, PlaceSequence? places = null) =>
-        new(
-            frame,
-            snapshot.GameFrame,
-            snapshot.TimeSeconds,
-            LagFrames,
-            LagSeconds,
-            FramePaths.Image(frame, format, View?.Camera.Name),
-            Mask is null ? null : FramePaths.Mask(frame, View?.Camera.Name),
-            CameraLabel.Of(camera),
-            EgoLabel.Of(snapshot.Ego),
-            snapshot.Environment,
-            Objects
-        )
-        {
-            Moment = View?.MomentOf(frame),
-            View = View?.Camera.Name,
-            Motion = Motion,
-            Place = places?.PlaceOf(frame),
-            PlaceFrame = frame - places?.FirstFrameOf(places.PlaceOf(frame)),
-            PixelMap = PixelMap,
-            Channels = _parts.Aggregate(ChannelLabels.None, (labels, part) => labels.And(part.LabelIn(KeyOf(frame, format)))),
-            Rays = Rays,
-            IgnoreRegions = IgnoreRegions,
-            Lanes = Lanes,
-        };
 
     private void List(ObjectLabel? label, IgnoreRegion? region)
     {

@@ -2,6 +2,7 @@ using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
 using Harvester.Geometry.Work;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
@@ -35,12 +36,11 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
     /// <summary>Tells how much of each object the drawing hides; null to leave it open.</summary>
     public IDrawnOcclusion? DrawnOcclusion { get; init; }
 
-    /// <summary>Finds out what follows from a snapshot alone.</summary>
-    public PreparedFrame Prepare(SceneSnapshot snapshot)
-    {
-        Camera camera = options.CameraOf(snapshot.Camera);
-        return new PreparedFrame(new FrameDraft(snapshot, camera), _objects.CandidatesOf(camera, snapshot));
-    }
+    /// <summary>The camera of the saved image.</summary>
+    public Camera CameraOf(SceneSnapshot snapshot) => options.CameraOf(snapshot.Camera);
+
+    /// <summary>The objects that may be labelled, found before anything is photographed or a ray is cast.</summary>
+    public List<LabelCandidate> CandidatesOf(Camera camera, SceneSnapshot snapshot) => _objects.CandidatesOf(camera, snapshot);
 
     /// <summary>
     /// Labels a frame in steps, into its draft. The work may be interrupted after any step and go on in a later tick, as long as the game
@@ -51,39 +51,85 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
     /// Called before each object and each ray of a mask. If it returns false, an object has no occlusion and a mask gets no further rays.
     /// </param>
     /// <param name="pictures">The photographs for a coded mask; null if there are none.</param>
-    public IEnumerable<WorkStep> Label(PreparedFrame frame, Func<bool> mayCastRays, CodedPictures? pictures = null)
+    public IEnumerable<WorkStep> Label(FrameDraft frame, Func<bool> mayCastRays, CodedPictures? pictures = null)
     {
         rays.Begin();
-        (FrameDraft draft, SceneSnapshot snapshot) = (frame.Draft, frame.Snapshot);
-        yield return WorkStep.Do(
-            options.Masks
-                ? new MapLabeller(options, _objects, rays) { Comparison = Comparison }.Label(frame, mayCastRays, pictures)
-                : LabelByRays(frame, mayCastRays)
-        );
-        yield return WorkStep.Do(LabelChannels(ChannelTurn.AfterObjects, draft, mayCastRays));
+        MaskedObjects? masked = null;
+        if (options.Masks)
+        {
+            var made = new WorkResult<MadeMap>();
+            yield return WorkStep.Do(new MaskMaker(options, rays) { Comparison = Comparison }.Make(frame, mayCastRays, pictures, made));
+            masked = new MaskedObjects(frame, made.Value!, options.OcclusionSamples, rays);
+        }
+
+        // Objects: the occlusion of each from the mask, otherwise from rays of its own; then its label.
+        rays.Begin(RayPhase.Occlusion);
+        var estimate = new WorkResult<OcclusionEstimate>();
+        for (int i = 0; i < frame.Candidates.Count; i++)
+        {
+            LabelCandidate candidate = frame.Candidates[i];
+            OcclusionEstimate occlusion = default;
+            if (masked is not null)
+            {
+                occlusion = masked.OcclusionOf(i, mayCastRays());
+            }
+            else if (!options.IsWithinReach(frame.Camera, candidate.Cuboid))
+            {
+                occlusion = new OcclusionEstimate { Sight = Sight.Undetermined };
+            }
+            else if (mayCastRays() && rays.Left >= _occlusion.MaxRays)
+            {
+                yield return WorkStep.Do(
+                    _occlusion.EstimateInSteps(
+                        frame.Camera,
+                        candidate.Cuboid,
+                        candidate.Projection,
+                        candidate.Entity.Handle,
+                        frame.Snapshot.Ego.Handle,
+                        rays,
+                        estimate,
+                        ObjectLabeller.IsOverlapped(frame.Camera, candidate, frame.Candidates)
+                    )
+                );
+                occlusion = estimate.Value;
+            }
+
+            ObjectLabel? label = _objects.LabelOf(frame.Camera, candidate, occlusion);
+            frame.Add(
+                RecordedOcclusion.Of(candidate.Entity.Handle, null, candidate.Id, occlusion, null),
+                occlusion,
+                masked is null ? label : masked.Completed(i, label),
+                ObjectLabeller.RegionOf(frame.Camera, candidate, occlusion)
+            );
+            yield return WorkStep.Pause;
+        }
+
+        masked?.AddMask();
+
+        yield return WorkStep.Do(LabelChannels(ChannelTurn.AfterObjects, frame, mayCastRays));
         if (Faces is not null)
         {
             rays.Begin(RayPhase.Faces);
-            yield return WorkStep.Do(Faces.Label(draft, mayCastRays));
+            yield return WorkStep.Do(Faces.Label(frame, mayCastRays));
         }
 
         yield return WorkStep.Do(LookAtDistant(frame, mayCastRays));
         if (Lanes is not null)
         {
             rays.Begin(RayPhase.Lanes);
-            yield return WorkStep.Do(Lanes.Label(draft, mayCastRays));
+            yield return WorkStep.Do(Lanes.Label(frame, mayCastRays));
         }
 
-        draft.Ids = registry.IdsOf(snapshot.Entities);
+        frame.Ids = registry.IdsOf(frame.Snapshot.Entities);
         rays.Begin(RayPhase.Joints);
-        yield return WorkStep.Do(_joints.Label(draft, mayCastRays));
-        yield return WorkStep.Do(LabelChannels(ChannelTurn.Last, draft, mayCastRays));
+        yield return WorkStep.Do(_joints.Label(frame, mayCastRays));
+        yield return WorkStep.Do(LabelChannels(ChannelTurn.Last, frame, mayCastRays));
         if (DrawnOcclusion is { } drawn)
         {
-            DrawnOcclusions.Add(draft, options.Image, drawn);
+            DrawnOcclusions.Add(frame, options.Image, drawn);
         }
 
-        draft.Rays = rays.Counts;
+        frame.Rays = rays.Counts;
     }
 
     /// <summary>Labels a snapshot in the tick in hand.</summary>
@@ -91,24 +137,25 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
     /// <param name="mayCastRays">As for <see cref="Label"/>.</param>
     public FrameDraft LabelAtOnce(SceneSnapshot snapshot, Func<bool> mayCastRays)
     {
-        PreparedFrame frame = Prepare(snapshot);
+        Camera camera = CameraOf(snapshot);
+        var frame = new FrameDraft(snapshot, camera, CandidatesOf(camera, snapshot));
         WorkRun.Complete(Label(frame, mayCastRays));
-        return frame.Draft;
+        return frame;
     }
 
     /// <summary>
     /// Passes over a frame that is not labelled. The state kept from frame to frame, the ids of objects and the road, is afterwards as if
     /// it had been labelled.
     /// </summary>
-    public void Pass(PreparedFrame frame)
+    public void Pass(FrameDraft frame)
     {
         Faces?.Pass(frame.Camera, frame.Snapshot);
         Lanes?.Pass(frame.Snapshot);
     }
 
-    private IEnumerable<WorkStep> LookAtDistant(PreparedFrame frame, Func<bool> mayCastRays)
+    private IEnumerable<WorkStep> LookAtDistant(FrameDraft draft, Func<bool> mayCastRays)
     {
-        (FrameDraft draft, SceneSnapshot snapshot, Camera camera) = (frame.Draft, frame.Snapshot, frame.Camera);
+        (SceneSnapshot snapshot, Camera camera) = (draft.Snapshot, draft.Camera);
         var found = new WorkResult<Sight>();
         rays.Begin(RayPhase.IgnoreRegions);
         foreach (DistantCandidate candidate in _distant.CandidatesOf(camera, snapshot.Distant))
@@ -131,46 +178,6 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
         {
             rays.Begin(channel.RaysKey);
             yield return WorkStep.Do(channel.Label(draft, mayCastRays));
-        }
-    }
-
-    private IEnumerable<WorkStep> LabelByRays(PreparedFrame frame, Func<bool> mayCastRays)
-    {
-        (FrameDraft draft, Camera camera, List<LabelCandidate> candidates) = (frame.Draft, frame.Camera, frame.Candidates);
-        int egoHandle = frame.Snapshot.Ego.Handle;
-        var estimate = new WorkResult<OcclusionEstimate>();
-        rays.Begin(RayPhase.Occlusion);
-        foreach (LabelCandidate candidate in candidates)
-        {
-            OcclusionEstimate occlusion = default;
-            if (!options.IsWithinReach(camera, candidate.Cuboid))
-            {
-                occlusion = new OcclusionEstimate { Sight = Sight.Undetermined };
-            }
-            else if (mayCastRays() && rays.Left >= _occlusion.MaxRays)
-            {
-                yield return WorkStep.Do(
-                    _occlusion.EstimateInSteps(
-                        camera,
-                        candidate.Cuboid,
-                        candidate.Projection,
-                        candidate.Entity.Handle,
-                        egoHandle,
-                        rays,
-                        estimate,
-                        ObjectLabeller.IsOverlapped(camera, candidate, candidates)
-                    )
-                );
-                occlusion = estimate.Value;
-            }
-
-            draft.Add(
-                RecordedOcclusion.Of(candidate.Entity.Handle, null, candidate.Id, occlusion, null),
-                occlusion,
-                _objects.LabelOf(camera, candidate, occlusion),
-                ObjectLabeller.RegionOf(camera, candidate, occlusion)
-            );
-            yield return WorkStep.Pause;
         }
     }
 }

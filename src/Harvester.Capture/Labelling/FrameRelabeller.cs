@@ -80,8 +80,8 @@ public sealed class FrameRelabeller
         bool keepsMask = KeepsMask(scene, recorded, lens);
         SceneSnapshot snapshot = Begin(scene, recorded, out Camera camera);
         var occlusions = new RecordedOcclusions(scene, recorded, _recordedOptions, isLensSame);
-        var draft = new FrameDraft(snapshot, camera);
-        foreach (LabelCandidate candidate in _objects.CandidatesOf(camera, snapshot))
+        var draft = new FrameDraft(snapshot, camera, _objects.CandidatesOf(camera, snapshot));
+        foreach (LabelCandidate candidate in draft.Candidates)
         {
             OcclusionEstimate occlusion = occlusions.Of(candidate);
             ObjectLabel? label = _objects.LabelOf(camera, candidate, occlusion);

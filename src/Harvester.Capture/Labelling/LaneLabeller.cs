@@ -58,6 +58,7 @@ internal sealed class LaneLabeller(IRoads roads, IRoadPaint? paint, FrameRays? r
         yield return WorkStep.Pause;
 
         LaneMaps maps = known.Roads.Maps.Value;
+        yield return WorkStep.Do(maps.MakeAround(LaneNames.CentreOf(snapshot.Ego)));
         draft.Lanes = LaneNames.Named(lanes, seen, snapshot.Ego, maps);
         yield return WorkStep.Do(LaneNames.NameVehicles(draft, maps));
         yield return WorkStep.Do(LaneNames.NameGoverned(draft, registry.IdsOf(snapshot.Entities), maps));

@@ -15,6 +15,9 @@ internal static class LaneNames
     /// <summary>How far ahead of the ego a lane may begin, metres along the lanes: as far as boundaries are traced.</summary>
     private const double Range = 70;
 
+    /// <summary>The place of the car whose lane is named: the middle of its box, metres, world.</summary>
+    public static Vector3D CentreOf(EgoState ego) => ego.Pose.ToWorld((ego.ModelMin + ego.ModelMax) * 0.5);
+
     /// <summary>The lanes with the names of the ego's lane and of those ahead of it.</summary>
     /// <param name="lanes">The lanes.</param>
     /// <param name="seen">What they were made of.</param>
@@ -22,7 +25,7 @@ internal static class LaneNames
     /// <param name="maps">The map.</param>
     public static LanesLabel Named(LanesLabel lanes, LaneObservation seen, EgoState ego, LaneMaps maps)
     {
-        Vector3D centre = ego.Pose.ToWorld((ego.ModelMin + ego.ModelMax) * 0.5);
+        Vector3D centre = CentreOf(ego);
         MapLane? lane = maps.Around(centre) is { } map ? Followed(map, seen, centre) ?? map.Index.At(centre, ego.Pose.Axes.Forward) : null;
         return lanes with
         {
@@ -39,6 +42,7 @@ internal static class LaneNames
         var found = new Dictionary<int, string>();
         foreach (ObjectLabel label in draft.Objects.Where(label => label.Parent is null && VehicleClasses.AreVehicles(label.Class)))
         {
+            yield return WorkStep.Do(maps.MakeAround(label.Box3D.Centre));
             if (maps.Around(label.Box3D.Centre)?.Index.At(label.Box3D.Centre, label.Box3D.Axes.Forward) is { } lane)
             {
                 found.Add(label.Id, lane.Id);
@@ -63,6 +67,7 @@ internal static class LaneNames
         {
             if (ids.TryGetValue(entity.Handle, out int id) && wanted.Contains(id) && MapProps.Of(entity.Model, entity.Pose) is { } prop)
             {
+                yield return WorkStep.Do(maps.MakeAround(prop.Position));
                 found[id] = maps.Around(prop.Position) is { } map
                     ? [.. SignalLanes.Of(map, prop.Position, prop.Facing, prop.Kind).Select(lane => lane.Id)]
                     : [];

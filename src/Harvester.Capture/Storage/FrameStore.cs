@@ -2,6 +2,7 @@ using System.Diagnostics;
 using System.Text;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
@@ -18,13 +19,23 @@ namespace Harvester.Capture.Storage;
 /// <param name="pictures">Encodes images.</param>
 /// <param name="keepsManifest">Whether the session has a manifest.</param>
 /// <param name="viewsPerMoment">Number of frames of a moment, whose lines are written together.</param>
-internal sealed class FrameStore(ISessionFiles files, SyncMode mode, PictureEncoder pictures, bool keepsManifest, int viewsPerMoment)
+/// <param name="writtenEvents">Number of events at the beginning that an earlier run of the same course has written.</param>
+internal sealed class FrameStore(
+    ISessionFiles files,
+    SyncMode mode,
+    PictureEncoder pictures,
+    bool keepsManifest,
+    int viewsPerMoment,
+    int writtenEvents = 0
+)
 {
     private readonly PngEncoder _png = new();
     private readonly List<string> _manifestLines = [];
     private readonly List<string> _labelLines = [];
     private readonly Stopwatch _age = new();
     private readonly List<int> _frames = [];
+    private readonly List<string> _eventLines = [];
+    private int _eventsToSkip = writtenEvents;
     private int _committed;
 
     /// <summary>Frames whose label lines are written.</summary>
@@ -70,56 +81,57 @@ internal sealed class FrameStore(ISessionFiles files, SyncMode mode, PictureEnco
         }
     }
 
-    /// <summary>Writes a frame's files, and its lines when they are due.</summary>
-    public void Write(CapturedFrame frame)
-    {
-        var written = new List<KeyValuePair<string, FileDigest>>
-        {
-            new(frame.Label.Image, files.WriteWhole(frame.Label.Image, stream => pictures.Write(frame.Picture, stream))),
-        };
-        if (frame is { Label.Mask: { } path, Mask: { } mask })
-        {
-            written.Add(new(path, files.WriteWhole(path, stream => _png.Write(mask, stream))));
-        }
-
-        foreach (string folder in frame.Folders)
-        {
-            files.MakeFolder(folder);
-        }
-
-        foreach (FrameFile file in frame.Files)
-        {
-            written.Add(new(file.Path, files.WriteWhole(file.Path, stream => file.Content(stream, _png))));
-        }
-
-        if (frame.Scene is { } scene)
-        {
-            string name = FramePaths.Scene(frame.Label.Frame);
-            byte[] bytes = new UTF8Encoding(false).GetBytes(SceneJson.Text(scene));
-            written.Add(new(name, files.WriteWhole(name, stream => stream.Write(bytes, 0, bytes.Length))));
-        }
-
-        string line = JsonLabelWriter.Line(frame.Label);
-        if (_labelLines.Count == 0)
-        {
-            _age.Restart();
-        }
-
-        _manifestLines.Add(Manifest.FrameLine(frame.Label.Frame, FileDigest.Of(line), written));
-        _labelLines.Add(line);
-        _frames.Add(frame.Label.Frame);
-        if (mode != SyncMode.Batch || _labelLines.Count >= SyncBatch.MaxFrames || _age.Elapsed >= SyncBatch.MaxAge)
-        {
-            Commit();
-        }
-    }
-
     /// <summary>
-    /// Writes the lines held back, of whole moments only. After a failure their frames are given up: a disk that could not keep a file does
-    /// not say so twice.
+    /// Writes a frame's files, and the lines held back when they are due. After a failure of the lines their frames are given up: a disk
+    /// that could not keep a file does not say so twice.
     /// </summary>
-    public void Commit()
+    /// <param name="frame">The frame; null if none has come, so that all lines of whole moments are due.</param>
+    public void Write(CapturedFrame? frame)
     {
+        if (frame is not null)
+        {
+            var written = new List<KeyValuePair<string, FileDigest>>
+            {
+                new(frame.Label.Image, files.WriteWhole(frame.Label.Image, stream => pictures.Write(frame.Picture, stream))),
+            };
+            if (frame is { Label.Mask: { } path, Mask: { } mask })
+            {
+                written.Add(new(path, files.WriteWhole(path, stream => _png.Write(mask, stream))));
+            }
+
+            foreach (string folder in frame.Folders)
+            {
+                files.MakeFolder(folder);
+            }
+
+            foreach (FrameFile file in frame.Files)
+            {
+                written.Add(new(file.Path, files.WriteWhole(file.Path, stream => file.Content(stream, _png))));
+            }
+
+            if (frame.Scene is { } scene)
+            {
+                string name = FramePaths.Scene(frame.Label.Frame);
+                byte[] bytes = new UTF8Encoding(false).GetBytes(SceneJson.Text(scene));
+                written.Add(new(name, files.WriteWhole(name, stream => stream.Write(bytes, 0, bytes.Length))));
+            }
+
+            string line = JsonLabelWriter.Line(frame.Label);
+            if (_labelLines.Count == 0)
+            {
+                _age.Restart();
+            }
+
+            _manifestLines.Add(Manifest.FrameLine(frame.Label.Frame, FileDigest.Of(line), written));
+            _labelLines.Add(line);
+            _frames.Add(frame.Label.Frame);
+            AddEvents(frame.EndedEvents);
+            if (mode == SyncMode.Batch && _labelLines.Count < SyncBatch.MaxFrames && _age.Elapsed < SyncBatch.MaxAge)
+            {
+                return;
+            }
+        }
+
         int whole = _labelLines.Count - (_labelLines.Count % viewsPerMoment);
         if (whole == 0)
         {
@@ -135,8 +147,35 @@ internal sealed class FrameStore(ISessionFiles files, SyncMode mode, PictureEnco
         Sync();
         AppendToManifest(manifestLines);
         files.Append(SessionDirectory.Labels, labelLines, IsDurable);
+        AppendEvents();
         LastCommitted = last;
         Volatile.Write(ref _committed, _committed + whole);
+    }
+
+    /// <summary>Writes the last events, after all frames, and the line of their file in the manifest.</summary>
+    public void FinishEvents(IReadOnlyList<DrivingEvent> events)
+    {
+        AddEvents(events);
+        files.Append(FramePaths.Events, [], IsDurable);
+        AppendEvents();
+        AppendToManifest([Manifest.FileLine(FramePaths.Events, files.DigestOf(FramePaths.Events))]);
+    }
+
+    private void AddEvents(IReadOnlyList<DrivingEvent> events)
+    {
+        int skipped = Math.Min(_eventsToSkip, events.Count);
+        _eventsToSkip -= skipped;
+        _eventLines.AddRange(events.Skip(skipped).Select(EventJson.Line));
+    }
+
+    /// <summary>Writes the events held back. All their frames come before the frames that brought them.</summary>
+    private void AppendEvents()
+    {
+        if (_eventLines.Count > 0)
+        {
+            files.Append(FramePaths.Events, _eventLines, IsDurable);
+            _eventLines.Clear();
+        }
     }
 
     private void AppendToManifest(IReadOnlyList<string> lines)

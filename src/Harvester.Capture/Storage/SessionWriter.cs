@@ -22,13 +22,13 @@ public sealed class SessionWriter : IFrameSink
     private readonly SessionContent _before;
     private readonly List<KeyValuePair<string, string>> _kept = [];
     private FrameStore? _store;
+    private SessionHeader? _header;
     private SpaceWatch? _space;
     private BlockingCollection<CapturedFrame>? _queue;
     private Thread? _thread;
     private SessionStart? _start;
     private volatile SessionEnd? _end;
     private volatile string? _fault;
-    private bool _begun;
     private volatile bool _isSpaceLow;
 
     /// <summary>Creates a writer for a new session.</summary>
@@ -106,19 +106,19 @@ public sealed class SessionWriter : IFrameSink
     public bool IsSpaceLow => _isSpaceLow;
 
     /// <inheritdoc />
-    public int FirstFrame => Replays ? 0 : _before.Frames;
+    public int FirstFrame => Replays ? 0 : Math.Max(_before.Frames, _before.LastFrame + 1);
 
     /// <inheritdoc />
     public int FirstObjectId => Replays ? 1 : _before.MaxObjectId + 1;
+
+    /// <inheritdoc />
+    public int FirstEventId => Replays ? 1 : _before.MaxEventId + 1;
 
     /// <summary>Frames of the session whose label lines are written, including those of earlier runs.</summary>
     public int FramesWritten => _before.Frames + (_store?.Committed ?? 0);
 
     /// <summary>Frames accepted and not written yet.</summary>
     public int Queued => _queue?.Count ?? 0;
-
-    // A resumed session of an earlier version gets no manifest of its later frames alone.
-    private bool KeepsManifest => _before.HasManifest || _before.Frames == 0;
 
     /// <summary>Whether a session.json is that of a session from the same origin and with the same options, finished or not.</summary>
     /// <param name="text">Content of the file.</param>
@@ -142,9 +142,11 @@ public sealed class SessionWriter : IFrameSink
             _files,
             start.Options.Sync,
             new PictureEncoder(start.Options.Format, start.Options.JpegQuality),
-            KeepsManifest,
-            start.Options.ViewsPerMoment
+            _before.KeepsManifest,
+            start.Options.ViewsPerMoment,
+            Replays ? _before.Events : 0
         );
+        _header = new SessionHeader(_origin, _files, _store, _before, start);
         _space = new SpaceWatch(Folder, start.Options.MinFreeBytes, _disk);
         // The pictures of one moment may take more memory than all other frames in the queue.
         _queue = new BlockingCollection<CapturedFrame>(start.Options.Pairs.IsAny ? 1 : start.Options.QueueCapacity);
@@ -211,95 +213,31 @@ public sealed class SessionWriter : IFrameSink
     private void WriteAll()
     {
         Attempt(_space!.Check);
-        Attempt(Begin);
+        Attempt(() =>
+        {
+            _header!.Begin(_kept, FramesWritten);
+            if (Replays)
+            {
+                _before.CutEvents(Folder);
+            }
+        });
         while (!_queue!.IsCompleted)
         {
-            if (_queue.TryTake(out CapturedFrame? frame, _store!.Patience))
+            using CapturedFrame? frame = _queue.TryTake(out CapturedFrame? taken, _store!.Patience) ? taken : null;
+            if (frame is not null)
             {
-                using (frame)
-                {
-                    Attempt(() =>
-                    {
-                        _space!.Check();
-                        _store.Write(frame);
-                    });
-                }
+                Attempt(_space.Check);
             }
-            else
-            {
-                Attempt(_store.Commit);
-            }
+
+            Attempt(() => _store.Write(frame));
         }
 
-        Attempt(_store!.Commit);
-        if (_begun && _end is { } end)
+        Attempt(() => _store!.Write(null));
+        if (_header!.HasBegun && _end is { } end)
         {
             // After a fault too: the disk may work again, and the fault is worth recording.
-            AttemptAlways(() => Finish(end with { Fault = end.Fault ?? _fault }));
+            AttemptAlways(() => _header.Finish(end with { Fault = end.Fault ?? _fault }, FramesWritten));
         }
-    }
-
-    private void Begin()
-    {
-        string header = SessionJson.Text(new SessionRecord(_origin, _start!, null, FramesWritten, KeepsManifest));
-        if (!_before.IsContinuedBy(header))
-        {
-            throw new IOException("it was recorded with other options; resume it with the same ones, or name another directory.");
-        }
-
-        foreach (string folder in FoldersOf(_start!.Options))
-        {
-            _files.MakeFolder(folder);
-        }
-
-        if (_before.HasManifest)
-        {
-            _store!.TidyManifest(frame => frame <= _before.LastFrame, keepsReplaced: true);
-        }
-
-        if (_start.Options.Scenes)
-        {
-            _files.MakeFolder(FramePaths.Scenes);
-            if (_start.Options.Faces is { } faces)
-            {
-                _kept.Add(new(FramePaths.Faces, FaceTableWriter.Text(faces)));
-            }
-        }
-
-        foreach (KeyValuePair<string, string> kept in _kept)
-        {
-            _store!.WriteText(kept.Key, kept.Value);
-        }
-
-        WriteHeader(null);
-        _begun = true;
-    }
-
-    private static IEnumerable<string> FoldersOf(HarvestOptions options)
-    {
-        IEnumerable<string> views = options.Rig?.Cameras.Select(camera => camera.Name) ?? [];
-        return
-        [
-            .. With(FramePaths.Frames),
-            .. options.Masks ? With(FramePaths.Masks) : [],
-            .. CaptureChannels.Of(options).SelectMany(channel => channel.FoldersFor(options)),
-        ];
-
-        IEnumerable<string> With(string folder) => [folder, .. views.Select(view => FramePaths.In(folder, view))];
-    }
-
-    private void Finish(SessionEnd end)
-    {
-        WriteHeader(end);
-        int last = _store!.LastCommitted;
-        _store.TidyManifest(frame => frame <= _before.LastFrame || frame <= last, keepsReplaced: false);
-    }
-
-    private void WriteHeader(SessionEnd? end)
-    {
-        var record = new SessionRecord(_origin, _start!, end, FramesWritten, KeepsManifest);
-        _store!.WriteText(SessionDirectory.Header, SessionJson.Text(record));
-        _store.Sync();
     }
 
     private void Attempt(Action write)
@@ -315,7 +253,7 @@ public sealed class SessionWriter : IFrameSink
         if (FailureOf(write) is { } failure)
         {
             // The frames before the one that failed may still find room.
-            _ = FailureOf(_store!.Commit);
+            _ = FailureOf(() => _store!.Write(null));
             _isSpaceLow |= failure is LowSpaceException;
             _fault ??=
                 failure is LowSpaceException

@@ -46,11 +46,27 @@ internal sealed class VarietyOptions
         "a number from 0 to 1"
     );
 
+    private readonly Option<bool> _crashes = new("--crashes")
+    {
+        Description = "Let vehicles brake only as hard as tyres allow, and collide; otherwise they stop at once before they touch",
+    };
+
     /// <summary>Adds the options to a command.</summary>
     public void AddTo(Command command)
     {
         foreach (
-            Option option in new Option[] { _places, _wander, _laneChanges, _traffic, _pedestrians, _parked, _variedRoads, _paintWear }
+            Option option in new Option[]
+            {
+                _places,
+                _wander,
+                _laneChanges,
+                _traffic,
+                _pedestrians,
+                _parked,
+                _variedRoads,
+                _paintWear,
+                _crashes,
+            }
         )
         {
             command.Options.Add(option);
@@ -82,6 +98,7 @@ internal sealed class VarietyOptions
             ParkedDensity = parsed.GetValue(_parked),
             HasVariedRoads = parsed.GetValue(_variedRoads),
             PaintWear = parsed.GetValue(_paintWear),
+            HasCrashes = parsed.GetValue(_crashes),
         };
 
     private static Option<double> Factor(string name, string what, double most)

@@ -7,6 +7,7 @@ using Harvester.Cli.Commands.Logs;
 using Harvester.Cli.Commands.Masks;
 using Harvester.Cli.Commands.Plans;
 using Harvester.Cli.Commands.Roads;
+using Harvester.Cli.Commands.Scenarios;
 using Harvester.Cli.Commands.Tapes;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
@@ -47,7 +48,9 @@ internal static class Application
     private static readonly (string Name, Func<Terminal, Command> Create)[] Commands =
     [
         ("harvest", HarvestCommand.Create),
+        ("counterfactual", CounterfactualCommand.Create),
         ("plan", PlanCommand.Create),
+        ("scenario", ScenarioCommand.Create),
         ("contact-sheet", ContactSheetCommand.Create),
         ("drive", DriveCommand.Create),
         ("serve", ServeCommand.Create),

@@ -128,6 +128,8 @@ internal sealed class HarvestCommand
     private Option<bool> Motion { get; } =
         new("--motion") { Description = "Record the motion of the vehicle at every tick between frames; always recorded with --rig" };
 
+    private EventChoice EventsOf { get; } = new();
+
     private Option<bool> NoScenes { get; } =
         new("--no-scenes") { Description = "Do not write scenes; the session cannot be relabelled then" };
     private Option<double> Range { get; } =
@@ -183,10 +185,11 @@ internal sealed class HarvestCommand
 
     public static Command Create(Terminal terminal) => new HarvestCommand().Build(terminal);
 
-    private Command Build(Terminal terminal)
+    /// <summary>Adds the options of a harvest to a command.</summary>
+    public void AddTo(Command command)
     {
-        var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
-        {
+        Option[] options =
+        [
             Out,
             Overwrite,
             Resume,
@@ -223,7 +226,8 @@ internal sealed class HarvestCommand
             Sync,
             MinFree,
             NoReport,
-        };
+        ];
+        Array.ForEach(options, command.Options.Add);
         Semantics.AddTo(command);
         Channels.AddTo(command);
         Moment.AddTo(command);
@@ -231,24 +235,30 @@ internal sealed class HarvestCommand
         LensOf.AddTo(command);
         RigOf.AddTo(command);
         LogOf.AddTo(command);
+        EventsOf.AddTo(command);
         PairsOf.AddTo(command);
+    }
+
+    /// <summary>Whether the session gets a report.</summary>
+    public bool HasReport(ParseResult parsed) => !parsed.GetValue(NoReport);
+
+    /// <summary>The harvest that a command line describes.</summary>
+    /// <exception cref="Runs.Faults.UsageException">Options contradict each other.</exception>
+    public HarvestPlan PlanOf(ParseResult parsed) => RigOf.AppliedTo(parsed, LogOf.AppliedTo(parsed, PlanWithoutRig(parsed)));
+
+    private Command Build(Terminal terminal)
+    {
+        var command = new Command("harvest", "Harvest a labelled session from a simulated game.");
+        AddTo(command);
         HelpWithNotes.AddTo(command, Notes, OptionGroups.OfHarvest);
         command.SetAction(
             (parsed, cancellation) =>
-                Task.FromResult(
-                    HarvestRun.Of(
-                        terminal,
-                        RigOf.AppliedTo(parsed, LogOf.AppliedTo(parsed, PlanOf(parsed))),
-                        CommandText.Of(parsed),
-                        !parsed.GetValue(NoReport),
-                        cancellation
-                    )
-                )
+                Task.FromResult(HarvestRun.Of(terminal, PlanOf(parsed), CommandText.Of(parsed), HasReport(parsed), cancellation))
         );
         return command;
     }
 
-    private HarvestPlan PlanOf(ParseResult parsed)
+    private HarvestPlan PlanWithoutRig(ParseResult parsed)
     {
         ResumeOption.Check(parsed.GetValue(Resume), parsed.GetValue(Overwrite));
         return new HarvestPlan
@@ -282,7 +292,7 @@ internal sealed class HarvestCommand
     {
         ImageFormat format = parsed.GetValue(Format) ?? ImageFormat.Png;
         MaskMethod? masks = MaskOption.Parse(parsed, Masks, isWhole: parsed.GetValue(ShardOf).Count == 1 && !parsed.GetValue(Resume));
-        return new HarvestOptions
+        var options = new HarvestOptions
         {
             Image = parsed.GetValue(Size),
             Format = format,
@@ -307,10 +317,12 @@ internal sealed class HarvestCommand
             FreezeBy = FreezeOption.Parse(parsed.GetRequiredValue(FreezeBy)),
             Scenes = !parsed.GetValue(NoScenes),
             Motion = parsed.GetValue(Motion),
+            Events = EventsOf.Parse(parsed),
             Sync = parsed.GetValue(Sync),
             MinFreeBytes = MinFreeOption.BytesIn(parsed, MinFree),
             Pairs = PairsOf.Parse(parsed),
         };
+        return options.KeepProblem is { } problem ? throw new UsageException(problem) : options;
     }
 
     private static bool IsDistance(double value) => value is > 0 and <= MaxRange;

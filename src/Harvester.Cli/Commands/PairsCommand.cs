@@ -4,6 +4,7 @@ using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Outputs;
 using Harvester.Exports.Pairs;
+using Harvester.Runs.Faults;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Text;
@@ -17,6 +18,7 @@ internal sealed class PairsCommand
         "A group has all pictures of one moment: the image of the frame and those of harvester harvest --pair-weathers, --pair-hours and\n"
         + "--pair-without. They share the labels. csv writes the pictures to images/GROUP and the tables index.csv and objects.csv;\n"
         + "webdataset writes archives with one sample for each group, and the same tables. docs/pairs.md describes both.\n"
+        + "Of a folder of harvester counterfactual, a group has the same frame of all runs (docs/counterfactuals.md).\n"
         + "With --resume, the command continues after a stop: what it has written whole stays.\n\n"
         + "Examples:\n"
         + "  harvester pairs out --out trials --format csv\n"
@@ -55,6 +57,11 @@ internal sealed class PairsCommand
 
     private int Run(Terminal terminal, string folder, ParseResult parsed, CancellationToken cancellation)
     {
+        if (ChangeSet.IsIn(folder))
+        {
+            return RunSet(terminal, folder, parsed, cancellation);
+        }
+
         string target = parsed.GetRequiredValue(Out);
         var session = new SessionReader(folder, cancellation);
         if (session.HasUnfinishedLine)
@@ -95,6 +102,29 @@ internal sealed class PairsCommand
 
         output.Complete();
         string missing = done.Missing > 0 ? $"; {done.Missing} are missing because the harvest dropped them" : "";
+        terminal.Out.WriteLine($"{target}: {Counted.Of(done.Groups, "group")}, {Counted.Of(done.Images, "picture")}{missing}");
+        return ExitCode.Done;
+    }
+
+    private int RunSet(Terminal terminal, string folder, ParseResult parsed, CancellationToken cancellation)
+    {
+        if (parsed.GetValue(Format) != PairFormat.Csv)
+        {
+            throw new UsageException("Counterfactuals are exported with --format csv only.");
+        }
+
+        string target = parsed.GetRequiredValue(Out);
+        var exporter = new ChangeSetExporter(folder, parsed.GetValue(Images), cancellation);
+        using var output = new PairsOutput(target, CommandText.Of(parsed), resumes: false);
+        output.Begin();
+        PairExport done = new(0, 0, 0);
+        new JobProgress(terminal, exporter.Frames).Run(report =>
+        {
+            done = exporter.Run(target, report);
+            return done.Groups;
+        });
+        output.Complete();
+        string missing = done.Missing > 0 ? $"; {done.Missing} are missing because a run has not these frames" : "";
         terminal.Out.WriteLine($"{target}: {Counted.Of(done.Groups, "group")}, {Counted.Of(done.Images, "picture")}{missing}");
         return ExitCode.Done;
     }

@@ -3,6 +3,7 @@ using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
+using Harvester.Sessions.Scenarios;
 
 namespace Harvester.Datasets.Derivation;
 
@@ -17,8 +18,10 @@ public static class SessionFolder
         SessionInfo.FileName,
         SessionReader.LabelsFile,
         Manifest.FileName,
+        FramePaths.Events,
         Report,
         SessionJournal.FileName,
+        ScenarioRecord.FileName,
     ];
     private static readonly IReadOnlyList<string> Folders = FrameChannels.Folders;
     private static readonly string[] Common = [Path.GetFileName(FramePaths.Faces), Path.GetFileName(FramePaths.Roads)];

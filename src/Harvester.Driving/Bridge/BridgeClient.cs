@@ -11,9 +11,7 @@ internal sealed class BridgeClient : IDisposable
     private const int SendBufferBytes = 65_536;
 
     private readonly TcpClient _connection;
-    private readonly NetworkStream _stream;
     private readonly SocketReception _reception;
-    private readonly object _sending = new();
     private bool _isPending = true;
     private volatile bool _isClosed;
 
@@ -24,7 +22,7 @@ internal sealed class BridgeClient : IDisposable
         _connection.SendTimeout = (int)reception.Options.SendPatience.TotalMilliseconds;
         _connection.SendBufferSize = SendBufferBytes;
         KeepAlive.Ask(connection.Client);
-        _stream = connection.GetStream();
+        Messages = new MessageStream(connection.GetStream());
         Place = PlaceOf(connection.Client.RemoteEndPoint);
         _reception = reception;
     }
@@ -46,17 +44,12 @@ internal sealed class BridgeClient : IDisposable
         new Thread(client.Receive) { IsBackground = true, Name = "Harvester socket bridge: receive" }.Start();
     }
 
-    /// <summary>Decides when the client may be sent a frame.</summary>
-    public FrameCredit Credit { get; } = new();
+    /// <summary>Its messages.</summary>
+    public MessageStream Messages { get; }
 
-    /// <summary>Sends a message; a client that does not receive it is disconnected.</summary>
-    public void Send(byte[] header, ArraySegment<byte> payload)
-    {
-        if (FaultOfSending(header, payload) is { } fault)
-        {
-            CutOff($"the client did not receive a frame: {fault}");
-        }
-    }
+    /// <summary>Disconnects a client that does not receive its messages.</summary>
+    /// <param name="fault">Why not.</param>
+    public void Lose(string fault) => CutOff($"the client did not receive a frame: {fault}");
 
     public void Dispose()
     {
@@ -93,16 +86,27 @@ internal sealed class BridgeClient : IDisposable
         using var deadline = new Timer(_ => EndWait(), null, _reception.Options.HelloPatience, Timeout.InfiniteTimeSpan);
         try
         {
-            while (SocketFraming.ReadHeader(_stream) is { } header)
+            while (Messages.ReadHeader() is { } header)
             {
                 if (_isPending)
                 {
                     BeIntroduced(header);
+                    continue;
                 }
-                else
+
+                ClientMessage message = ClientMessageParser.Parse(header);
+                if (message is RestartMessage && !_reception.Options.CanRestart)
                 {
-                    Deliver(ClientMessageParser.Parse(header));
+                    throw new BridgeException(BridgeProtocol.NoRestart);
                 }
+
+                if (!_reception.Inbox.TryPut(this, message))
+                {
+                    _reception.Report("the client sends commands faster than the game processes them; the newest are dropped.");
+                }
+
+                // After the message: a game that sees a frame awaited finds the answer.
+                _reception.Outbox.Answer(this, message);
             }
 
             Dispose();
@@ -120,23 +124,6 @@ internal sealed class BridgeClient : IDisposable
 
         _reception.Pending.TryLeave(this);
         _reception.Inbox.Leave(this);
-    }
-
-    private void Deliver(ClientMessage word)
-    {
-        if (word is RestartMessage && !_reception.Options.CanRestart)
-        {
-            throw new BridgeException(BridgeProtocol.NoRestart);
-        }
-
-        if (!_reception.Inbox.TryPut(this, word))
-        {
-            _reception.Report("the client sends commands faster than the game processes them; the newest are dropped.");
-        }
-
-        // After the message: a game that sees a frame awaited finds the answer.
-        Credit.Receive(word);
-        _reception.Outbox.Wake();
     }
 
     /// <summary>Makes this connection the client. Frames taken for an earlier client are not sent to it.</summary>
@@ -162,7 +149,11 @@ internal sealed class BridgeClient : IDisposable
         _isPending = false;
         if (_reception.Pending.TryLeave(this))
         {
-            Send(Encoding.UTF8.GetBytes(BridgeProtocol.HelloOfGame), default);
+            if (Messages.FaultOfWriting(Encoding.UTF8.GetBytes(BridgeProtocol.HelloOfGame), default) is { } fault)
+            {
+                Lose(fault);
+            }
+
             if (_isClosed)
             {
                 _reception.Inbox.CountMissed();
@@ -201,7 +192,7 @@ internal sealed class BridgeClient : IDisposable
     private void Refuse(string reason, string problem)
     {
         Report(problem);
-        FaultOfSending(BridgeText.Error(reason), default);
+        Messages.FaultOfWriting(BridgeText.Error(reason), default);
         Dispose();
     }
 
@@ -216,27 +207,6 @@ internal sealed class BridgeClient : IDisposable
         if (!_isClosed)
         {
             _reception.Report(problem);
-        }
-    }
-
-    /// <summary>Sends a message.</summary>
-    /// <returns>Why the client did not receive it; null if it was sent.</returns>
-    private string? FaultOfSending(byte[] header, ArraySegment<byte> payload)
-    {
-        try
-        {
-            lock (_sending)
-            {
-                SocketFraming.Write(_stream, header, payload);
-            }
-
-            return null;
-        }
-#pragma warning disable CA1031 // An exception that leaves a thread ends the game, whatever its type.
-        catch (Exception e) when (e is not ThreadAbortException)
-#pragma warning restore CA1031
-        {
-            return e.Message;
         }
     }
 }

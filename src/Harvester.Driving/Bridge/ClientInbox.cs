@@ -9,7 +9,7 @@ namespace Harvester.Driving.Bridge;
 /// follows.
 /// </summary>
 /// <typeparam name="TClient">Clients, compared by reference.</typeparam>
-internal sealed class ClientInbox<TClient>
+internal sealed class ClientInbox<TClient> : IClientInbox
     where TClient : class
 {
     private readonly object _gate = new();
@@ -31,7 +31,7 @@ internal sealed class ClientInbox<TClient>
         }
     }
 
-    /// <summary>Whether the next message is a <see cref="ClientGoneMessage"/>.</summary>
+    /// <inheritdoc/>
     public bool HasClientGone
     {
         get
@@ -132,7 +132,7 @@ internal sealed class ClientInbox<TClient>
     }
 
     /// <summary>Takes the next message: first that a client is gone, then commands, then controls or indicators.</summary>
-    public bool TryTake([NotNullWhen(true)] out ClientMessage? message)
+    public bool TryReceive([NotNullWhen(true)] out ClientMessage? message)
     {
         lock (_gate)
         {

@@ -28,7 +28,7 @@ public sealed class FolderBridge : IAwaitableBridge
     private readonly string _folder;
     private readonly double _patienceSeconds;
     private readonly IClock _clock;
-    private readonly FrameOutbox _outbox;
+    private readonly FrameOutbox<FolderBridge> _outbox;
     private readonly FrameFiles _frames;
     private readonly ClientInbox<FolderBridge> _inbox = new();
     private readonly WatchedFile _indicators;
@@ -67,7 +67,7 @@ public sealed class FolderBridge : IAwaitableBridge
             throw;
         }
 
-        _outbox = new FrameOutbox(picture);
+        _outbox = new FrameOutbox<FolderBridge>(picture, _inbox, needsAnswers: false);
         _frames = new FrameFiles(folder);
         _indicators = Watched("indicators.txt");
         _controls = Watched("controls.txt");
@@ -84,16 +84,10 @@ public sealed class FolderBridge : IAwaitableBridge
     public string? Client => _inbox.Client is null ? null : _folder;
 
     /// <inheritdoc/>
-    public bool HasClientGone => _inbox.HasClientGone;
+    public IClientInbox Inbox => _inbox;
 
     /// <inheritdoc/>
-    public bool IsFrameAwaited => _outbox.IsEmpty;
-
-    /// <inheritdoc/>
-    public bool Publish(BridgeState state, PixelBuffer picture) => _outbox.Put(state, picture, () => HasClientGone);
-
-    /// <inheritdoc/>
-    public bool TryReceive([NotNullWhen(true)] out ClientMessage? message) => _inbox.TryTake(out message);
+    public IFrameOutbox Outbox => _outbox;
 
     /// <inheritdoc/>
     public bool AwaitMessage(TimeSpan patience) => _inbox.Await(patience);
@@ -152,7 +146,7 @@ public sealed class FolderBridge : IAwaitableBridge
 
     private void Send()
     {
-        if (_outbox.TryTake(Poll, static _ => true, out BridgeState? state, out PixelBuffer picture))
+        if (_outbox.TryTake(Poll, out BridgeState? state, out PixelBuffer picture, out _))
         {
             _frames.Put(state, picture);
         }

@@ -5,36 +5,43 @@ using Harvester.Sessions.Imaging;
 namespace Harvester.Driving.Bridge;
 
 /// <summary>
-/// The newest frame until the bridge's thread takes it. Two images are swapped, so that none is allocated per frame. If a requested frame
-/// is replaced by a newer one, the newer one counts as requested.
+/// The newest frame until the bridge's thread takes it for the client. Two images are swapped, so that none is allocated per frame. If a
+/// requested frame is replaced by a newer one, the newer one counts as requested.
 /// </summary>
-internal sealed class FrameOutbox(ImageSize size)
+/// <remarks>
+/// A client that answers is sent a frame when it has answered the last one or has asked for one: a sent frame waits in the buffers of two
+/// machines and cannot be taken back, so a frame sent before the last is answered would be old when it is read.
+/// </remarks>
+/// <typeparam name="TClient">Clients, compared by reference.</typeparam>
+/// <param name="size">Size of the images, pixels.</param>
+/// <param name="inbox">Knows the current client.</param>
+/// <param name="needsAnswers">Whether a frame waits until the client has answered the last one.</param>
+internal sealed class FrameOutbox<TClient>(ImageSize size, ClientInbox<TClient> inbox, bool needsAnswers) : IFrameOutbox
+    where TClient : class
 {
     private readonly object _gate = new();
     private PixelBuffer _waiting = new(size);
     private PixelBuffer _taken = new(size);
     private BridgeState? _state;
+    private long _lastSent;
+    private bool _isAnswered = true;
     private bool _closed;
 
-    /// <summary>Whether no frame waits.</summary>
-    public bool IsEmpty
+    /// <inheritdoc/>
+    public bool IsFrameAwaited
     {
         get
         {
             lock (_gate)
             {
-                return _state is null;
+                return _state is null && (!needsAnswers || (_isAnswered && inbox.Client is not null));
             }
         }
     }
 
-    /// <summary>Stores a frame in place of the one that waits.</summary>
-    /// <param name="state">The frame's state.</param>
-    /// <param name="picture">The frame's image.</param>
-    /// <param name="isStale">Whether it is for a client that is gone; asked in one step with changes by <see cref="Clear"/>.</param>
-    /// <returns>Whether the frame was stored; one for a client that is gone is not.</returns>
+    /// <inheritdoc/>
     /// <exception cref="ArgumentException">The image has another size.</exception>
-    public bool Put(BridgeState state, PixelBuffer picture, Func<bool> isStale)
+    public bool Publish(BridgeState state, PixelBuffer picture)
     {
         if (picture.Size != size)
         {
@@ -43,7 +50,7 @@ internal sealed class FrameOutbox(ImageSize size)
 
         lock (_gate)
         {
-            if (isStale())
+            if (inbox.HasClientGone)
             {
                 return false;
             }
@@ -59,32 +66,36 @@ internal sealed class FrameOutbox(ImageSize size)
         }
     }
 
-    /// <summary>Waits for a frame and takes it. The caller may use the image until it takes the next.</summary>
+    /// <summary>
+    /// Waits for a frame that may be sent, and takes it. The caller may use the image until it takes the next. One that may not be sent
+    /// waits until a newer one replaces it; without a client, all may.
+    /// </summary>
     /// <param name="patience">Maximum time to wait.</param>
-    /// <param name="mayGo">Whether a frame may be taken now; one that may not waits until a newer one replaces it.</param>
     /// <param name="state">The frame's state; null if there is no frame.</param>
     /// <param name="picture">The frame's image.</param>
+    /// <param name="client">The client to send it to; null if there is none.</param>
     /// <returns>
-    /// False if the outbox is closed, no frame could be taken within the time, or <see cref="Wake"/> ended the wait.
+    /// False if the outbox is closed, no frame could be taken within the time, or an answer that changed nothing ended the wait.
     /// </returns>
-    public bool TryTake(
-        TimeSpan patience,
-        Func<BridgeState, bool> mayGo,
-        [NotNullWhen(true)] out BridgeState? state,
-        out PixelBuffer picture
-    )
+    public bool TryTake(TimeSpan patience, [NotNullWhen(true)] out BridgeState? state, out PixelBuffer picture, out TClient? client)
     {
         lock (_gate)
         {
-            state = Waiting(mayGo);
-            if (state is null && !_closed)
+            if (!MaySend(out client) && !_closed)
             {
                 Monitor.Wait(_gate, patience);
-                state = Waiting(mayGo);
             }
 
+            state = MaySend(out client) ? _state : null;
             if (state is not null)
             {
+                // A requested frame needs no answer: the client wants it, and while the game is paused it may show what the client has
+                // seen and answered already.
+                if (client is not null && !state.IsAskedFor)
+                {
+                    (_lastSent, _isAnswered) = (state.Frame, false);
+                }
+
                 (_waiting, _taken) = (_taken, _waiting);
                 _state = null;
             }
@@ -94,22 +105,39 @@ internal sealed class FrameOutbox(ImageSize size)
         }
     }
 
-    /// <summary>Makes a waiting thread check again whether the frame may be taken.</summary>
-    public void Wake()
+    /// <summary>
+    /// Takes note of a message of the current client. It answers the frame that it names and all before it, or every frame sent if it
+    /// names none. A step, a request and a restart answer nothing: they lead to the frame that they ask for, and an answer would add one
+    /// that the client does not wait for.
+    /// </summary>
+    public void Answer(TClient sender, ClientMessage message)
     {
+        if (message is StepMessage or RequestFrameMessage or RestartMessage)
+        {
+            return;
+        }
+
+        long? named = message switch
+        {
+            ControlsMessage controls => controls.Frame,
+            IndicatorsMessage indicators => indicators.Frame,
+            _ => null,
+        };
         lock (_gate)
         {
+            _isAnswered |= inbox.Client == sender && (named is null || named >= _lastSent);
             Monitor.PulseAll(_gate);
         }
     }
 
-    /// <summary>Drops the waiting frame and applies a change of client in one step.</summary>
+    /// <summary>Drops the waiting frame and applies a change of client in one step. The new client is owed nothing.</summary>
     public void Clear(Action change)
     {
         lock (_gate)
         {
             change();
             _state = null;
+            (_lastSent, _isAnswered) = (0, true);
         }
     }
 
@@ -123,5 +151,9 @@ internal sealed class FrameOutbox(ImageSize size)
         }
     }
 
-    private BridgeState? Waiting(Func<BridgeState, bool> mayGo) => !_closed && _state is { } state && mayGo(state) ? state : null;
+    private bool MaySend(out TClient? client)
+    {
+        client = inbox.Client;
+        return !_closed && _state is { } state && (!needsAnswers || client is null || _isAnswered || state.IsAskedFor);
+    }
 }

@@ -6,7 +6,7 @@ public interface IAwaitableBridge : IDrivingBridge
     /// <summary>Number of clients that have disconnected or been replaced, also of those that were there only for a moment.</summary>
     int ClientsGone { get; }
 
-    /// <summary>Waits until <see cref="IDrivingBridge.TryReceive"/> has a message.</summary>
+    /// <summary>Waits until <see cref="IClientInbox.TryReceive"/> has a message.</summary>
     /// <param name="patience">Maximum time to wait, 0 or more.</param>
     /// <returns>Whether there is a message.</returns>
     bool AwaitMessage(TimeSpan patience);

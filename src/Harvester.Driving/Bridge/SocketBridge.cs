@@ -39,11 +39,12 @@ public sealed class SocketBridge : IAwaitableBridge
             throw new ArgumentException($"Listening at {options.Address}, which others can reach, needs a token.", nameof(options));
         }
 
+        var inbox = new ClientInbox<BridgeClient>();
         _reception = new SocketReception(
             options,
-            new ClientInbox<BridgeClient>(),
+            inbox,
             new PendingClients<BridgeClient>(options.MaxPending),
-            new FrameOutbox(picture),
+            new FrameOutbox<BridgeClient>(picture, inbox, needsAnswers: true),
             problem => _problem = problem
         );
         _listener = new TcpListener(options.Address, options.Port);
@@ -68,16 +69,10 @@ public sealed class SocketBridge : IAwaitableBridge
     internal int Pending => _reception.Pending.Count;
 
     /// <inheritdoc/>
-    public bool HasClientGone => _reception.Inbox.HasClientGone;
+    public IClientInbox Inbox => _reception.Inbox;
 
     /// <inheritdoc/>
-    public bool IsFrameAwaited => _reception.Outbox.IsEmpty && _reception.Inbox.Client is { Credit.IsAnswered: true };
-
-    /// <inheritdoc/>
-    public bool Publish(BridgeState state, PixelBuffer picture) => _reception.Outbox.Put(state, picture, () => HasClientGone);
-
-    /// <inheritdoc/>
-    public bool TryReceive([NotNullWhen(true)] out ClientMessage? message) => _reception.Inbox.TryTake(out message);
+    public IFrameOutbox Outbox => _reception.Outbox;
 
     /// <inheritdoc/>
     public bool AwaitMessage(TimeSpan patience) => _reception.Inbox.Await(patience);
@@ -139,10 +134,13 @@ public sealed class SocketBridge : IAwaitableBridge
         while (!_stopping)
         {
             // Without a client, frames are taken and dropped.
-            BridgeClient? client = null;
             if (
-                _reception.Outbox.TryTake(TimeSpan.FromSeconds(1), MayGo, out BridgeState? state, out PixelBuffer picture)
-                && client is not null
+                _reception.Outbox.TryTake(
+                    TimeSpan.FromSeconds(1),
+                    out BridgeState? state,
+                    out PixelBuffer picture,
+                    out BridgeClient? client
+                ) && client is not null
             )
             {
                 png.SetLength(0);
@@ -151,13 +149,11 @@ public sealed class SocketBridge : IAwaitableBridge
                     encoder.Write(picture, png);
                 }
 
-                client.Send(BridgeText.Header(state), new ArraySegment<byte>(png.GetBuffer(), 0, (int)png.Length));
-            }
-
-            bool MayGo(BridgeState waiting)
-            {
-                client = _reception.Inbox.Client;
-                return client is null || client.Credit.TrySpend(waiting);
+                var payload = new ArraySegment<byte>(png.GetBuffer(), 0, (int)png.Length);
+                if (client.Messages.FaultOfWriting(BridgeText.Header(state), payload) is { } fault)
+                {
+                    client.Lose(fault);
+                }
             }
         }
     }

@@ -12,6 +12,6 @@ internal sealed record SocketReception(
     SocketBridgeOptions Options,
     ClientInbox<BridgeClient> Inbox,
     PendingClients<BridgeClient> Pending,
-    FrameOutbox Outbox,
+    FrameOutbox<BridgeClient> Outbox,
     Action<string> Report
 );

@@ -5,15 +5,13 @@ namespace Harvester.Driving.Session;
 /// <summary>The frames that a drive sends, for a recorder that keeps them.</summary>
 public sealed class SentFrames
 {
-    private readonly FramePublisher _frames;
+    private readonly FramePace _pace;
     private readonly DrivingView _view;
-    private readonly WorldPace _pace;
 
-    internal SentFrames(FramePublisher frames, DrivingView view, WorldPace pace)
+    internal SentFrames(FramePace pace, DrivingView view)
     {
-        _frames = frames;
-        _view = view;
         _pace = pace;
+        _view = view;
     }
 
     /// <summary>
@@ -22,12 +20,12 @@ public sealed class SentFrames
     /// </summary>
     public int LeadTicks
     {
-        get => _frames.LeadTicks;
-        set => _frames.LeadTicks = value;
+        get => _pace.LeadTicks;
+        set => _pace.LeadTicks = value;
     }
 
     /// <summary>Whether a frame of the running world is sent <see cref="LeadTicks"/> ticks after this one.</summary>
-    public bool IsForeseen => _frames.IsFrameForeseen;
+    public bool IsForeseen => _pace.IsFrameForeseen;
 
     /// <summary>Whether the world is paused: the images of its frames then show the present state.</summary>
     public bool IsWorldPaused => _pace.IsPaused;

@@ -13,13 +13,13 @@ internal sealed record ExpansionContent(IReadOnlyList<ExpansionLane> Lanes)
     private const string Unpainted = "NIL";
 
     /// <summary>The stop lines.</summary>
-    public IReadOnlyList<MapStopLine> StopLines { get; init; } = [];
+    public IReadOnlyList<ExpansionStopLine> StopLines { get; init; } = [];
 
-    /// <summary>The lights and signs.</summary>
-    public IReadOnlyList<MapSignal> Signals { get; init; } = [];
+    /// <summary>The lights and signs that govern lanes.</summary>
+    public IReadOnlyList<ExpansionSignal> Signals { get; init; } = [];
 
-    /// <summary>The pedestrian crossings, with the name of the road or junction below each; empty if there is none.</summary>
-    public IReadOnlyList<(MapCrossing Crossing, string Road)> Crossings { get; init; } = [];
+    /// <summary>The pedestrian crossings.</summary>
+    public IReadOnlyList<ExpansionCrossing> Crossings { get; init; } = [];
 
     /// <summary>What a map shows.</summary>
     public static ExpansionContent Of(LaneNetwork map)
@@ -59,7 +59,7 @@ internal sealed record ExpansionContent(IReadOnlyList<ExpansionLane> Lanes)
                         TypeOf(left.Border.Marking),
                         TypeOf(right.Border.Marking),
                         left.Border.Kind == LaneBorderKind.Centre,
-                        LaneArcs.Of(lane, LineOf(lane)),
+                        () => LaneArcs.Of(lane, LineOf(lane)),
                         [.. borders.Before(lane).Select(other => other.Id)],
                         [.. borders.After(lane).Select(other => other.Id)]
                     );
@@ -67,14 +67,18 @@ internal sealed record ExpansionContent(IReadOnlyList<ExpansionLane> Lanes)
         ];
         return new ExpansionContent(lanes)
         {
-            StopLines = map.StopLines,
-            Signals = map.Signals,
+            StopLines = [.. map.StopLines.Where(line => line.Lanes.Count > 0).Select(ExpansionStopLine.Of)],
+            Signals = [.. map.Signals.Where(signal => signal.Lanes.Count > 0).Select(ExpansionSignal.Of)],
             Crossings =
             [
                 .. map.Crossings.Select(crossing =>
                 {
                     Vector3D middle = crossing.Corners.Aggregate((sum, corner) => sum + corner) * (1.0 / crossing.Corners.Count);
-                    return (crossing, map.Index.Near(middle, 0) is [MapLane lane, ..] ? RoadOf(lane) : "");
+                    return new ExpansionCrossing(
+                        crossing.Id,
+                        [.. crossing.Corners.Select(corner => new Vector2D(corner.X, corner.Y))],
+                        map.Index.Near(middle, 0) is [MapLane lane, ..] ? RoadOf(lane) : ""
+                    );
                 }),
             ],
         };

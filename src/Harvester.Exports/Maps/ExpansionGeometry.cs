@@ -12,21 +12,24 @@ internal sealed class ExpansionGeometry(Vector2D offset)
     private const double Steps = 1000;
     private readonly Dictionary<(long X, long Y), int> _numbers = [];
     private readonly List<(long X, long Y)> _nodes = [];
-    private readonly List<(string Token, int[] Nodes)> _lines = [];
-    private readonly List<(string Token, int[] Nodes)> _polygons = [];
+    private readonly List<(string Name, string Part, int[] Nodes)> _lines = [];
+    private readonly List<(string Name, string Part, int[] Nodes)> _polygons = [];
 
     /// <summary>Adds a line through places in the world, and returns its token.</summary>
-    public string Line(string token, IEnumerable<Vector2D> places)
+    /// <param name="name">The name of what it belongs to.</param>
+    /// <param name="part">What it is of that.</param>
+    /// <param name="places">Metres, world.</param>
+    public string Line(string name, string part, IEnumerable<Vector2D> places)
     {
-        _lines.Add((token, [.. places.Select(Node)]));
-        return token;
+        _lines.Add((name, part, [.. places.Select(Node)]));
+        return name + part;
     }
 
-    /// <summary>Adds a polygon, and returns its token.</summary>
-    public string Polygon(string token, IEnumerable<Vector2D> places)
+    /// <summary>Adds a polygon, and returns its token, as <see cref="Line"/>.</summary>
+    public string Polygon(string name, string part, IEnumerable<Vector2D> places)
     {
-        _polygons.Add((token, [.. places.Select(Node)]));
-        return token;
+        _polygons.Add((name, part, [.. places.Select(Node)]));
+        return name + part;
     }
 
     /// <summary>The token of the node at a place in the world.</summary>
@@ -41,9 +44,9 @@ internal sealed class ExpansionGeometry(Vector2D offset)
         json.List(
             "polygon",
             _polygons,
-            polygon => WriteShape(json.Writer, polygon.Token, "exterior_node_tokens", polygon.Nodes, hasHoles: true)
+            polygon => WriteShape(json.Writer, polygon.Name + polygon.Part, "exterior_node_tokens", polygon.Nodes, hasHoles: true)
         );
-        json.List("line", _lines, line => WriteShape(json.Writer, line.Token, "node_tokens", line.Nodes, hasHoles: false));
+        json.List("line", _lines, line => WriteShape(json.Writer, line.Name + line.Part, "node_tokens", line.Nodes, hasHoles: false));
         json.List(
             "node",
             _nodes.Select((node, number) => (Number: number, Node: node)),

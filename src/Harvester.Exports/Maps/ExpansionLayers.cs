@@ -12,9 +12,6 @@ internal sealed class ExpansionLayers(ExpansionContent content, Vector2D offset,
 {
     private const string Version = "1.3";
 
-    /// <summary>Length of the area that stands for a stop line, metres along the road.</summary>
-    private const double StopLineDepth = 0.6;
-
     /// <summary>Half the width of the line that stands for a light, metres.</summary>
     private const double LightHalfWidth = 0.3;
 
@@ -24,11 +21,10 @@ internal sealed class ExpansionLayers(ExpansionContent content, Vector2D offset,
     private const string RoadToken = "road_segment_token";
 
     private readonly ExpansionGeometry _geometry = new(offset);
-    private readonly Dictionary<string, string> _roadOf = content.Lanes.ToDictionary(
-        lane => lane.Id,
-        lane => lane.Road,
-        StringComparer.Ordinal
-    );
+    private readonly Dictionary<string, ExpansionLane> _lanes = content.Lanes.ToDictionary(lane => lane.Id, StringComparer.Ordinal);
+    private readonly ILookup<string, ExpansionSignal> _signalsOf = content
+        .Signals.SelectMany(signal => signal.Lanes.Select(lane => (Lane: lane, Signal: signal)))
+        .ToLookup(pair => pair.Lane, pair => pair.Signal, StringComparer.Ordinal);
     private readonly ILookup<string, ExpansionLane> _roads = content.Lanes.ToLookup(lane => lane.Road, StringComparer.Ordinal);
 
     /// <summary>Writes the file.</summary>
@@ -52,8 +48,8 @@ internal sealed class ExpansionLayers(ExpansionContent content, Vector2D offset,
                 writer.WriteString(PolygonToken, OutlineOf(way));
             }
         );
-        json.List("ped_crossing", content.Crossings, crossing => WriteCrossing(writer, crossing.Crossing, crossing.Road));
-        json.List("stop_line", content.StopLines.Where(line => line.Lanes.Count > 0), line => WriteStopLine(json, line));
+        json.List("ped_crossing", content.Crossings, crossing => WriteCrossing(writer, crossing));
+        json.List("stop_line", content.StopLines, line => WriteStopLine(json, line));
         json.List("traffic_light", Lights, light => WriteLight(json, light));
         json.List("road_divider", Centres(), lane => WriteDivider(writer, lane, lane.Left, lane.LeftType, lane.Road));
         json.List(
@@ -80,7 +76,7 @@ internal sealed class ExpansionLayers(ExpansionContent content, Vector2D offset,
         json.End();
     }
 
-    private IEnumerable<MapSignal> Lights => content.Signals.Where(signal => signal.Kind == MapSignalKind.Light && signal.Lanes.Count > 0);
+    private IEnumerable<ExpansionSignal> Lights => content.Signals.Where(signal => signal.Kind == MapSignalKind.Light);
 
     private IEnumerable<IGrouping<string, ExpansionLane>> Blocks() =>
         content.Lanes.Where(lane => !lane.IsConnector).GroupBy(lane => lane.Block, StringComparer.Ordinal);
@@ -112,7 +108,7 @@ internal sealed class ExpansionLayers(ExpansionContent content, Vector2D offset,
     {
         writer.WriteString(Token, road.Key);
         bool isJunction = road.First().IsConnector;
-        writer.WriteString(PolygonToken, _geometry.Polygon(road.Key + "#outline", isJunction ? HullOf(road) : RoadOutline(road)));
+        writer.WriteString(PolygonToken, _geometry.Polygon(road.Key, "#outline", isJunction ? HullOf(road) : RoadOutline(road)));
         writer.WriteBoolean("is_intersection", isJunction);
         writer.WriteString("drivable_area_token", AreaOf(road.Key));
     }
@@ -132,7 +128,7 @@ internal sealed class ExpansionLayers(ExpansionContent content, Vector2D offset,
     {
         ExpansionLane[] lanes = [.. block.OrderBy(lane => lane.Index)];
         writer.WriteString(Token, block.Key);
-        writer.WriteString(PolygonToken, _geometry.Polygon(block.Key + "#outline", lanes[^1].Right.Concat(lanes[0].Left.Reverse())));
+        writer.WriteString(PolygonToken, _geometry.Polygon(block.Key, "#outline", lanes[^1].Right.Concat(lanes[0].Left.Reverse())));
         WriteEdges(writer, block.Key, lanes);
         writer.WriteString(RoadToken, lanes[0].Road);
     }
@@ -147,15 +143,15 @@ internal sealed class ExpansionLayers(ExpansionContent content, Vector2D offset,
         WriteSegments(writer, "right_lane_divider_segments", lane.Right, lane.RightType);
     }
 
-    private string OutlineOf(ExpansionLane lane) => _geometry.Polygon(lane.Id + "#outline", lane.Right.Concat(lane.Left.Reverse()));
+    private string OutlineOf(ExpansionLane lane) => _geometry.Polygon(lane.Id, "#outline", lane.Right.Concat(lane.Left.Reverse()));
 
     /// <summary>The lines across lanes where they begin and end, from left to right.</summary>
     private void WriteEdges(Utf8JsonWriter writer, string token, ExpansionLane[] lanes)
     {
         IEnumerable<Vector2D> across = lanes.Select(lane => lane.Right[0]).Prepend(lanes[0].Left[0]);
-        writer.WriteString("from_edge_line_token", _geometry.Line(token + "#from", across));
+        writer.WriteString("from_edge_line_token", _geometry.Line(token, "#from", across));
         across = lanes.Select(lane => lane.Right[^1]).Prepend(lanes[0].Left[^1]);
-        writer.WriteString("to_edge_line_token", _geometry.Line(token + "#to", across));
+        writer.WriteString("to_edge_line_token", _geometry.Line(token, "#to", across));
     }
 
     private void WriteSegments(Utf8JsonWriter writer, string name, IReadOnlyList<Vector2D> points, string type)
@@ -174,9 +170,9 @@ internal sealed class ExpansionLayers(ExpansionContent content, Vector2D offset,
 
     private void WriteDivider(Utf8JsonWriter writer, ExpansionLane lane, IReadOnlyList<Vector2D> points, string type, string? road)
     {
-        string token = lane.Id + "#left";
-        writer.WriteString(Token, token);
-        writer.WriteString("line_token", _geometry.Line(token, points));
+        const string part = "#left";
+        writer.WriteString(Token, lane.Id + part);
+        writer.WriteString("line_token", _geometry.Line(lane.Id, part, points));
         if (road is not null)
         {
             writer.WriteString(RoadToken, road);
@@ -185,21 +181,19 @@ internal sealed class ExpansionLayers(ExpansionContent content, Vector2D offset,
         WriteSegments(writer, "lane_divider_segments", points, type);
     }
 
-    private void WriteCrossing(Utf8JsonWriter writer, MapCrossing crossing, string road)
+    private void WriteCrossing(Utf8JsonWriter writer, ExpansionCrossing crossing)
     {
         writer.WriteString(Token, crossing.Id);
-        writer.WriteString(PolygonToken, _geometry.Polygon(crossing.Id + "#outline", crossing.Corners.Select(Ground)));
-        writer.WriteString(RoadToken, road);
+        writer.WriteString(PolygonToken, _geometry.Polygon(crossing.Id, "#outline", crossing.Corners));
+        writer.WriteString(RoadToken, crossing.Road);
     }
 
-    private void WriteStopLine(ExpansionJson json, MapStopLine line)
+    private void WriteStopLine(ExpansionJson json, ExpansionStopLine line)
     {
-        MapSignal[] signals = [.. line.Lanes.SelectMany(lane => lane.Signals).Distinct()];
-        MapSignal[] lights = [.. signals.Where(signal => signal.Kind == MapSignalKind.Light)];
-        Vector2D back = line.Lanes[0].EndDirection * -StopLineDepth;
-        (Vector2D left, Vector2D right) = (Ground(line.Left), Ground(line.Right));
+        ExpansionSignal[] signals = [.. line.Lanes.SelectMany(lane => _signalsOf[lane]).Distinct()];
+        ExpansionSignal[] lights = [.. signals.Where(signal => signal.Kind == MapSignalKind.Light)];
         json.Writer.WriteString(Token, line.Id);
-        json.Writer.WriteString(PolygonToken, _geometry.Polygon(line.Id + "#outline", [left, right, right + back, left + back]));
+        json.Writer.WriteString(PolygonToken, _geometry.Polygon(line.Id, "#outline", line.Outline));
         json.Writer.WriteString(
             "stop_line_type",
             lights.Length > 0 ? "TRAFFIC_LIGHT"
@@ -209,18 +203,18 @@ internal sealed class ExpansionLayers(ExpansionContent content, Vector2D offset,
         );
         json.Tokens("ped_crossing_tokens", []);
         json.Tokens("traffic_light_tokens", lights.Select(light => light.Id));
-        json.Writer.WriteString("road_block_token", BlockOf(line.Lanes[0]));
+        json.Writer.WriteString("road_block_token", _lanes[line.Lanes[0]].Block);
     }
 
-    private void WriteLight(ExpansionJson json, MapSignal light)
+    private void WriteLight(ExpansionJson json, ExpansionSignal light)
     {
-        Vector2D facing = Ground(light.Facing);
+        Vector2D facing = light.Facing;
         Vector2D right = new Vector2D(-facing.Y, facing.X) * LightHalfWidth;
-        Vector2D place = Ground(light.Position);
+        var place = new Vector2D(light.Position.X, light.Position.Y);
         json.Writer.WriteString(Token, light.Id);
-        json.Writer.WriteString("line_token", _geometry.Line(light.Id + "#line", [place - right, place + right]));
+        json.Writer.WriteString("line_token", _geometry.Line(light.Id, "#line", [place - right, place + right]));
         json.Writer.WriteString("traffic_light_type", "VERTICAL");
-        json.Tokens("from_road_block_tokens", light.Lanes.Select(BlockOf).Distinct(StringComparer.Ordinal));
+        json.Tokens("from_road_block_tokens", light.Lanes.Select(lane => _lanes[lane].Block).Distinct(StringComparer.Ordinal));
         json.Tokens("items", []);
         json.Writer.WriteStartObject("pose");
         Vector2D local = _geometry.Local(place.X, place.Y);
@@ -241,15 +235,13 @@ internal sealed class ExpansionLayers(ExpansionContent content, Vector2D offset,
         json.Writer.WriteEndObject();
     }
 
-    private string BlockOf(MapLane lane) => ExpansionLane.BlockOf(_roadOf[lane.Id], lane.IsForward);
-
     /// <summary>Each arc is a path of three pieces (Dubins), of which two have no length.</summary>
     private void WriteArcs(Utf8JsonWriter writer, ExpansionLane lane)
     {
         const double straightRadius = 1000;
         const int digits = 9;
         writer.WriteStartArray(lane.Id);
-        foreach (LaneArc arc in lane.Arcs)
+        foreach (LaneArc arc in lane.MakeArcs())
         {
             writer.WriteStartObject();
             WritePose(writer, "start_pose", (arc.X, arc.Y, arc.Heading));
@@ -285,6 +277,4 @@ internal sealed class ExpansionLayers(ExpansionContent content, Vector2D offset,
         writer.WriteNumberValue(pair.Y);
         writer.WriteEndArray();
     }
-
-    private static Vector2D Ground(Vector3D point) => new(point.X, point.Y);
 }

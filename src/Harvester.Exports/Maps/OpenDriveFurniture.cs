@@ -21,6 +21,7 @@ internal sealed class OpenDriveFurniture
     private readonly ILookup<int, (MapStopLine Line, int Id)> _stopLines;
     private readonly ILookup<int, (MapCrossing Crossing, int Id)> _crossings;
     private readonly Controller[] _controllers;
+    private readonly ILookup<int, Controller> _controllersOf;
 
     /// <summary>Prepares the furniture of a map.</summary>
     /// <param name="map">The map.</param>
@@ -49,6 +50,7 @@ internal sealed class OpenDriveFurniture
                     (lights, index) => new Controller(firstId + index, JunctionOf(map, lights.Key), [.. lights.Select(light => light.Id)])
                 ),
         ];
+        _controllersOf = _controllers.ToLookup(controller => controller.Junction);
     }
 
     /// <summary>Writes the objects and signals of a road.</summary>
@@ -102,7 +104,7 @@ internal sealed class OpenDriveFurniture
     /// <summary>Writes the references of a junction to its controllers.</summary>
     public void WriteControllersOf(int junction)
     {
-        foreach (Controller controller in _controllers.Where(controller => controller.Junction == junction))
+        foreach (Controller controller in _controllersOf[junction])
         {
             _xml.Element("controller", ("id", OpenDriveXml.Text(controller.Id)), ("type", "0"));
         }

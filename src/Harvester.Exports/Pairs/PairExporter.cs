@@ -15,7 +15,7 @@ namespace Harvester.Exports.Pairs;
 public sealed class PairExporter(SessionReader session, PairFormat format, ImageTransfer transfer, SyncMode sync)
 {
     /// <summary>Folder of the pictures.</summary>
-    private const string Images = "images";
+    internal const string Images = "images";
 
     private readonly SyncBatch _written = new();
     private readonly HashSet<string> _placed = new(StringComparer.Ordinal);
@@ -173,7 +173,7 @@ public sealed class PairExporter(SessionReader session, PairFormat format, Image
 
     private static bool IsOwn(string name) =>
         (AtomicFile.TargetOf(name) ?? name) is var target
-        && (target is PairTables.Index or PairTables.Objects || PairArchives.IsName(target));
+        && (target is PairTables.Index or PairTables.Objects or PairTables.Changes || PairArchives.IsName(target));
 
     private string Placed(string folder, PairGroup group, PairImage image)
     {

@@ -14,6 +14,9 @@ internal sealed class PairTables : IDisposable
     /// <summary>The table of pictures.</summary>
     public const string Index = "index.csv";
 
+    /// <summary>The table of the runs of a set of counterfactuals.</summary>
+    public const string Changes = "changes.csv";
+
     /// <summary>The table of objects.</summary>
     public const string Objects = "objects.csv";
 
@@ -79,7 +82,7 @@ internal sealed class PairTables : IDisposable
         _objects.Dispose();
     }
 
-    private static CsvWriter Begin(TextWriter table) =>
+    public static CsvWriter Begin(TextWriter table) =>
         new(table, new CsvConfiguration(CultureInfo.InvariantCulture) { NewLine = "\n" }, leaveOpen: true);
 
     private static string[] Sides(Box2D? box) =>
@@ -89,7 +92,7 @@ internal sealed class PairTables : IDisposable
 
     private static string Number(double value, int decimals) => InvariantNumber.Format(value, decimals);
 
-    private static void Write(CsvWriter table, string[] fields)
+    public static void Write(CsvWriter table, string[] fields)
     {
         foreach (string field in fields)
         {

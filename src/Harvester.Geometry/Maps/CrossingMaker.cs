@@ -40,7 +40,12 @@ internal static class CrossingMaker
         [
             .. marks.Where(static mark => mark.Mark.Kind == MarkKind.Crossing).Select(static mark => Of(mark.Mark.Corners, mark.Source)),
         ];
-        Vector3D[] painted = [.. crossings.Select(static crossing => MiddleOf(crossing.Corners))];
+        var painted = new GroundGrid<Vector3D>(SameCrossing);
+        foreach (Vector3D place in crossings.Select(static crossing => MiddleOf(crossing.Corners)))
+        {
+            painted.Add(place, new Box2D(place.X, place.Y, place.X, place.Y));
+        }
+
         foreach (RoadLink link in links.Select(link => network.Links[link]))
         {
             (RoadNode from, RoadNode to) = (network.Nodes[link.From], network.Nodes[link.To]);
@@ -51,7 +56,7 @@ internal static class CrossingMaker
             }
 
             Vector3D middle = (from.Position + to.Position) * 0.5;
-            if (!Array.Exists(painted, place => (place - middle).Length <= SameCrossing))
+            if (!painted.Near(middle.X, middle.Y, SameCrossing).Any(place => (place - middle).Length <= SameCrossing))
             {
                 double half = Width / 2 / along.Length;
                 var right = new Vector3D(along.Y * half, -along.X * half, 0);

@@ -8,4 +8,18 @@ internal sealed record JunctionArm(IReadOnlyList<MapLane> Incoming, IReadOnlyLis
 {
     /// <summary>The turn from this arm into another, radians, positive to the left, 0 straight on.</summary>
     public double TurnInto(JunctionArm exit) => Math.Atan2((Outward * -1).Cross(exit.Outward), (Outward * -1).Dot(exit.Outward));
+
+    /// <summary>The ends of a road at junctions, each with the index of its junction.</summary>
+    public static IEnumerable<(int Junction, JunctionArm Arm)> Of(RoadSegment road)
+    {
+        if (road.Start.Junction is { } start)
+        {
+            yield return (start, new JunctionArm(road.Backward, road.Forward, LaneNetworkBuilder.Unit(road.Line.VelocityAt(0))));
+        }
+
+        if (road.End.Junction is { } end)
+        {
+            yield return (end, new JunctionArm(road.Forward, road.Backward, LaneNetworkBuilder.Unit(road.Line.VelocityAt(1)) * -1));
+        }
+    }
 }

@@ -1,4 +1,5 @@
 using Harvester.Geometry.Roads;
+using Harvester.Geometry.Work;
 
 namespace Harvester.Geometry.Maps;
 
@@ -33,7 +34,7 @@ public sealed class LaneMaps
     private readonly MapNames _names;
     private readonly int[] _links;
     private readonly int[] _crossings;
-    private readonly Box2D[] _bounds;
+    private readonly GroundGrid<(int Link, Box2D Bounds)> _bounds = new(Square);
     private readonly object _lock = new();
     private readonly Dictionary<(double Column, double Row), Lazy<LaneNetwork?>> _made = [];
     private readonly Queue<(double Column, double Row)> _order = new();
@@ -55,7 +56,11 @@ public sealed class LaneMaps
         ];
         _names = new MapNames(network, _links);
         _crossings = [.. CrossingMaker.LinksOf(network)];
-        _bounds = [.. _links.Select(BoundsOf)];
+        foreach (int link in _links)
+        {
+            Box2D bounds = BoundsOf(link);
+            _bounds.Add((link, bounds), bounds);
+        }
     }
 
     /// <summary>The roads.</summary>
@@ -65,8 +70,12 @@ public sealed class LaneMaps
     /// <param name="content">What it has beside its roads; null for nothing.</param>
     /// <param name="area">The part to keep, as <see cref="LaneNetwork.Of"/> cuts it, metres; null for all.</param>
     /// <exception cref="FormatException">The network has more lanes or ways than a map takes; the message is a sentence.</exception>
-    public LaneNetwork Whole(MapContent? content = null, Box2D? area = null) =>
-        Map(_links, _groups.NodesOf, _crossings, content ?? MapContent.None, MaxWays, area);
+    public LaneNetwork Whole(MapContent? content = null, Box2D? area = null)
+    {
+        var made = new WorkResult<LaneNetwork>();
+        WorkRun.Complete(BuilderOf(content ?? MapContent.None, MaxWays).Build(_links, _groups.NodesOf, _crossings, area, made));
+        return made.Value!;
+    }
 
     /// <summary>
     /// The map around a place, of the roads alone. Lanes farther away than <see cref="ReachMetres"/> may be missing, also among those that
@@ -77,7 +86,15 @@ public sealed class LaneMaps
     public LaneNetwork? Around(Vector3D place)
     {
         Guard.Finite(place, nameof(place));
-        return MapOf(Math.Floor(place.X / Square), Math.Floor(place.Y / Square));
+        return MapOf(SquareOf(place));
+    }
+
+    /// <summary>Makes the map around a place in steps, unless it is at hand, so that <see cref="Around"/> has it.</summary>
+    /// <param name="place">Metres, world; the height is ignored.</param>
+    public IEnumerable<WorkStep> MakeAround(Vector3D place)
+    {
+        Guard.Finite(place, nameof(place));
+        return MakeIn(SquareOf(place));
     }
 
     /// <summary>
@@ -91,25 +108,22 @@ public sealed class LaneMaps
         {
             for (int row = -1; row <= 1; row++)
             {
-                _ = MapOf(Math.Floor(place.X / Square) + column, Math.Floor(place.Y / Square) + row);
+                (double x, double y) = SquareOf(place);
+                _ = MapOf((x + column, y + row));
             }
         }
     }
 
-    private LaneNetwork? MapOf(double column, double row)
+    private static (double Column, double Row) SquareOf(Vector3D place) => (Math.Floor(place.X / Square), Math.Floor(place.Y / Square));
+
+    private LaneNetwork? MapOf((double Column, double Row) square)
     {
         Lazy<LaneNetwork?>? map;
         lock (_lock)
         {
-            if (!_made.TryGetValue((column, row), out map))
+            if (!_made.TryGetValue(square, out map))
             {
-                if (_order.Count == KeptSquares)
-                {
-                    _made.Remove(_order.Dequeue());
-                }
-
-                _made.Add((column, row), map = new Lazy<LaneNetwork?>(() => Part((column, row))));
-                _order.Enqueue((column, row));
+                Keep(square, map = new Lazy<LaneNetwork?>(() => Made(square)));
             }
         }
 
@@ -117,7 +131,54 @@ public sealed class LaneMaps
         return map.Value;
     }
 
-    private LaneNetwork? Part((double Column, double Row) square)
+    private LaneNetwork? Made((double Column, double Row) square)
+    {
+        var made = new WorkResult<LaneNetwork>();
+        WorkRun.Complete(Part(square, made));
+        return made.Value;
+    }
+
+    private IEnumerable<WorkStep> MakeIn((double Column, double Row) square)
+    {
+        if (!IsMade(square))
+        {
+            var made = new WorkResult<LaneNetwork>();
+            yield return WorkStep.Do(Part(square, made));
+            var map = new Lazy<LaneNetwork?>(() => made.Value);
+            _ = map.Value;
+            lock (_lock)
+            {
+                Keep(square, map);
+            }
+        }
+    }
+
+    private bool IsMade((double Column, double Row) square)
+    {
+        lock (_lock)
+        {
+            return _made.TryGetValue(square, out Lazy<LaneNetwork?>? map) && map.IsValueCreated;
+        }
+    }
+
+    /// <summary>Keeps a map instead of the oldest; the lock must be held.</summary>
+    private void Keep((double Column, double Row) square, Lazy<LaneNetwork?> map)
+    {
+        if (!_made.ContainsKey(square))
+        {
+            if (_order.Count == KeptSquares)
+            {
+                _made.Remove(_order.Dequeue());
+            }
+
+            _order.Enqueue(square);
+        }
+
+        _made[square] = map;
+    }
+
+    /// <summary>Makes the map of a square, in steps; null if more roads meet there than a map takes.</summary>
+    private IEnumerable<WorkStep> Part((double Column, double Row) square, WorkResult<LaneNetwork> made)
     {
         var area = new Box2D(
             (square.Column * Square) - ReachMetres,
@@ -125,7 +186,12 @@ public sealed class LaneMaps
             ((square.Column + 1) * Square) + ReachMetres,
             ((square.Row + 1) * Square) + ReachMetres
         );
-        var links = new SortedSet<int>(_links.Where((_, i) => Meet(_bounds[i], area)));
+        var links = new SortedSet<int>(
+            _bounds
+                .Near((square.Column + 0.5) * Square, (square.Row + 0.5) * Square, (Square / 2) + ReachMetres)
+                .Where(road => Meet(road.Bounds, area))
+                .Select(road => road.Link)
+        );
 
         // The links that continue these, and the junctions at their ends with all that meets there.
         var junctions = new SortedDictionary<int, List<int>>();
@@ -153,26 +219,32 @@ public sealed class LaneMaps
         IEnumerable<int> crossings = _crossings.Where(link =>
             Meet(Between(Network.Nodes[Network.Links[link].From], Network.Nodes[Network.Links[link].To]), area)
         );
+        using var build = new WorkRun(
+            BuilderOf(MapContent.None, MaxWaysAround).Build(links, junctions, crossings, area: null, made),
+            static () => true
+        );
+        while (Advance(build))
+        {
+            yield return WorkStep.Pause;
+        }
+    }
+
+    /// <summary>Whether a work has more steps; not if it passes a limit.</summary>
+    private static bool Advance(WorkRun build)
+    {
         try
         {
-            return Map(links, junctions, crossings, MapContent.None, MaxWaysAround);
+            return build.Advance();
         }
         catch (FormatException)
         {
-            return null;
+            return false;
         }
     }
 
     private IEnumerable<int> LanesAt(int node) => Network.LinksOf(node).Where(link => Array.BinarySearch(_links, link) >= 0);
 
-    private LaneNetwork Map(
-        IEnumerable<int> links,
-        IEnumerable<KeyValuePair<int, List<int>>> junctions,
-        IEnumerable<int> crossings,
-        MapContent content,
-        int maxWays,
-        Box2D? area = null
-    ) => new LaneNetworkBuilder(_curves, _lanes, _groups, _names, content, maxWays).Build(links, junctions, crossings, area);
+    private LaneNetworkBuilder BuilderOf(MapContent content, int maxWays) => new(_curves, _lanes, _groups, _names, content, maxWays);
 
     private static Box2D Between(RoadNode a, RoadNode b) =>
         new(

@@ -117,13 +117,26 @@ public sealed class LaneNetwork
     /// <returns>The lane; null if it does not lie beside the place, as in a junction.</returns>
     public MapLane? LaneOf(int link, bool isForward, int index, Vector3D beside)
     {
-        if (Segments.FirstOrDefault(segment => segment.Link == link) is not { } road)
+        if (RoadOf(link) is not { } road)
         {
             return null;
         }
 
         IReadOnlyList<MapLane> lanes = isForward ? road.Forward : road.Backward;
         return index < lanes.Count && LanePiece.NearestOf(lanes[index], beside).Beyond <= MaxBeyond ? lanes[index] : null;
+    }
+
+    /// <summary>The road of a link, by bisection; null if the map has none.</summary>
+    private RoadSegment? RoadOf(int link)
+    {
+        (int from, int to) = (0, Segments.Count);
+        while (from < to)
+        {
+            int middle = (from + to) / 2;
+            (from, to) = Segments[middle].Link < link ? (middle + 1, to) : (from, middle);
+        }
+
+        return from < Segments.Count && Segments[from].Link == link ? Segments[from] : null;
     }
 
     /// <summary>The number of roads that meet in a junction.</summary>

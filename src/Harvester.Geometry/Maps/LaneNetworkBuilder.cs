@@ -1,4 +1,5 @@
 using Harvester.Geometry.Roads;
+using Harvester.Geometry.Work;
 
 namespace Harvester.Geometry.Maps;
 
@@ -41,18 +42,21 @@ internal sealed class LaneNetworkBuilder
         _markings = new MarkingFinder(curves, lanes, content);
     }
 
-    /// <summary>Makes the map.</summary>
+    /// <summary>Makes the map, a road or a junction in a step.</summary>
     /// <param name="links">Its links: some that have lanes outside junctions, ascending.</param>
     /// <param name="nodesOf">
     /// Its junctions: the nodes of each, by the least of them. All links that meet in them must be among those of the map.
     /// </param>
     /// <param name="crossings">The links along which it has pedestrian crossings if no others are known.</param>
     /// <param name="area">The roads that come into it are kept, whole; null for all.</param>
-    public LaneNetwork Build(
+    /// <param name="made">Receives the map.</param>
+    /// <exception cref="FormatException">A step passes a limit; the message is a sentence.</exception>
+    public IEnumerable<WorkStep> Build(
         IEnumerable<int> links,
-        IEnumerable<KeyValuePair<int, List<int>>> nodesOf,
+        IReadOnlyCollection<KeyValuePair<int, List<int>>> nodesOf,
         IEnumerable<int> crossings,
-        Box2D? area = null
+        Box2D? area,
+        WorkResult<LaneNetwork> made
     )
     {
         foreach (KeyValuePair<int, List<int>> junction in nodesOf)
@@ -70,6 +74,7 @@ internal sealed class LaneNetworkBuilder
                 FormattableString.Invariant($"the roads have more than {MaxLaneMetres / 1000:0} km of lanes, the limit")
             );
             _segments.Add(link, Segment(link));
+            yield return WorkStep.Pause;
         }
 
         RoadSegment[] segments = [.. _segments.OrderBy(segment => segment.Key).Select(segment => segment.Value)];
@@ -79,10 +84,16 @@ internal sealed class LaneNetworkBuilder
             Continue(segment, segment.Start, segment.Backward);
         }
 
-        ILookup<int, JunctionArm> arms = segments.SelectMany(ArmsOf).ToLookup(arm => arm.Junction, arm => arm.Arm);
-        MapJunction[] junctions = [.. nodesOf.Select(group => JunctionOf(group.Key, group.Value, [.. arms[_junctions[group.Key]]]))];
-        int[] armCounts = [.. Enumerable.Range(0, junctions.Length).Select(junction => arms[junction].Count())];
-        return area is { } box
+        ILookup<int, JunctionArm> arms = segments.SelectMany(JunctionArm.Of).ToLookup(arm => arm.Junction, arm => arm.Arm);
+        var junctions = new List<MapJunction>();
+        foreach (KeyValuePair<int, List<int>> group in nodesOf)
+        {
+            junctions.Add(JunctionOf(group.Key, group.Value, [.. arms[_junctions[group.Key]]]));
+            yield return WorkStep.Pause;
+        }
+
+        int[] armCounts = [.. Enumerable.Range(0, junctions.Count).Select(junction => arms[junction].Count())];
+        made.Value = area is { } box
             ? new LaneNetwork(_network, Within(box, segments), [.. junctions.Select(Cut)], armCounts, _content, crossings, box)
             : new LaneNetwork(_network, segments, junctions, armCounts, _content, crossings, null);
     }
@@ -231,26 +242,14 @@ internal sealed class LaneNetworkBuilder
         }
     }
 
-    private static IEnumerable<(int Junction, JunctionArm Arm)> ArmsOf(RoadSegment segment)
-    {
-        if (segment.Start.Junction is { } start)
-        {
-            yield return (start, new JunctionArm(segment.Backward, segment.Forward, Unit(segment.Line.VelocityAt(0))));
-        }
-
-        if (segment.End.Junction is { } end)
-        {
-            yield return (end, new JunctionArm(segment.Forward, segment.Backward, Unit(segment.Line.VelocityAt(1)) * -1));
-        }
-    }
-
     private MapJunction JunctionOf(int node, List<int> nodes, JunctionArm[] arms)
     {
         int number = _junctions[node];
         Require(arms.Length <= MaxArms, FormattableString.Invariant($"more than {MaxArms} roads, the limit, meet at the node {node}"));
         MapLane[] ways =
         [
-            .. arms.SelectMany(arm => TurnRules.WaysFrom(arm, arms))
+            .. TurnRules
+                .Ways(arms)
                 .Where(way => (way.To.Centre[0] - way.From.Centre[way.From.Centre.Count - 1]).Length > MinWay)
                 .Take(_maxWays - _ways + 1)
                 .Select(way => Way(number, way.From, way.To, way.Turn)),
@@ -286,5 +285,5 @@ internal sealed class LaneNetworkBuilder
         return way;
     }
 
-    private static Vector2D Unit(Vector2D vector) => vector.Length > 0 ? vector * (1 / vector.Length) : new Vector2D(0, 1);
+    internal static Vector2D Unit(Vector2D vector) => vector.Length > 0 ? vector * (1 / vector.Length) : new Vector2D(0, 1);
 }

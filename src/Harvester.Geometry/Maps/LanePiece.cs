@@ -25,7 +25,14 @@ internal readonly record struct LanePiece(
     public bool IsOnLane => Beyond <= Rounding && FromMiddle <= HalfWidth + Rounding;
 
     /// <summary>Distance from the lane on the ground, metres; 0 on it.</summary>
-    public double FromLane => Math.Max(Beyond, FromMiddle - HalfWidth);
+    public double FromLane
+    {
+        get
+        {
+            double aside = Math.Max(0, FromMiddle - HalfWidth);
+            return Math.Sqrt((aside * aside) + (Beyond * Beyond));
+        }
+    }
 
     /// <summary>Where a place lies beside a lane.</summary>
     public static LanePiece NearestOf(MapLane lane, Vector3D place)

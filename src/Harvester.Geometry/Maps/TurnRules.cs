@@ -2,7 +2,8 @@ namespace Harvester.Geometry.Maps;
 
 /// <summary>
 /// Which lane leads to which through a junction: left turns from the leftmost lane into the leftmost, right turns from the rightmost into
-/// the rightmost, straight on from every lane. If nothing leads straight on, the lanes share the exits.
+/// the rightmost, straight on from every lane. If nothing leads straight on, the lanes share the exits. A lane to which none of this leads
+/// begins beside the one next to it, or is a branch of a fork.
 /// </summary>
 internal static class TurnRules
 {
@@ -15,10 +16,58 @@ internal static class TurnRules
     /// <summary>A lane of a fork leads into a branch whose nearest lane is at most this many lane widths aside.</summary>
     private const double MaxAside = 0.75;
 
+    /// <summary>The ways through a junction.</summary>
+    /// <param name="arms">The roads that meet there.</param>
+    public static IEnumerable<(MapLane From, MapLane To, MapTurn Turn)> Ways(IReadOnlyList<JunctionArm> arms)
+    {
+        (MapLane From, MapLane To, MapTurn Turn)[] ways = [.. arms.SelectMany(arm => WaysFrom(arm, arms))];
+        var reached = new Dictionary<MapLane, MapLane>();
+        foreach ((MapLane from, MapLane to, MapTurn turn) in ways)
+        {
+            // Of several lanes that lead to one, the one that goes straight on.
+            if (!reached.ContainsKey(to) || turn == MapTurn.Straight)
+            {
+                reached[to] = from;
+            }
+        }
+
+        return ways.Concat(
+            arms.SelectMany(exit =>
+                    exit.Outgoing.Where(lane => !reached.ContainsKey(lane)).Select(lane => Begun(lane, exit, arms, reached))
+                )
+                .OfType<(MapLane, MapLane, MapTurn)>()
+        );
+    }
+
+    /// <summary>
+    /// The way to a lane to which no rule leads: from the lane that leads to the reached lane nearest to it, or, where none of its road is
+    /// reached, from the road that bends least into it; null if a car would turn back to get there.
+    /// </summary>
+    private static (MapLane From, MapLane To, MapTurn Turn)? Begun(
+        MapLane lane,
+        JunctionArm exit,
+        IReadOnlyList<JunctionArm> arms,
+        Dictionary<MapLane, MapLane> reached
+    )
+    {
+        MapLane? source = exit
+            .Outgoing.Where(reached.ContainsKey)
+            .OrderBy(other => Math.Abs(other.Index - lane.Index))
+            .Select(other => reached[other])
+            .FirstOrDefault();
+        JunctionArm? arm = arms.Where(other =>
+                other != exit
+                && (source is null ? other.Incoming.Count > 0 : other.Incoming.Contains(source))
+                && IsAhead(other, exit)
+                && Math.Abs(other.TurnInto(exit)) < MaxTurn
+            )
+            .OrderBy(other => Math.Abs(other.TurnInto(exit)))
+            .FirstOrDefault();
+        return arm is null ? null : (source ?? arm.Incoming.OrderBy(other => Aside(other, lane)).First(), lane, TurnOf(arm.TurnInto(exit)));
+    }
+
     /// <summary>The ways from an arm: those of the rules and, where a road only goes on with more lanes, one to each that begins.</summary>
-    /// <param name="arm">The arm.</param>
-    /// <param name="arms">All arms of the junction.</param>
-    public static IEnumerable<(MapLane From, MapLane To, MapTurn Turn)> WaysFrom(JunctionArm arm, IReadOnlyList<JunctionArm> arms)
+    private static IEnumerable<(MapLane From, MapLane To, MapTurn Turn)> WaysFrom(JunctionArm arm, IReadOnlyList<JunctionArm> arms)
     {
         (MapLane From, MapLane To, MapTurn Turn)[] ways = [.. ByRule(arm, arms)];
         if (arms.Count != 2 || ways.Length == 0)

@@ -53,6 +53,9 @@ internal sealed class ArrowFinder
     private readonly List<StripeFinder.Stripe> _found = [];
     private readonly List<List<Slice>> _chains = [];
 
+    /// <summary>The chains that the next row may continue, in the order of all.</summary>
+    private readonly List<List<Slice>> _open = [];
+
     private readonly record struct Slice(int Row, double Left, double Right)
     {
         public double Middle => (Left + Right) / 2;
@@ -61,7 +64,11 @@ internal sealed class ArrowFinder
     }
 
     /// <summary>Forgets the rows of an image.</summary>
-    public void Clear() => _chains.Clear();
+    public void Clear()
+    {
+        _chains.Clear();
+        _open.Clear();
+    }
 
     /// <summary>Adds a part of a row in which every cell is known.</summary>
     /// <param name="row">Number of the row, at least as great as those before; rows lead away from the junction.</param>
@@ -72,14 +79,16 @@ internal sealed class ArrowFinder
     public void Add(int row, GroundProfile profile, double from, int begin, int end)
     {
         _found.Clear();
+        _open.RemoveAll(chain => row - chain[chain.Count - 1].Row > 1 + MaxMissing);
         _finder.Find(profile.Bright, profile.Blue, begin, end, _found);
         foreach (StripeFinder.Stripe stripe in _found)
         {
             var slice = new Slice(row, from + (stripe.Left * StripeFinder.Cell), from + (stripe.Right * StripeFinder.Cell));
-            List<Slice>? chain = _chains.Find(each => GoesOn(each[each.Count - 1], slice));
+            List<Slice>? chain = _open.Find(each => GoesOn(each[each.Count - 1], slice));
             if (chain is null)
             {
                 _chains.Add(chain = []);
+                _open.Add(chain);
             }
 
             chain.Add(slice);

@@ -24,7 +24,18 @@ public sealed class FeatureSet(PlayerMessages messages, ICallCounter calls, IClo
         foreach (FeatureWatch watch in _watches)
         {
             (long, long, double) before = watch.Before;
-            Do(watch.Feature, watch.Feature.Tick);
+            try
+            {
+                watch.Feature.Tick();
+            }
+#pragma warning disable CA1031 // The game's loader ends a script for any exception of its.
+            catch (Exception exception) when (exception is not ThreadAbortException)
+#pragma warning restore CA1031
+            {
+                TellFailure(watch.Feature.Name, exception);
+                Try(watch.Feature.Name, watch.Feature.Stop);
+            }
+
             watch.After(before);
         }
     }
@@ -75,8 +86,11 @@ public sealed class FeatureSet(PlayerMessages messages, ICallCounter calls, IClo
         catch (Exception exception) when (exception is not ThreadAbortException)
 #pragma warning restore CA1031
         {
-            messages.TellFailure(name, exception is AggregateException { InnerExceptions: { Count: 1 } inner } ? inner[0] : exception);
+            TellFailure(name, exception);
             return false;
         }
     }
+
+    private void TellFailure(string name, Exception exception) =>
+        messages.TellFailure(name, exception is AggregateException { InnerExceptions: { Count: 1 } inner } ? inner[0] : exception);
 }

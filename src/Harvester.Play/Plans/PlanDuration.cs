@@ -14,7 +14,7 @@ internal static class PlanDuration
     /// <param name="pace">Real time for a second of game time in a harvest, seconds; null if it is not measured yet.</param>
     public static string Of(PlanFolder folder, double? pace)
     {
-        Trial[] left = [.. folder.Trials.Where(trial => folder.Status.NextAttempt(trial.Id) is not null)];
+        Trial[] left = [.. folder.Left];
         double minutes = left.Sum(trial => folder.Plan.FramesAt(trial.Place)) / folder.Plan.Hz / SecondsPerMinute;
         string driving = FormattableString.Invariant(
             $"The plan has {Counted.Of(left.Length, "trial")} left, {minutes:0.#} minutes of driving. "

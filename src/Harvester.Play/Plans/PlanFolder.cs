@@ -13,14 +13,13 @@ public sealed class PlanFolder : IDisposable
     private const string Rigs = "rigs";
     private const string EndedReason = "The game ended during the attempt.";
     private readonly PlanResults _results;
-    private readonly WriterLock _held;
     private readonly IReadOnlyDictionary<string, PlanRig> _rigs;
     private readonly object _gate = new();
     private bool _isReleased;
 
-    private PlanFolder(PlanResults results, WriterLock held, Plan plan, IReadOnlyDictionary<string, PlanRig> rigs, PlanStatus status)
+    private PlanFolder(PlanResults results, Plan plan, IReadOnlyDictionary<string, PlanRig> rigs)
     {
-        (_results, _held, Plan, _rigs, Status) = (results, held, plan, rigs, status);
+        (_results, Plan, _rigs) = (results, plan, rigs);
         Trials = TrialList.Of(plan, plan.Places);
     }
 
@@ -34,13 +33,16 @@ public sealed class PlanFolder : IDisposable
     public IReadOnlyList<Trial> Trials { get; }
 
     /// <summary>How they ended.</summary>
-    public PlanStatus Status { get; }
+    public PlanStatus Status => _results.Status;
 
     /// <summary>The attempt during which the game ended before the folder was opened; null if it did not.</summary>
     public TrialResult? Ended { get; private set; }
 
+    /// <summary>The trials that need an attempt, in their order.</summary>
+    public IEnumerable<Trial> Left => _results.Left(Trials);
+
     /// <summary>The first trial that needs an attempt; null if none does.</summary>
-    public Trial? Next => Trials.FirstOrDefault(trial => Status.NextAttempt(trial.Id) is not null);
+    public Trial? Next => Left.FirstOrDefault();
 
     /// <summary>Reads a plan, and opens its folder or makes it.</summary>
     /// <param name="file">The plan file.</param>
@@ -63,8 +65,7 @@ public sealed class PlanFolder : IDisposable
         Dictionary<string, PlanRig> rigs = RigsOf(plan, file);
         string folder = Path.Combine(root, plan.Name);
         Directory.CreateDirectory(root);
-        var results = new PlanResults(folder);
-        WriterLock held = WriterLock.Take(folder);
+        var results = new PlanResults(folder, WriterLock.Take(folder));
         try
         {
             Directory.CreateDirectory(results.Trials);
@@ -78,13 +79,14 @@ public sealed class PlanFolder : IDisposable
                 throw new FormatException($"{results.OfAnotherPlan} Give the plan another name.");
             }
 
-            var opened = new PlanFolder(results, held, plan, rigs, PlanStatus.Open(folder, Shard.Whole));
+            results.ReadStatus(Shard.Whole);
+            var opened = new PlanFolder(results, plan, rigs);
             opened.NoteEnded();
             return opened;
         }
         catch
         {
-            held.Dispose();
+            results.Dispose();
             throw;
         }
     }
@@ -107,7 +109,7 @@ public sealed class PlanFolder : IDisposable
         {
             if (!_isReleased)
             {
-                SetAside(trial ?? throw new ArgumentNullException(nameof(trial)));
+                _results.SetAside(trial ?? throw new ArgumentNullException(nameof(trial)));
                 AttemptFile.Write(Folder, trial.Id, Status.NextAttempt(trial.Id)!.Value);
             }
         }
@@ -120,35 +122,11 @@ public sealed class PlanFolder : IDisposable
     {
         if ((result ?? throw new ArgumentNullException(nameof(result))).State == TrialState.Skipped)
         {
-            SetAside(Trials.First(trial => trial.Id == result.Trial));
+            _results.SetAside(Trials.First(trial => trial.Id == result.Trial));
         }
 
         Status.Add(result);
         AttemptFile.Delete(Folder);
-    }
-
-    /// <summary>
-    /// Moves what an unfinished or failed attempt wrote to the folder unfinished: the game cannot continue it, because it does not take the
-    /// same course again.
-    /// </summary>
-    /// <exception cref="IOException">The folder cannot be moved.</exception>
-    private void SetAside(Trial trial)
-    {
-        string folder = FolderOf(trial);
-        if (!Directory.Exists(folder))
-        {
-            return;
-        }
-
-        string aside = Path.Combine(Folder, "unfinished");
-        Directory.CreateDirectory(aside);
-        string free = Path.Combine(aside, trial.Id);
-        for (int number = 2; Directory.Exists(free); number++)
-        {
-            free = FormattableString.Invariant($"{Path.Combine(aside, trial.Id)}-{number}");
-        }
-
-        Directory.Move(folder, free);
     }
 
     /// <summary>Releases the folder. An attempt that is under way does not count.</summary>
@@ -168,7 +146,7 @@ public sealed class PlanFolder : IDisposable
             }
             finally
             {
-                _held.Dispose();
+                _results.Dispose();
             }
         }
     }

@@ -39,6 +39,7 @@ internal sealed class HarvestPorts
             IsWanted = () => player.DrivesLights && features.Harvest.IsOn,
         };
         Sky = new PlayerSky(adapters.Controls, Scene.World) { Kept = () => features.Plan?.Weather };
+        Actors = new StagedActors(adapters.Actors, adapters.Models, setup.Clock, setup.Messages);
         Game = new GamePorts(Scene.World, adapters.Rays, setup.Screen, adapters.Time, setup.Clock, Markers)
         {
             Roads = Roads,
@@ -51,6 +52,7 @@ internal sealed class HarvestPorts
             Sky = Sky,
             Sheets = Sheets,
             Hud = Hud,
+            Stage = Actors,
             Card = Card,
             Calls = adapters.Calls,
             Reading = adapters.Reading,
@@ -62,6 +64,9 @@ internal sealed class HarvestPorts
 
     /// <summary>The readers of the scene.</summary>
     public GameScene Scene { get; }
+
+    /// <summary>The actors of scenarios.</summary>
+    public StagedActors Actors { get; }
 
     /// <summary>Hides entities.</summary>
     public HiddenEntities Hidden { get; }

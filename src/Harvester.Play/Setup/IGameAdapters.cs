@@ -52,6 +52,9 @@ public interface IGameAdapters
     /// <summary>What trials of a plan need.</summary>
     ITrialGame Trials { get; }
 
+    /// <summary>The entities and tasks of staged actors.</summary>
+    IActorGame Actors { get; }
+
     /// <summary>Where models are put up to be measured.</summary>
     ISurveyStage Stage { get; }
 

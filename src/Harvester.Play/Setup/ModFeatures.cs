@@ -83,6 +83,7 @@ public sealed class ModFeatures
             _ports.Sheets,
             _ports.Card,
             Car,
+            _ports.Actors,
             Plan,
             Paint,
             Mount,
@@ -109,6 +110,9 @@ public sealed class ModFeatures
 
     /// <summary>Makes a car for the player.</summary>
     public TestCar Car { get; }
+
+    /// <summary>The actors of scenarios.</summary>
+    public StagedActors Actors => _ports.Actors;
 
     /// <summary>The camera on the player's vehicle.</summary>
     public CameraMount Mount { get; }

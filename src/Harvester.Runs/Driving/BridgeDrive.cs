@@ -66,7 +66,7 @@ public sealed class BridgeDrive(SimulatedGame game, IRoads roads, IDrivingBridge
     private void WaitForClient(GameEndpoint bridged, CancellationToken cancellation)
     {
         var sent = Stopwatch.StartNew();
-        while (!cancellation.IsCancellationRequested && !Check(bridged.Listen()).IsClientAlive && !bridged.IsStepping)
+        while (!cancellation.IsCancellationRequested && !Check(bridged.Tick(0)).IsClientAlive && !bridged.IsStepping)
         {
             cancellation.WaitHandle.WaitOne(PollInterval);
             if (sent.Elapsed > ResendInterval)

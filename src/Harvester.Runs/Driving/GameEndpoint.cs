@@ -85,10 +85,17 @@ public sealed class GameEndpoint : IDisposable
     /// <summary>Distance driven, metres, without teleports.</summary>
     public double Metres { get; private set; }
 
-    /// <summary>Handles messages of the client without advancing the world.</summary>
+    /// <summary>Advances the world, unless it is frozen, and handles messages of the client.</summary>
+    /// <param name="seconds">Game time to advance; 0 to handle messages only.</param>
     /// <exception cref="System.IO.IOException">The recording cannot be written.</exception>
-    public DrivingStatus Listen()
+    public DrivingStatus Tick(double seconds)
     {
+        if (seconds > 0)
+        {
+            _game.Tick(seconds);
+            NoteMotion();
+        }
+
         long answers = _session.Answers;
         long frames = _session.Status.Frames;
         long resets = _session.Resets;
@@ -115,10 +122,20 @@ public sealed class GameEndpoint : IDisposable
         return status;
     }
 
-    /// <summary>Advances the world, unless it is frozen, and handles messages of the client.</summary>
-    public DrivingStatus Tick(double seconds)
+    /// <summary>Sends a frame as soon as possible, as if the client had requested it.</summary>
+    /// <param name="hasPicture">Whether with an image.</param>
+    public void RequestFrame(bool hasPicture = true) => _session.AskForFrame(hasPicture);
+
+    /// <summary>Closes the driving session and its recording.</summary>
+    public void Dispose()
     {
-        _game.Tick(seconds);
+        _session.Dispose();
+        Recording?.Dispose();
+    }
+
+    /// <summary>Records the tick of the world, and notices whether the game has moved the car elsewhere.</summary>
+    private void NoteMotion()
+    {
         if (_game.Ports.World.TimeSeconds != _before.Seconds)
         {
             Recording?.Tick(
@@ -139,18 +156,5 @@ public sealed class GameEndpoint : IDisposable
         {
             Metres += metres;
         }
-
-        return Listen();
-    }
-
-    /// <summary>Sends a frame as soon as possible, as if the client had requested it.</summary>
-    /// <param name="hasPicture">Whether with an image.</param>
-    public void RequestFrame(bool hasPicture = true) => _session.AskForFrame(hasPicture);
-
-    /// <summary>Closes the driving session and its recording.</summary>
-    public void Dispose()
-    {
-        _session.Dispose();
-        Recording?.Dispose();
     }
 }

@@ -1,6 +1,7 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
+using Harvester.Runs.Scenarios;
 using Harvester.Sessions.Rigs;
 using Harvester.Sessions.Text;
 using Harvester.Simulation.Rendering;
@@ -31,6 +32,9 @@ public sealed record HarvestPlan
 
     /// <summary>The trial of a plan that this harvest is; null for a harvest of its own.</summary>
     public TrialSetting? Trial { get; init; }
+
+    /// <summary>The scenario that is staged; null for ordinary traffic.</summary>
+    public PlannedScenario? Scenario { get; init; }
 
     /// <summary>The survey of paint that this harvest is; null for one that drives.</summary>
     public SimulatedSurvey? Survey { get; init; }
@@ -85,6 +89,9 @@ public sealed record HarvestPlan
 
     /// <summary>The value of --quirks; null if it is not given.</summary>
     public required string? QuirksText { get; init; }
+
+    /// <summary>What is changed in the course of the harvest, in the order of time.</summary>
+    public IReadOnlyList<TimedChange> Changes { get; init; } = [];
 
     /// <summary>What is harvested, in words.</summary>
     public string Description

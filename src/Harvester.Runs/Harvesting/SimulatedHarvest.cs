@@ -5,6 +5,7 @@ using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Capture.Surveys;
 using Harvester.Datasets.Faces;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry;
@@ -12,10 +13,12 @@ using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Runs.Faults;
+using Harvester.Runs.Scenarios;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Roads;
+using Harvester.Sessions.Scenarios;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Models;
@@ -37,9 +40,18 @@ public sealed class SimulatedHarvest
 
     private readonly IReadOnlyList<Vector2D> _places;
     private readonly PaintTable? _paint;
+    private readonly StagedRun? _staged;
 
-    private SimulatedHarvest(HarvestPlan plan, SimulatedGame game, FaceTable faces, IReadOnlyList<Vector2D> places, PaintTable? paint)
+    private SimulatedHarvest(
+        HarvestPlan plan,
+        SimulatedGame game,
+        FaceTable faces,
+        IReadOnlyList<Vector2D> places,
+        PaintTable? paint,
+        StagedRun? staged
+    )
     {
+        _staged = staged;
         _places = places;
         _paint = paint;
         _plan = plan;
@@ -65,38 +77,42 @@ public sealed class SimulatedHarvest
         List<Vector2D> places = count == 1 ? [] : SpreadPlaces.Of(roads ?? TownBuilder.Build(plan.Seed), count, plan.Seed, plan.Near);
         try
         {
-            var game = new SimulatedGame(
-                plan.Variety with
-                {
-                    Seed = plan.Seed,
-                    TrafficSeed = plan.Trial?.TrafficSeed,
-                    Roads = roads,
-                    Near =
-                        replay is not null ? LoggedTraffic.StartOf(replay)
-                        : count == 1 ? plan.Near
-                        : places[0],
-                    Replay = replay,
-                    Props = plan.Props.Count > 0 ? props : null,
-                    Weather = plan.Weather,
-                    DayOfYear = plan.DayOfYear,
-                    TimeOfDay = plan.TimeOfDay,
-                    VerticalFovDegrees = plan.FovDegrees,
-                    WindowAspect = plan.Options.Image.Aspect,
-                    Lens = new RenderLens(lens.FocalScale, lens.CentreOffsetX, lens.CentreOffsetY, lens.K1, lens.K2),
-                    Detail = plan.Detail,
-                    DefersPictures = true,
-                    IsWarm = true,
-                    Quirks = plan.Quirks,
-                }
-            );
+            StagedRun? staged = plan.Scenario is { } scenario ? StagedRun.Bind(scenario, roads, plan.Seed, plan.Near) : null;
+            SimulationOptions options = plan.Variety with
+            {
+                Seed = plan.Seed,
+                TrafficSeed = plan.Trial?.TrafficSeed,
+                Roads = roads,
+                Near =
+                    replay is not null ? LoggedTraffic.StartOf(replay)
+                    : count == 1 ? plan.Near
+                    : places[0],
+                Replay = replay,
+                Props = plan.Props.Count > 0 ? props : null,
+                Weather = plan.Weather,
+                DayOfYear = plan.DayOfYear,
+                TimeOfDay = plan.TimeOfDay,
+                VerticalFovDegrees = plan.FovDegrees,
+                WindowAspect = plan.Options.Image.Aspect,
+                Lens = new RenderLens(lens.FocalScale, lens.CentreOffsetX, lens.CentreOffsetY, lens.K1, lens.K2),
+                Detail = plan.Detail,
+                DefersPictures = true,
+                IsWarm = true,
+                Quirks = plan.Quirks,
+            };
+            var game = new SimulatedGame(staged?.Options(options) ?? options);
             if (plan.Options.Rig is { } rig)
             {
                 RigMounting.Mount(rig, game);
             }
 
-            plan.Trial?.Drive.Begin(game);
+            if (staged is null)
+            {
+                plan.Trial?.Drive.Begin(game);
+            }
 
-            return new SimulatedHarvest(plan, game, faces, places, paint);
+            staged?.Begin(game);
+            return new SimulatedHarvest(plan, game, faces, places, paint, staged);
         }
         catch (ArgumentException e)
         {
@@ -133,11 +149,14 @@ public sealed class SimulatedHarvest
         {
             Tour = tour,
         };
+        var changes = new ChangeSchedule(_plan.Changes);
         do
         {
             // The game waits for the disk; otherwise the frames would depend on the disk's speed.
             writer.WaitForRoom();
+            changes.Apply(_game, session.Counters.Taken);
             _plan.Trial?.Drive.Tick(_game);
+            _staged?.Tick(_game);
             _game.Tick(1 / TicksPerSecond);
             int before = session.Status.Captured;
             if (session.Step().Captured != before)
@@ -146,10 +165,20 @@ public sealed class SimulatedHarvest
             }
 
             GoOn(session.Counters.Taken);
-        } while (!session.Status.IsOver && !(_plan.Trial?.Drive.IsOver ?? false) && !cancellation.IsCancellationRequested);
+        } while (
+            !session.Status.IsOver
+            && !(_plan.Trial?.Drive.IsOver ?? false)
+            && !(_staged?.IsOver ?? false)
+            && !cancellation.IsCancellationRequested
+        );
 
         session.Stop();
         writer.Dispose();
+        if (_staged is not null && writer.FramesWritten > 0)
+        {
+            AtomicFile.Write(Path.Combine(folder, ScenarioRecord.FileName), _staged.Record!.ToJson());
+        }
+
         return new HarvestOutcome(
             writer.FramesWritten,
             session.Status.Discarded,
@@ -277,6 +306,16 @@ public sealed class SimulatedHarvest
             yield return new("paintWear", plan.Variety.PaintWear.ToString(CultureInfo.InvariantCulture));
         }
 
+        if (plan.Variety.HasCrashes)
+        {
+            yield return new("crashes", "true");
+        }
+
+        if (plan.Changes.Count > 0)
+        {
+            yield return new("change", string.Join("; ", plan.Changes.Select(change => change.Text)));
+        }
+
         if (plan.Near is { } near)
         {
             yield return new("near", string.Create(CultureInfo.InvariantCulture, $"{near.X},{near.Y}"));
@@ -306,6 +345,17 @@ public sealed class SimulatedHarvest
             yield return new("plan", trial.Plan);
             yield return new("trial", trial.Id);
             yield return new("trafficSeed", trial.TrafficSeed.ToString(CultureInfo.InvariantCulture));
+        }
+
+        if (plan.Scenario is { } scenario)
+        {
+            yield return new("scenario", scenario.Template.Middle.Name);
+            yield return new("scenarioKind", scenario.Template.Middle.Kind);
+            yield return new("scenarioSeed", scenario.Seed.ToString(CultureInfo.InvariantCulture));
+            if (scenario.IsEgoBlind)
+            {
+                yield return new("egoBrakes", "false");
+            }
         }
 
         if (plan.Survey is { } survey)

@@ -3,6 +3,7 @@ using Harvester.Runs.Harvesting;
 using Harvester.Sessions.Plans;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Rigs;
+using Harvester.Sessions.Scenarios;
 
 namespace Harvester.Runs.Plans;
 
@@ -12,6 +13,9 @@ namespace Harvester.Runs.Plans;
 /// <param name="Rigs">The rigs by the name of their camera.</param>
 public sealed record PlanFile(Plan Plan, string Text, IReadOnlyDictionary<string, Rig> Rigs)
 {
+    /// <summary>The scenarios by the path that the plan names.</summary>
+    public IReadOnlyDictionary<string, ScenarioTemplate> Scenarios { get; init; } = new Dictionary<string, ScenarioTemplate>();
+
     /// <summary>Reads a plan that has no problem.</summary>
     /// <exception cref="DatasetFormatException">The plan or a rig has a problem; the first is named.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
@@ -54,7 +58,36 @@ public sealed record PlanFile(Plan Plan, string Text, IReadOnlyDictionary<string
             }
         }
 
-        file = problems.Count == 0 ? new PlanFile(reading.Plan!, text, rigs) : null;
+        Dictionary<string, ScenarioTemplate> scenarios = ScenariosOf(path, reading.Plan, problems);
+        file = problems.Count == 0 ? new PlanFile(reading.Plan!, text, rigs) { Scenarios = scenarios } : null;
         return problems;
+    }
+
+    private static Dictionary<string, ScenarioTemplate> ScenariosOf(string path, Plan? plan, List<string> problems)
+    {
+        var scenarios = new Dictionary<string, ScenarioTemplate>(StringComparer.Ordinal);
+        foreach (string file in (plan?.Places ?? []).Select(place => place.Scenario).OfType<string>().Distinct(StringComparer.Ordinal))
+        {
+            try
+            {
+                string beside = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(path))!, file);
+                ScenarioReading reading = ScenarioParser.Read(InputFile.ReadAllText(beside));
+                problems.AddRange(reading.Problems.Select(problem => $"scenario '{file}': {problem}"));
+                if (reading.Template is { } template)
+                {
+                    scenarios.Add(file, template);
+                }
+            }
+            catch (Exception e) when (e is DatasetFormatException)
+            {
+                problems.Add($"scenario '{file}': {e.Message}");
+            }
+            catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+            {
+                problems.Add($"scenario '{file}' cannot be read beside the plan.");
+            }
+        }
+
+        return scenarios;
     }
 }

@@ -13,15 +13,17 @@ public sealed class PlanOutput : IDisposable
 {
     private const string World = "world.json";
     private readonly PlanResults _results;
-    private readonly FolderLock _held;
 
-    private PlanOutput(PlanResults results, FolderLock held, PlanStatus status) => (_results, _held, Status) = (results, held, status);
+    private PlanOutput(PlanResults results) => _results = results;
 
     /// <summary>The folder.</summary>
     public string Folder => _results.Folder;
 
     /// <summary>The status of the trials.</summary>
-    public PlanStatus Status { get; }
+    public PlanStatus Status => _results.Status;
+
+    /// <summary>The folder with the sessions.</summary>
+    public string Trials => _results.Trials;
 
     /// <summary>Locks and checks the folder, and makes it if it is missing.</summary>
     /// <param name="folder">The folder.</param>
@@ -35,11 +37,11 @@ public sealed class PlanOutput : IDisposable
     /// <exception cref="IOException">The folder cannot be made or read.</exception>
     public static PlanOutput Open(string folder, string plan, string world, Shard shard, bool resumes, long minFreeBytes)
     {
-        var held = FolderLock.Take(folder, shard.Count == 1 ? "" : FormattableString.Invariant($".{shard.Number}-of-{shard.Count}"));
+        string part = shard.Count == 1 ? "" : FormattableString.Invariant($".{shard.Number}-of-{shard.Count}");
+        var results = new PlanResults(folder, FolderLock.Take(folder, part));
         try
         {
             OutputDisk.Check(folder, "--out", minFreeBytes);
-            var results = new PlanResults(folder);
             string copy = Path.Combine(folder, PlanResults.PlanCopy);
             if (
                 !File.Exists(copy)
@@ -61,9 +63,7 @@ public sealed class PlanOutput : IDisposable
                 throw new OccupiedFolderException($"{results.OfAnotherPlan} Name another folder with --out.");
             }
 
-            bool hasResults =
-                File.Exists(Path.Combine(folder, PlanStatus.FileNameOf(shard))) || (shard.Count == 1 && Directory.Exists(results.Trials));
-            if (hasResults && !resumes)
+            if (results.HasResults(shard) && !resumes)
             {
                 throw new OccupiedFolderException(
                     $"'{folder}' has results of this plan. Continue with --resume, or name another folder with --out."
@@ -78,19 +78,23 @@ public sealed class PlanOutput : IDisposable
                 );
             }
 
-            return new PlanOutput(results, held, PlanStatus.Open(folder, shard));
+            results.ReadStatus(shard);
+            return new PlanOutput(results);
         }
         catch (FormatException e)
         {
-            held.Dispose();
+            results.Dispose();
             throw new DatasetFormatException($"'{folder}': {e.Message}", e);
         }
         catch
         {
-            held.Dispose();
+            results.Dispose();
             throw;
         }
     }
+
+    /// <summary>The trials that need an attempt, in their order.</summary>
+    public IEnumerable<Trial> Left(IEnumerable<Trial> trials) => _results.Left(trials);
 
     /// <summary>The folder of a trial's session.</summary>
     /// <exception cref="IOException">It or the folder of all trials is a link.</exception>
@@ -134,5 +138,5 @@ public sealed class PlanOutput : IDisposable
     }
 
     /// <summary>Releases the folder.</summary>
-    public void Dispose() => _held.Dispose();
+    public void Dispose() => _results.Dispose();
 }

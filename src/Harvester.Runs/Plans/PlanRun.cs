@@ -42,7 +42,7 @@ public sealed class PlanRun(IRunLog log, PlanFile file, PlanWorld world, PlanOut
     public bool Run(IReadOnlyList<Trial> trials, Action<int> report, CancellationToken cancellation)
     {
         output.DeleteLeftLocks(trials);
-        foreach (Trial trial in trials.Where(trial => output.Status.NextAttempt(trial.Id) is not null))
+        foreach (Trial trial in output.Left(trials))
         {
             int before = _frames;
             while (output.Status.NextAttempt(trial.Id) is { } attempt)

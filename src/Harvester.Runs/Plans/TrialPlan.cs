@@ -3,6 +3,8 @@ using Harvester.Capture.Labelling;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 using Harvester.Runs.Harvesting;
+using Harvester.Runs.Scenarios;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Plans;
 using Harvester.Sessions.Rigs;
 using Harvester.Simulation.Settings;
@@ -25,6 +27,9 @@ public static class TrialPlan
     {
         Plan plan = file.Plan;
         int frames = plan.FramesAt(trial.Place);
+        PlannedScenario? scenario = trial.Place.Scenario is { } name
+            ? new PlannedScenario(file.Scenarios[name], trial.SeedOf(plan.Seed, attempt)) { HeadingDegrees = trial.Place.HeadingDegrees }
+            : null;
         var harvest = new HarvestPlan
         {
             Folder = folder,
@@ -39,6 +44,7 @@ public static class TrialPlan
                 RangeMetres = RangeMetres,
                 Masks = plan.Masks != PlanMasks.Off,
                 MaskMethod = plan.Masks == PlanMasks.Coded ? MaskMethod.Coded : MaskMethod.Rays,
+                Events = plan.Events ? new EventOptions() : null,
                 MaxCalibrationErrorPixels = 1,
                 Sync = disk.Sync,
                 MinFreeBytes = disk.MinFreeBytes,
@@ -56,7 +62,11 @@ public static class TrialPlan
             Paint = world.Paint,
             Props = [],
             Faces = null,
-            Near = trial.Place.Start ?? throw new InvalidOperationException("The place of a trial is chosen before it begins."),
+            Scenario = scenario,
+            Near =
+                trial.Place.Start is null && scenario is not null
+                    ? null
+                    : trial.Place.Start ?? throw new InvalidOperationException("The place of a trial is chosen before it begins."),
             Variety = new SimulationOptions
             {
                 Wander = 1,

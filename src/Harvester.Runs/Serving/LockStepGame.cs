@@ -67,7 +67,7 @@ public sealed class LockStepGame(
 
     private string? Serve(SimulatedGame game, GameEndpoint endpoint, double seconds, CancellationToken cancellation)
     {
-        DrivingStatus status = endpoint.Listen();
+        DrivingStatus status = endpoint.Tick(0);
         while (
             endpoint.Restart is null
             && game.Ports.World.TimeSeconds < seconds
@@ -76,19 +76,18 @@ public sealed class LockStepGame(
             && !IsDone()
         )
         {
-            if (endpoint.IsStepping)
+            bool isStepping = endpoint.IsStepping;
+            if (!isStepping)
             {
-                status = endpoint.Tick(TickSeconds);
-                continue;
+                if (!endpoint.HasCommands)
+                {
+                    bridge.AwaitMessage(Poll);
+                }
+
+                Connections?.Update(endpoint.Problem);
             }
 
-            if (!endpoint.HasCommands)
-            {
-                bridge.AwaitMessage(Poll);
-            }
-
-            Connections?.Update(endpoint.Problem);
-            status = endpoint.Listen();
+            status = endpoint.Tick(isStepping ? TickSeconds : 0);
         }
 
         return status.Ending;

@@ -22,7 +22,7 @@ public sealed class ServedGame(SimulatedGame game, GameEndpoint bridged)
     public DrivingStatus Run(double seconds, CancellationToken cancellation)
     {
         WallPace pace = new(TickSeconds, TimeProvider.System);
-        DrivingStatus status = bridged.Listen();
+        DrivingStatus status = bridged.Tick(0);
         while (game.Ports.World.TimeSeconds < seconds && !cancellation.IsCancellationRequested && !status.IsOver && !IsDone())
         {
             pace.Wait(game.IsFrozen, isHurried: bridged.IsStepping, cancellation);

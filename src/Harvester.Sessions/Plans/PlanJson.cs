@@ -50,24 +50,29 @@ public static class PlanJson
             json.EndObject();
         }
 
-        return json.EndArray()
-                .Key("repetitions")
-                .Integer(plan.Repetitions)
-                .Key("frames")
-                .Integer(plan.Frames)
-                .Key("hz")
-                .Exact(plan.Hz)
-                .Key("speed")
-                .Exact(plan.SpeedMetresPerSecond)
-                .Key("traffic")
-                .Exact(plan.Traffic)
-                .Key("pedestrians")
-                .Exact(plan.Pedestrians)
-                .Key("parked")
-                .Exact(plan.Parked)
-                .Key("masks")
-                .String(JsonName.Of(plan.Masks))
-                .EndObject() + "\n";
+        json.EndArray()
+            .Key("repetitions")
+            .Integer(plan.Repetitions)
+            .Key("frames")
+            .Integer(plan.Frames)
+            .Key("hz")
+            .Exact(plan.Hz)
+            .Key("speed")
+            .Exact(plan.SpeedMetresPerSecond)
+            .Key("traffic")
+            .Exact(plan.Traffic)
+            .Key("pedestrians")
+            .Exact(plan.Pedestrians)
+            .Key("parked")
+            .Exact(plan.Parked)
+            .Key("masks")
+            .String(JsonName.Of(plan.Masks));
+        if (plan.Events)
+        {
+            json.Key("events").Boolean(true);
+        }
+
+        return json.EndObject() + "\n";
     }
 
     private static void Append(JsonText json, PlanPlace place)
@@ -91,9 +96,14 @@ public static class PlanJson
         {
             json.Key("space").String(space).Key("metresBefore").Exact(place.MetresBefore);
         }
-        else
+        else if (place.Spread is { } spread)
         {
-            json.Key("spread").Integer(place.Spread);
+            json.Key("spread").Integer(spread);
+        }
+
+        if (place.Scenario is { } scenario)
+        {
+            json.Key("scenario").String(scenario);
         }
 
         Append(json, "headingDegrees", place.HeadingDegrees);

@@ -63,6 +63,7 @@ public sealed class PlanParser
             Pedestrians = Try(() => _file.Number("pedestrians", 0, 5, 1), 1),
             Parked = Try(() => _file.Number("parked", 0, 2.5, 1), 1),
             Masks = Try(MasksOf, PlanMasks.Off),
+            Events = Try(() => _file.Flag("events", false), false),
         };
         Try(() => _file.Text("$schema", ""), "");
         if (plan.Masks == PlanMasks.Coded && plan.Cameras.Any(camera => camera.RigFile is not null))
@@ -98,12 +99,13 @@ public sealed class PlanParser
         const double reach = 20_000;
         string name = NameOf(place);
         string[] kinds = [.. PlaceKinds.Where(place.Has)];
-        if (kinds.Length != 1)
+        string? scenario = place.Has("scenario") ? ScenarioOf(place) : null;
+        if (kinds.Length != 1 && !(kinds.Length == 0 && scenario is not null))
         {
             throw place.Wrong(
                 "name",
                 kinds.Length == 0
-                    ? $"followed by a place: '{name}' needs x and y, space, spread or path"
+                    ? $"followed by a place: '{name}' needs x and y, space, spread, path or scenario"
                     : $"followed by one kind of place: '{name}' has {string.Join(" and ", kinds)}"
             );
         }
@@ -112,8 +114,9 @@ public sealed class PlanParser
         {
             Seconds = place.Has("seconds") ? place.Number("seconds", 0.1, 86_400) : null,
             Metres = place.Has("metres") ? place.Number("metres", 1, 1_000_000) : null,
+            Scenario = scenario,
         };
-        switch (kinds[0])
+        switch (kinds.Length == 0 ? "scenario" : kinds[0])
         {
             case "x":
                 return made with
@@ -123,6 +126,8 @@ public sealed class PlanParser
                 };
             case "space":
                 return made with { Space = place.Text("space"), MetresBefore = place.Number("metresBefore", 1, 300, 50) };
+            case "scenario":
+                return made;
             case "spread":
                 return made with { Spread = place.Whole("spread", 1, 10_000) };
             default:
@@ -135,6 +140,16 @@ public sealed class PlanParser
                     : throw place.Wrong("path", "a list of 2 to 100000 points, each unlike the one before");
         }
     }
+
+    private static string ScenarioOf(CheckedJson place)
+    {
+        string file = place.Text("scenario");
+        return place.Has("path") ? throw place.Wrong("scenario", "left out where path is given")
+            : IsWithin(file) ? file
+            : throw place.Wrong("scenario", "a path within the plan's folder, with forward slashes");
+    }
+
+    private static bool IsWithin(string file) => FileForm.IsMatch(file) && !file.Split('/').Contains("..");
 
     private PlanCamera[] CamerasOf()
     {
@@ -156,7 +171,7 @@ public sealed class PlanParser
         if (camera.Has("rig"))
         {
             string file = camera.Text("rig");
-            return FileForm.IsMatch(file) && !file.Split('/').Contains("..")
+            return IsWithin(file)
                 ? new PlanCamera(name, new ImageSize(800, 600), 50, file)
                 : throw camera.Wrong("rig", "a path within the plan's folder, with forward slashes");
         }

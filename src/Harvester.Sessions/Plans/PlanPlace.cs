@@ -24,6 +24,10 @@ public sealed record PlanPlace(string Name)
     /// <summary>The points along which to drive, metres, world; empty to follow the road.</summary>
     public IReadOnlyList<Vector2D> Path { get; init; } = [];
 
+    /// <summary>The scenario file that is staged there, a path beside the plan; null for ordinary traffic. A place that has nothing
+    /// else is any where the scenario can happen.</summary>
+    public string? Scenario { get; init; }
+
     /// <summary>The drive ends after this many seconds of the game's time; null without such a limit.</summary>
     public double? Seconds { get; init; }
 

@@ -14,17 +14,22 @@ internal sealed class CheckedJson
     private readonly string _kind;
     private readonly HashSet<string> _read = new(StringComparer.Ordinal);
 
-    private CheckedJson(Dictionary<string, object?> values, string path, string kind) => (_values, _path, _kind) = (values, path, kind);
+    /// <summary>Values for texts that stand for numbers; null where none do.</summary>
+    private readonly NumberTerms? _terms;
+
+    private CheckedJson(Dictionary<string, object?> values, string path, string kind, NumberTerms? terms) =>
+        (_values, _path, _kind, _terms) = (values, path, kind, terms);
 
     /// <summary>Parses the outermost object of a text.</summary>
     /// <param name="text">The text.</param>
     /// <param name="kind">What the file describes, with an article, for messages.</param>
-    public static CheckedJson Parse(string text, string kind)
+    /// <param name="terms">Values for texts that stand for numbers; null where none do.</param>
+    public static CheckedJson Parse(string text, string kind, NumberTerms? terms = null)
     {
         var json = new JsonReader(text);
         object? value = ValueOf(json);
         json.End();
-        return Of(value, "", kind);
+        return Of(value, "", kind, terms);
     }
 
     public bool Has(string name) => _values.TryGetValue(name, out object? value) && value is not null;
@@ -51,6 +56,16 @@ internal sealed class CheckedJson
         !Has(name) ? Skipped(name, otherwise)
         : Required(name) is bool flag ? flag
         : throw Wrong(name, "true or false");
+
+    /// <summary>A value of an enumeration by its name in files.</summary>
+    public T Choice<T>(string name)
+        where T : struct, Enum => ChoiceOf<T>(name, Text(name));
+
+    public T Choice<T>(string name, T otherwise)
+        where T : struct, Enum => Has(name) ? Choice<T>(name) : Skipped(name, otherwise);
+
+    public T[] Choices<T>(string name)
+        where T : struct, Enum => [.. Texts(name).Select(text => ChoiceOf<T>(name, text))];
 
     public double[] Numbers(string name, double minimum, double maximum) =>
         Required(name) is List<object?> list
@@ -87,7 +102,8 @@ internal sealed class CheckedJson
             : throw Wrong(name, "three numbers: right, forward and up, in metres");
     }
 
-    public CheckedJson? Fields(string name) => Has(name) ? Of(Required(name), PathOf(name), _kind) : Skipped<CheckedJson?>(name, null);
+    public CheckedJson? Fields(string name) =>
+        Has(name) ? Of(Required(name), PathOf(name), _kind, _terms) : Skipped<CheckedJson?>(name, null);
 
     public CheckedJson[] List(string name)
     {
@@ -97,9 +113,18 @@ internal sealed class CheckedJson
         }
 
         return Required(name) is List<object?> list
-            ? [.. list.Select((item, index) => Of(item, $"{PathOf(name)}[{Text(index)}]", _kind))]
+            ? [.. list.Select((item, index) => Of(item, $"{PathOf(name)}[{Text(index)}]", _kind, _terms))]
             : throw Wrong(name, "a list of objects");
     }
+
+    /// <summary>The names of the fields, in the order of the file.</summary>
+    public IEnumerable<string> Names => _values.Keys;
+
+    /// <summary>Whether a field is a list.</summary>
+    public bool IsList(string name) => _values.TryGetValue(name, out object? value) && value is List<object?>;
+
+    /// <summary>Whether a field is an object.</summary>
+    public bool IsObject(string name) => _values.TryGetValue(name, out object? value) && value is Dictionary<string, object?>;
 
     /// <summary>Refuses fields that nothing has read.</summary>
     public void End()
@@ -119,13 +144,25 @@ internal sealed class CheckedJson
     /// <summary>The error that a field is not what it must be.</summary>
     public FormatException Wrong(string name, string wanted) => new($"{PathOf(name)} must be {wanted}.");
 
-    private static CheckedJson Of(object? value, string path, string kind) =>
+    private static CheckedJson Of(object? value, string path, string kind, NumberTerms? terms) =>
         value is Dictionary<string, object?> values
-            ? new CheckedJson(values, path, kind)
+            ? new CheckedJson(values, path, kind, terms)
             : throw new FormatException($"{(path.Length == 0 ? "the file" : path)} must be an object.");
 
+    private T ChoiceOf<T>(string name, string text)
+        where T : struct, Enum
+    {
+        T[] values = [.. Enum.GetValues(typeof(T)).Cast<T>()];
+        int found = Array.FindIndex(values, value => JsonName.Of(value) == text);
+        return found >= 0
+            ? values[found]
+            : throw Wrong(name, $"one of {string.Join(", ", values.Select(value => JsonName.Of(value)))}, not '{text}'");
+    }
+
     private double Checked(string name, object? value, double minimum, double maximum) =>
-        value is double number && number >= minimum && number <= maximum
+        (value is string term && _terms is not null ? _terms.ValueOf(term) : value) is double number
+        && number >= minimum
+        && number <= maximum
             ? number
             : throw Wrong(name, FormattableString.Invariant($"a number from {minimum} to {maximum}"));
 

@@ -9,6 +9,7 @@ using Harvester.Geometry.PixelMaps.Coded;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Crashes;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Quirks;
 using Harvester.Simulation.Rendering;
@@ -150,6 +151,9 @@ public sealed class SimulatedGame
 
     internal SimulatedWorld World => _world;
 
+    /// <summary>The impacts of the last tick in which the world moved: who hit whom, where, and the impulse; empty without crashes.</summary>
+    internal IReadOnlyList<Impact> Impacts => _world.Impacts;
+
     /// <summary>Balls that are shown in addition to the world.</summary>
     internal IReadOnlyList<PlannedMarker> Markers
     {
@@ -271,6 +275,7 @@ public sealed class SimulatedGame
         double worldSeconds = seconds * Freezing.TakeTick();
         if (worldSeconds > 0)
         {
+            _world.SetRain(_weather.LightingAt(WeatherSeconds).RainFraction);
             _world.Advance(worldSeconds);
             _precipitation++;
             _state++;
@@ -301,6 +306,22 @@ public sealed class SimulatedGame
             {
                 _toBeShown.Dequeue();
             }
+        }
+    }
+
+    /// <summary>Changes one thing in the world, from the next tick on; the same game without the call goes on as it would have.</summary>
+    /// <exception cref="ArgumentException">There is no such vehicle, person or weather.</exception>
+    public void Make(WorldChange change)
+    {
+        ArgumentNullException.ThrowIfNull(change);
+        if (change.Kind == WorldChangeKind.Weather)
+        {
+            SetEnvironment(change.Weather, null);
+        }
+        else
+        {
+            _world.Make(change);
+            _state++;
         }
     }
 

@@ -104,6 +104,12 @@ public sealed record SimulationOptions
     public double LaneChanges { get; init; }
 
     /// <summary>
+    /// Whether vehicles brake only as hard as tyres allow and collide when that does not suffice; otherwise they stop at once before they
+    /// touch anything.
+    /// </summary>
+    public bool HasCrashes { get; init; }
+
+    /// <summary>
     /// Whether the ego starts beside the start position and the world has already moved for some seconds, which depend on the seed.
     /// </summary>
     public bool IsWarm { get; init; }

@@ -77,7 +77,8 @@ internal static class Driver
         double desired =
             vehicle.CruiseSpeed
             * (
-                road is { IsHighway: true } ? MotorwayFactor
+                vehicle.IsSpeedGiven ? 1
+                : road is { IsHighway: true } ? MotorwayFactor
                 : road is { IsUnpaved: true } ? UnpavedFactor
                 : 1
             );

@@ -1,6 +1,7 @@
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Crashes;
 using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
@@ -12,11 +13,11 @@ namespace Harvester.Simulation.Traffic;
 internal sealed class EgoCar(Vehicle ego, LaneGraph lanes, EgoManoeuvres? manoeuvres)
 {
     /// <summary>A body closer than this to a path's line blocks it, metres.</summary>
-    private const double InTheWay = 2.6;
+    public const double InTheWay = 2.6;
     private const double HalfOrdinaryLane = 2.7;
     private const double MaxTurn = 1.2;
 
-    private readonly CarLimits _limits = new();
+    private CarLimits _limits = new();
     private LaneFinder? _finder;
     private CarState _state;
     private DrivingControls? _controls;
@@ -52,7 +53,24 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes, EgoManoeuvres? manoeu
         _controls = null;
         Take(CarState.At(new Vector2D(position.X, position.Y), yaw, 0, _limits), position.Z, isTeleported: true);
         ego.StandingSeconds = 0;
+        ego.Wreck = null;
         manoeuvres?.Reset(0);
+    }
+
+    /// <summary>Sets what the tyres can do: full brakes and grip become as much weaker as the braking on the road.</summary>
+    public void SetGrip(RoadGrip grip)
+    {
+        CarLimits dry = new();
+        double share = grip.Braking / RoadGrip.Dry.Braking;
+        _limits = dry with { Braking = dry.Braking * share, Grip = dry.Grip * share };
+    }
+
+    /// <summary>Notes that it slides or stands after an impact, on locked wheels, whatever its driver does.</summary>
+    public void Slide()
+    {
+        IsLoose = true;
+        Manoeuvre = null;
+        Applied = DrivingControls.Stop;
     }
 
     /// <summary>Takes over the vehicle's pose.</summary>

@@ -74,9 +74,13 @@ internal sealed class EgoWatch(Vehicle ego, EgoCar car, TrafficFlow traffic, IRe
 
         _metres += _before is { } before ? (ego.Pose.Position - before).Length : 0;
         _before = ego.Pose.Position;
-        Touch(EgoContact.Vehicle, traffic.TouchesVehicle());
-        Touch(EgoContact.Parked, traffic.TouchesObstacle());
-        Touch(EgoContact.Pedestrian, Math.Max(ego.Speed, _speedBefore) > MinSpeedAgainstPerson && TouchesPerson());
+        Touch(EgoContact.Vehicle, traffic.Crashes?.HasStruck(EgoContact.Vehicle) ?? traffic.TouchesVehicle());
+        Touch(EgoContact.Parked, traffic.Crashes?.HasStruck(EgoContact.Parked) ?? traffic.TouchesObstacle());
+        Touch(
+            EgoContact.Pedestrian,
+            traffic.Crashes?.HasStruck(EgoContact.Pedestrian)
+                ?? (Math.Max(ego.Speed, _speedBefore) > MinSpeedAgainstPerson && TouchesPerson())
+        );
         _speedBefore = ego.Speed;
         FollowPath(timeSeconds);
     }

@@ -16,20 +16,24 @@ internal sealed class MotionMeter(Vehicle ego, EgoCar car)
     /// <summary>The motion in the last step; all 0 before the first and when the ego was placed elsewhere.</summary>
     public EgoMotion Motion { get; private set; } = new(0, 0);
 
+    /// <summary>Speed in its direction, m/s; after an impact it can slide sideways and backwards.</summary>
+    private double Speed => ego.Wreck is null ? ego.Speed : ego.Velocity.Dot(ego.Pose.Axes.Forward);
+
     /// <summary>Begins a step.</summary>
     public void Begin()
     {
         _before = ego.Pose;
-        _speedBefore = ego.Speed;
+        _speedBefore = Speed;
     }
 
     /// <summary>Ends the step.</summary>
     public void End(double seconds)
     {
-        bool wasPlaced = (ego.Pose.Position - _before.Position).Length > Displaced + (Math.Max(_speedBefore, ego.Speed) * seconds);
+        bool wasPlaced =
+            (ego.Pose.Position - _before.Position).Length > Displaced + (Math.Max(Math.Abs(_speedBefore), ego.Speed) * seconds);
         Motion = new EgoMotion(
             wasPlaced ? 0 : Horizontal.Turn(_before.Axes.Forward, ego.Pose.Axes.Forward) / seconds,
-            wasPlaced ? 0 : (ego.Speed - _speedBefore) / seconds
+            wasPlaced ? 0 : (Speed - _speedBefore) / seconds
         )
         {
             Steering = car.Applied?.Steering,

@@ -12,6 +12,7 @@ internal sealed class StagedPerson : IPerson
 {
     private Skeleton? _skeleton;
     private double _walked;
+    private ThrownPerson? _thrown;
 
     /// <param name="handle">The handle.</param>
     /// <param name="model">A person's model.</param>
@@ -30,9 +31,11 @@ internal sealed class StagedPerson : IPerson
 
     public Pose Pose { get; private set; }
 
-    public Footprint Footprint => Footprint.Of(Pose, Model.Min, Model.Max);
+    public Footprint Footprint => _thrown?.Footprint ?? Footprint.Of(Pose, Model.Min, Model.Max);
 
-    public Vector3D Velocity => Motion.Velocity;
+    public Vector3D Velocity => _thrown?.Velocity ?? Motion.Velocity;
+
+    public bool IsThrown => _thrown is not null;
 
     public Mesh Look => Model.Variants[Posture];
 
@@ -48,6 +51,13 @@ internal sealed class StagedPerson : IPerson
     /// <param name="ground">The ground, whose height it takes.</param>
     public void Tick(double seconds, StagedGround ground)
     {
+        if (_thrown is { } thrown)
+        {
+            thrown.Tick(seconds);
+            Lie(thrown);
+            return;
+        }
+
         StagedStep step = Motion.After(seconds);
         _walked += Math.Max(0, step.Along - Motion.Along);
         Motion.Take(step);
@@ -62,6 +72,20 @@ internal sealed class StagedPerson : IPerson
         IsOnRoad = isOnRoad;
         Axes axes = Horizontal.AxesAlong(Motion.Forward);
         Pose = new Pose(Motion.Ground - (axes.Up * Model.Min.Z), axes);
+        _skeleton = null;
+    }
+
+    public void Throw(Vector3D clear, Vector2D velocity, Func<Vector3D, double, double> groundAt)
+    {
+        _thrown = new ThrownPerson(Model, Pose with { Position = Pose.Position + clear }, velocity, groundAt);
+        IsOnRoad = true;
+        Lie(_thrown);
+    }
+
+    private void Lie(ThrownPerson thrown)
+    {
+        Motion.Displace(thrown.Footprint.Centre with { Z = Motion.Ground.Z }, Motion.Forward, 0);
+        Pose = thrown.Pose;
         _skeleton = null;
     }
 }

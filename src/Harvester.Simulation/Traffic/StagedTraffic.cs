@@ -7,12 +7,13 @@ namespace Harvester.Simulation.Traffic;
 /// <param name="vehicles">All vehicles, by place.</param>
 /// <param name="obstacles">What stands beside the lanes.</param>
 /// <param name="ground">The ground.</param>
-internal sealed class StagedTraffic(BodyIndex<Vehicle> vehicles, BodyIndex<Footprint> obstacles, StagedGround ground)
+/// <param name="collides">Whether it drives on into a body that it meets, and collides with it.</param>
+internal sealed class StagedTraffic(BodyIndex<Vehicle> vehicles, BodyIndex<Footprint> obstacles, StagedGround ground, bool collides)
 {
     /// <summary>The ground.</summary>
     public StagedGround Ground => ground;
 
-    /// <summary>Moves a staged vehicle as ordered. Where it meets a body it stops, and moves on as soon as that leads away from it.</summary>
+    /// <summary>Moves a staged vehicle as ordered. Without collisions, it stops where it meets a body, and moves on as soon as that leads away.</summary>
     public void Move(Vehicle vehicle, StagedMotion motion, double seconds, BodyIndex<IPerson> people)
     {
         Vector3D before = vehicle.Pose.Position;
@@ -25,7 +26,7 @@ internal sealed class StagedTraffic(BodyIndex<Vehicle> vehicles, BodyIndex<Footp
             Centre = vehicle.Footprint.Centre + (step.Ground - motion.Ground),
             Forward = step.Forward,
         };
-        bool isMet = step.Along > motion.Along && Meets(vehicle, next, people);
+        bool isMet = !collides && step.Along > motion.Along && Meets(vehicle, next, people);
         if (isMet)
         {
             motion.Stop();

@@ -29,17 +29,23 @@ internal sealed class TrafficFlow
     private readonly BodyIndex<Footprint> _obstacles = new();
     private readonly LaneOccupation _occupation;
     private readonly EgoCar _egoCar;
+    private readonly HardBraking? _hardBraking;
 
-    /// <summary>Starts with vehicles that are on lanes and clear of each other and of obstacles; the first is the ego.</summary>
+    /// <summary>
+    /// Starts with vehicles that are on lanes and clear of each other and of obstacles; the first is the ego. Without crashes, a vehicle stops
+    /// at once before it moves into another.
+    /// </summary>
     public TrafficFlow(
         LaneGraph lanes,
         LaneControl control,
         IReadOnlyList<Vehicle> vehicles,
         EgoCar egoCar,
         IEnumerable<Footprint> obstacles,
-        Placing placing
+        Placing placing,
+        CrashFlow? crashes = null
     )
     {
+        Crashes = crashes;
         _vehicles = vehicles;
         _egoCar = egoCar;
         _placing = placing;
@@ -54,7 +60,20 @@ internal sealed class TrafficFlow
         {
             _obstacles.Add(obstacle, obstacle.Centre);
         }
+
+        if (crashes is not null)
+        {
+            _hardBraking = new HardBraking(_index, _obstacles);
+            crashes.HasPushed = (before, after) =>
+            {
+                _obstacles.Remove(before, before.Centre);
+                _obstacles.Add(after, after.Centre);
+            };
+        }
     }
+
+    /// <summary>Lets vehicles collide; null in a world without crashes.</summary>
+    public CrashFlow? Crashes { get; }
 
     /// <summary>Whether the ego has to stop at a line ahead.</summary>
     public bool MustEgoGiveWay { get; private set; }
@@ -91,7 +110,7 @@ internal sealed class TrafficFlow
 
     /// <summary>Lets vehicles be staged.</summary>
     /// <param name="ground">The ground under them.</param>
-    public StagedTraffic Stage(StagedGround ground) => Staged ??= new StagedTraffic(_index, _obstacles, ground);
+    public StagedTraffic Stage(StagedGround ground) => Staged ??= new StagedTraffic(_index, _obstacles, ground, Crashes is not null);
 
     /// <summary>Takes note of a vehicle that came into the world.</summary>
     public void Enter(Vehicle vehicle) => _index.Add(vehicle, vehicle.Pose.Position);
@@ -117,10 +136,17 @@ internal sealed class TrafficFlow
     public void Tick(double seconds, double timeSeconds, BodyIndex<IPerson> walkersOnRoad)
     {
         _occupation.Refresh(_vehicles);
+        Crashes?.Begin();
         foreach (Vehicle vehicle in _vehicles)
         {
             if (Radius is { } radius && Horizontal.SquaredDistance(vehicle.Pose.Position, Ego.Pose.Position) > radius * radius)
             {
+                continue;
+            }
+
+            if (vehicle.Wreck is not null && !Recovers(vehicle))
+            {
+                Rest(vehicle, seconds);
                 continue;
             }
 
@@ -137,18 +163,20 @@ internal sealed class TrafficFlow
 
             double distanceToStop = _rightOfWay.DistanceToStop(vehicle, timeSeconds);
             double acceleration = Driver.Acceleration(vehicle, _occupation, distanceToStop, walkersOnRoad);
+            acceleration = vehicle.Ordered?.Limit(acceleration, timeSeconds) ?? acceleration;
+            acceleration = Limited(vehicle, acceleration, seconds, walkersOnRoad);
             Vector3D before = vehicle.Pose.Position;
             MustEgoGiveWay = vehicle == Ego ? distanceToStop < double.PositiveInfinity : MustEgoGiveWay;
             if (vehicle == Ego && _egoCar.IsLoose)
             {
                 _egoCar.Decide(seconds, _occupation, place => IsTaken(vehicle, place));
-                if (!_egoCar.IsDriven && IsEgoBlocked(acceleration, seconds, walkersOnRoad))
+                if (Crashes is null && !_egoCar.IsDriven && IsEgoBlocked(acceleration, seconds, walkersOnRoad))
                 {
                     _egoCar.Stop();
                     acceleration = Math.Min(acceleration, HoldingAcceleration);
                 }
 
-                _egoCar.Advance(seconds, acceleration, room => IsTaken(vehicle, vehicle.Footprint.Grown(room)));
+                _egoCar.Advance(seconds, acceleration, room => Crashes is null && IsTaken(vehicle, vehicle.Footprint.Grown(room)));
             }
             else
             {
@@ -165,13 +193,82 @@ internal sealed class TrafficFlow
             _index.Move(vehicle, before, vehicle.Pose.Position);
         }
 
+        Collide(seconds, timeSeconds + seconds);
         Watch?.Tick(timeSeconds + seconds);
+    }
+
+    /// <summary>
+    /// The acceleration of a vehicle that may crash: at most what its tyres allow, and all of that when something is in its way. A vehicle
+    /// that cannot crash stops at once instead.
+    /// </summary>
+    private double Limited(Vehicle vehicle, double wanted, double seconds, BodyIndex<IPerson> walkersOnRoad)
+    {
+        if (Crashes is null)
+        {
+            return wanted;
+        }
+
+        double most = Crashes.Grip.Braking;
+        (double metres, _) = Step(vehicle, wanted, seconds);
+        bool mustBrake =
+            (metres > 0 && !vehicle.IsBlindToStaged && !IsFree(vehicle, metres, walkersOnRoad))
+            || (vehicle == Ego && _egoCar.IsLoose && !vehicle.IsBlindToStaged && MeetsWalker(vehicle, walkersOnRoad))
+            || _hardBraking!.IsNeeded(vehicle, most, walkersOnRoad);
+        return mustBrake ? -most : Math.Max(wanted, -most);
+    }
+
+    /// <summary>Whether a wreck drives again: the ego can, once it has come to rest and a program drives it.</summary>
+    private bool Recovers(Vehicle vehicle)
+    {
+        if (vehicle != Ego || !_egoCar.IsDriven || !vehicle.Wreck!.IsAtRest)
+        {
+            return false;
+        }
+
+        vehicle.Wreck = null;
+        _egoCar.Loosen();
+        return true;
+    }
+
+    private void Rest(Vehicle vehicle, double seconds)
+    {
+        vehicle.StandingSeconds = vehicle.Wreck!.IsAtRest ? vehicle.StandingSeconds + seconds : 0;
+        vehicle.Signals.Tick(vehicle.Speed, seconds);
+        if (vehicle == Ego)
+        {
+            _egoCar.Slide();
+            if (HasToLeave(vehicle))
+            {
+                Vector3D before = vehicle.Pose.Position;
+                Replace(vehicle);
+                _index.Move(vehicle, before, vehicle.Pose.Position);
+            }
+        }
+    }
+
+    private void Collide(double seconds, double timeSeconds)
+    {
+        if (Crashes is null)
+        {
+            return;
+        }
+
+        Dictionary<Vehicle, Vector3D> before = [];
+        foreach (Vehicle vehicle in Crashes.End(seconds, timeSeconds, _index, before))
+        {
+            _rightOfWay.ReleaseAll(vehicle);
+            _index.Move(vehicle, before[vehicle], vehicle.Pose.Position);
+            if (vehicle == Ego)
+            {
+                _egoCar.Slide();
+            }
+        }
     }
 
     private void Advance(Vehicle vehicle, double acceleration, double seconds, BodyIndex<IPerson> walkersOnRoad)
     {
         (double metres, double speed) = Step(vehicle, acceleration, seconds);
-        if (metres > 0 && IsFree(vehicle, metres, walkersOnRoad))
+        if (metres > 0 && (Crashes is not null || IsFree(vehicle, metres, walkersOnRoad)))
         {
             vehicle.Advance(metres);
             vehicle.Speed = speed;

@@ -33,6 +33,9 @@ internal sealed class Vehicle
     /// <summary>Speed on a free straight street, metres per second.</summary>
     public double CruiseSpeed { get; set; }
 
+    /// <summary>Whether that is its speed on every kind of road.</summary>
+    public bool IsSpeedGiven { get; set; }
+
     /// <summary>Its current path and those that follow.</summary>
     public IReadOnlyList<LanePath> Route => _route;
 
@@ -64,6 +67,12 @@ internal sealed class Vehicle
     /// <summary>The lane at whose end it has stopped; null if it has not, or has left that lane.</summary>
     public LanePath? StoppedOn { get; set; }
 
+    /// <summary>An order to brake that somebody has given to its driver; null for none.</summary>
+    public OrderedBraking? Ordered { get; set; }
+
+    /// <summary>Its motion after an impact; null for a vehicle that is driven.</summary>
+    public Wreck? Wreck { get; set; }
+
     /// <summary>Its brake lights and indicators.</summary>
     public VehicleSignals Signals { get; } = new();
 
@@ -84,6 +93,9 @@ internal sealed class Vehicle
 
     /// <summary>The side of its open door, -1 left or 1 right; 0 if all are shut.</summary>
     public int OpenDoor { get; set; }
+
+    /// <summary>The corners of its box, with an open door, metres, in the model's frame.</summary>
+    public (Vector3D Min, Vector3D Max) Extents => OpenDoor == 0 ? (Model.Min, Model.Max) : DoorModel.ExtentsOf(Model, OpenDoor);
 
     /// <summary>Its meshes: the vehicle itself, the light of its lamps, and its rider, who is an entity of its own.</summary>
     public IEnumerable<MeshInstance> Instances(VehicleLights lights)
@@ -125,6 +137,7 @@ internal sealed class Vehicle
         _route.Clear();
         _route.Add(path);
         _places = null;
+        Wreck = null;
         Speed = 0;
         StandingSeconds = 0;
         Plan();
@@ -165,8 +178,7 @@ internal sealed class Vehicle
     {
         Speed = speed;
         Pose = pose;
-        (Vector3D min, Vector3D max) = OpenDoor == 0 ? (Model.Min, Model.Max) : DoorModel.ExtentsOf(Model, OpenDoor);
-        Footprint = Footprint.Of(pose, min, max);
+        Footprint = Footprint.Of(pose, Extents.Min, Extents.Max);
         _freeVelocity = velocity;
         _places = on.ToDictionary(place => place.Path, place => place.Distance);
     }

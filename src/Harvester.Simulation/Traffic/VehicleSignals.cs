@@ -4,7 +4,7 @@ using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 
-/// <summary>What a driver shows to others: brake lights, and indicators before and in turns at junctions.</summary>
+/// <summary>What a driver shows to others: brake lights, indicators before and in turns at junctions, and hazard lights after an impact.</summary>
 internal sealed class VehicleSignals
 {
     /// <summary>Weaker deceleration comes from the engine, without the pedal, m/s².</summary>
@@ -40,8 +40,9 @@ internal sealed class VehicleSignals
     public VehicleLights At(Vehicle vehicle, double timeSeconds, bool isDark)
     {
         double turn = vehicle.Staged is null ? TurnOf(vehicle) : 0;
-        bool isLeft = turn > TurnFrom || Ordered is StageIndicators.Left or StageIndicators.Hazard;
-        bool isRight = turn < -TurnFrom || Ordered is StageIndicators.Right or StageIndicators.Hazard;
+        bool isWarning = vehicle.Wreck is not null;
+        bool isLeft = turn > TurnFrom || Ordered is StageIndicators.Left or StageIndicators.Hazard || isWarning;
+        bool isRight = turn < -TurnFrom || Ordered is StageIndicators.Right or StageIndicators.Hazard || isWarning;
         bool isBlinkOn = ((timeSeconds * BlinkHertz) + (vehicle.Handle * 0.618)) % 1 < 0.5;
         return new VehicleLights(_brakedSeconds < Afterglow, isBlinkOn && isLeft, isBlinkOn && isRight, isDark);
     }

@@ -42,6 +42,7 @@ internal sealed class Walker : IPerson
     private double _crossed;
     private int _direction;
     private Skeleton? _skeleton;
+    private ThrownPerson? _thrown;
 
     public Walker(int handle, Model model, int seed, Walkway walkway)
     {
@@ -90,19 +91,22 @@ internal sealed class Walker : IPerson
 
     public bool IsMoving { get; private set; }
 
-    public bool IsOnRoad => _opposite is not null;
+    public bool IsOnRoad => _opposite is not null || IsThrown;
+
+    public bool IsThrown => _thrown is not null;
 
     public Pose Pose { get; private set; }
 
     private int Posture => IsMoving ? (int)(Walked / Model.StrideMetres * PersonPoses.Phases) % PersonPoses.Phases : _rest;
 
-    public Footprint Footprint => Footprint.Of(Pose, Model.Min, Model.Max);
+    public Footprint Footprint => _thrown?.Footprint ?? Footprint.Of(Pose, Model.Min, Model.Max);
 
     /// <summary>
     /// Along the pavement, up and down its slope and longer on the outside of a bend; horizontal where the street is crossed.
     /// </summary>
     public Vector3D Velocity =>
-        !IsMoving ? Vector3D.Zero
+        _thrown is { } thrown ? thrown.Velocity
+        : !IsMoving ? Vector3D.Zero
         : _opposite is null ? _walkway.TangentBeyondKerb(_distance, _beyondKerb) * (_direction * WalkingSpeed)
         : Pose.Axes.Forward * WalkingSpeed;
 
@@ -111,6 +115,14 @@ internal sealed class Walker : IPerson
     /// </summary>
     public void Tick(double seconds, Func<Walkway, double, Walkway?> oppositeOf, Func<Vector3D, bool> isSafe)
     {
+        if (_thrown is { } thrown)
+        {
+            thrown.Tick(seconds);
+            Pose = thrown.Pose;
+            _skeleton = null;
+            return;
+        }
+
         if (_activity != Activity.Walking)
         {
             return;
@@ -129,6 +141,13 @@ internal sealed class Walker : IPerson
 
         Walked += IsMoving ? metres : 0;
         Place();
+    }
+
+    public void Throw(Vector3D clear, Vector2D velocity, Func<Vector3D, double, double> groundAt)
+    {
+        _thrown = new ThrownPerson(Model, Pose with { Position = Pose.Position + clear }, velocity, groundAt);
+        Pose = _thrown.Pose;
+        _skeleton = null;
     }
 
     private bool Along(double metres)

@@ -3,6 +3,7 @@ using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Paint;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Crashes;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;
@@ -31,6 +32,9 @@ internal sealed class SimulatedWorld
     private readonly List<Prop> _entities;
     private readonly List<Vehicle> _vehicles;
     private readonly List<Walker> _walkers;
+
+    /// <summary>The parked vehicles of a world with crashes, in which they can move.</summary>
+    private readonly List<ParkedVehicle> _loose;
 
     /// <summary>The walkers, and the people who were put into the world.</summary>
     private readonly List<IPerson> _people;
@@ -136,15 +140,22 @@ internal sealed class SimulatedWorld
 
         LaneControl control = new(site.Signals, scenery.StopArms);
         IEnumerable<Footprint> obstacles = parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max));
-        _traffic = new TrafficFlow(site.Lanes, control, _vehicles, Car, obstacles, placing) { Radius = options.TrafficRadiusMetres };
+        _loose = options.HasCrashes ? [.. parked.Select(prop => new ParkedVehicle(prop))] : [];
+        CrashFlow? crashes = options.HasCrashes ? new CrashFlow(site.Lanes, _vehicles, _loose, _people) : null;
+        _traffic = new TrafficFlow(site.Lanes, control, _vehicles, Car, obstacles, placing, crashes)
+        {
+            Radius = options.TrafficRadiusMetres,
+        };
         _newWatch = () => new EgoWatch(Ego, Car, _traffic, _people, control);
         _lamps = scenery.Lamps;
-        _entities = [.. parked, .. scenery.Props.Where(prop => prop.Handle != 0)];
+        List<Prop> still = options.HasCrashes ? [] : parked;
+        _entities = [.. still, .. scenery.Props.Where(prop => prop.Handle != 0)];
         Scene = new RenderScene([
             .. site.Ground,
-            .. parked.Concat(scenery.Props).Select(prop => new MeshInstance(prop.Model.Variant(prop.Variant), prop.Pose, prop.Handle)),
+            .. still.Concat(scenery.Props).Select(prop => new MeshInstance(prop.Model.Variant(prop.Variant), prop.Pose, prop.Handle)),
             .. _walkers.Select(walker => walker.Bench).OfType<Pose>().Select(bench => new MeshInstance(catalogue.Bench.Mesh, bench, 0)),
         ]);
+        SetRain(Weather.LightingOf(options.Weather, options.DayOfYear, options.TimeOfDay).RainFraction);
         if (options.Stage is { } stage)
         {
             TimeSeconds += StageStart.SecondsToGreen(stage, startOfEgo.Path, control, TimeSeconds);
@@ -237,8 +248,26 @@ internal sealed class SimulatedWorld
     /// <summary>The state of a traffic light at a time; null for another entity.</summary>
     public LightState? LightAt(int handle, double timeSeconds) => _signalProps.StateAt(handle, timeSeconds)?.AsLight();
 
+    /// <summary>The impacts of the last call of <see cref="Advance"/>; empty in a world without crashes.</summary>
+    public IReadOnlyList<Impact> Impacts { get; private set; } = [];
+
+    /// <summary>Sets how wet the road is, from 0, dry, to 1; it has no influence on a world without crashes.</summary>
+    public void SetRain(double fraction)
+    {
+        if (_traffic.Crashes is { } crashes)
+        {
+            crashes.Grip = RoadGrip.In(fraction);
+            Car.SetGrip(crashes.Grip);
+        }
+    }
+
+    /// <summary>Makes a change of a driver, or removes an entity.</summary>
+    /// <exception cref="ArgumentException">There is no such vehicle or person.</exception>
+    public void Make(WorldChange change) => new WorldChanges(_vehicles, _walkers, _people, _traffic).Make(change, TimeSeconds);
+
     public void Advance(double seconds)
     {
+        List<Impact> impacts = [];
         int steps = (int)Math.Ceiling(seconds / MaxTick);
         for (int i = 0; i < steps; i++)
         {
@@ -251,6 +280,7 @@ internal sealed class SimulatedWorld
             else
             {
                 _traffic.Tick(step, TimeSeconds, _walking.OnRoad());
+                impacts.AddRange(_traffic.Crashes?.Impacts ?? []);
                 _walking.Tick(step, _traffic, Ego.Pose.Position, _traffic.Radius);
                 Stage?.TickPeople(step);
             }
@@ -259,6 +289,7 @@ internal sealed class SimulatedWorld
             TimeSeconds += step;
         }
 
+        Impacts = impacts;
         Car.EndTick();
     }
 
@@ -279,6 +310,9 @@ internal sealed class SimulatedWorld
                 ReplayedBodies
                     .Where(body => (body.Pose.Position - place).LengthSquared < squared)
                     .SelectMany(body => body.Instances(IsDark))
+            )
+            .Concat(
+                _loose.Where(vehicle => (vehicle.Prop.Pose.Position - place).LengthSquared < squared).Select(vehicle => vehicle.Instance)
             )
             .Concat(_signalProps.Instances(TimeSeconds).Where(signal => (signal.Pose.Position - place).LengthSquared < squared));
     }
@@ -333,7 +367,10 @@ internal sealed class SimulatedWorld
             {
                 Skeleton = walker.Skeleton,
             });
-        IEnumerable<EntityState> props = _entities.Where(prop => IsNear(prop.Pose)).Select(prop => prop.State);
+        IEnumerable<EntityState> props = _entities
+            .Where(prop => IsNear(prop.Pose))
+            .Select(prop => prop.State)
+            .Concat(_loose.Where(vehicle => IsNear(vehicle.Prop.Pose)).Select(vehicle => vehicle.State));
         return
         [
             .. vehicles

@@ -150,6 +150,7 @@ internal sealed class WorldStage
     {
         Ego.IsBlindToStaged = order.IgnoresOthers;
         Ego.CruiseSpeed = order.Speed;
+        Ego.IsSpeedGiven = true;
         Lead(order.Path);
     }
 

@@ -1,4 +1,5 @@
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Labelling;
 using Harvester.Capture.Tests.Doubles;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Files;
@@ -146,7 +147,7 @@ public sealed class DeferredPictureTests : IDisposable
         var pool = new PixelBufferPool(Small.Image);
         PixelBuffer first = pool.Rent();
         pool.Return(first);
-        GrabbedPicture picture = GrabbedPicture.Of(_screen, pool);
+        var picture = new GrabbedPicture(_screen, pool);
 
         picture.Dispose();
         PixelBuffer other = pool.Rent();

@@ -52,7 +52,7 @@ public sealed class JointLabellerTests
         RayHit? hit = entity == 0 && distance >= 10 ? null : new RayHit(distance, entity);
 
         // All joints are exactly 10 m away.
-        FrameLabel label = Label(Options, Person with { Skeleton = AllAt(new Vector3D(0, 10, 0)) }, (_, _) => hit);
+        FrameDraft label = Label(Options, Person with { Skeleton = AllAt(new Vector3D(0, 10, 0)) }, (_, _) => hit);
 
         Assert.All(label.Objects[0].Joints!.Joints, joint => Assert.Equal(expected, joint.Visibility));
         Assert.Equal(Skeleton.Count, label.Rays!.Joints);
@@ -63,7 +63,7 @@ public sealed class JointLabellerTests
     {
         Vector3D[] places = [.. Person.Skeleton!.Joints];
         (places[0], places[1]) = (new Vector3D(0, -1, 0), new Vector3D(40, 10, 0));
-        FrameLabel label = Label(Options, Person with { Skeleton = new Skeleton(places) }, (_, _) => null);
+        FrameDraft label = Label(Options, Person with { Skeleton = new Skeleton(places) }, (_, _) => null);
 
         JointsLabel joints = label.Objects[0].Joints!;
         Assert.Equal((null, JointVisibility.Outside), (joints.Joints[0].Pixel, joints.Joints[0].Visibility));
@@ -97,7 +97,7 @@ public sealed class JointLabellerTests
     private static Skeleton AllAt(Vector3D place) => new(Enumerable.Repeat(place, Skeleton.Count));
 
     /// <summary>Labels a person; the rays of all phases but that of joints meet the person.</summary>
-    private static FrameLabel Label(HarvestOptions options, EntityState person, Func<Ray, double, RayHit?> cast)
+    private static FrameDraft Label(HarvestOptions options, EntityState person, Func<Ray, double, RayHit?> cast)
     {
         var snapshot = new SceneSnapshot(
             1,
@@ -109,7 +109,7 @@ public sealed class JointLabellerTests
         );
         var rays = new FrameRays(new JointRays(cast), options.RayBudget);
         var labeller = new FrameLabeller(options, rays, new ObjectRegistry(1));
-        return labeller.LabelAtOnce(snapshot, static () => true).Label(0, default);
+        return labeller.LabelAtOnce(snapshot, static () => true);
     }
 
     /// <summary>Rays for joints end at them, those for silhouettes do not.</summary>

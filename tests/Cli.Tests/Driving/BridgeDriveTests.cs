@@ -152,7 +152,7 @@ public sealed class BridgedDriveTests
     }
 
     /// <summary>To a client that answers each frame, and after the third one stops the world for a while.</summary>
-    private sealed class PausingBridge(TimeSpan pause) : IDrivingBridge
+    private sealed class PausingBridge(TimeSpan pause) : IDrivingBridge, IClientInbox, IFrameOutbox
     {
         private const int PauseAfter = 3;
         private readonly Queue<ClientMessage> _messages = new([new ControlsMessage(Gentle, null)]);
@@ -168,6 +168,10 @@ public sealed class BridgedDriveTests
         public Action<int> AfterPause { get; set; } = static _ => { };
 
         public TimeSpan SinceFirstAfterPause { get; private set; }
+
+        public IClientInbox Inbox => this;
+
+        public IFrameOutbox Outbox => this;
 
         public bool HasClientGone => false;
 

@@ -170,7 +170,7 @@ public sealed class RecordedBridgeTests : IDisposable
             }
         )
         {
-            endpoint.Listen();
+            endpoint.Tick(0);
             for (int tick = 0; tick < ticks; tick++)
             {
                 endpoint.Tick(TickSeconds);
@@ -187,7 +187,7 @@ public sealed class RecordedBridgeTests : IDisposable
         ];
 
     /// <summary>A bridge to a client that answers each frame after some ticks. It is sent a frame when it has answered the last.</summary>
-    private sealed class SlowBridge(int ticks) : IDrivingBridge
+    private sealed class SlowBridge(int ticks) : IDrivingBridge, IClientInbox, IFrameOutbox
     {
         private long? _unanswered;
         private int _waited;
@@ -198,6 +198,10 @@ public sealed class RecordedBridgeTests : IDisposable
         public string? Problem => null;
 
         public string? Client { get; init; } = "the test";
+
+        public IClientInbox Inbox => this;
+
+        public IFrameOutbox Outbox => this;
 
         public bool HasClientGone => false;
 

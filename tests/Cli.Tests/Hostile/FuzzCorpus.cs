@@ -15,12 +15,12 @@ public sealed class FuzzCorpus : IDisposable
         foreach ((string name, string format) in new[] { ("session", "png"), ("jpg", "jpg"), ("bmp", "bmp") })
         {
             Run(
-                $"harvest --out {{0}}/{name} --frames 2 --seed 6 --size 80x60 --masks --semantics rays --normals --no-report "
+                $"harvest --out {{0}}/{name} --frames 2 --seed 6 --size 80x60 --masks --semantics rays {FuzzMakers.MapOptions} --no-report "
                     + $"--image-format {format}"
             );
         }
 
-        foreach (string command in FuzzKind.Makers)
+        foreach (string command in FuzzMakers.All)
         {
             Run(command);
         }

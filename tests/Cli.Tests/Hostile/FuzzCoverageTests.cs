@@ -13,7 +13,7 @@ public sealed class FuzzCoverageTests
         ["plan run"] = "The plan is read as by plan check.",
         ["serve"] = "Its roads are read as by roads info; what clients send is damaged by the tests of the bridge.",
         ["supervise"] = "The sign of life that it reads is damaged by HeartbeatReaderTests.",
-        ["view"] = "It does not end by itself; SessionViewTests has damaged lines.",
+        ["view"] = "It does not end by itself; the readers of labels and of a session's roads show frames as it does.",
     };
 
     [Fact]

@@ -1,32 +1,22 @@
-using Harvester.Cli.Commands;
 using Harvester.Cli.Commands.Tapes;
 using Harvester.Datasets.Boxes;
 using Harvester.Datasets.Diagnosis;
-using Harvester.Datasets.Faces;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Logs;
 using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
-using Harvester.Datasets.Sharding;
-using Harvester.Datasets.Statistics;
-using Harvester.Datasets.Validation;
-using Harvester.Exports.Assembly;
 using Harvester.Exports.Formats;
 using Harvester.Exports.Formats.MotionScenarios;
+using Harvester.Exports.Pairs;
 using Harvester.Exports.Validation;
-using Harvester.Geometry;
-using Harvester.Geometry.Cameras;
-using Harvester.Geometry.Lanes;
-using Harvester.Geometry.Roads;
 using Harvester.Reports.Comparison;
 using Harvester.Reports.Faces;
 using Harvester.Runs.Plans;
 using Harvester.Runs.Relabelling;
 using Harvester.Runs.Sheets;
-using Harvester.Sessions.Faces;
-using Harvester.Sessions.Reading;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Reading.Images;
+using static Harvester.Cli.Tests.Hostile.FuzzReads;
 
 namespace Harvester.Cli.Tests.Hostile;
 
@@ -44,23 +34,8 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
     private const string MapWithProps = "roads map {0}/straight.csv --props {0}/props.json --out {0}/out.xodr";
     private const string MapOfSession = "roads map {0}/straight.csv --props {0}/session --out {0}/out.geojson";
 
-    private static readonly string[] WithMaps = ["openlane-v2", "gpudrive", "womd"];
-
     private const string Schema = "validate {0}/session --schema --quick";
     private const string Merge = "merge {0}/shard {0}/shard2 --out {0}/out";
-
-    /// <summary>Makes the datasets of the corpus, and a session that shows people with joints; {0} is its folder.</summary>
-    public static IReadOnlyList<string> Makers { get; } =
-    [
-        "harvest --out {0}/people --frames 1 --pedestrians 5 --roads {0}/straight.csv --seed 2 --size 64x48 --masks --no-report",
-        .. "coco-keypoints jta".Split(' ').Select(format => $"export {{0}}/people --format {format} --out {{0}}/{format}"),
-        .. DatasetFormats
-            .All.Select(format => format.Name)
-            .Except(["coco-keypoints", "jta", .. WithMaps])
-            .Select(format => $"export {{0}}/session --format {format} --out {{0}}/{format}"),
-        .. WithMaps.Select(format => $"export {{0}}/session --format {format} --roads {{0}}/straight.csv --out {{0}}/{format}"),
-        "log import {0}/gpudrive/train/0000_0000.json --out {0}/logs",
-    ];
 
     /// <summary>Whether invalid lines are ignored by design, so that nothing is ever rejected.</summary>
     public bool IsReadWhatever { get; init; }
@@ -121,7 +96,10 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             Export("csv")
         ),
         new("scene", "session/scenes/00000000.json", ValidateSession, "validate {0}/session", Relabel, MapOfSession),
-        Roads("roads", "session/scenes/roads.csv", "validate {0}/session", Relabel),
+        Roads("roads", "session/scenes/roads.csv", "validate {0}/session", Relabel) with
+        {
+            Read = ReadRoadsOfSession,
+        },
         Roads("ipl", "paths.ipl"),
         Roads("paths-xml", "paths.xml"),
         Roads("ynd", "nodes.ynd.xml"),
@@ -138,7 +116,17 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Picture("png", "session", "png", "export {0}/session --format csv --image-format bmp --out {0}/out", Export("deepdriving")),
         new("mask", "session/masks/00000000.png", ValidatePictures, "validate {0}/session", Export("coco"), Export("cityscapes"), Relabel),
         new("class-map", "session/classes/00000000.png", ValidatePictures, "validate {0}/session", Export("semantic")),
-        new("normals", "session/normals/00000000.png", ValidatePictures, "validate {0}/session", Relabel),
+        .. FrameChannels
+            .All.OfType<MapChannel>()
+            .Select(channel => new FuzzKind(
+                channel.Key,
+                $"session/{channel.PathOf(0, null)}",
+                ValidatePictures,
+                "validate {0}/session",
+                Relabel
+            )),
+        new("flow", "session/flow-forward/00000001.png", ValidatePictures, "validate {0}/session", Relabel),
+        new("flow-flags", "session/flow-backward-flags/00000001.png", ValidatePictures, "validate {0}/session", Relabel),
         new(
             "map",
             "maps/0.png",
@@ -196,6 +184,15 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             "plan check {0}/plan.json",
             "plan show {0}/plan.json",
             "plan resolve {0}/plan.json --out {0}/out.json"
+        ),
+        new("counterfactuals", "set/counterfactuals.json", folder => ChangeSet.Read(In(folder, "set")), "pairs {0}/set --out {0}/out"),
+        new(
+            "scenario",
+            "scenario.json",
+            folder => PlanFile.Read(In(folder, "staged.json")),
+            "scenario check {0}/scenario.json",
+            "scenario show {0}/scenario.json",
+            "plan check {0}/staged.json"
         ),
         new("experiment-rig", "rig.json", folder => PlanFile.Read(In(folder, "plan.json")), "plan check {0}/plan.json"),
         Compared("kitti-compared", "kitti/training/label_2/000000.txt", ComparedKitti.Open, "--kitti {0}/kitti"),
@@ -329,52 +326,4 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
     }
 
     private static string Export(string format) => $"export {{0}}/session --format {format} --out {{0}}/out";
-
-    private static void ValidatePictures(string folder) => SessionValidator.Validate(new SessionReader(In(folder, "session")));
-
-    /// <summary>Without decoding pictures, which are sound and would take most of the time.</summary>
-    private static void ValidateSession(string folder) =>
-        SessionValidator.Validate(new SessionReader(In(folder, "session")), isQuick: true);
-
-    private static void ReadLabels(string folder)
-    {
-        ValidateSession(folder);
-        SessionStatistics.Of(new SessionReader(In(folder, "session")).ReadLabels());
-    }
-
-    private static void ReadPeople(string folder)
-    {
-        var session = new SessionReader(In(folder, "people"));
-        SessionStatistics.Of(session.ReadLabels());
-    }
-
-    private static FaceTable ReadFaces(string path) => FaceFile.ReadValid(path, static _ => { });
-
-    private static void MergeShards(string folder)
-    {
-        string merged = In(folder, "merged");
-        if (Directory.Exists(merged))
-        {
-            Directory.Delete(merged, recursive: true);
-        }
-
-        DatasetMerger.Merge([In(folder, "shard"), In(folder, "shard2")], merged, new MergeOptions(ImageTransfer.Link));
-    }
-
-    private static void ReadPoints(string folder)
-    {
-        var intrinsics = new CameraIntrinsics(50, new ImageSize(80, 60), 4.0 / 3, 0.1, Lens.Ideal);
-        var camera = new Camera(new Pose(Vector3D.Zero, Axes.FromHeading(0)), intrinsics);
-        ProjectCommand.Project(camera, InputFile.OpenText(In(folder, "points.csv")), "points.csv", TextWriter.Null);
-    }
-
-    private static void ReadVehicles(string folder)
-    {
-        RoadNetwork network = RoadImporter.Import(In(folder, "session/scenes/roads.csv")).Network;
-        var observer = new LaneObserver(new RoadCurves(network), new LaneModel(network), LookAhead.Thesis);
-        TrafficVehicle[] vehicles = LanesCommand.ReadVehicles(new FileInfo(In(folder, "vehicles.csv")));
-        LanesCommand.TextOf(observer.Observe(Vector3D.Zero, headingDegrees: 0, speed: 10, length: 4.5, vehicles, previous: null));
-    }
-
-    private static string In(string folder, string name) => Path.Combine(folder, name);
 }

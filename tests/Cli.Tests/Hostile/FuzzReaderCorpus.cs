@@ -10,7 +10,8 @@ namespace Harvester.Cli.Tests.Hostile;
 /// </summary>
 public sealed class FuzzReaderCorpus : IDisposable
 {
-    private const string Small = "--seed 5 --size 64x48 --masks --semantics rays --normals --no-report --roads {0}/roads.csv";
+    private static readonly string Small =
+        $"--seed 5 --size 64x48 --masks --semantics rays {FuzzMakers.MapOptions} --no-report " + "--roads {0}/roads.csv";
 
     private readonly TemporaryFolder _folder = new();
 
@@ -25,7 +26,7 @@ public sealed class FuzzReaderCorpus : IDisposable
         }
 
         Run($"harvest --out {{0}}/two --frames 2 {Small} --no-scenes");
-        foreach (string command in FuzzKind.Makers)
+        foreach (string command in FuzzMakers.All)
         {
             Run(command);
         }

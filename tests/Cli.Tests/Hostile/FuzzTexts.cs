@@ -114,6 +114,32 @@ internal static class FuzzTexts
             """
         ),
         (
+            "staged.json",
+            """
+            {"name": "staged", "places": [{"name": "a", "scenario": "scenario.json"}], "frames": 3}
+
+            """
+        ),
+        (
+            "scenario.json",
+            """
+            {"name": "fuzz", "kind": "cutIn", "parameters": {"gap": {"min": 10, "max": 20}, "speed": [8, 10], "late": 2},
+             "ego": {"speed": "$speed", "turn": "straight"}, "place": {"lanesLeft": 1, "straightMetres": 50,
+             "junction": {"within": [20, 80], "light": true, "approaches": ["left"]}, "crossing": [10, 90]},
+             "actors": [{"id": "a", "type": "vehicle", "model": "car", "start": {"metresAhead": "$gap*0.5+3", "lane": "left"}},
+              {"id": "b", "type": "pedestrian", "start": {"roadside": "pavement", "metresAhead": 30, "headingDegrees": 90}},
+              {"id": "c", "type": "cyclist", "start": {"approach": "left", "secondsBefore": -1}, "speed": 4},
+              {"id": "d", "type": "object", "model": "cone", "start": {"x": 1, "y": 2, "headingDegrees": 3}}],
+             "events": [{"id": "in", "actor": "a", "when": {"all": [{"seconds": "$late"}]}, "do": {"action": "cutIn", "seconds": 2}},
+              {"id": "go", "actor": "b", "when": {"any": [{"egoArrival": 3, "actor": "b"}, {"ended": "in"}]}, "delay": 1,
+               "do": {"action": "cross", "degrees": 90, "metres": 12, "speed": 1.5}},
+              {"id": "way", "actor": "c", "do": {"action": "followPath", "points": [[0, 0], [5, 1]], "speed": 3}},
+              {"id": "fast", "actor": "a", "do": {"action": "speedProfile", "profile": [[0, 5], [2, 9]]}}],
+             "end": {"seconds": 12, "metres": 90, "egoPassedAll": true, "collision": true}}
+
+            """
+        ),
+        (
             "rig.json",
             """
             {"name": "pair", "cameras": [{"name": "LEFT", "position": [0, 1.7, 1.5], "verticalFovDegrees": 39, "width": 64, "height": 48}],

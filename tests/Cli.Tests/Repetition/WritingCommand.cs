@@ -17,7 +17,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
 
     /// <summary>Whether it builds a world, which takes longer than all else.</summary>
     public bool BuildsWorld =>
-        Words.Split(' ')[0] is "harvest" or "drive" or "serve" or "contact-sheet" or "plan"
+        Words.Split(' ')[0] is "harvest" or "counterfactual" or "drive" or "serve" or "contact-sheet" or "plan"
         || Words.StartsWith("roads photograph", StringComparison.Ordinal);
 
     /// <summary>A straight road, the file roads.csv of the inputs: its world is built in a fraction of the time of a town.</summary>
@@ -33,6 +33,14 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         """
             {"name":"two","places":[{"name":"a","x":0,"y":-50}],"weathers":["clear","rain"],"frames":2,
             "cameras":[{"name":"c","width":64,"height":48}],"masks":"rays"}
+            """;
+
+    /// <summary>A scenario that the small roads have a place for, the file scenario.json of the inputs.</summary>
+    public static string Scenario { get; } =
+        """
+            {"name":"small","kind":"leader","place":{"metres":30},"ego":{"speed":5},"end":{"seconds":2},
+            "actors":[{"id":"a","type":"vehicle","start":{"metresAhead":15}}],
+            "events":[{"id":"b","actor":"a","do":{"action":"brake","acceleration":4}}]}
             """;
 
     /// <summary>
@@ -75,6 +83,14 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
             Only = ["out/session.json", "out/labels.jsonl"],
             IsKilled = true,
         },
+        new(
+            "harvest-events",
+            $"harvest --out {{root}}/out --frames 2 --resume --no-report --no-scenes --events --keep-around 1s {Unchecked}"
+        )
+        {
+            Only = ["out/events.jsonl", "out/session.json", "out/manifest.jsonl"],
+            IsKilled = true,
+        },
         new("harvest-pairs", $"harvest --out {{root}}/out --frames 1 --resume --no-report {Pairs} {Unchecked}")
         {
             Only = ["out/pairs", "out/session.json", "out/labels.jsonl"],
@@ -85,9 +101,26 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
             Only = ["out/plan", "out/world.json", "out/trials/."],
             IsKilled = true,
         },
+        new(
+            "scenario-run",
+            "scenario run {inputs}/scenario.json --out {root}/out --resume --near=0,-50 --hz 1 --size 64x48 --no-report --roads "
+                + "{inputs}/roads.csv"
+        )
+        {
+            Only = ["out/scenario.json"],
+            IsKilled = true,
+        },
         new("pairs", "pairs {inputs}/pairs --out {root}/out --images copy --resume"),
         new("pairs-webdataset", "pairs {inputs}/pairs --out {root}/out --format webdataset --resume"),
         new("relabel", "relabel {inputs}/session --out {root}/out --resume --range 60"),
+        new(
+            "counterfactual",
+            $"counterfactual --out {{root}}/out --frames 3 --no-report --change frame_0:_weather_rain --places 1 {Unchecked}"
+        )
+        {
+            Only = ["out/.", "out/counterfactuals.json"],
+            IsKilled = true,
+        },
         new("relabel-overwrite", "relabel {inputs}/session --out {root}/out --range 60 --images copy --overwrite", Former),
         new("merge", "merge {inputs}/part-1 {inputs}/part-2 --out {root}/out --resume"),
         new("export-kitti", "export {inputs}/session --format kitti --out {root}/out"),

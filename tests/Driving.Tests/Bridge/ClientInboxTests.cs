@@ -160,9 +160,9 @@ public sealed class ClientInboxTests
         {
             int now = round % clients;
             _inbox.Welcome(names[now]);
-            Assert.True(_inbox.TryTake(out ClientMessage? first));
+            Assert.True(_inbox.TryReceive(out ClientMessage? first));
             Assert.IsType<ClientGoneMessage>(first);
-            for (int taken = 0; taken < 10 && _inbox.TryTake(out ClientMessage? message); taken++)
+            for (int taken = 0; taken < 10 && _inbox.TryReceive(out ClientMessage? message); taken++)
             {
                 bool isOfNow = message is StepMessage step ? step.Seconds == now : ((ControlsMessage)message).Frame == now;
                 wrong.AddRange(isOfNow ? [] : [message]);
@@ -177,7 +177,7 @@ public sealed class ClientInboxTests
     private List<ClientMessage> All()
     {
         var all = new List<ClientMessage>();
-        while (_inbox.TryTake(out ClientMessage? message))
+        while (_inbox.TryReceive(out ClientMessage? message))
         {
             all.Add(message);
         }

@@ -6,7 +6,15 @@ namespace Harvester.Driving.Tests.Bridge;
 
 public sealed class FrameOutboxTests
 {
-    private readonly FrameOutbox _outbox = new(Frames.Size);
+    private const string Client = "client";
+    private readonly ClientInbox<string> _inbox = new();
+    private readonly FrameOutbox<string> _outbox;
+
+    public FrameOutboxTests()
+    {
+        _inbox.Welcome(Client);
+        _outbox = new FrameOutbox<string>(Frames.Size, _inbox, needsAnswers: true);
+    }
 
     [Fact]
     public void Newer_of_two_frames_is_taken_with_its_picture()
@@ -22,7 +30,7 @@ public sealed class FrameOutboxTests
     public void Taken_picture_is_unchanged_by_newer_ones()
     {
         Put(1);
-        _outbox.TryTake(TimeSpan.Zero, static _ => true, out _, out PixelBuffer picture);
+        _outbox.TryTake(TimeSpan.Zero, out _, out PixelBuffer picture, out _);
         Put(2);
         Put(3);
 
@@ -33,25 +41,28 @@ public sealed class FrameOutboxTests
     public void Withheld_frame_is_replaced_by_the_newer_one()
     {
         Put(1);
-        Assert.False(_outbox.TryTake(TimeSpan.Zero, static _ => false, out _, out _));
+        Assert.Equal((1L, (byte)1), Take());
         Put(2);
-        var asked = new HashSet<long>();
-        Assert.False(_outbox.TryTake(TimeSpan.Zero, state => asked.Add(state.Frame) && state.Frame < 0, out _, out _));
+        Assert.Null(Take());
+        Put(3);
+        Assert.Null(Take());
+        _outbox.Answer(Client, new PauseMessage(true));
 
-        Assert.Equal([2L], asked);
-        Assert.Equal((2L, (byte)2), Take());
+        Assert.Equal((3L, (byte)3), Take());
     }
 
     [Fact]
     public void Frame_that_replaces_a_requested_one_counts_as_requested()
     {
-        _outbox.Put(Frames.State(1) with { IsAskedFor = true }, Frames.Picture(1), static () => false);
+        Put(0);
+        Assert.NotNull(Take());
+        _outbox.Publish(Frames.State(1) with { IsAskedFor = true }, Frames.Picture(1));
         Put(2);
-        Assert.True(_outbox.TryTake(TimeSpan.Zero, static state => state.IsAskedFor, out BridgeState? second, out _));
+        Assert.True(_outbox.TryTake(TimeSpan.Zero, out BridgeState? second, out _, out _));
         Put(3);
 
-        Assert.Equal(2, second.Frame);
-        Assert.False(_outbox.TryTake(TimeSpan.Zero, static state => state.IsAskedFor, out _, out _));
+        Assert.Equal((2, true), (second.Frame, second.IsAskedFor));
+        Assert.Null(Take());
     }
 
     [Fact]
@@ -66,10 +77,8 @@ public sealed class FrameOutboxTests
         Assert.Null(Take());
     }
 
-    private void Put(byte frame) => _outbox.Put(Frames.State(frame), Frames.Picture(frame), static () => false);
+    private void Put(byte frame) => _outbox.Publish(Frames.State(frame), Frames.Picture(frame));
 
     private (long Frame, byte Shade)? Take() =>
-        _outbox.TryTake(TimeSpan.Zero, static _ => true, out BridgeState? state, out PixelBuffer picture)
-            ? (state.Frame, picture.Bytes[0])
-            : null;
+        _outbox.TryTake(TimeSpan.Zero, out BridgeState? state, out PixelBuffer picture, out _) ? (state.Frame, picture.Bytes[0]) : null;
 }

@@ -67,7 +67,7 @@ public sealed class FrameToControlTests : IDisposable
     public void Dispose() => _bridge.Dispose();
 
     /// <summary>A bridge whose next message can be waited for before the game asks for it.</summary>
-    private sealed class AwaitedBridge(SocketBridge bridge) : IDrivingBridge
+    private sealed class AwaitedBridge(SocketBridge bridge) : IDrivingBridge, IClientInbox, IFrameOutbox
     {
         private readonly Queue<ClientMessage> _there = new();
 
@@ -79,9 +79,13 @@ public sealed class FrameToControlTests : IDisposable
 
         public void AwaitMessage() => _there.Enqueue(Frames.AwaitMessage(bridge));
 
-        public bool HasClientGone => bridge.HasClientGone;
+        public IClientInbox Inbox => this;
 
-        public bool IsFrameAwaited => bridge.IsFrameAwaited;
+        public IFrameOutbox Outbox => this;
+
+        public bool HasClientGone => bridge.Inbox.HasClientGone;
+
+        public bool IsFrameAwaited => bridge.Outbox.IsFrameAwaited;
 
         public bool Publish(BridgeState state, PixelBuffer picture) => bridge.Publish(state, picture);
 

@@ -84,7 +84,7 @@ public sealed class SocketBridgeTests
         first.Send("""{"type":"requestFrame"}""");
         Frames.AwaitMessage(bridge);
         using var second = new SocketClient(bridge.EndPoint);
-        Frames.Await(() => bridge.HasClientGone, "the second client");
+        Frames.Await(() => bridge.Inbox.HasClientGone, "the second client");
 
         Assert.False(bridge.Publish(Frames.State(1) with { IsAskedFor = true }, Frames.Picture(1)));
         Assert.IsType<ClientGoneMessage>(Frames.AwaitMessage(bridge));
@@ -97,17 +97,17 @@ public sealed class SocketBridgeTests
     public void Frame_is_awaited_until_it_is_sent_and_after_its_answer()
     {
         using var bridge = new SocketBridge(AnyPort, Frames.Size);
-        Assert.False(bridge.IsFrameAwaited);
+        Assert.False(bridge.Outbox.IsFrameAwaited);
         using var client = new SocketClient(bridge.EndPoint);
-        Frames.Await(() => bridge.IsFrameAwaited, "a client");
+        Frames.Await(() => bridge.Outbox.IsFrameAwaited, "a client");
 
         bridge.Publish(Frames.State(1), Frames.Picture(1));
         client.Receive();
-        Assert.False(bridge.IsFrameAwaited);
+        Assert.False(bridge.Outbox.IsFrameAwaited);
 
         client.Send("""{"type":"controls","steering":0,"throttle":0,"brake":0,"frame":1}""");
         Frames.AwaitMessage(bridge);
-        Frames.Await(() => bridge.IsFrameAwaited, "the answer to count");
+        Frames.Await(() => bridge.Outbox.IsFrameAwaited, "the answer to count");
     }
 
     [Fact]
@@ -216,15 +216,16 @@ public sealed class SocketBridgeTests
     public void Connection_that_ends_before_it_is_served_is_released()
     {
         using var nobody = new System.Net.Sockets.TcpClient();
+        var inbox = new ClientInbox<BridgeClient>();
 
         Assert.ThrowsAny<Exception>(() =>
             BridgeClient.Serve(
                 nobody,
                 new SocketReception(
                     AnyPort,
-                    new ClientInbox<BridgeClient>(),
+                    inbox,
                     new PendingClients<BridgeClient>(1),
-                    new FrameOutbox(Frames.Size),
+                    new FrameOutbox<BridgeClient>(Frames.Size, inbox, needsAnswers: true),
                     static _ => { }
                 )
             )

@@ -6,13 +6,17 @@ using Harvester.Sessions.Imaging;
 namespace Harvester.Driving.Tests.Doubles;
 
 /// <summary>A bridge whose client sends faster than anyone can take.</summary>
-internal sealed class FloodingBridge : IDrivingBridge
+internal sealed class FloodingBridge : IDrivingBridge, IClientInbox, IFrameOutbox
 {
     public int Taken { get; private set; }
 
     public string? Problem => null;
 
     public string? Client => null;
+
+    public IClientInbox Inbox => this;
+
+    public IFrameOutbox Outbox => this;
 
     public bool HasClientGone => false;
 

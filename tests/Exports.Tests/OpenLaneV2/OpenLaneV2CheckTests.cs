@@ -57,6 +57,18 @@ public sealed class OpenLaneV2CheckTests(SimulatedSession simulated) : CheckTest
     }
 
     [Fact]
+    public void Frame_that_cannot_be_read_is_found()
+    {
+        Export();
+        string file = Frame("-ls.json");
+
+        // The check of the manifest would not go on.
+        Delete("manifest.jsonl");
+        using FileStream held = new(Folder.PathOf("out/" + file), FileMode.Open, FileAccess.ReadWrite, FileShare.None);
+        AssertFound($"{file}: ");
+    }
+
+    [Fact]
     public void Missing_index_is_found()
     {
         Export();

@@ -1,5 +1,6 @@
 using Harvester.Geometry.Maps;
 using Harvester.Geometry.Roads;
+using Harvester.Geometry.Work;
 
 namespace Harvester.Geometry.Tests.Maps;
 
@@ -49,6 +50,40 @@ public sealed class LaneLimitsTests
         var maps = new LaneMaps(new RoadCurves(network), new LaneModel(network));
 
         Assert.InRange(maps.Whole().Junctions[0].Ways.Count, 5001, 100 * 99);
+        Assert.Null(maps.Around(Vector3D.Zero));
+    }
+
+    [Fact]
+    public void Map_around_a_place_is_made_in_steps_a_road_or_junction_each()
+    {
+        RoadNetwork network = Star(4);
+        var maps = new LaneMaps(new RoadCurves(network), new LaneModel(network));
+        int ticks = 0;
+        using (var run = new WorkRun(maps.MakeAround(Vector3D.Zero), () => true))
+        {
+            while (run.Advance())
+            {
+                ticks++;
+            }
+        }
+
+        LaneNetwork made = maps.Around(Vector3D.Zero)!;
+
+        // Four roads and the junction in which they meet.
+        Assert.InRange(ticks, 5, 7);
+        Assert.Equal(maps.Whole().Lanes.Select(lane => lane.Id), made.Lanes.Select(lane => lane.Id));
+        Assert.Same(made, maps.Around(Vector3D.Zero));
+        Assert.Empty(maps.MakeAround(Vector3D.Zero));
+    }
+
+    [Fact]
+    public void Too_many_ways_end_the_steps_without_a_map()
+    {
+        RoadNetwork network = Star(100);
+        var maps = new LaneMaps(new RoadCurves(network), new LaneModel(network));
+
+        WorkRun.Complete(maps.MakeAround(Vector3D.Zero));
+
         Assert.Null(maps.Around(Vector3D.Zero));
     }
 

@@ -35,7 +35,7 @@ internal sealed partial class TestGame
         _natives[Hash.GET_VEHICLE_CLASS] = a => Entities[(int)a[0]].VehicleClass;
         _natives[Hash.GET_DISPLAY_NAME_FROM_VEHICLE_MODEL] = a =>
             Vehicles.FirstOrDefault(vehicle => vehicle.Model == (int)a[0])?.Name.ToUpperInvariant() ?? "CARNOTFOUND";
-        _natives[Hash.IS_MODEL_IN_CDIMAGE] = a => (int)a[0] == AdderHash || PropOf((int)a[0]) is not null;
+        _natives[Hash.IS_MODEL_IN_CDIMAGE] = a => (int)a[0] == AdderHash || IsPedModel((int)a[0]) || PropOf((int)a[0]) is not null;
         _natives[Hash.IS_MODEL_A_VEHICLE] = a => (int)a[0] == AdderHash;
         Do(Hash.REQUEST_MODEL, a => _ticksUntilLoaded.TryAdd((int)a[0], TicksToLoadAModel));
         _natives[Hash.HAS_MODEL_LOADED] = a => ModelsLoad && HasLoaded((int)a[0]);

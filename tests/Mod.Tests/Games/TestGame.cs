@@ -40,6 +40,7 @@ internal sealed partial class TestGame : IGameHost
         AddListNatives();
         AddFreezeNatives();
         AddTrialNatives();
+        AddActorNatives();
     }
 
     public string ScriptFile { get; }

@@ -49,6 +49,8 @@ internal sealed class IdleGame : IGameAdapters
 
     public ITrialGame Trials => Port<ITrialGame>();
 
+    public IActorGame Actors => Port<IActorGame>();
+
     public ISurveyStage Stage => Port<ISurveyStage>();
 
     public IScreen Screen => Port<IScreen>();

@@ -20,6 +20,9 @@ public sealed class RealLanesTests(ITestOutputHelper output)
     private const double MinDriven = 0.7;
     private const double MinKept = 0.5;
 
+    /// <summary>The least part of the ways that a car can follow between their edges.</summary>
+    private const double MinFollowed = 0.9;
+
     private static readonly Vector2D[] Places =
     [
         new(0, -1000),
@@ -86,6 +89,48 @@ public sealed class RealLanesTests(ITestOutputHelper output)
         );
         Assert.True(found.Sum(judged => judged.Driven) > MinDriven * found.Sum(judged => judged.Ways));
         Assert.True(found.Sum(judged => judged.Kept) > MinKept * found.Sum(judged => judged.Ways));
+    }
+
+    [RealWorldFact("nodes.zip")]
+    public void Car_follows_the_ways_through_junctions()
+    {
+        LaneNetwork map = MapOf(MapContent.None);
+        (int Ways, int Kept)[] junctions =
+        [
+            .. map
+                .Junctions.Where(junction => junction.Ways.Count > 0)
+                .Select(junction => (junction.Ways.Count, junction.Ways.Count(FollowingCar.StaysOn))),
+        ];
+        int ways = junctions.Sum(junction => junction.Ways);
+        int kept = junctions.Sum(junction => junction.Kept);
+        output.WriteLine(
+            $"a car follows {kept} of {ways} ways, all ways in {junctions.Count(each => each.Kept == each.Ways)} of {junctions.Length} "
+                + "junctions"
+        );
+        Assert.True(kept > MinFollowed * ways);
+    }
+
+    [RealWorldFact("nodes.zip")]
+    public void Lanes_without_a_lane_before_or_after_have_a_cause()
+    {
+        LaneNetwork map = MapOf(MapContent.None);
+        var causes = new LaneEnds(map);
+        foreach ((bool atEnd, string name) in ((bool, string)[])[(true, "end"), (false, "begin")])
+        {
+            IGrouping<LaneEndCause, MapLane>[] found =
+            [
+                .. map
+                    .Lanes.Where(lane => (atEnd ? lane.Successors : lane.Predecessors).Count == 0)
+                    .GroupBy(lane => causes.Of(lane, atEnd)),
+            ];
+            output.WriteLine($"{found.Sum(group => group.Count())} lanes {name}:");
+            foreach (IGrouping<LaneEndCause, MapLane> group in found.OrderBy(group => group.Key))
+            {
+                output.WriteLine($"  {group.Count()} {group.Key}: {string.Join(" ", group.Take(3).Select(lane => lane.Id))}");
+            }
+
+            Assert.DoesNotContain(found, group => group.Key == LaneEndCause.None);
+        }
     }
 
     private static LaneNetwork MapOf(MapContent content)

@@ -71,9 +71,7 @@ internal sealed class PlanRunCommand
         PlanWorld world = World.Parse(parsed) with { Paint = parsed.GetValue(Paint)?.FullName };
         Trial[] trials = [.. TrialList.Of(file.Plan, world.PlacesOf(file.Plan)).Where((_, index) => shard.Takes(index))];
         using var output = PlanOutput.Open(folder, file.Text, world.ToJson(file.Plan), shard, parsed.GetValue(Resume), disk.MinFreeBytes);
-        long images = trials
-            .Where(trial => output.Status.NextAttempt(trial.Id) is not null)
-            .Sum(trial => (long)PlanRun.ImagesOf(file, trial));
+        long images = output.Left(trials).Sum(trial => (long)PlanRun.ImagesOf(file, trial));
         if (images > int.MaxValue)
         {
             throw new UsageException(
@@ -126,7 +124,7 @@ internal sealed class PlanRunCommand
             $"{Counted.Of(results.Length - skipped.Length, "trial")} done, {skipped.Length} skipped, "
                 + Counted.Of(results.Where(result => result.State == TrialState.Done).Sum(result => (long)result.Frames), "frame")
         );
-        terminal.Out.WriteLine($"sessions {new PlanResults(folder).Trials}");
+        terminal.Out.WriteLine($"sessions {output.Trials}");
         if (skipped.Length == 0)
         {
             return ExitCode.Done;

@@ -1,6 +1,5 @@
 using System.CommandLine;
 using Harvester.Cli.Terminals;
-using Harvester.Geometry;
 using Harvester.Runs.Plans;
 using Harvester.Sessions.Plans;
 using Harvester.Sessions.Text;
@@ -37,12 +36,10 @@ internal sealed class PlanShowCommand
         for (int i = 0; i < trials.Count; i++)
         {
             Trial trial = trials[i];
-            Vector2D start = trial.Place.Start!.Value;
+            string start = trial.Place.Start is { } point ? FormattableString.Invariant($"{point.X:0.#},{point.Y:0.#}") : "any place";
             string images = Counted.Of(PlanRun.ImagesOf(file, trial), "image");
             terminal.Out.WriteLine(
-                FormattableString.Invariant(
-                    $"{i + 1}  {trial.Id}  {images}  at {start.X:0.#},{start.Y:0.#}  seed {trial.SeedOf(file.Plan.Seed, 1)}"
-                )
+                FormattableString.Invariant($"{i + 1}  {trial.Id}  {images}  at {start}  seed {trial.SeedOf(file.Plan.Seed, 1)}")
             );
         }
 

@@ -23,15 +23,15 @@ internal static class NuScenesExpansions
     public static string? ProblemOf(DatasetContent dataset, string location) =>
         NuScenesExpansion.Names.Contains(location) && !dataset.Has(PathOf(location)) ? $"its map '{PathOf(location)}' is missing." : null;
 
-    /// <summary>Adds the lanes near a frame.</summary>
+    /// <summary>Adds the lanes near a frame, and what belongs to them.</summary>
     /// <param name="output">Takes the part.</param>
     /// <param name="frame">The frame.</param>
     /// <param name="area">The part of the world around it.</param>
-    /// <param name="lanes">Lanes as texts.</param>
-    public static void Add(FrameOutput output, ExportFrame frame, NuScenesArea area, IEnumerable<string> lanes) =>
+    /// <param name="things">Lanes, stop lines, signals and crossings as texts.</param>
+    public static void Add(FrameOutput output, ExportFrame frame, NuScenesArea area, IEnumerable<string> things) =>
         output.Part(
             FormattableString.Invariant($"{PartPrefix}{frame.RecordingIndex:D8} {frame.Label.Place ?? 0:D8}"),
-            string.Join(Separator, lanes.Prepend(area.ToString()))
+            string.Join(Separator, things.Prepend(area.ToString()))
         );
 
     /// <summary>The maps of all scenes.</summary>
@@ -56,18 +56,38 @@ internal static class NuScenesExpansions
     {
         var areas = new List<NuScenesArea>();
         var known = new HashSet<string>(StringComparer.Ordinal);
-        var lanes = new List<ExpansionLane>();
+        var things = new List<string>();
         foreach (string[] items in lines.Select(line => line.Split(Separator)))
         {
             areas.Add(NuScenesArea.Parse(items[0]));
-            lanes.AddRange(items.Skip(1).Where(known.Add).Select(ExpansionLane.Parse));
+            things.AddRange(items.Skip(1).Where(known.Add));
         }
 
         NuScenesArea area = NuScenesArea.Of(areas);
-        ExpansionLane[] inside = [.. lanes.Where(lane => lane.Left.Concat(lane.Right).All(point => IsOn(area, point)))];
+        ILookup<string, string> kinds = things.ToLookup(KindOf, StringComparer.Ordinal);
+        ExpansionLane[] lanes =
+        [
+            .. kinds[""].Select(ExpansionLane.Parse).Where(lane => lane.Left.Concat(lane.Right).All(point => IsOn(area, point))),
+        ];
+        HashSet<string> names = lanes.Select(lane => lane.Id).ToHashSet(StringComparer.Ordinal);
+        HashSet<string> roads = lanes.Select(lane => lane.Road).ToHashSet(StringComparer.Ordinal);
+
+        // The lanes of a light or sign are those of one road.
+        var content = new ExpansionContent(lanes)
+        {
+            StopLines = [.. kinds[ExpansionStopLine.Prefix].Select(ExpansionStopLine.Parse).Where(line => line.Lanes.All(names.Contains))],
+            Signals = [.. kinds[ExpansionSignal.Prefix].Select(ExpansionSignal.Parse).Where(signal => signal.Lanes.All(names.Contains))],
+            Crossings =
+            [
+                .. kinds[ExpansionCrossing.Prefix].Select(ExpansionCrossing.Parse).Where(crossing => roads.Contains(crossing.Road)),
+            ],
+        };
         var offset = new Vector2D(area.Offset.X, area.Offset.Y);
-        new ExpansionLayers(new ExpansionContent(inside), offset, new Vector2D(area.Width, area.Height)).Write(stream);
+        new ExpansionLayers(content, offset, new Vector2D(area.Width, area.Height)).Write(stream);
     }
+
+    private static string KindOf(string thing) =>
+        thing.StartsWith('#') ? thing[..thing.IndexOf(ExpansionText.Field, StringComparison.Ordinal)] : "";
 
     private static bool IsOn(NuScenesArea area, Vector2D point) =>
         point.X >= area.West && point.X <= area.East && point.Y >= area.South && point.Y <= area.North;

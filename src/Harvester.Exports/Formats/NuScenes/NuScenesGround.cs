@@ -44,8 +44,14 @@ internal sealed class NuScenesGround
     /// <summary>Whether the lanes of the roads are known.</summary>
     public bool HasLanes => _lanes is not null;
 
-    /// <summary>The lanes within 100 m of the vehicle, as texts; none without roads.</summary>
-    public IEnumerable<string> LanesNear(Pose ego) => _lanes?.Near(ego.Position, RoadMetres) ?? [];
+    /// <summary>
+    /// The lanes within 100 m of the vehicle with their stop lines and crossings, as texts; none without roads, null if more roads meet
+    /// there than a map takes.
+    /// </summary>
+    public IEnumerable<string>? LanesNear(Pose ego) => _lanes is null ? [] : _lanes.Near(ego.Position, RoadMetres);
+
+    /// <summary>The lights and signs of a label that govern lanes, as texts; none without roads.</summary>
+    public IEnumerable<string> SignalsOf(FrameLabel label) => _lanes?.Signals(label.Objects) ?? [];
 
     /// <summary>Reads a session.</summary>
     /// <exception cref="DatasetFormatException">A file of the session is invalid; the message names it.</exception>

@@ -105,7 +105,11 @@ internal sealed class NuScenesWriter : IDatasetWriter
         NuScenesMap.Add(output, frame, area, isFirst ? ground.Near(label, ego, isKey) : []);
         if (ground.HasLanes)
         {
-            NuScenesExpansions.Add(output, frame, area, isFirst && isKey ? ground.LanesNear(ego) : []);
+            IEnumerable<string> lanes =
+                isFirst && isKey
+                    ? ground.LanesNear(ego) ?? throw frame.Problem("more roads meet around it than a map of lanes takes.")
+                    : [];
+            NuScenesExpansions.Add(output, frame, area, isKey ? lanes.Concat(ground.SignalsOf(label)) : []);
         }
 
         if (isKey)

@@ -130,7 +130,7 @@ internal static class OpenLaneV2Check
         {
             return JsonFault.InText(e);
         }
-        catch (DatasetFormatException e)
+        catch (Exception e) when (e is DatasetFormatException or IOException)
         {
             return e.Message;
         }

@@ -141,18 +141,20 @@ internal sealed class OpenLaneV2Writer(ExportOptions options) : IDatasetWriter
     )
     {
         var painted = new PaintedEdges(label.Lanes?.Markings ?? [], vehicle);
+        Dictionary<MapLane, (int Left, int Right)> numbers = EdgeNumbers.Of(label.Lanes?.LaneId is { } id ? map.Find(id) : null);
         json.WriteStartArray("lane_segment");
         foreach (ClippedLane lane in lanes)
         {
             bool isWay = lane.Lane.Junction is not null;
+            (int Left, int Right)? number = numbers.TryGetValue(lane.Lane, out (int, int) known) ? known : null;
             json.WriteStartObject();
             json.WriteNumber("id", lane.Id);
             json.WriteString("name", lane.Lane.Id);
             WritePoints(json, "centerline", lane.Centre);
             WritePoints(json, "left_laneline", lane.Left);
-            json.WriteNumber("left_laneline_type", isWay ? PaintedEdges.None : painted.KindOf(lane.Left));
+            json.WriteNumber("left_laneline_type", isWay ? PaintedEdges.None : painted.KindOf(lane.Left, number?.Left));
             WritePoints(json, "right_laneline", lane.Right);
-            json.WriteNumber("right_laneline_type", isWay ? PaintedEdges.None : painted.KindOf(lane.Right));
+            json.WriteNumber("right_laneline_type", isWay ? PaintedEdges.None : painted.KindOf(lane.Right, number?.Right));
             json.WriteBoolean("is_intersection_or_connector", isWay);
             json.WriteEndObject();
         }

@@ -1,0 +1,125 @@
+using System.CommandLine;
+using Harvester.Cli.Arguments;
+using Harvester.Cli.Terminals;
+using Harvester.Exports.Pairs;
+using Harvester.Runs.Faults;
+using Harvester.Runs.Harvesting;
+using Harvester.Sessions.Text;
+
+namespace Harvester.Cli.Commands;
+
+/// <summary>harvester counterfactual: the same situation again with one thing changed.</summary>
+internal sealed class CounterfactualCommand
+{
+    private const string Notes =
+        "Harvests the folder base, and then once more for each --change: change-01, change-02 and so on. All runs agree to the byte up to\n"
+        + "the moment of the change, in labels, images and everything else. counterfactuals.json names the changes, and harvester pairs\n"
+        + "exports the frames side by side. All options of harvester harvest apply; docs/counterfactuals.md describes the changes.\n\n"
+        + "Changes, several of one run separated by semicolons:\n"
+        + "  frame 20: ego brakes 6          after frame 20, the driver brakes with 6 m/s2 to a stop and stands\n"
+        + "  frame 20: 17 brakes 3 for 8     the driver of object 17 brakes and stands, 8 s in all\n"
+        + "  12.5s: ego drives 15            from the game time 12.5 s on, the driver aims for 15 m/s\n"
+        + "  frame 20: without 17            object 17, a vehicle in traffic or a person on foot, disappears\n"
+        + "  frame 20: weather rain          it rains; with --crashes the road is slippery, too\n"
+        + "Spaces may be underscores. A command that was stopped continues when it is given again.\n\n"
+        + "Examples:\n"
+        + "  harvester counterfactual --out brake --near 0,0 --frames 60 --crashes --change \"frame 20: ego brakes 6\"\n"
+        + "  harvester pairs brake --out sets";
+
+    private readonly HarvestCommand _harvest = new();
+
+    private readonly Option<string[]> _changes = new("--change")
+    {
+        Description = "What is changed, and when: MOMENT: CHANGE, see below; repeatable, one run for each",
+        HelpName = "CHANGE",
+        Required = true,
+    };
+
+    public static Command Create(Terminal terminal) => new CounterfactualCommand().Build(terminal);
+
+    private Command Build(Terminal terminal)
+    {
+        var command = new Command("counterfactual", "Harvest one situation several times, each time with one thing changed.") { _changes };
+        _harvest.AddTo(command);
+        HelpWithNotes.AddTo(command, Notes, [new OptionGroup("Changes", ["--change"]), .. OptionGroups.OfHarvest]);
+        command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
+        return command;
+    }
+
+    private int Run(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
+    {
+        string[] texts = parsed.GetValue(_changes) ?? [];
+        List<IReadOnlyList<TimedChange>> changes =
+        [
+            .. texts.Select(text =>
+                ChangeText.Read(text) ?? throw new UsageException($"--change \"{text}\" is not of the form {ChangeText.Form}.")
+            ),
+        ];
+        if (changes.Count > ChangeSet.MaxChanges)
+        {
+            throw new UsageException($"There may be at most {ChangeSet.MaxChanges} changes, not {changes.Count}.");
+        }
+
+        HarvestPlan plan = _harvest.PlanOf(parsed);
+        Check(plan, changes.SelectMany(run => run));
+        string command = CommandText.Of(parsed);
+        using var output = new CounterfactualOutput(plan.Folder, command);
+        output.Begin();
+        string original = Path.Combine(plan.Folder, ChangeSet.Base);
+        plan = plan with { Resume = output.Continues };
+        int code = HarvestRun.Of(terminal, plan with { Folder = original }, command, _harvest.HasReport(parsed), cancellation);
+        List<ChangedRun> runs = [];
+        for (int i = 0; i < changes.Count && code == ExitCode.Done; i++)
+        {
+            string name = ChangeSet.FolderOf(i + 1);
+            HarvestPlan changed = plan with
+            {
+                Folder = Path.Combine(plan.Folder, name),
+                Changes = ChangedActors.Resolve(changes[i], original),
+            };
+            runs.Add(new ChangedRun(name, texts[i]));
+            code = HarvestRun.Of(terminal, changed, command, _harvest.HasReport(parsed), cancellation);
+        }
+
+        if (code == ExitCode.Done)
+        {
+            output.Complete(new ChangeSet(runs));
+            terminal.Out.WriteLine($"{plan.Folder}: the base and {Counted.Of(runs.Count, "changed run")}");
+        }
+
+        return code;
+    }
+
+    private static void Check(HarvestPlan plan, IEnumerable<TimedChange> changes)
+    {
+        if (plan.Options.Places is { Count: > 1 })
+        {
+            throw new UsageException("Counterfactuals are of one place: add --places 1, or --near.");
+        }
+
+        if (plan.Overwrite || plan.Resume)
+        {
+            throw new UsageException(
+                "--overwrite and --resume do not apply to counterfactuals: the same command continues what it left unfinished."
+            );
+        }
+
+        if (plan.Options.Shard.Count > 1)
+        {
+            throw new UsageException("A shard has not all frames; --shard does not apply to counterfactuals.");
+        }
+
+        foreach (TimedChange change in changes)
+        {
+            if (change.Frame >= plan.Frames - 1)
+            {
+                throw new UsageException($"--change \"{change.Text}\": nothing follows frame {change.Frame} of {plan.Frames}.");
+            }
+
+            if (change.Id is not null && !plan.Options.Scenes)
+            {
+                throw new UsageException($"--change \"{change.Text}\" finds the object in the scenes; leave --no-scenes out.");
+            }
+        }
+    }
+}

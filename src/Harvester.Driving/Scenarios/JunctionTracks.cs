@@ -1,0 +1,110 @@
+using Harvester.Capture.Ports;
+using Harvester.Driving.Controllers;
+using Harvester.Geometry;
+using Harvester.Geometry.Maps;
+using Harvester.Sessions.Scenarios;
+
+namespace Harvester.Driving.Scenarios;
+
+/// <summary>Actors that come to the ego's junction from another road.</summary>
+internal static class JunctionTracks
+{
+    /// <summary>Cosine of the greatest angle between a road and the direction from which it is said to come.</summary>
+    private const double Side = 0.7;
+
+    /// <summary>Where lines come so near to each other, two cars on them would touch, metres.</summary>
+    private const double Meeting = 1.5;
+
+    /// <summary>The lanes that come into the junction ahead from a side.</summary>
+    public static IEnumerable<MapLane> ApproachesFrom(StagePlace place, ScenarioApproach approach)
+    {
+        if (place.Junction is not { } junction)
+        {
+            return [];
+        }
+
+        Vector3D forward = place.Track.DirectionAt(junction.Entry - 1);
+        Vector3D wanted = approach switch
+        {
+            // Traffic from the left drives to the right, and the other way round.
+            ScenarioApproach.Left => place.Track.RightAt(junction.Entry - 1),
+            ScenarioApproach.Right => -place.Track.RightAt(junction.Entry - 1),
+            _ => -forward,
+        };
+        return junction
+            .Junction.Ways.SelectMany(way => way.Predecessors)
+            .Distinct()
+            .Where(lane => lane != junction.Lane && lane.EndDirection.Dot(new Vector2D(wanted.X, wanted.Y)) > Side)
+            .OrderBy(lane => lane.Id, StringComparer.Ordinal);
+    }
+
+    /// <summary>Binds an actor that begins on another road.</summary>
+    /// <exception cref="UnfitPlaceException">No such road comes in, or it is too short.</exception>
+    public static BoundActor Bind(StagePlace place, Scenario scenario, ScenarioActor actor, Func<Vector3D, double, StageActor> spawned)
+    {
+        MapTurn turn =
+            scenario
+                .Events.FirstOrDefault(each => each.Actor == actor.Id && each.Action.Kind == ScenarioActionKind.RunJunction)
+                ?.Action.Turn
+            ?? MapTurn.Straight;
+        foreach (MapLane lane in ApproachesFrom(place, actor.Start.Approach))
+        {
+            if (lane.Successors.All(way => way.Turn != turn))
+            {
+                continue;
+            }
+
+            LaneTrack track = LaneTracks.Of(lane, lane.Length, turn);
+            (double Ego, double Other)? meeting = MeetingOf(place, track);
+            if (meeting is null && actor.Start.SecondsBefore is not null)
+            {
+                continue;
+            }
+
+            double speed = actor.Speed ?? scenario.Ego.Speed;
+
+            // Both keep their speeds: the ego is at the meeting point after its way over its speed.
+            double at = actor.Start.SecondsBefore is { } seconds
+                ? meeting!.Value.Other - (speed * ((meeting.Value.Ego / scenario.Ego.Speed) - seconds))
+                : -actor.Start.MetresBefore!.Value;
+            if (at < track.From + 1)
+            {
+                continue;
+            }
+
+            track = track.Shifted(at);
+            Vector3D forward = track.DirectionAt(0);
+            return new BoundActor(
+                actor,
+                spawned(track.Beside(0, actor.Start.MetresRight), PathFollower.HeadingOf(new Vector2D(forward.X, forward.Y))),
+                track
+            )
+            {
+                Line = -at,
+                Right = actor.Start.MetresRight,
+            };
+        }
+
+        throw new UnfitPlaceException(
+            $"No road from the {actor.Start.Approach.ToString().ToLowerInvariant()} is long enough for '{actor.Id}' and meets the ego's way."
+        );
+    }
+
+    /// <summary>Where a track first comes to the ego's, as distances along both; null if it does not near the junction.</summary>
+    private static (double Ego, double Other)? MeetingOf(StagePlace place, LaneTrack track)
+    {
+        const double step = 0.5;
+        const double behind = 40;
+        StageJunction junction = place.Junction!;
+        for (double other = 0; other < Math.Min(track.To, behind); other += step)
+        {
+            (double at, double right) = place.Track.Locate(track.PositionAt(other), junction.Entry);
+            if (Math.Abs(right) < Meeting && at > junction.Entry - 1 && at < junction.Exit + behind)
+            {
+                return (at, other);
+            }
+        }
+
+        return null;
+    }
+}

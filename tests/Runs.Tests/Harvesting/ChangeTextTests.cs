@@ -1,0 +1,46 @@
+using Harvester.Runs.Harvesting;
+using Harvester.Simulation.Settings;
+
+namespace Harvester.Runs.Tests.Harvesting;
+
+public sealed class ChangeTextTests
+{
+    [Fact]
+    public void Changes_are_read()
+    {
+        IReadOnlyList<TimedChange>? changes = ChangeText.Read(
+            "frame 20: ego brakes 6; 12.5s: 17 brakes 3.5 for 8; frame 0: 4 drives 15; 3 s: without 17; frame_2:_weather_rain"
+        );
+
+        Assert.NotNull(changes);
+        Assert.Equal([20, null, 0, null, 2], changes.Select(change => change.Frame));
+        Assert.Equal([null, 12.5, null, 3, null], changes.Select(change => change.Seconds));
+        Assert.Equal([null, 17, 4, 17, null], changes.Select(change => change.Id));
+        Assert.Equal(
+            [
+                new WorldChange(WorldChangeKind.Brake) { Value = 6 },
+                new WorldChange(WorldChangeKind.Brake) { Value = 3.5, Seconds = 8 },
+                new WorldChange(WorldChangeKind.Drive) { Value = 15 },
+                new WorldChange(WorldChangeKind.Remove),
+                new WorldChange(WorldChangeKind.Weather) { Weather = "rain" },
+            ],
+            changes.Select(change => change.Change)
+        );
+    }
+
+    [Theory]
+    [InlineData("")]
+    [InlineData("ego brakes 6")]
+    [InlineData("frame -1: ego brakes 6")]
+    [InlineData("frame 99999999999: ego brakes 6")]
+    [InlineData("frame 1: ego brakes 0")]
+    [InlineData("frame 1: ego brakes 9.1")]
+    [InlineData("frame 1: ego brakes 1.2.3")]
+    [InlineData("frame 1: ego drives 61")]
+    [InlineData("frame 1: ego drives 5 for 3")]
+    [InlineData("frame 1: without ego")]
+    [InlineData("frame 1: weather sunny")]
+    [InlineData("frame 1: ego brakes 6;")]
+    [InlineData("frame 1: ego brakes 6\n")]
+    public void Other_text_is_not(string text) => Assert.Null(ChangeText.Read(text));
+}
