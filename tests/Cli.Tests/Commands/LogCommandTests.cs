@@ -17,8 +17,9 @@ public sealed class LogCommandTests : IDisposable
     /// <summary>The same of a heading that changes by 1 rad/s within a step, radians.</summary>
     private const double Turn = 0.02;
 
-    /// <summary>Roads made of lanes are cubics between points that are 6 m apart; heights between them differ by this, metres.</summary>
-    private const double OnGround = 0.15;
+    /// <summary>Who stands on a pavement there may stand on the carriageway here, or the other way round: a kerb of 0.15 m; and roads made
+    /// of lanes differ in height by this between their nodes, metres.</summary>
+    private const double OnGround = 0.2;
 
     private readonly TemporaryFolder _folder = new();
 
