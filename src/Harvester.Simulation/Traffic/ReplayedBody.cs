@@ -4,7 +4,6 @@ using Harvester.Simulation.Models;
 using Harvester.Simulation.People;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;
-using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 

@@ -3,7 +3,6 @@ using Harvester.Geometry;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Scenes;
-using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Commands;
 
