@@ -58,8 +58,9 @@ internal sealed class LogOption
         {
             throw new UsageException(
                 FormattableString.Invariant(
-                    $"The log lasts {seconds:0.0} s, which are {lasting} frames at {plan.Options.RateHz} Hz, not {plan.Frames}. Lower --frames, or omit it."
+                    $"The log lasts {seconds:0.0} s, which are {lasting} frames at {plan.Options.RateHz} Hz, not {plan.Frames}. Lower "
                 )
+                    + "--frames, or omit it."
             );
         }
 

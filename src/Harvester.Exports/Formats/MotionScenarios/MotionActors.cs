@@ -11,7 +11,8 @@ internal static class MotionActors
     /// <summary>The key of the car that carries the camera.</summary>
     public const string Ego = "ego";
 
-    /// <summary>The car that carries the camera, then all others. Parked bicycles are left out: the formats have no class for them.</summary>
+    /// <summary>The car that carries the camera, then all others. Parked bicycles, which have no class in the formats, are left
+    /// out.</summary>
     public static IEnumerable<MotionActor> Of(RecordedScene scene)
     {
         EgoState ego = scene.Snapshot.Ego;
