@@ -89,6 +89,7 @@ internal sealed class HarvestCommand
 
     private Option<Vector2D?> Near { get; } =
         ValueParsers.Point("--near", "X,Y", "Start position, metres [default: the middle of the road network]");
+    private LogOption LogOf { get; } = new();
     private VarietyOptions Variety { get; } = new();
     private MomentOptions Moment { get; } = new();
 
@@ -233,6 +234,7 @@ internal sealed class HarvestCommand
         Variety.AddTo(command);
         LensOf.AddTo(command);
         RigOf.AddTo(command);
+        LogOf.AddTo(command);
         EventsOf.AddTo(command);
         PairsOf.AddTo(command);
     }
@@ -242,7 +244,7 @@ internal sealed class HarvestCommand
 
     /// <summary>The harvest that a command line describes.</summary>
     /// <exception cref="Runs.Faults.UsageException">Options contradict each other.</exception>
-    public HarvestPlan PlanOf(ParseResult parsed) => RigOf.AppliedTo(parsed, PlanWithoutRig(parsed));
+    public HarvestPlan PlanOf(ParseResult parsed) => RigOf.AppliedTo(parsed, LogOf.AppliedTo(parsed, PlanWithoutRig(parsed)));
 
     private Command Build(Terminal terminal)
     {

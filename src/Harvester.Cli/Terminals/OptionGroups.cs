@@ -28,6 +28,7 @@ internal static class OptionGroups
             "World",
             [
                 "--roads",
+                "--log",
                 "--props",
                 "--near",
                 "--places",

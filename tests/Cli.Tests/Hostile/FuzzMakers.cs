@@ -18,6 +18,7 @@ internal static class FuzzMakers
         .. DatasetFormats
             .All.Where(format => format.HasMap)
             .Select(format => $"export {{0}}/session --format {format.Name} --roads {{0}}/straight.csv --out {{0}}/{format.Name}"),
+        "log import {0}/gpudrive/train/0000_0000.json --out {0}/logs",
     ];
 
     /// <summary>The options with which a harvest has flow, and the maps of all channels that are one image for each frame.</summary>
