@@ -81,6 +81,14 @@ def write(folder: Path) -> Path:
         classMap={"file": "classes/1.png"},
         depth={"sparse": "depth/1.png", "completed": None, "error": None},
         normals={"file": "normals/1.png"},
+        flow={
+            "from": 0,
+            "backward": "flow/1.png",
+            "forward": "flow/2.png",
+            "motion": "flow/3.png",
+            "backwardFlags": "flow/4.png",
+            "forwardFlags": "flow/5.png",
+        },
         lidar=[{"sensor": "top", "file": "lidar/1.bin"}],
         motion=[[float(i) for i in range(13)]],
         drive=copy.deepcopy(ACTION),
@@ -95,6 +103,11 @@ def write(folder: Path) -> Path:
         ("depth/1.png", grey.astype(np.uint16)),
         ("normals/1.png", colours),
         ("pairs/1.png", colours),
+        ("flow/1.png", colours.astype(np.uint16)),
+        ("flow/2.png", colours.astype(np.uint16)),
+        ("flow/3.png", colours.astype(np.uint16)),
+        ("flow/4.png", grey),
+        ("flow/5.png", grey),
     ):
         (folder / name).parent.mkdir(exist_ok=True)
         (folder / name).write_bytes(png.encode(picture))
@@ -139,6 +152,17 @@ def _reads_of_a_frame(frame: gtaharvest.Frame) -> List[Tuple[str, Any]]:
         ("class map", frame.class_map),
         ("depth", frame.depth),
         ("normals", frame.normals),
+        (
+            "flow",
+            lambda: (
+                frame.flow_from,
+                frame.flow(),
+                frame.flow("forward"),
+                frame.flow_flags(),
+                frame.flow_flags("forward"),
+            ),
+        ),
+        ("motion of surfaces", frame.surface_motion),
         ("drawing", lambda: (draw.annotate(frame.view), draw.annotate(frame.view, "3d"))),
     ]
 

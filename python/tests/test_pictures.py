@@ -77,6 +77,42 @@ def test_normals_are_unit_vectors(handmade: HandmadeSession) -> None:
         open_session(folder)[0].normals()
 
 
+def test_flow_is_in_pixels_and_motion_in_metres(handmade: HandmadeSession) -> None:
+    coded = np.zeros((HEIGHT, WIDTH, 3), np.uint16)
+    coded[0, 0], coded[0, 1] = (32768 + 96, 32768 - 1, 1), (32768, 32768, 1)
+    moved = np.zeros((HEIGHT, WIDTH, 3), np.uint16)
+    moved[0, 0], moved[0, 1] = (32768, 32768, 32768), (32769, 31768, 34768)
+    flags = np.zeros((HEIGHT, WIDTH), np.uint8)
+    flags[0, 1] = 3
+    names = ("backward", "forward", "motion", "backwardFlags", "forwardFlags")
+    handmade.lines[1]["flow"] = {
+        "from": 0,
+        "method": "exact",
+        "raysCast": 0,
+        **{name: f"flow/{name}.png" for name in names},
+    }
+    folder = handmade.write()
+    (folder / "flow").mkdir()
+    for name, picture in zip(names, (coded, coded[::-1].copy(), moved, flags, flags)):
+        (folder / f"flow/{name}.png").write_bytes(png.encode(picture))
+    frame = open_session(folder)[1]
+    flow = frame.flow()
+    assert flow.dtype == np.float32 and flow.shape == (HEIGHT, WIDTH, 2) and frame.flow_from == 0
+    np.testing.assert_array_equal(flow[0, :2], [[1.5, -1 / 64], [0, 0]])
+    assert np.isnan(flow[1:]).all() and np.isnan(frame.flow("forward")[:-1]).all()
+    motion = frame.surface_motion()
+    np.testing.assert_allclose(motion[0, :2], [[0, 0, 0], [0.001, -1, 2]], atol=1e-6)
+    assert np.isnan(motion[1:]).all()
+    assert frame.flow_flags()[0, 1] == gtaharvest.FLOW_VALID | gtaharvest.FLOW_MOVED
+    with pytest.raises(ValueError, match="kind is one of backward, forward, not 'both'"):
+        frame.flow("both")
+    with pytest.raises(gtaharvest.MissingPictureError, match="line 1: the frame has no flow"):
+        open_session(folder)[0].flow()
+    (folder / "flow/backward.png").write_bytes(png.encode(flags))
+    with pytest.raises(gtaharvest.PictureError, match="16 bits for each of red, green and blue"):
+        frame.flow()
+
+
 def test_bmp_images(handmade: HandmadeSession) -> None:
     picture = conftest.image(0)
     handmade.lines[0]["image"] = "frames/0.bmp"

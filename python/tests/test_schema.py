@@ -80,7 +80,7 @@ def test_wrong_labels_are_refused(handmade: HandmadeSession, change: Any, place:
 Field = Tuple[str, ...]
 
 # What the simulated game and these sessions do not have: GTA V reads lists, knows its edition and build, can draw over the pictures and has
-# a display; its maps of normals are from rays. Only it and a real network have props of a file. A resumed session can report faults.
+# a display; its maps of normals and of flow are from rays. Only it and a real network have props of a file. A resumed session can report faults.
 ONLY_ELSEWHERE = {
     ("session", "reading"),
     ("session", "pictures"),
@@ -98,6 +98,8 @@ ONLY_ELSEWHERE = {
         )
     ),
     ("label", "$defs", "rays", "normals"),
+    ("label", "$defs", "rays", "flow"),
+    ("label", "$defs", "flow", "errorPixels"),
     *(("session", "settings", name) for name in ("gameEdition", "gameBuild", "scriptApi", "props")),
 }
 

@@ -17,7 +17,18 @@ from .errors import (
     PictureError,
     SessionError,
 )
-from .frame import Frame, View
+from .events import EVENT_KINDS, Contact, Event, EventMark, Participant
+from .frame import (
+    FLOW_COVERED,
+    FLOW_INFINITE,
+    FLOW_LEAVES_PICTURE,
+    FLOW_MOVED,
+    FLOW_PERSON,
+    FLOW_UNKNOWN,
+    FLOW_VALID,
+    Frame,
+    View,
+)
 from .lanes import INDICATOR_NAMES, Indicators, LaneLine, Lanes, VehicleInLane
 from .points import POINT_TYPE
 from .records import (
@@ -40,14 +51,25 @@ from .session import FORMAT_VERSION, Session, Track, open_session
 __all__ = [
     "CLASS_NAMES",
     "Camera",
+    "Contact",
     "Controls",
     "Cuboid",
     "DRIVERS",
     "Drive",
+    "FLOW_COVERED",
+    "FLOW_INFINITE",
+    "FLOW_LEAVES_PICTURE",
+    "FLOW_MOVED",
+    "FLOW_PERSON",
+    "FLOW_UNKNOWN",
+    "FLOW_VALID",
     "DriveTarget",
     "DriveTick",
     "DriveTruth",
+    "EVENT_KINDS",
     "Ego",
+    "Event",
+    "EventMark",
     "FORMAT_VERSION",
     "Face",
     "Frame",
@@ -70,6 +92,7 @@ __all__ = [
     "POINT_TYPE",
     "Pair",
     "PartialSessionError",
+    "Participant",
     "PictureError",
     "Projection",
     "SEMANTIC_CLASS_NAMES",

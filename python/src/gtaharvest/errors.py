@@ -36,3 +36,7 @@ class NotInSessionError(SessionError, KeyError):
 
     # That of KeyError puts quotation marks around the message.
     __str__ = Exception.__str__
+
+
+class ScenarioError(Exception):
+    """A scenario cannot be read. The message says what is wrong."""

@@ -13,10 +13,11 @@ from .camera import Array, Camera
 from .checks import checked, each, integer, number, one_line, optional, text
 from .drive import Drive
 from .errors import LabelError, MissingPictureError, NotInSessionError, SessionError
+from .events import EventMark
 from .lanes import Lanes
 from .motion import motion_rows
 from .picture_header import Picture
-from .pictures import Depth, Size, read_class_map, read_depth, read_image, read_mask
+from .pictures import Depth, Size, read_class_map, read_depth, read_image, read_mask, read_vectors
 from .points import Points, read_points
 from .records import Ego, IgnoreRegion, ObjectLabel, Pair
 from .selection import Selection
@@ -26,6 +27,14 @@ if TYPE_CHECKING:
 
 DEPTH_KINDS = ("sparse", "completed", "error")
 """The kinds of depth maps."""
+
+FLOW_KINDS = ("backward", "forward")
+"""The kinds of flow: from the pixels of the frame to the frame before, and from the pixels of that to this one."""
+
+FLOW_VALID, FLOW_MOVED, FLOW_COVERED, FLOW_LEAVES_PICTURE, FLOW_PERSON, FLOW_UNKNOWN, FLOW_INFINITE = (
+    1 << bit for bit in range(7)
+)
+"""The flags of flow_flags; docs/flow.md has their meaning."""
 
 PICTURE_ENDINGS = (".png", ".jpg", ".jpeg", ".bmp")
 """How names of pictures end."""
@@ -171,6 +180,44 @@ class View:
         vectors[~coded.any(axis=-1)] = np.nan
         return vectors
 
+    @property
+    def flow_from(self) -> Optional[int]:
+        """Number of the frame before, to which the flow leads; None if the frame has no flow, as the first of a place."""
+        return checked(self._source, lambda: optional(lambda part: integer(part["from"]), self.raw.get("flow")))
+
+    def flow(self, kind: str = "backward") -> Depth:
+        """The optical flow as (height, width, 2), float32: pixels to the right and down, or NaN where it is not known.
+
+        kind: "backward", from the pixels of this frame to the frame before; "forward", from the pixels of that to this one. Raises
+        MissingPictureError if the frame has no flow or the file does not exist, and PictureError as image does.
+        """
+        stored = read_vectors(self._flow_path(_flow_kind(kind)), self.size)
+        flow: Depth = (stored[..., :2].astype(np.float32) - np.float32(32768)) / np.float32(64)
+        flow[stored[..., 2] == 0] = np.nan
+        return flow
+
+    def flow_flags(self, kind: str = "backward") -> Picture:
+        """What is known of the flow of each pixel as (height, width), uint8: a sum of FLOW_VALID and others. kind and errors as in flow."""
+        return read_class_map(self._flow_path(_flow_kind(kind) + "Flags"), self.size)
+
+    def surface_motion(self) -> Depth:
+        """How far the surfaces have moved in the world since the frame before, as (height, width, 3), float32.
+
+        Metres to the camera's right, down and forward, or NaN where it is not known. Errors as in flow.
+        """
+        stored = read_vectors(self._flow_path("motion"), self.size)
+        motion: Depth = (stored.astype(np.float32) - np.float32(32768)) / np.float32(1000)
+        motion[~stored.any(axis=-1)] = np.nan
+        return motion
+
+    def _flow_path(self, kind: str) -> Path:
+        name = checked(self._source, lambda: optional(lambda part: text(part[kind]), self.raw.get("flow")))
+        if name is None:
+            raise MissingPictureError(
+                f"{self._source}: the frame has no flow. Harvest with --flow; the first frame of a place never has one."
+            )
+        return self.inner(name)
+
     def inner(self, name: str, endings: Tuple[str, ...] = PICTURE_ENDINGS) -> Path:
         """The path of a file of the session. A label of somebody else must not open files elsewhere."""
         shown = f"{self._source}: '{one_line(name)}'"
@@ -191,6 +238,12 @@ class View:
             lambda: f"View({self.name!r}, frame {self.frame}, {self.size[0]}x{self.size[1]}, {len(self.objects)} objects)",
             self._source,
         )
+
+
+def _flow_kind(kind: str) -> str:
+    if kind not in FLOW_KINDS:
+        raise ValueError(f"kind is one of {', '.join(FLOW_KINDS)}, not {kind!r}.")
+    return kind
 
 
 def _shown(describe: Callable[[], str], source: str) -> str:
@@ -307,6 +360,13 @@ class Frame:
         return checked(self._source, lambda: motion_rows(self.raw["motion"]) if "motion" in self.raw else None)
 
     @functools.cached_property
+    def events(self) -> Optional[Tuple[EventMark, ...]]:
+        """The events that are open at the moment, by ascending id; None if events are not recorded."""
+        return checked(
+            self._source, lambda: each(EventMark.from_json, self.raw["events"]) if "events" in self.raw else None
+        )
+
+    @functools.cached_property
     def drive(self) -> Optional[Drive]:
         """The action that belongs to the frame; None unless the session is a recorded drive."""
         return checked(self._source, lambda: Drive.from_json(self.raw["drive"]) if "drive" in self.raw else None)
@@ -346,6 +406,23 @@ class Frame:
     def normals(self) -> Depth:
         """The map of normals of the only view; see View.normals."""
         return self.view.normals()
+
+    @property
+    def flow_from(self) -> Optional[int]:
+        """Number of the frame before of the only view; see View.flow_from."""
+        return self.view.flow_from
+
+    def flow(self, kind: str = "backward") -> Depth:
+        """The optical flow of the only view; see View.flow."""
+        return self.view.flow(kind)
+
+    def flow_flags(self, kind: str = "backward") -> Picture:
+        """What is known of the flow of the only view; see View.flow_flags."""
+        return self.view.flow_flags(kind)
+
+    def surface_motion(self) -> Depth:
+        """The motion of the surfaces of the only view; see View.surface_motion."""
+        return self.view.surface_motion()
 
     def to_pandas(self, selection: Optional[Selection] = None) -> pandas.DataFrame:
         """A table with one row per object; see Session.to_pandas."""

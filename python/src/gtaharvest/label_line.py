@@ -12,7 +12,7 @@ from .json_object import parse_object
 _LANES = b',"lanes":{'
 
 # Optional fields that stand before the lanes: where they are missing there, the rest need not be parsed to look for them.
-_BEFORE_LANES = frozenset(("moment", "view"))
+_BEFORE_LANES = frozenset(("moment", "view", "events"))
 
 
 class LabelLine(Mapping[str, Any]):

@@ -67,6 +67,18 @@ def read_depth(path: Path, size: Size) -> Depth:
     return metres
 
 
+def read_vectors(path: Path, size: Size) -> Picture:
+    """A map of flow or motion of a size as (rows, columns, 3), uint16, as it is stored.
+
+    Raises MissingPictureError and PictureError.
+    """
+    data = _read(path)
+    header = _header(path, data, size)
+    if not data.startswith(png.SIGNATURE) or header.channels != 3 or header.bits != 16:
+        raise PictureError(f"{path}: a map of flow is a PNG of 16 bits for each of red, green and blue.")
+    return _decoded(path, data)
+
+
 def _map(path: Path, size: Size, bits: Tuple[int, ...], kind: str) -> Picture:
     data = _read(path)
     header = _header(path, data, size)

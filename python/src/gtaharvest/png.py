@@ -86,7 +86,7 @@ def _packed(data: bytes) -> Iterator[memoryview]:
 
 
 def encode(picture: Picture) -> bytes:
-    """Encodes an image as PNG: (rows, columns, 3) of uint8, or (rows, columns) of uint8 or uint16."""
+    """Encodes an image as PNG: (rows, columns, 3) or (rows, columns), of uint8 or uint16."""
     height, width = picture.shape[:2]
     bits = 16 if picture.dtype == np.uint16 else 8
     colour = _COLOUR if picture.ndim == 3 else _GREY

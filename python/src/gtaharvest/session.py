@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import io
 import itertools
 import os
 import re
@@ -16,6 +17,7 @@ import numpy.typing as npt
 from .camera import Array, Camera
 from .checks import checked, each, one_line, text
 from .errors import LabelError, NewerFormatError, NotASessionError, NotInSessionError, PartialSessionError
+from .events import Event
 from .files import open_regular, read_regular
 from .frame import ONLY_VIEW, Frame
 from .index import LineIndex
@@ -34,6 +36,7 @@ FORMAT_VERSION = 1
 
 _UNFINISHED_MARK = ".harvester-unfinished"
 _MAX_HEADER_BYTES = 16 * 1024 * 1024
+_MAX_EVENT_BYTES = 1024 * 1024
 
 
 @dataclass(frozen=True, repr=False)
@@ -150,6 +153,31 @@ class Session:
     @functools.cached_property
     def _numbers(self) -> npt.NDArray[np.int64]:
         return np.fromiter((frame.number for frame in self), np.int64, len(self))
+
+    def events(self) -> Iterator[Event]:
+        """The events in the order in which they ended; none if events were not recorded. An unfinished last line is left out."""
+        path = self.folder / "events.jsonl"
+        try:
+            stream = io.BufferedReader(open_regular(path))  # type: ignore[arg-type]
+        except FileNotFoundError:
+            return
+        except OSError as problem:
+            raise LabelError(f"{path}: the events cannot be read: {problem.strerror}.") from None
+        with stream:
+            number = 0
+            while True:
+                line = stream.readline(_MAX_EVENT_BYTES)
+                number += 1
+                if not line.endswith(b"\n"):
+                    if len(line) == _MAX_EVENT_BYTES:
+                        raise LabelError(f"{path}, line {number}: it is longer than {_MAX_EVENT_BYTES} bytes.")
+                    return
+                source = f"{path}, line {number}"
+                try:
+                    value = parse_object(line)
+                except ValueError as problem:
+                    raise LabelError(f"{source}: it is not a JSON object ({one_line(problem)}).") from None
+                yield checked(source, lambda: Event.from_json(value))
 
     def track(self, id: int) -> Track:
         """The object with an id, in all frames that show it. Reads the whole label file.

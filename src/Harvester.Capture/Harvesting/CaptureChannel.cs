@@ -15,6 +15,9 @@ internal abstract class CaptureChannel(FrameChannel format)
     /// <summary>Whether it needs the normals of the surfaces that the rays of a frame hit.</summary>
     public virtual bool NeedsNormals(GamePorts game) => false;
 
+    /// <summary>Whether it needs what was found in the frame of the same view before.</summary>
+    public virtual bool NeedsFrameBefore => false;
+
     /// <summary>Whether a harvest has it.</summary>
     public virtual bool IsOn(HarvestOptions options) => options.Channels.Contains(format.Key);
 

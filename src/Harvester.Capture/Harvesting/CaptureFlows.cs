@@ -17,13 +17,15 @@ internal sealed class CaptureFlows(
     PhaseCalls calls
 )
 {
+    private readonly bool _needsFrameBefore = CaptureChannels.Of(options).Any(static channel => channel.NeedsFrameBefore);
+
     /// <summary>Creates the flow for a sink.</summary>
     /// <param name="sink">Receives the frames; it gives the numbers of the first frame and object.</param>
     /// <param name="lag">The picture lag; null if it is unknown.</param>
     /// <exception cref="HarvestFaultException">The harvest is live, and the lag is unknown.</exception>
     public ICaptureFlow For(IFrameSink sink, PictureLag? lag)
     {
-        var registry = new ObjectRegistry(sink.FirstObjectId);
+        ObjectRegistry registry = Registry = new ObjectRegistry(sink.FirstObjectId);
         FrameRays rays = CaptureChannels.Of(options).Any(channel => channel.NeedsNormals(game))
             ? new FrameRays(game.SurfaceRays!, options.RayBudget) { Record = new RayRecord() }
             : new FrameRays(game.Rays, options.RayBudget);
@@ -42,7 +44,7 @@ internal sealed class CaptureFlows(
                 calls
             )
             {
-                TakesNext = () => Takes(sink.FirstFrame + counters.Taken),
+                NextTurn = () => TurnOf(sink.FirstFrame + counters.Taken),
             };
         }
 
@@ -50,7 +52,7 @@ internal sealed class CaptureFlows(
         return options.Freeze
             ? new FrozenFlow(options, game, reader, labeller, pool, budget, counters, calls, Photographer, Pairs)
             {
-                TakesNext = () => Takes(sink.FirstFrame + counters.Taken),
+                NextTurn = () => TurnOf(sink.FirstFrame + counters.Taken),
             }
             : new LiveFlow(game, reader, labeller, pool, budget, counters, NextLag ?? Always(lag ?? throw LagUnknown()));
     }
@@ -65,10 +67,28 @@ internal sealed class CaptureFlows(
     /// <summary>Compares masks of both methods; null if they are not compared.</summary>
     public MaskComparison? Comparison { get; } = options is { Masks: true, MaskMethod: MaskMethod.Both } ? new MaskComparison() : null;
 
+    /// <summary>The ids of the objects; null until there is a flow.</summary>
+    public ObjectRegistry? Registry { get; private set; }
+
     /// <summary>Gives the picture lag of the next live frame; null if it is always the same.</summary>
     public Func<PictureLag>? NextLag { get; init; }
 
     private static Func<PictureLag> Always(PictureLag lag) => () => lag;
+
+    private FrameTurn TurnOf(int frame)
+    {
+        int views = options.ViewsPerMoment;
+        bool isOurs = Takes(frame);
+        bool isNeeded = _needsFrameBefore && Takes(frame + views) && IsOneCourse(frame, frame + views);
+        return new FrameTurn(
+            frame,
+            frame >= views && IsOneCourse(frame - views, frame) ? frame - views : null,
+            isOurs,
+            IsLabelled: isOurs || isNeeded
+        );
+    }
+
+    private bool IsOneCourse(int frame, int next) => options.Places is not { } places || places.PlaceOf(frame) == places.PlaceOf(next);
 
     private bool Takes(int frame) => frame > options.RecordedThrough && options.Shard.Takes(frame / options.ViewsPerMoment);
 

@@ -1,5 +1,7 @@
+using Harvester.Capture.Events;
 using Harvester.Capture.Labelling;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
@@ -47,12 +49,21 @@ public sealed class CapturedFrame : IDisposable
     /// <summary>The scene from which its labels were made; null if scenes are not recorded.</summary>
     public RecordedScene? Scene { get; init; }
 
+    /// <summary>The events that have ended since the frame before; all their frames come before this one.</summary>
+    public IReadOnlyList<DrivingEvent> EndedEvents { get; internal set; } = [];
+
+    /// <summary>The events that are open at its moment or have ended since the frame before, with their times.</summary>
+    internal IReadOnlyList<EventSpan> Events { get; init; } = [];
+
     /// <summary>What one channel has found; null if that is nothing.</summary>
     public T? Part<T>()
         where T : FramePart => Parts.OfType<T>().FirstOrDefault();
 
     /// <summary>Adds to the label what is known only later: the action that answered the frame, and the motion up to the frame.</summary>
     public void Attach(DriveLabel drive, IReadOnlyList<MotionSample> motion) => Label = Label with { Drive = drive, Motion = motion };
+
+    /// <summary>Adds events that ended before its own, which an earlier frame had that was dropped.</summary>
+    internal void Bring(IReadOnlyList<DrivingEvent> earlier) => EndedEvents = [.. earlier, .. EndedEvents];
 
     /// <inheritdoc />
     public void Dispose()

@@ -1,5 +1,7 @@
+using Harvester.Capture.Events;
 using Harvester.Capture.Labelling;
 using Harvester.Geometry.Work;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
@@ -20,7 +22,17 @@ internal sealed class FrameHarvester(
 )
 {
     private readonly PictureQueue _drawing = new(options.Pairs.IsAny ? 0 : Math.Max(PictureQueue.UsualCapacity, options.ViewsPerMoment));
+    private readonly List<DrivingEvent> _lostEvents = [];
     private CapturedFrame? _ready;
+
+    /// <summary>The events of frames that were given up, once the work has ended.</summary>
+    public IReadOnlyList<DrivingEvent> LostEvents => _lostEvents;
+
+    /// <summary>Holds frames back until it is known whether they are kept; null if all are.</summary>
+    public FrameKeeper? Keeper { get; init; }
+
+    /// <summary>Finds the events; null if they are not recorded.</summary>
+    public EventRecorder? Events { get; init; }
 
     /// <summary>Watches the pictures of a single camera; null for a rig.</summary>
     public PictureWatch? Watch { get; init; }
@@ -55,15 +67,14 @@ internal sealed class FrameHarvester(
                         yield return HarvestPhase.WaitingForSink.Tick();
                     }
 
-                    _ready = FinishOldest();
-                    while (!sink.TryEnqueue(_ready))
-                    {
-                        counters.TicksWaitedForSink++;
-                        yield return HarvestPhase.WaitingForSink.Tick();
-                    }
+                    Draw();
+                    yield return WorkStep.Do(HandOver());
+                }
 
-                    _ready = null;
-                    counters.Captured++;
+                if (isOver && Keeper is not null)
+                {
+                    Keeper.IsEnding = true;
+                    yield return WorkStep.Do(HandOver());
                 }
 
                 if (!isOver)
@@ -86,6 +97,7 @@ internal sealed class FrameHarvester(
             flow.Taken[0].Motion = samples;
         }
 
+        AddEvents();
         foreach (FrameDraft frame in flow.Taken)
         {
             _drawing.Add(sink.FirstFrame + counters.Taken, frame);
@@ -99,26 +111,107 @@ internal sealed class FrameHarvester(
         }
     }
 
+    /// <summary>Gives the frames that the flow has taken their events.</summary>
+    private void AddEvents()
+    {
+        if (Events is null || flow.TakenSeconds is not { } seconds)
+        {
+            return;
+        }
+
+        Events.Note(sink.FirstFrame + counters.Taken, options.ViewsPerMoment, seconds);
+        if (flow.Taken.Count > 0)
+        {
+            TakenEvents events = Events.TakeAt(seconds);
+            flow.Taken[0].EndedEvents = events.Ended;
+            foreach (FrameDraft frame in flow.Taken)
+            {
+                frame.Events = events.Marks;
+                frame.Spans = events.Spans;
+            }
+        }
+    }
+
+    /// <summary>Finishes the oldest frame; it is ready then, or held back.</summary>
+    private void Draw()
+    {
+        CapturedFrame oldest = FinishOldest();
+        if (Keeper is null)
+        {
+            _ready = oldest;
+        }
+        else
+        {
+            Keeper.Add(oldest);
+        }
+    }
+
+    /// <summary>Hands over all frames that are ready.</summary>
+    private IEnumerable<WorkStep> HandOver()
+    {
+        while (HasReady())
+        {
+            while (!TryHandOver())
+            {
+                counters.TicksWaitedForSink++;
+                yield return HarvestPhase.WaitingForSink.Tick();
+            }
+
+            if (Keeper is { IsEnding: true })
+            {
+                yield return HarvestPhase.WaitingForSink.Tick();
+            }
+        }
+    }
+
+    private bool HasReady()
+    {
+        if (_ready is null && Keeper is not null)
+        {
+            int before = Keeper.Dropped;
+            _ready = Keeper.Next();
+            counters.Captured += Keeper.Dropped - before;
+        }
+
+        return _ready is not null;
+    }
+
+    private bool TryHandOver()
+    {
+        if (!sink.TryEnqueue(_ready!))
+        {
+            return false;
+        }
+
+        _ready = null;
+        counters.Captured++;
+        return true;
+    }
+
     private void HandOverRest()
     {
         try
         {
-            while (_ready is not null || _drawing.Count > 0)
+            bool hasRoom = true;
+            while (hasRoom && (HasReady() || _drawing.Count > 0))
             {
-                _ready ??= FinishOldest();
-                if (!sink.TryEnqueue(_ready))
+                if (HasReady())
                 {
-                    break;
+                    hasRoom = TryHandOver();
                 }
-
-                _ready = null;
-                counters.Captured++;
+                else
+                {
+                    Draw();
+                }
             }
         }
         finally
         {
+            _lostEvents.AddRange(_ready?.EndedEvents ?? []);
             _ready?.Dispose();
             _ready = null;
+            _lostEvents.AddRange(Keeper?.GiveUp() ?? []);
+            _lostEvents.AddRange(_drawing.Frames.SelectMany(static frame => frame.EndedEvents));
             _drawing.Dispose();
         }
     }
@@ -159,6 +252,7 @@ internal sealed class FrameHarvester(
                 Moment = draft.View?.MomentOf(number),
                 View = key.View,
                 Motion = draft.Motion,
+                Events = draft.Events,
                 Place = place,
                 PlaceFrame = place is { } at ? number - options.Places!.FirstFrameOf(at) : null,
                 PixelMap = draft.PixelMap,
@@ -170,6 +264,8 @@ internal sealed class FrameHarvester(
             return new CapturedFrame(label, picture, grabbed.Pool)
             {
                 Mask = draft.Mask,
+                EndedEvents = draft.EndedEvents,
+                Events = draft.Spans,
                 Parts = draft.Parts,
                 Files = [.. draft.Parts.SelectMany(part => part.FilesIn(key))],
                 Folders = [.. draft.Parts.Select(part => part.FolderIn(key)).OfType<string>()],

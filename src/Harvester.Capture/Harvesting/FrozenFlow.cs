@@ -36,18 +36,15 @@ internal sealed class FrozenFlow(
 
     public double? TakenSeconds { get; private set; }
 
-    /// <summary>
-    /// Whether the next frame is to be taken. One of another shard, or one that the session already holds, is read and settled too, but not
-    /// grabbed or labelled.
-    /// </summary>
-    public required Func<bool> TakesNext { get; init; }
+    /// <summary>Says what is to be done with the next frame.</summary>
+    public required Func<FrameTurn> NextTurn { get; init; }
 
     public IEnumerable<WorkStep> TakeFrame()
     {
         Taken = [];
         IsPassed = false;
         TakenSeconds = null;
-        bool isOurs = TakesNext();
+        FrameTurn turn = NextTurn();
         GrabbedPicture? picture = null;
         game.Pause.Freeze();
         try
@@ -61,7 +58,7 @@ internal sealed class FrozenFlow(
             }
 
             counters.Settled(_scene.MovingTicks);
-            picture = isOurs ? new GrabbedPicture(game.Screen, pool) : null;
+            picture = turn.IsLabelled ? new GrabbedPicture(game.Screen, pool) : null;
             if (picture?.Refusal is { } refusal)
             {
                 counters.Discard(refusal);
@@ -69,7 +66,11 @@ internal sealed class FrozenFlow(
             }
 
             Camera camera = labeller.CameraOf(snapshot);
-            var frame = new FrameDraft(snapshot, camera, labeller.CandidatesOf(camera, snapshot));
+            var frame = new FrameDraft(snapshot, camera, labeller.CandidatesOf(camera, snapshot))
+            {
+                Number = turn.Number,
+                Before = turn.Before,
+            };
             if (photographer is not null)
             {
                 yield return HarvestPhase.Photographing.Do(photographer.Take(camera, frame.Targets, picture?.WaitForPixels()));
@@ -83,7 +84,7 @@ internal sealed class FrozenFlow(
             }
 
             budget.BeginSteps();
-            if (isOurs)
+            if (turn.IsLabelled)
             {
                 yield return HarvestPhase.Labelling.Do(labeller.Label(frame, static () => true, photographer?.Pictures));
             }
@@ -95,7 +96,7 @@ internal sealed class FrozenFlow(
             if (pairs is not null)
             {
                 photographer?.Release();
-                yield return HarvestPhase.Photographing.Do(isOurs ? pairs.Take(frame, picture!.WaitForPixels()) : pairs.Pass());
+                yield return HarvestPhase.Photographing.Do(turn.IsOurs ? pairs.Take(frame, picture!.WaitForPixels()) : pairs.Pass());
 
                 calls.Charge(HarvestPhase.Photographing);
             }
@@ -108,9 +109,10 @@ internal sealed class FrozenFlow(
                 yield break;
             }
 
-            IsPassed = !isOurs;
+            IsPassed = !turn.IsOurs;
+            frame.IsKept = true;
             TakenSeconds = snapshot.TimeSeconds;
-            if (isOurs)
+            if (turn.IsOurs)
             {
                 if (pairs is { Taken: { Count: > 0 } pictures })
                 {

@@ -17,6 +17,6 @@ internal static class HarvestConflicts
                 "Skipping frames needs a game that is frozen for each frame.",
             { Rig: not null } when !options.Freeze || options.MaskMethod != MaskMethod.Rays || game.RigCamera is null =>
                 "A rig needs a game that is frozen for each moment and lets its camera move, and masks from rays.",
-            _ => CaptureChannels.ProblemFor(options, game),
+            _ => options.KeepProblem ?? CaptureChannels.ProblemFor(options, game),
         };
 }

@@ -1,5 +1,6 @@
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Jpeg;
@@ -16,6 +17,9 @@ public sealed record HarvestOptions : LabellingOptions
 {
     /// <summary>Space that stays free on a disk unless the user says otherwise, bytes.</summary>
     public const long DefaultMinFreeBytes = 1_000_000_000;
+
+    /// <summary>Memory for images that are held back until it is known whether an event is near them, bytes.</summary>
+    private const double MaxHeldBytes = 1e9;
 
     /// <summary>
     /// The sensors that see each moment; null for the single camera of the game. With a rig, numbers of frames count views, and <see
@@ -173,6 +177,9 @@ public sealed record HarvestOptions : LabellingOptions
         init;
     }
 
+    /// <summary>How events are found; null (default) to find none.</summary>
+    public EventOptions? Events { get; init; }
+
     /// <summary>When the session's writer waits for the disk; the bytes of the session do not depend on it.</summary>
     public SyncMode Sync { get; init; } = SyncMode.Batch;
 
@@ -191,6 +198,27 @@ public sealed record HarvestOptions : LabellingOptions
         get;
         init => field = OptionCheck.InRange(value, 1, 1_000, nameof(QueueCapacity));
     } = 16;
+
+    /// <summary>Why frames cannot be held back until it is known whether an event is near them, one sentence; null if they can.</summary>
+    public string? KeepProblem
+    {
+        get
+        {
+            const int bytesPerPixel = 4;
+            if (Events?.KeepAroundSeconds is not { } seconds)
+            {
+                return null;
+            }
+
+            double pixels =
+                Rig?.Cameras.Sum(camera => (double)camera.Image.Width * camera.Image.Height) ?? (double)Image.Width * Image.Height;
+            double bytes = seconds * RateHz * pixels * bytesPerPixel;
+            string held = FormattableString.Invariant($"{bytes / 1e6:F0} MB, of which at most {MaxHeldBytes / 1e6:F0} are held back");
+            return Shard.Count > 1 ? "Frames around events are kept in whole harvests only, not in shards."
+                : bytes > MaxHeldBytes ? $"The frames of that time take {held}. Keep less around events, or take smaller or fewer images."
+                : null;
+        }
+    }
 
     /// <summary>Distance of the rig's farthest camera from the origin of the vehicle's model, metres; 0 without a rig.</summary>
     internal double RigReachMetres => Rig?.Cameras.Max(camera => Rig.OnVehicle(camera.Mount).Position.Length) ?? 0;

@@ -1,4 +1,5 @@
 using Harvester.Capture.Calibration;
+using Harvester.Capture.Events;
 using Harvester.Capture.Faults;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
@@ -29,6 +30,8 @@ public sealed class HarvestSession : IDisposable
     private bool _opened;
     private WorkRun _run;
     private CaptureFlows? _flows;
+    private EventRecorder? _events;
+    private FrameHarvester? _frames;
     private HarvestPhase _phase = HarvestPhase.Waiting;
 
     /// <summary>Creates a session. The game is not used before the first step.</summary>
@@ -136,6 +139,7 @@ public sealed class HarvestSession : IDisposable
                 Calls.Charge(HarvestPhase.Waiting);
             }
 
+            ObserveEvents();
             bool isGoingOn = _run.Advance();
             if (!isGoingOn && _flows is null)
             {
@@ -165,6 +169,27 @@ public sealed class HarvestSession : IDisposable
         return Status;
     }
 
+    /// <summary>
+    /// Looks for events, in a tick without a step: for those who step the harvest only for its frames. Nothing is done before the first
+    /// frame is due, and without <see cref="HarvestOptions.Events"/>.
+    /// </summary>
+    public void Observe()
+    {
+        try
+        {
+            if (!Status.IsOver)
+            {
+                ObserveEvents();
+            }
+        }
+#pragma warning disable CA1031 // As in Step.
+        catch (Exception exception)
+#pragma warning restore CA1031
+        {
+            Fail(exception);
+        }
+    }
+
     /// <summary>Ends the harvest, resumes the game and closes the sink. An unfinished frame is dropped. Further calls do nothing.</summary>
     public void Stop()
     {
@@ -191,9 +216,29 @@ public sealed class HarvestSession : IDisposable
     private WorkRun BeginFrames()
     {
         _flows = new CaptureFlows(_options, _game, _reader, _pool, _budget, Counters, Calls) { NextLag = NextLag };
-        var frames = new FrameHarvester(_options, _sink, _flows.For(_sink, Lag), Counters, _motion) { Watch = _watch };
+        ICaptureFlow flow = _flows.For(_sink, Lag);
+        CaptureFlows flows = _flows;
+        _events = _options.Events is { } events
+            ? new EventRecorder(events, _game.World, entity => flows.Registry!.IdOf(entity), _sink.FirstEventId)
+            : null;
+        ObserveEvents();
+        _frames = new FrameHarvester(_options, _sink, flow, Counters, _motion)
+        {
+            Watch = _watch,
+            Events = _events,
+            Keeper = _options.Events is { KeepAroundSeconds: { } around } keeping ? new FrameKeeper(around, keeping.KeepKinds) : null,
+        };
         IFrameTrigger trigger = Tour is { } tour ? new TourTrigger(tour, Counters) : new RateTrigger(_options, _time, Counters, Calls);
-        return new WorkRun(frames.Run(trigger), () => _budget.IsSpent);
+        return new WorkRun(_frames.Run(trigger), () => _budget.IsSpent);
+    }
+
+    private void ObserveEvents()
+    {
+        if (_opened && _events is not null)
+        {
+            _events.Observe();
+            Calls.Charge(HarvestPhase.Waiting);
+        }
     }
 
     private void Open()
@@ -286,6 +331,9 @@ public sealed class HarvestSession : IDisposable
                 )
                 {
                     Reading = _game.Reading?.Report,
+                    Events = _options.Events is null
+                        ? null
+                        : _events?.Finish(_frames?.LostEvents ?? [], _sink.FirstFrame + Counters.Captured - 1) ?? [],
                     MaskComparison = MaskComparison,
                     PictureWarning = _watch?.Warning,
                     MaskWarning = _flows?.Photographer?.Warning?.Message,

@@ -15,6 +15,9 @@ public interface IFrameSink : IDisposable
     /// <summary>Number of the first object: 1, or the one after the greatest of a resumed session.</summary>
     int FirstObjectId { get; }
 
+    /// <summary>Number of the first event: 1, or the one after the greatest of a resumed session.</summary>
+    int FirstEventId { get; }
+
     /// <summary>Begins the session; called once, before anything else.</summary>
     void Open(SessionStart start);
 

@@ -20,6 +20,9 @@ internal sealed class PictureQueue(int capacity) : IDisposable
     /// <summary>Number of frames.</summary>
     public int Count => _frames.Count;
 
+    /// <summary>The frames, the oldest first.</summary>
+    public IEnumerable<FrameDraft> Frames => _frames.Select(static each => each.Frame);
+
     /// <summary>
     /// Whether the oldest frame is due: the queue is over its capacity, or the oldest picture was not deferred.
     /// </summary>

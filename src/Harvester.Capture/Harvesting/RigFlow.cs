@@ -60,15 +60,15 @@ internal sealed class RigFlow : ICaptureFlow
 
     public double? TakenSeconds { get; private set; }
 
-    /// <summary>Whether the next moment is to be taken, as in <see cref="FrozenFlow"/>.</summary>
-    public required Func<bool> TakesNext { get; init; }
+    /// <summary>Says what is to be done with the views of the next moment, as in <see cref="FrozenFlow"/>.</summary>
+    public required Func<FrameTurn> NextTurn { get; init; }
 
     public IEnumerable<WorkStep> TakeFrame()
     {
         Taken = [];
         IsPassed = false;
         TakenSeconds = null;
-        bool isOurs = TakesNext();
+        FrameTurn turn = NextTurn();
         var taken = new List<FrameDraft>();
         _game.Pause.Freeze();
         try
@@ -88,9 +88,10 @@ internal sealed class RigFlow : ICaptureFlow
                 lidar.AssignIds(moment);
             }
 
-            foreach (ViewCapture view in _views)
+            for (int index = 0; index < _views.Length; index++)
             {
-                yield return WorkStep.Do(Take(view, moment, isOurs ? taken : null));
+                ViewCapture view = _views[index];
+                yield return WorkStep.Do(Take(view, moment, turn.OfView(index), taken));
 
                 if (view.Refusal is { } refusal)
                 {
@@ -99,7 +100,7 @@ internal sealed class RigFlow : ICaptureFlow
                 }
             }
 
-            if (isOurs)
+            if (turn.IsOurs)
             {
                 yield return HarvestPhase.Labelling.Do(Measure(moment, taken));
             }
@@ -112,10 +113,14 @@ internal sealed class RigFlow : ICaptureFlow
                 yield break;
             }
 
-            IsPassed = !isOurs;
+            IsPassed = !turn.IsOurs;
             TakenSeconds = moment.TimeSeconds;
-            Taken = [.. taken];
-            taken.Clear();
+            taken.ForEach(static frame => frame.IsKept = true);
+            if (turn.IsOurs)
+            {
+                Taken = [.. taken];
+                taken.Clear();
+            }
         }
         finally
         {
@@ -127,15 +132,15 @@ internal sealed class RigFlow : ICaptureFlow
     }
 
     /// <summary>Takes one view; it sets the view's refusal if the picture cannot be used.</summary>
-    private IEnumerable<WorkStep> Take(ViewCapture view, SceneSnapshot moment, List<FrameDraft>? taken)
+    private IEnumerable<WorkStep> Take(ViewCapture view, SceneSnapshot moment, FrameTurn turn, List<FrameDraft> taken)
     {
         view.Refusal = null;
         yield return WorkStep.Do(Show(view, moment.Ego.Pose));
 
         SceneSnapshot seen = SeenFrom(_game.World.ReadCamera(), moment);
         Camera camera = view.Labeller.CameraOf(seen);
-        var frame = new FrameDraft(seen, camera, view.Labeller.CandidatesOf(camera, seen));
-        if (taken is null)
+        var frame = new FrameDraft(seen, camera, view.Labeller.CandidatesOf(camera, seen)) { Number = turn.Number, Before = turn.Before };
+        if (!turn.IsLabelled)
         {
             view.Labeller.Pass(frame);
             yield break;

@@ -1,5 +1,6 @@
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
+using Harvester.Sessions.Events;
 
 namespace Harvester.Capture.Harvesting;
 
@@ -24,6 +25,9 @@ public sealed record SessionEnd(
 {
     /// <summary>What could not be read of the game correctly; null for a game that is always read completely.</summary>
     public ReadingReport? Reading { get; init; }
+
+    /// <summary>The events that have ended since the last frame; null if events are not recorded.</summary>
+    public IReadOnlyList<DrivingEvent>? Events { get; init; }
 
     /// <summary>How well masks from rays agree with those from photographs; null if they are not compared.</summary>
     public MaskComparison? MaskComparison { get; init; }

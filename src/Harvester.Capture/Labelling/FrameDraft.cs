@@ -1,6 +1,8 @@
+using Harvester.Capture.Events;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
@@ -45,6 +47,15 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera, List<Lab
             ),
         ];
 
+    /// <summary>Its number in the session; 0 for labels made without a game.</summary>
+    public int Number { get; init; }
+
+    /// <summary>Number of the frame of the same view before it at the same place; null for the first.</summary>
+    public int? Before { get; init; }
+
+    /// <summary>Whether the frame was not discarded; known only after it was labelled.</summary>
+    public bool IsKept { get; set; }
+
     /// <summary>The image; null until it is grabbed, and for labels made without a game.</summary>
     public GrabbedPicture? Picture { get; set; }
 
@@ -76,6 +87,15 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera, List<Lab
     /// The motion of the ego since the frame before; null if it is not recorded, or the frame is not a moment's first view.
     /// </summary>
     public IReadOnlyList<MotionSample>? Motion { get; set; }
+
+    /// <summary>The events that are open at its moment; null if events are not recorded.</summary>
+    public IReadOnlyList<EventMark>? Events { get; set; }
+
+    /// <summary>The events that have ended since the frame before; empty in all but the first view of a moment.</summary>
+    public IReadOnlyList<DrivingEvent> EndedEvents { get; set; } = [];
+
+    /// <summary>The events that are open at its moment or have ended since the frame before, with their times.</summary>
+    public IReadOnlyList<EventSpan> Spans { get; set; } = [];
 
     /// <summary>The ids of the entities that have one, by handle.</summary>
     public IReadOnlyDictionary<int, int> Ids { get; set; } = new Dictionary<int, int>();

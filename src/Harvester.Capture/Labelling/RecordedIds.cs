@@ -33,6 +33,10 @@ public sealed class RecordedIds
         }
     }
 
+    /// <summary>Keeps an id from being given to another object: an event names it.</summary>
+    /// <param name="id">The id, 1 to 65,535.</param>
+    public void Reserve(int id) => Greatest = Math.Max(Greatest, id);
+
     internal ushort? Find(EntityState entity, int? face) =>
         _ids.TryGetValue((entity.Handle, face, entity.Model, entity.Class), out ushort id) ? id : null;
 

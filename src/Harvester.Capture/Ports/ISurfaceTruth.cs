@@ -18,4 +18,11 @@ public interface ISurfaceTruth
     /// </summary>
     /// <param name="image">The size of the picture, pixels.</param>
     IReadOnlyList<Vector3D> Normals(ImageSize image);
+
+    /// <summary>
+    /// The surfaces in the current picture, row by row, in arrays that belong to the caller: the depth along the camera's axis, metres,
+    /// positive infinity for the sky; and the handle of the entity, 0 for the static world and the sky.
+    /// </summary>
+    /// <param name="image">The size of the picture, pixels.</param>
+    (float[] Metres, int[] Entities) Surfaces(ImageSize image);
 }

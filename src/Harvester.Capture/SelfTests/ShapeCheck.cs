@@ -134,6 +134,8 @@ internal sealed class ShapeCheck(SelfTestContext context) : SelfCheck(context), 
 
         public int FirstObjectId => 1;
 
+        public int FirstEventId => 1;
+
         public void Open(SessionStart start) { }
 
         public bool TryEnqueue(CapturedFrame frame)

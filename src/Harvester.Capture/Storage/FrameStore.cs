@@ -2,6 +2,7 @@ using System.Diagnostics;
 using System.Text;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
@@ -18,13 +19,23 @@ namespace Harvester.Capture.Storage;
 /// <param name="pictures">Encodes images.</param>
 /// <param name="keepsManifest">Whether the session has a manifest.</param>
 /// <param name="viewsPerMoment">Number of frames of a moment, whose lines are written together.</param>
-internal sealed class FrameStore(ISessionFiles files, SyncMode mode, PictureEncoder pictures, bool keepsManifest, int viewsPerMoment)
+/// <param name="writtenEvents">Number of events at the beginning that an earlier run of the same course has written.</param>
+internal sealed class FrameStore(
+    ISessionFiles files,
+    SyncMode mode,
+    PictureEncoder pictures,
+    bool keepsManifest,
+    int viewsPerMoment,
+    int writtenEvents = 0
+)
 {
     private readonly PngEncoder _png = new();
     private readonly List<string> _manifestLines = [];
     private readonly List<string> _labelLines = [];
     private readonly Stopwatch _age = new();
     private readonly List<int> _frames = [];
+    private readonly List<string> _eventLines = [];
+    private int _eventsToSkip = writtenEvents;
     private int _committed;
 
     /// <summary>Frames whose label lines are written.</summary>
@@ -114,6 +125,7 @@ internal sealed class FrameStore(ISessionFiles files, SyncMode mode, PictureEnco
             _manifestLines.Add(Manifest.FrameLine(frame.Label.Frame, FileDigest.Of(line), written));
             _labelLines.Add(line);
             _frames.Add(frame.Label.Frame);
+            AddEvents(frame.EndedEvents);
             if (mode == SyncMode.Batch && _labelLines.Count < SyncBatch.MaxFrames && _age.Elapsed < SyncBatch.MaxAge)
             {
                 return;
@@ -135,8 +147,35 @@ internal sealed class FrameStore(ISessionFiles files, SyncMode mode, PictureEnco
         Sync();
         AppendToManifest(manifestLines);
         files.Append(SessionDirectory.Labels, labelLines, IsDurable);
+        AppendEvents();
         LastCommitted = last;
         Volatile.Write(ref _committed, _committed + whole);
+    }
+
+    /// <summary>Writes the last events, after all frames, and the line of their file in the manifest.</summary>
+    public void FinishEvents(IReadOnlyList<DrivingEvent> events)
+    {
+        AddEvents(events);
+        files.Append(FramePaths.Events, [], IsDurable);
+        AppendEvents();
+        AppendToManifest([Manifest.FileLine(FramePaths.Events, files.DigestOf(FramePaths.Events))]);
+    }
+
+    private void AddEvents(IReadOnlyList<DrivingEvent> events)
+    {
+        int skipped = Math.Min(_eventsToSkip, events.Count);
+        _eventsToSkip -= skipped;
+        _eventLines.AddRange(events.Skip(skipped).Select(EventJson.Line));
+    }
+
+    /// <summary>Writes the events held back. All their frames come before the frames that brought them.</summary>
+    private void AppendEvents()
+    {
+        if (_eventLines.Count > 0)
+        {
+            files.Append(FramePaths.Events, _eventLines, IsDurable);
+            _eventLines.Clear();
+        }
     }
 
     private void AppendToManifest(IReadOnlyList<string> lines)

@@ -11,7 +11,10 @@ internal interface ISessionFiles : IDisposable
     /// <summary>Writes a complete file: under a temporary name first, then renamed.</summary>
     FileDigest WriteWhole(string name, Action<Stream> content);
 
-    /// <summary>Appends lines to a file, all of them or none.</summary>
+    /// <summary>The digest of a file of the session.</summary>
+    FileDigest DigestOf(string name);
+
+    /// <summary>Appends lines to a file, all of them or none; makes the file if it is missing.</summary>
     /// <param name="name">The file.</param>
     /// <param name="lines">The lines, without line feeds.</param>
     /// <param name="isDurable">Whether they are on the disk when this returns.</param>

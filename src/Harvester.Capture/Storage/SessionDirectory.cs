@@ -31,6 +31,8 @@ internal sealed class SessionDirectory(string path) : ISessionFiles
         return digest;
     }
 
+    public FileDigest DigestOf(string name) => FileDigest.OfFile(Path.Combine(path, name));
+
     public void Append(string name, IReadOnlyList<string> lines, bool isDurable)
     {
         if (!_appended.TryGetValue(name, out FileStream? file))
@@ -41,6 +43,11 @@ internal sealed class SessionDirectory(string path) : ISessionFiles
             {
                 DiskSync.Folder(path);
             }
+        }
+
+        if (lines.Count == 0)
+        {
+            return;
         }
 
         AppendedFile.AppendLines(file, lines, isDurable);

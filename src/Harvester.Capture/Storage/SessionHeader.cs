@@ -59,6 +59,11 @@ internal sealed class SessionHeader(SessionOrigin origin, ISessionFiles files, F
     /// <param name="frames">Frames that the session holds.</param>
     public void Finish(SessionEnd end, int frames)
     {
+        if (end.Events is { } events)
+        {
+            store.FinishEvents(events);
+        }
+
         WriteHeader(end, frames);
         int last = store.LastCommitted;
         store.TidyManifest(frame => frame <= before.LastFrame || frame <= last, keepsReplaced: false);

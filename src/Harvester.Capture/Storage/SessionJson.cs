@@ -1,6 +1,7 @@
 using System.Globalization;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Rigs;
@@ -152,6 +153,28 @@ internal static class SessionJson
         if (options.Motion)
         {
             json.Key("motion").Boolean(true);
+        }
+
+        if (options.Events is { } events)
+        {
+            json.Key("events")
+                .BeginObject()
+                .Key("rateHz")
+                .Number(events.RateHz, LabelDecimals.Seconds)
+                .Key("rangeMetres")
+                .Number(events.RangeMetres, LabelDecimals.Metres);
+            if (events.KeepAroundSeconds is { } around)
+            {
+                json.Key("keepAroundSeconds").Number(around, LabelDecimals.Seconds).Key("keepKinds").BeginArray();
+                foreach (EventKind kind in events.KeepKinds)
+                {
+                    json.String(JsonName.Of(kind));
+                }
+
+                json.EndArray();
+            }
+
+            json.EndObject();
         }
 
         json.Key("semantics")

@@ -106,10 +106,13 @@ public sealed class SessionWriter : IFrameSink
     public bool IsSpaceLow => _isSpaceLow;
 
     /// <inheritdoc />
-    public int FirstFrame => Replays ? 0 : _before.Frames;
+    public int FirstFrame => Replays ? 0 : Math.Max(_before.Frames, _before.LastFrame + 1);
 
     /// <inheritdoc />
     public int FirstObjectId => Replays ? 1 : _before.MaxObjectId + 1;
+
+    /// <inheritdoc />
+    public int FirstEventId => Replays ? 1 : _before.MaxEventId + 1;
 
     /// <summary>Frames of the session whose label lines are written, including those of earlier runs.</summary>
     public int FramesWritten => _before.Frames + (_store?.Committed ?? 0);
@@ -140,7 +143,8 @@ public sealed class SessionWriter : IFrameSink
             start.Options.Sync,
             new PictureEncoder(start.Options.Format, start.Options.JpegQuality),
             _before.KeepsManifest,
-            start.Options.ViewsPerMoment
+            start.Options.ViewsPerMoment,
+            Replays ? _before.Events : 0
         );
         _header = new SessionHeader(_origin, _files, _store, _before, start);
         _space = new SpaceWatch(Folder, start.Options.MinFreeBytes, _disk);
@@ -209,7 +213,14 @@ public sealed class SessionWriter : IFrameSink
     private void WriteAll()
     {
         Attempt(_space!.Check);
-        Attempt(() => _header!.Begin(_kept, FramesWritten));
+        Attempt(() =>
+        {
+            _header!.Begin(_kept, FramesWritten);
+            if (Replays)
+            {
+                _before.CutEvents(Folder);
+            }
+        });
         while (!_queue!.IsCompleted)
         {
             using CapturedFrame? frame = _queue.TryTake(out CapturedFrame? taken, _store!.Patience) ? taken : null;

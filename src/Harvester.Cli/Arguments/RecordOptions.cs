@@ -2,10 +2,11 @@ using System.CommandLine;
 using Harvester.Geometry.Cameras;
 using Harvester.Runs.Driving;
 using Harvester.Runs.Faults;
+using Harvester.Sessions.Events;
 
 namespace Harvester.Cli.Arguments;
 
-/// <summary>--record, --record-every and --min-free.</summary>
+/// <summary>--record, --record-every, --record-events and --min-free.</summary>
 internal sealed class RecordOptions
 {
     /// <summary>Controls are decided in this period, seconds of game time; frames are recorded where they are.</summary>
@@ -21,6 +22,11 @@ internal sealed class RecordOptions
         "a multiple of 0.1, at most 60"
     );
 
+    private readonly Option<bool> _events = new("--record-events")
+    {
+        Description = "Find near misses, hard braking and collisions at every tick, and list them in events.jsonl of the recording",
+    };
+
     private readonly Option<long?> _minFree = MinFreeOption.Create();
 
     /// <summary>Creates the options.</summary>
@@ -32,7 +38,7 @@ internal sealed class RecordOptions
     }
 
     /// <summary>The options.</summary>
-    public IEnumerable<Option> All => [_folder, _every, _minFree];
+    public IEnumerable<Option> All => [_folder, _every, _events, _minFree];
 
     /// <summary>The folder of the recording; null if nothing is recorded.</summary>
     public string? FolderOf(ParseResult parsed) => parsed.GetValue(_folder);
@@ -52,10 +58,13 @@ internal sealed class RecordOptions
                 IsNumbered = isNumbered,
                 MinFreeBytes = MinFreeOption.BytesIn(parsed, _minFree),
                 Settings = settings,
+                Events = parsed.GetValue(_events) ? new EventOptions() : null,
             };
         }
 
-        return new Option[] { _every, _minFree }.FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false }) is { } alone
+        return
+            new Option[] { _every, _events, _minFree }.FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false })
+                is { } alone
             ? throw new UsageException($"{alone.Name} needs {_folder.Name}.")
             : null;
     }

@@ -89,6 +89,7 @@ internal sealed class HarvestCommand
 
     private Option<Vector2D?> Near { get; } =
         ValueParsers.Point("--near", "X,Y", "Start position, metres [default: the middle of the road network]");
+    private LogOption LogOf { get; } = new();
     private VarietyOptions Variety { get; } = new();
     private MomentOptions Moment { get; } = new();
 
@@ -126,6 +127,8 @@ internal sealed class HarvestCommand
 
     private Option<bool> Motion { get; } =
         new("--motion") { Description = "Record the motion of the vehicle at every tick between frames; always recorded with --rig" };
+
+    private EventChoice EventsOf { get; } = new();
 
     private Option<bool> NoScenes { get; } =
         new("--no-scenes") { Description = "Do not write scenes; the session cannot be relabelled then" };
@@ -231,6 +234,8 @@ internal sealed class HarvestCommand
         Variety.AddTo(command);
         LensOf.AddTo(command);
         RigOf.AddTo(command);
+        LogOf.AddTo(command);
+        EventsOf.AddTo(command);
         PairsOf.AddTo(command);
     }
 
@@ -239,7 +244,7 @@ internal sealed class HarvestCommand
 
     /// <summary>The harvest that a command line describes.</summary>
     /// <exception cref="Runs.Faults.UsageException">Options contradict each other.</exception>
-    public HarvestPlan PlanOf(ParseResult parsed) => RigOf.AppliedTo(parsed, PlanWithoutRig(parsed));
+    public HarvestPlan PlanOf(ParseResult parsed) => RigOf.AppliedTo(parsed, LogOf.AppliedTo(parsed, PlanWithoutRig(parsed)));
 
     private Command Build(Terminal terminal)
     {
@@ -287,7 +292,7 @@ internal sealed class HarvestCommand
     {
         ImageFormat format = parsed.GetValue(Format) ?? ImageFormat.Png;
         MaskMethod? masks = MaskOption.Parse(parsed, Masks, isWhole: parsed.GetValue(ShardOf).Count == 1 && !parsed.GetValue(Resume));
-        return new HarvestOptions
+        var options = new HarvestOptions
         {
             Image = parsed.GetValue(Size),
             Format = format,
@@ -312,10 +317,12 @@ internal sealed class HarvestCommand
             FreezeBy = FreezeOption.Parse(parsed.GetRequiredValue(FreezeBy)),
             Scenes = !parsed.GetValue(NoScenes),
             Motion = parsed.GetValue(Motion),
+            Events = EventsOf.Parse(parsed),
             Sync = parsed.GetValue(Sync),
             MinFreeBytes = MinFreeOption.BytesIn(parsed, MinFree),
             Pairs = PairsOf.Parse(parsed),
         };
+        return options.KeepProblem is { } problem ? throw new UsageException(problem) : options;
     }
 
     private static bool IsDistance(double value) => value is > 0 and <= MaxRange;

@@ -4,6 +4,7 @@ using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Statistics;
 using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
@@ -35,7 +36,8 @@ internal static class StatsCommand
                 [
                     .. parsed.GetRequiredValue(sessions).Select(folder => RecordedSessions.Open(terminal, folder, cancellation)),
                 ];
-                foreach (string line in Lines(SessionStatistics.Of(readers.Select(reader => reader.ReadLabels()))))
+                var events = new EventStatistics();
+                foreach (string line in Lines(SessionStatistics.Of(readers.Select(events.Observed))).Concat(Lines(events)))
                 {
                     terminal.Out.WriteLine(line);
                 }
@@ -45,6 +47,16 @@ internal static class StatsCommand
         );
         return command;
     }
+
+    private static IEnumerable<string> Lines(EventStatistics events) =>
+        events.AreRecorded
+            ? Enum.GetValues<EventKind>()
+                .Select(kind => (Kind: kind, Count: events.Counts.GetValueOrDefault(kind)))
+                .Select(each =>
+                    Text($"event {JsonName.Of(each.Kind)}: {each.Count}")
+                    + (events.Kilometres > 0 ? Text($", {each.Count / events.Kilometres:0.00} per km of {events.Kilometres:0.00} km") : "")
+                )
+            : [];
 
     private static IEnumerable<string> Lines(SessionStatistics statistics)
     {

@@ -28,6 +28,7 @@ internal static class OptionGroups
             "World",
             [
                 "--roads",
+                "--log",
                 "--props",
                 "--near",
                 "--places",
@@ -46,7 +47,10 @@ internal static class OptionGroups
             ]
         ),
         new("Objects", ["--classes", "--range", "--ignore-range", "--spaces", "--true-occlusion", "--rays", "--ray-reach"]),
-        new("Further data", ["--masks", "--semantics", "--materials", .. Switches, "--motion", "--no-scenes"]),
+        new(
+            "Further data",
+            ["--masks", "--semantics", "--materials", .. Switches, "--motion", "--events", "--keep-around", "--keep-kinds", "--no-scenes"]
+        ),
         new("Lanes", ["--look-ahead", "--paint", "--lane-width", "--narrow-lane-width"]),
         new("Pairs of pictures", ["--pair-weathers", "--pair-hours", "--pair-without", "--pair-ticks"]),
         new("Faults of the game", ["--quirks", "--freeze", "--max-picture-lag", "--max-camera-error"]),
@@ -60,7 +64,7 @@ internal static class OptionGroups
         new("Route", ["--seed", "--seeds", "--roads", "--paint", "--near", "--places", "--distance", "--duration", "--jobs"]),
         new("World", ["--traffic", "--weather", "--time", "--date"]),
         new("Controller", ["--controller", "--speed", "--emergency-brake", "--look-ahead", "--noise", "--perturb"]),
-        new("Recording", ["--record", "--record-every", "--size"]),
+        new("Recording", ["--record", "--record-every", "--record-events", "--size"]),
         new("Bridge", ["--bridge", "--role", "--folder", "--at", "--token", "--patience"]),
     ];
 
@@ -69,7 +73,7 @@ internal static class OptionGroups
         new("Connection", ["--folder", "--address", "--port", "--token", "--once"]),
         new("World", ["--seed", "--roads", "--near", "--traffic", "--traffic-radius", "--weather"]),
         new("Game", ["--size", "--hz", "--duration", "--lockstep", "--unassisted", "--controller", "--emergency-brake"]),
-        new("Recording", ["--record", "--record-every", "--overwrite", "--min-free"]),
+        new("Recording", ["--record", "--record-every", "--record-events", "--overwrite", "--min-free"]),
     ];
 
     public static IReadOnlyList<OptionGroup> OfExport { get; } =

@@ -18,6 +18,7 @@ public static class SessionFolder
         SessionInfo.FileName,
         SessionReader.LabelsFile,
         Manifest.FileName,
+        FramePaths.Events,
         Report,
         SessionJournal.FileName,
         ScenarioRecord.FileName,

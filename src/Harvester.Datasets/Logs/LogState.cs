@@ -9,14 +9,7 @@ namespace Harvester.Datasets.Logs;
 /// <param name="Height">Size upwards, metres.</param>
 /// <param name="Heading">Direction of its front on the ground, radians counter-clockwise from the x axis, -π to π.</param>
 /// <param name="Velocity">On the ground, metres per second, world.</param>
-internal readonly record struct LogState(
-    Vector3D Centre,
-    double Length,
-    double Width,
-    double Height,
-    double Heading,
-    Vector2D Velocity
-)
+internal readonly record struct LogState(Vector3D Centre, double Length, double Width, double Height, double Heading, Vector2D Velocity)
 {
     /// <summary>The state between two others: positions and sizes linearly, the heading over the smaller angle.</summary>
     /// <param name="before">The earlier state.</param>

@@ -21,7 +21,7 @@ internal static class TrafficFile
     private const int Radians = 6;
 
     /// <summary>Largest file, bytes, and what it may have.</summary>
-    private const int MaxBytes = 48 << 20;
+    private const int MaxBytes = 32 << 20;
     private const int MaxSteps = 12_000;
     private const int MaxStates = 2_000_000;
     private const double MaxMetres = 1e6;
@@ -153,7 +153,10 @@ internal static class TrafficFile
         Require(tracks.Select(track => track.Id).Distinct().Count() == tracks.Length, "two tracks have the same id.");
         int ego = file.Integer("ego");
         int index = Array.FindIndex(tracks, track => track.Id == ego);
-        Require(index >= 0 && tracks[index].Kind == LogKind.Vehicle, FormattableString.Invariant($"ego is {ego}, which is no vehicle of tracks."));
+        Require(
+            index >= 0 && tracks[index].Kind == LogKind.Vehicle,
+            FormattableString.Invariant($"ego is {ego}, which is no vehicle of tracks.")
+        );
         List<LogSignal>[] signals = [.. times.Select(_ => new List<LogSignal>())];
         foreach (JsonFields light in file.List("lights"))
         {

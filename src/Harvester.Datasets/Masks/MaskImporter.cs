@@ -137,7 +137,9 @@ public static class MaskImporter
     }
 
     private static IEnumerable<string> OthersOf(SessionReader session) =>
-        ((string[])[FramePaths.Roads, FramePaths.Faces, SessionInfo.FileName]).Where(name => File.Exists(session.PathOf(name)));
+        ((string[])[FramePaths.Events, FramePaths.Roads, FramePaths.Faces, SessionInfo.FileName]).Where(name =>
+            File.Exists(session.PathOf(name))
+        );
 
     private static MaskImport With(MaskImport done, FrameLabel label, ImportedFrame frame)
     {

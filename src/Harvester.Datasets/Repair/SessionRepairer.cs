@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Text;
 using Harvester.Datasets.Derivation;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Validation;
@@ -202,6 +203,7 @@ public sealed class SessionRepairer
             Lose(problem.File, problem.Line, problem.Message);
         }
 
+        WriteEvents(made, manifest, transfer);
         string[] unreadable = [.. KeptFilesCheck.Problems(_session).Select(problem => problem.File)];
         foreach (string name in (string[])[FramePaths.Roads, FramePaths.Faces])
         {
@@ -210,6 +212,37 @@ public sealed class SessionRepairer
                 made.Place(name, _session, transfer, () => FileDigest.OfFile(_session.PathOf(name)));
             }
         }
+    }
+
+    /// <summary>Places the events if they are whole, and writes those that can be read otherwise.</summary>
+    private void WriteEvents(NewSession made, ManifestCheck manifest, ImageTransfer transfer)
+    {
+        if (!File.Exists(_session.PathOf(FramePaths.Events)))
+        {
+            return;
+        }
+
+        if (manifest.DigestsOf(FramePaths.Events).Count > 0 && IsWhole(FramePaths.Events, manifest))
+        {
+            made.Place(FramePaths.Events, _session, transfer, () => FileDigest.OfFile(_session.PathOf(FramePaths.Events)));
+            return;
+        }
+
+        var lines = new StringBuilder();
+        foreach (EventLine line in _session.ReadEventLines())
+        {
+            if (line.Event is not null && EventCheck.FirstProblem(line.Event) is null)
+            {
+                lines.Append(line.Text).Append('\n');
+            }
+            else
+            {
+                Lose(FramePaths.Events, line.Number, line.Problem ?? EventCheck.FirstProblem(line.Event!)!);
+            }
+        }
+
+        byte[] text = Encoding.UTF8.GetBytes(lines.ToString());
+        made.WriteFile(FramePaths.Events, stream => stream.Write(text));
     }
 
     private bool IsWhole(string name, ManifestCheck manifest) =>

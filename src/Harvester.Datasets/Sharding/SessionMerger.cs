@@ -113,12 +113,33 @@ public static class SessionMerger
         }
 
         SessionReader first = sources[0].Session;
-        foreach (string name in ((string[])[FramePaths.Faces, FramePaths.Roads]).SelectMany(name => IfThere(name, first)))
+        CheckEvents(sources);
+        foreach (
+            string name in ((string[])[FramePaths.Faces, FramePaths.Roads, FramePaths.Events]).SelectMany(name => IfThere(name, first))
+        )
         {
             session.Place(name, first, options.Transfer, () => digests[first].Of(name));
         }
 
         return frames;
+    }
+
+    /// <summary>Every shard has the events of the whole session.</summary>
+    private static void CheckEvents(IReadOnlyList<SessionShard> sources)
+    {
+        FileDigest?[] events =
+        [
+            .. sources
+                .Select(shard => shard.Session.PathOf(FramePaths.Events))
+                .Select(path => File.Exists(path) ? FileDigest.OfFile(path) : (FileDigest?)null),
+        ];
+        if (Array.FindIndex(events, each => each != events[0]) is var other and > 0)
+        {
+            throw new DatasetFormatException(
+                $"'{sources[other].Session.Folder}' and '{sources[0].Session.Folder}' have different {FramePaths.Events}, which each "
+                    + "shard has of the whole session. Run 'harvester validate', and harvest the damaged one again."
+            );
+        }
     }
 
     private static IEnumerable<string> IfThere(string name, SessionReader source) => File.Exists(source.PathOf(name)) ? [name] : [];

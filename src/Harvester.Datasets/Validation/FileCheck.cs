@@ -67,10 +67,15 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
             return sweeps.Select(sweep => SweepProblem(sweep, taken, manifest)).OfType<string>();
         }
 
+        if (found is FlowLabel link && FlowCheck.ProblemOf(link, label) is { } misled)
+        {
+            return [misled];
+        }
+
         string[] problems =
         [
             .. found
-                .Files.Select(name => Problem(channel.FileKind, name, label.Camera, channel.BitsPerPixel, taken, manifest))
+                .Files.Select(name => Problem(channel.FileKind, name, label.Camera, channel.BitsOf(found, name), taken, manifest))
                 .OfType<string>(),
         ];
         if (problems.Length > 0 || isQuick)
@@ -83,6 +88,7 @@ internal sealed class FileCheck(SessionReader session, bool isQuick)
             return found switch
             {
                 ClassMapLabel map => [.. ClassMapCheck.Problems(map.File, PngDecoder.ReadLabelMap(session.PathOf(map.File)))],
+                FlowLabel flow => [.. FlowCheck.Problems(flow.Maps, session.PathOf)],
                 DepthLabel depth => [.. DepthCheck.Problems(depth, name => PngDecoder.ReadInstanceMap(session.PathOf(name)))],
                 _ => Array.Empty<string>(),
             };

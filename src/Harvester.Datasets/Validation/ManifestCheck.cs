@@ -65,7 +65,7 @@ internal sealed class ManifestCheck : IDisposable
             );
         }
 
-        string[] known = [SessionInfo.FileName, FramePaths.Roads, FramePaths.Faces];
+        string[] known = [SessionInfo.FileName, FramePaths.Roads, FramePaths.Faces, .. isClosed ? [FramePaths.Events] : (string[])[]];
         foreach (string name in known.Where(name => !_manifest.Files.ContainsKey(name) && File.Exists(_session.PathOf(name))))
         {
             yield return new SessionProblem(name, null, $"it has no intact line in {Manifest.FileName}.");
@@ -73,6 +73,12 @@ internal sealed class ManifestCheck : IDisposable
 
         foreach ((string name, List<FileDigest> digests) in _manifest.Files)
         {
+            // A resumed harvest appends to the events, whose line is that of the run before until it is closed.
+            if (!isClosed && name == FramePaths.Events)
+            {
+                continue;
+            }
+
             if (Problem(name, digests) is { } problem)
             {
                 yield return new SessionProblem(name, null, problem);

@@ -1,6 +1,7 @@
 using System.Text;
 using System.Text.Json;
 using System.Text.Json.Nodes;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Reading.Json;
@@ -46,10 +47,25 @@ public static class SchemaValidator
             }
         }
 
+        JsonSchema happened = Schema("event");
+        foreach (EventLine line in session.ReadEventLines())
+        {
+            cancellation.ThrowIfCancellationRequested();
+            if (Problem(happened, line.Text) is { } problem)
+            {
+                problems.Add(new SessionProblem(FramePaths.Events, line.Number, problem));
+            }
+
+            if (problems.IsFull)
+            {
+                break;
+            }
+        }
+
         return problems;
     }
 
-    /// <summary>The text of a schema: label or session.</summary>
+    /// <summary>The text of a schema: label, session or event.</summary>
     internal static string SchemaText(string name)
     {
         using Stream stream = typeof(SchemaValidator).Assembly.GetManifestResourceStream($"Harvester.Datasets.{name}.schema.json")!;

@@ -23,6 +23,7 @@ public static class SessionValidator
         SessionInfo? info = ReadInfo(session, problems);
         var sequence = new SequenceCheck();
         var check = new FrameCheck(session, info, isQuick);
+        var events = new EventCheck(session, info);
         using var manifest = new ManifestCheck(session);
         int frames = 0;
         int objects = 0;
@@ -43,7 +44,7 @@ public static class SessionValidator
                     undeterminedRegions += label.IgnoreRegions.Count(region => region.Reason == IgnoreReason.Undetermined);
                     lines[i] = new CheckedLine(chunk[i])
                     {
-                        Sequence = [.. sequence.Problems(label)],
+                        Sequence = [.. sequence.Problems(label), .. events.Problems(label)],
                         Taken = check.Claim(label),
                         Manifest = manifest.Frame(chunk[i]),
                     };
@@ -72,6 +73,7 @@ public static class SessionValidator
         }
 
         problems.AddRange(KeptFilesCheck.Problems(session));
+        problems.AddRange(events.EndProblems());
         bool isWhole = problems.Count == 0;
         SessionProblem[] ends =
         [

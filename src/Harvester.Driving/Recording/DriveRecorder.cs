@@ -116,6 +116,7 @@ public sealed class DriveRecorder : IDisposable
     {
         EgoState ego = _world.ReadEgo();
         _motion.Record();
+        _session.Observe();
         _inertia.Measure(ego, _world.TimeSeconds);
         (_action ?? _begun)?.Add(
             new DriveTick(_world.TimeSeconds, ego.Velocity.Length, driver)

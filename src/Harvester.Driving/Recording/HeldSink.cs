@@ -18,6 +18,8 @@ internal sealed class HeldSink(IFrameSink sink, Action<CapturedFrame> complete) 
 
     public int FirstObjectId => sink.FirstObjectId;
 
+    public int FirstEventId => sink.FirstEventId;
+
     /// <summary>Number of frames received.</summary>
     public int Received { get; private set; }
 

@@ -9,7 +9,7 @@ namespace Harvester.Driving.Scenarios;
 internal static class PlaceNeeds
 {
     /// <summary>A road is straight if its direction changes by less than this, radians.</summary>
-    private const double Straight = 0.12;
+    private const double Straight = 0.03;
     private const double Step = 5;
 
     /// <summary>Checks a place.</summary>

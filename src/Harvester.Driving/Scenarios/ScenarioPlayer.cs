@@ -1,5 +1,4 @@
 using Harvester.Capture.Ports;
-using Harvester.Geometry;
 using Harvester.Sessions.Scenarios;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;

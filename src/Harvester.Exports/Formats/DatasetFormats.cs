@@ -216,7 +216,11 @@ public static class DatasetFormats
             KeepsSequences = true,
             Check = OpenLaneV2Check.Problems,
         },
-        new("gpudrive", "GPUDrive: what moves and the map, a file for each 9 s", options => new MotionScenarioWriter(options, isWomd: false))
+        new(
+            "gpudrive",
+            "GPUDrive: what moves and the map, a file for each 9 s",
+            options => new MotionScenarioWriter(options, isWomd: false)
+        )
         {
             HasMap = true,
             KeepsImages = false,

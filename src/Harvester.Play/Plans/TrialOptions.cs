@@ -1,6 +1,8 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
 using Harvester.Play.Features;
+using Harvester.Play.Settings;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Plans;
 using Harvester.Sessions.Rigs;
 
@@ -22,6 +24,7 @@ internal static class TrialOptions
                 Image = trial.Camera.Image,
                 RateHz = plan.Hz,
                 MaxFrames = plan.FramesAt(trial.Place) * (rig?.Cameras.Count ?? 1),
+                Events = plan.Events ? options.Events ?? new EventOptions { RateHz = HarvestSettings.EventRateHz } : null,
                 Masks = plan.Masks != PlanMasks.Off || options.Semantics is not null,
                 MaskMethod = plan.Masks == PlanMasks.Coded ? MaskMethod.Coded : MaskMethod.Rays,
             },

@@ -3,6 +3,7 @@ using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Imaging.Jpeg;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
@@ -26,6 +27,9 @@ public static class HarvestSettings
     /// </summary>
     private const double RateByHandHz = 2;
 
+    /// <summary>Readings per second in which events are looked for: a reading of everything near costs the game a few milliseconds.</summary>
+    public const double EventRateHz = 10;
+
     /// <summary>The options of a file; missing and invalid values have their defaults.</summary>
     /// <exception cref="ArgumentNullException"><paramref name="ini"/> is null.</exception>
     public static HarvestOptions Read(IniFile ini)
@@ -44,6 +48,8 @@ public static class HarvestSettings
         );
         MaskChoice masks = ini.Choice(Harvest, "Masks", MaskChoice.Off, "Off, Rays, Coded or Both");
         bool semantics = ini.Choice(Harvest, "Semantics", Switch.Off, "On or Off") == Switch.On;
+        Switch events = ini.Choice(Harvest, "Events", Switch.Off, "On or Off");
+        double eventRate = ini.Number(Harvest, "EventRate", EventRateHz, 0.1, 60);
         return fallback with
         {
             Image = new ImageSize(
@@ -72,6 +78,7 @@ public static class HarvestSettings
                     .Select(channel => channel.Key)
             ),
             Motion = ini.Choice(Harvest, "Motion", Switch.Off, "On or Off") == Switch.On,
+            Events = events == Switch.On ? new EventOptions { RateHz = eventRate } : null,
             Pairs = PairsOf(ini),
             RayBudget = ini.Whole(Harvest, "Rays", fallback.RayBudget, 0, LabellingOptions.MaxRays),
             RayReachMetres = ini.Number(Harvest, "RayReach", fallback.RayReachMetres, 1, 100_000),

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using Harvester.Geometry;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Text;
 
@@ -35,6 +36,11 @@ internal static class FrameEvents
         if (now.Ego.Motion?.Manoeuvre is { } manoeuvre && manoeuvre != before.Ego.Motion?.Manoeuvre)
         {
             yield return $"manoeuvre: {JsonName.Of(manoeuvre)}";
+        }
+
+        foreach (EventMark mark in (now.Events ?? []).Where(mark => before.Events?.Contains(mark) != true))
+        {
+            yield return FormattableString.Invariant($"event {mark.Id}: {JsonName.Of(mark.Kind)}");
         }
 
         if (now.Lanes is { } lanes && before.Lanes is { } lanesBefore && lanes.Status != lanesBefore.Status)

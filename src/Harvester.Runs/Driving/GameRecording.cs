@@ -144,6 +144,7 @@ public sealed class GameRecording(
             Format = plan.Format,
             RangeMetres = RangeMetres,
             MinFreeBytes = plan.MinFreeBytes,
+            Events = plan.Events,
             TickBudgetMilliseconds = NoLimitMilliseconds,
             Faces = Harvester.Datasets.Faces.FaceFile.AsWritten(ModelFaces.Table),
         };

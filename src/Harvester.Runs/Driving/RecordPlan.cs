@@ -1,5 +1,6 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Imaging;
 
 namespace Harvester.Runs.Driving;
@@ -15,6 +16,9 @@ public sealed record RecordPlan(string Folder, double EverySeconds, ImageSize Si
 
     /// <summary>File format of the images.</summary>
     public ImageFormat Format { get; init; } = ImageFormat.Png;
+
+    /// <summary>How events are found; null to find none.</summary>
+    public EventOptions? Events { get; init; }
 
     /// <summary>Space that stays free on the disk, bytes; 0 watches nothing.</summary>
     public long MinFreeBytes { get; init; } = HarvestOptions.DefaultMinFreeBytes;

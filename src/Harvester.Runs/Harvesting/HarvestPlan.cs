@@ -45,6 +45,9 @@ public sealed record HarvestPlan
     /// <summary>File of the road network; null for a town generated from the seed.</summary>
     public required string? Roads { get; init; }
 
+    /// <summary>Folder of an imported log, whose traffic is replayed on its roads; null for none.</summary>
+    public string? Log { get; init; }
+
     /// <summary>Table of the paint measured on the roads; null for none.</summary>
     public string? Paint { get; init; }
 

@@ -66,6 +66,7 @@ public sealed class SimulatedHarvest
     {
         SimulatedGame.BeginModels();
         RoadNetwork? roads = plan.Roads is null ? null : RoadImporter.Import(plan.Roads).Network;
+        TrafficReplay? replay = plan.Log is null ? null : LoggedTraffic.Read(plan.Log);
         PaintTable? paint = plan.Paint is { } table ? PaintFile.Read(table, roads ?? TownBuilder.Build(plan.Seed)) : null;
         FaceTable faces = FaceFile.AsWritten(
             plan.Faces is null ? ModelFaces.Table : ModelFaces.Table.OverriddenBy(FaceFile.ReadValid(plan.Faces, warn))
@@ -82,7 +83,11 @@ public sealed class SimulatedHarvest
                 Seed = plan.Seed,
                 TrafficSeed = plan.Trial?.TrafficSeed,
                 Roads = roads,
-                Near = count == 1 ? plan.Near : places[0],
+                Near =
+                    replay is not null ? LoggedTraffic.StartOf(replay)
+                    : count == 1 ? plan.Near
+                    : places[0],
+                Replay = replay,
                 Props = plan.Props.Count > 0 ? props : null,
                 Weather = plan.Weather,
                 DayOfYear = plan.DayOfYear,
@@ -264,6 +269,11 @@ public sealed class SimulatedHarvest
         if (plan.Roads is { } roads)
         {
             yield return new("roads", Path.GetFileName(roads));
+        }
+
+        if (plan.Log is { } log)
+        {
+            yield return new("log", Path.GetFileName(Path.TrimEndingDirectorySeparator(log)));
         }
 
         if (plan.Paint is { } paint)

@@ -4,6 +4,7 @@ using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 using Harvester.Runs.Harvesting;
 using Harvester.Runs.Scenarios;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Plans;
 using Harvester.Sessions.Rigs;
 using Harvester.Simulation.Settings;
@@ -43,6 +44,7 @@ public static class TrialPlan
                 RangeMetres = RangeMetres,
                 Masks = plan.Masks != PlanMasks.Off,
                 MaskMethod = plan.Masks == PlanMasks.Coded ? MaskMethod.Coded : MaskMethod.Rays,
+                Events = plan.Events ? new EventOptions() : null,
                 MaxCalibrationErrorPixels = 1,
                 Sync = disk.Sync,
                 MinFreeBytes = disk.MinFreeBytes,

@@ -3,6 +3,7 @@ using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
@@ -114,6 +115,11 @@ public sealed class RecordedSession
         foreach ((FrameLabel _, RecordedScene scene) in Frames())
         {
             ids.Add(scene);
+        }
+
+        foreach (EventParticipant participant in Session.ReadEvents().SelectMany(each => each.Participants))
+        {
+            ids.Reserve(participant.Object ?? 0);
         }
 
         return ids;

@@ -111,6 +111,11 @@ public sealed class SessionRelabeller
                     session.EndFrame(made.Frame, JsonLabelWriter.Line(made));
                     report(++frames);
                 }
+
+                if (File.Exists(_recorded.Session.PathOf(FramePaths.Events)))
+                {
+                    session.Place(FramePaths.Events, _recorded.Session, _changes.Images, () => digests.Of(FramePaths.Events));
+                }
             },
             () => HeaderOf(start, frames)
         );

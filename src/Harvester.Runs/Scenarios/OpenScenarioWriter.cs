@@ -83,8 +83,8 @@ public sealed class OpenScenarioWriter
             new XElement("RoadNetwork", roads is null ? null : new XElement("LogicFile", new XAttribute("filepath", roads))),
             new XElement(
                 "Entities",
-                EntityOf(Ego, ScenarioActorType.Vehicle, "car"),
-                _scenario.Actors.Select(actor => EntityOf(actor.Id, actor.Type, actor.Model))
+                OpenScenarioEntities.Of(Ego, ScenarioActorType.Vehicle, "car"),
+                _scenario.Actors.Select(actor => OpenScenarioEntities.Of(actor.Id, actor.Type, actor.Model))
             ),
             new XElement(
                 "Storyboard",
@@ -97,56 +97,8 @@ public sealed class OpenScenarioWriter
                     )
                 ),
                 _scenario.Events.Count == 0 ? null : StoryOf(),
-                new XElement("StopTrigger", new XElement("ConditionGroup", TimeCondition("end", _scenario.End.Seconds, 0)))
+                new XElement("StopTrigger", new XElement("ConditionGroup", OpenScenarioConditions.AtTime("end", _scenario.End.Seconds, 0)))
             )
-        );
-
-    private static XElement EntityOf(string name, ScenarioActorType type, string model)
-    {
-        XElement box = new(
-            "BoundingBox",
-            new XElement("Center", Number("x", 0), Number("y", 0), Number("z", 0.75)),
-            new XElement("Dimensions", Number("width", 1.9), Number("length", 4.5), Number("height", 1.5))
-        );
-        XElement entity = type switch
-        {
-            ScenarioActorType.Pedestrian or ScenarioActorType.Animal => new XElement(
-                "Pedestrian",
-                new XAttribute("name", model),
-                new XAttribute("pedestrianCategory", type == ScenarioActorType.Animal ? "animal" : "pedestrian"),
-                Number("mass", 75),
-                box,
-                new XElement("Properties")
-            ),
-            ScenarioActorType.Object => new XElement(
-                "MiscObject",
-                new XAttribute("name", model),
-                new XAttribute("miscObjectCategory", "obstacle"),
-                Number("mass", 50),
-                box,
-                new XElement("Properties")
-            ),
-            _ => new XElement(
-                "Vehicle",
-                new XAttribute("name", model),
-                new XAttribute("vehicleCategory", type == ScenarioActorType.Cyclist ? "bicycle" : "car"),
-                box,
-                new XElement("Performance", Number("maxSpeed", 70), Number("maxAcceleration", 10), Number("maxDeceleration", 10)),
-                new XElement("Axles", AxleOf("FrontAxle", 0.5, 2.7), AxleOf("RearAxle", 0, 0)),
-                new XElement("Properties")
-            ),
-        };
-        return new XElement("ScenarioObject", new XAttribute("name", name), entity);
-    }
-
-    private static XElement AxleOf(string name, double steering, double x) =>
-        new(
-            name,
-            Number("maxSteering", steering),
-            Number("wheelDiameter", 0.65),
-            Number("trackWidth", 1.6),
-            Number("positionX", x),
-            Number("positionZ", 0.325)
         );
 
     private XElement InitOf(ScenarioActor actor)
@@ -194,7 +146,7 @@ public sealed class OpenScenarioWriter
                         ),
                         new XElement("Maneuver", new XAttribute("name", $"maneuver-{group.Key}"), group.Select(EventOf))
                     )),
-                new XElement("StartTrigger", new XElement("ConditionGroup", TimeCondition("begin", 0, 0)))
+                new XElement("StartTrigger", new XElement("ConditionGroup", OpenScenarioConditions.AtTime("begin", 0, 0)))
             )
         );
 
@@ -203,11 +155,12 @@ public sealed class OpenScenarioWriter
         XElement[] conditions =
         [
             .. each.When.Select(
-                (condition, index) => ConditionOf(condition, $"{each.Id}-{index.ToString(CultureInfo.InvariantCulture)}", each)
+                (condition, index) =>
+                    OpenScenarioConditions.Of(condition, $"{each.Id}-{index.ToString(CultureInfo.InvariantCulture)}", each)
             ),
         ];
         XElement[] groups =
-            conditions.Length == 0 ? [new XElement("ConditionGroup", TimeCondition($"{each.Id}-0", 0, each.Delay))]
+            conditions.Length == 0 ? [new XElement("ConditionGroup", OpenScenarioConditions.AtTime($"{each.Id}-0", 0, each.Delay))]
             : each.IsAny ? [.. conditions.Select(condition => new XElement("ConditionGroup", condition))]
             : [new XElement("ConditionGroup", conditions)];
         return new XElement(
@@ -280,89 +233,8 @@ public sealed class OpenScenarioWriter
             )
         );
 
-    private static XElement ConditionOf(ScenarioCondition condition, string name, ScenarioEvent each) =>
-        condition.Kind switch
-        {
-            ScenarioConditionKind.Seconds => TimeCondition(name, condition.Value, each.Delay),
-            ScenarioConditionKind.Begun or ScenarioConditionKind.Ended => Condition(
-                name,
-                each.Delay,
-                new XElement(
-                    "ByValueCondition",
-                    new XElement(
-                        "StoryboardElementStateCondition",
-                        new XAttribute("storyboardElementType", "event"),
-                        new XAttribute("storyboardElementRef", condition.Event!),
-                        new XAttribute("state", condition.Kind == ScenarioConditionKind.Begun ? "runningState" : "completeState")
-                    )
-                )
-            ),
-            ScenarioConditionKind.Distance => OfEntity(
-                name,
-                each.Delay,
-                Ego,
-                new XElement(
-                    "RelativeDistanceCondition",
-                    new XAttribute("entityRef", condition.Actor!),
-                    new XAttribute("relativeDistanceType", "euclidianDistance"),
-                    new XAttribute("freespace", "false"),
-                    new XAttribute("rule", "lessOrEqual"),
-                    Number("value", condition.Value)
-                )
-            ),
-            ScenarioConditionKind.TimeToCollision => OfEntity(
-                name,
-                each.Delay,
-                Ego,
-                new XElement(
-                    "TimeToCollisionCondition",
-                    new XAttribute("freespace", "true"),
-                    new XAttribute("rule", "lessOrEqual"),
-                    Number("value", condition.Value),
-                    new XElement("TimeToCollisionConditionTarget", new XElement("EntityRef", new XAttribute("entityRef", condition.Actor!)))
-                )
-            ),
-            _ => OfEntity(
-                name,
-                each.Delay,
-                condition.Actor ?? Ego,
-                new XElement(
-                    "SpeedCondition",
-                    new XAttribute("rule", condition.Kind == ScenarioConditionKind.EgoFaster ? "greaterOrEqual" : "lessOrEqual"),
-                    Number("value", condition.Value)
-                )
-            ),
-        };
-
-    private static XElement TimeCondition(string name, double seconds, double delay) =>
-        Condition(
-            name,
-            delay,
-            new XElement(
-                "ByValueCondition",
-                new XElement("SimulationTimeCondition", new XAttribute("rule", "greaterOrEqual"), Number("value", seconds))
-            )
-        );
-
-    private static XElement OfEntity(string name, double delay, string entity, XElement condition) =>
-        Condition(
-            name,
-            delay,
-            new XElement(
-                "ByEntityCondition",
-                new XElement(
-                    "TriggeringEntities",
-                    new XAttribute("triggeringEntitiesRule", "any"),
-                    new XElement("EntityRef", new XAttribute("entityRef", entity))
-                ),
-                new XElement("EntityCondition", condition)
-            )
-        );
-
-    private static XElement Condition(string name, double delay, XElement content) =>
-        new("Condition", new XAttribute("name", name), Number("delay", delay), new XAttribute("conditionEdge", "none"), content);
-
     private static XElement Private(XElement action) => new("PrivateAction", action);
 
-    private static XAttribute Number(string name, double value) => new(name, value.ToString("R", CultureInfo.InvariantCulture));
+    /// <summary>A number as an attribute.</summary>
+    internal static XAttribute Number(string name, double value) => new(name, value.ToString("R", CultureInfo.InvariantCulture));
 }

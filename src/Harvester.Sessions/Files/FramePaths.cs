@@ -24,6 +24,9 @@ public static class FramePaths
     /// <summary>Path of the roads used for the labels, if the session has them.</summary>
     public const string Roads = Scenes + "/roads.csv";
 
+    /// <summary>Path of the events, if the session has them.</summary>
+    public const string Events = "events.jsonl";
+
     /// <summary>Folder of the measured depths.</summary>
     public const string DepthMaps = "depth";
 

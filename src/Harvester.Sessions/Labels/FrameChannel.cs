@@ -25,6 +25,11 @@ public abstract class FrameChannel
     /// <summary>Bits per pixel of its maps, which have the size of the frame's image; null if its files are others.</summary>
     public virtual int? BitsPerPixel => null;
 
+    /// <summary>Bits per pixel of one of its maps, which have the size of the frame's image; null if the file is another.</summary>
+    /// <param name="label">What the channel says.</param>
+    /// <param name="file">The path of the map in it.</param>
+    public virtual int? BitsOf(IChannelLabel label, string file) => BitsPerPixel;
+
     /// <summary>What the channel says in a frame; null if the frame does not have it.</summary>
     public abstract IChannelLabel? LabelIn(ChannelLabels labels);
 

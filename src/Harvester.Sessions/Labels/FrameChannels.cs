@@ -21,8 +21,11 @@ public static class FrameChannels
     public static MapChannel Normals { get; } =
         new("normals", "map of normals", 24, new ChannelSwitch("Normals", "the normals of the surfaces, in the camera's frame"));
 
+    /// <summary>The channel of dense motion.</summary>
+    public static FlowChannel Flow { get; } = new();
+
     /// <summary>The channels whose fields stand before the rays.</summary>
-    internal static IReadOnlyList<FrameChannel> Maps { get; } = [ClassMaps, Depth, Normals];
+    internal static IReadOnlyList<FrameChannel> Maps { get; } = [ClassMaps, Depth, Normals, Flow];
 
     /// <summary>The channels whose fields stand after the rays.</summary>
     internal static IReadOnlyList<FrameChannel> Others { get; } = [Sweeps, Pairs];

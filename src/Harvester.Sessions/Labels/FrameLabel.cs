@@ -1,3 +1,4 @@
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Sessions.Labels;
@@ -77,6 +78,9 @@ public sealed record FrameLabel(
     /// the first view of a moment.
     /// </summary>
     public IReadOnlyList<MotionSample>? Motion { get; init; }
+
+    /// <summary>The events that are open at the moment of the frame, by ascending id; null if events are not recorded.</summary>
+    public IReadOnlyList<EventMark>? Events { get; init; }
 
     /// <summary>The action that belongs to the frame; null unless the session is a recorded drive.</summary>
     public DriveLabel? Drive { get; init; }

@@ -50,6 +50,7 @@ public static class JsonLabelWriter
         Append(json.Key("ego"), frame.Ego);
         MotionJson.Append(json, frame.Motion);
         DriveJson.Append(json, frame.Drive);
+        EventJson.AppendMarks(json, frame.Events);
         Append(json.Key("environment"), frame.Environment);
         json.Key("objects").BeginArray();
         foreach (ObjectLabel label in frame.Objects)

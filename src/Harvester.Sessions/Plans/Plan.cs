@@ -41,6 +41,9 @@ public sealed record Plan(string Name, IReadOnlyList<PlanPlace> Places)
     /// <summary>The instance masks.</summary>
     public PlanMasks Masks { get; init; }
 
+    /// <summary>Whether events are found.</summary>
+    public bool Events { get; init; }
+
     /// <summary>Number of frames of a trial at a place, where its drive has a limit of time: fewer if the drive is shorter.</summary>
     public int FramesAt(PlanPlace place) =>
         (place ?? throw new ArgumentNullException(nameof(place))).Seconds is { } seconds

@@ -50,24 +50,29 @@ public static class PlanJson
             json.EndObject();
         }
 
-        return json.EndArray()
-                .Key("repetitions")
-                .Integer(plan.Repetitions)
-                .Key("frames")
-                .Integer(plan.Frames)
-                .Key("hz")
-                .Exact(plan.Hz)
-                .Key("speed")
-                .Exact(plan.SpeedMetresPerSecond)
-                .Key("traffic")
-                .Exact(plan.Traffic)
-                .Key("pedestrians")
-                .Exact(plan.Pedestrians)
-                .Key("parked")
-                .Exact(plan.Parked)
-                .Key("masks")
-                .String(JsonName.Of(plan.Masks))
-                .EndObject() + "\n";
+        json.EndArray()
+            .Key("repetitions")
+            .Integer(plan.Repetitions)
+            .Key("frames")
+            .Integer(plan.Frames)
+            .Key("hz")
+            .Exact(plan.Hz)
+            .Key("speed")
+            .Exact(plan.SpeedMetresPerSecond)
+            .Key("traffic")
+            .Exact(plan.Traffic)
+            .Key("pedestrians")
+            .Exact(plan.Pedestrians)
+            .Key("parked")
+            .Exact(plan.Parked)
+            .Key("masks")
+            .String(JsonName.Of(plan.Masks));
+        if (plan.Events)
+        {
+            json.Key("events").Boolean(true);
+        }
+
+        return json.EndObject() + "\n";
     }
 
     private static void Append(JsonText json, PlanPlace place)

@@ -63,6 +63,7 @@ public sealed class PlanParser
             Pedestrians = Try(() => _file.Number("pedestrians", 0, 5, 1), 1),
             Parked = Try(() => _file.Number("parked", 0, 2.5, 1), 1),
             Masks = Try(MasksOf, PlanMasks.Off),
+            Events = Try(() => _file.Flag("events", false), false),
         };
         Try(() => _file.Text("$schema", ""), "");
         if (plan.Masks == PlanMasks.Coded && plan.Cameras.Any(camera => camera.RigFile is not null))

@@ -38,8 +38,7 @@ public sealed class PlanResults(string folder, IDisposable held) : IDisposable
     /// <summary>Whether a part of the plan was begun before.</summary>
     /// <param name="shard">The part.</param>
     public bool HasResults(Shard shard) =>
-        File.Exists(Path.Combine(folder, PlanStatus.FileNameOf(shard ?? throw new ArgumentNullException(nameof(shard)))))
-        || (shard.Count == 1 && Directory.Exists(Trials));
+        File.Exists(Path.Combine(folder, PlanStatus.FileNameOf(shard))) || (shard.Count == 1 && Directory.Exists(Trials));
 
     /// <summary>Reads how the trials of a part of the plan ended.</summary>
     /// <param name="shard">The part.</param>

@@ -57,6 +57,7 @@ public static class FrameLabelParser
             View = frame.OptionalText("view"),
             Motion = MotionParser.Parse(frame),
             Drive = DriveParser.Parse(frame),
+            Events = EventParser.Marks(frame),
             Place = frame.Has("place") ? frame.Integer("place") : null,
             PlaceFrame = frame.Has("placeFrame") ? frame.Integer("placeFrame") : null,
             PixelMap = frame.Has("pixelMap") ? ReadPixelMap(frame.Fields("pixelMap")) : null,

@@ -1,3 +1,4 @@
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading.Files;
@@ -73,7 +74,7 @@ public sealed class SessionReader
     public bool Holds(string path)
     {
         string name = Path.GetRelativePath(InnerPath.Resolve(Folder), InnerPath.Resolve(path)).Replace('\\', '/');
-        return name is SessionInfo.FileName or LabelsFile or Manifest.FileName
+        return name is SessionInfo.FileName or LabelsFile or Manifest.FileName or FramePaths.Events
             || FrameChannels.Folders.Contains(name.Split('/')[0], StringComparer.OrdinalIgnoreCase)
             || (InnerPath.IsWithin(Folder, name) && ReadLines().Any(line => line.Label?.Files.Contains(name) == true));
     }
@@ -113,6 +114,30 @@ public sealed class SessionReader
     /// <param name="check">Looks at a label and its fields; several are checked at once.</param>
     internal IEnumerable<LabelLine> ReadLines(Func<FrameLabel, JsonFields, IReadOnlyList<string>> check) =>
         ReadAhead.Select(ReadTexts().Index(), line => ReadLine(line.Index + 1, line.Item, check));
+
+    /// <summary>The lines of the events, with their numbers from 1; empty if the session has none. An unfinished last line is left out.</summary>
+    public IEnumerable<EventLine> ReadEventLines()
+    {
+        string path = PathOf(FramePaths.Events);
+        IEnumerable<string> lines =
+            !File.Exists(path) ? []
+            : LineEnd.IsMissing(path) ? InputFile.ReadLines(path).SkipLast(1)
+            : InputFile.ReadLines(path);
+        int number = 0;
+        foreach (string line in lines)
+        {
+            _cancellation.ThrowIfCancellationRequested();
+            yield return EventLine.Of(++number, line);
+        }
+    }
+
+    /// <summary>The events, in the order in which they ended; empty if the session has none.</summary>
+    /// <exception cref="DatasetFormatException">A line is invalid; the message names file, line and field.</exception>
+    public IEnumerable<DrivingEvent> ReadEvents() =>
+        ReadEventLines()
+            .Select(line =>
+                line.Event ?? throw new DatasetFormatException($"{PathOf(FramePaths.Events)}, line {line.Number}: {line.Problem}")
+            );
 
     /// <summary>Number of lines of the label file, valid or not.</summary>
     public int CountLines() => ReadTexts().Count();

@@ -7,7 +7,7 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Game;
 
-/// <summary>The classes of the surfaces that the renderer drew.</summary>
+/// <summary>The surfaces that the renderer drew.</summary>
 internal sealed class SurfacePort(SimulatedGame game) : ISurfaceTruth
 {
     public InstanceMap Draw(ImageSize image, Func<int, SemanticClass> classOf)
@@ -24,6 +24,12 @@ internal sealed class SurfacePort(SimulatedGame game) : ISurfaceTruth
 
     public IReadOnlyList<Vector3D> Normals(ImageSize image) =>
         [.. game.RenderNormals(image).Select(static normal => new Vector3D(normal.X, normal.Y, normal.Z))];
+
+    public (float[] Metres, int[] Entities) Surfaces(ImageSize image)
+    {
+        RenderTarget picture = game.Render(image);
+        return ([.. picture.Depth], [.. picture.Handles]);
+    }
 
     private static SemanticClass ClassOf(SurfaceKind kind) =>
         kind switch

@@ -122,6 +122,9 @@ public sealed record SimulationOptions
     /// <summary>Whether the renderer reports how much of each object is hidden; each object is drawn once more for it.</summary>
     public bool ReportsTrueOcclusion { get; init; }
 
+    /// <summary>Recorded traffic to replay; null for traffic that drives by itself. The densities should then be 0.</summary>
+    public TrafficReplay? Replay { get; init; }
+
     /// <summary>Imitated faults of the real game; none by default.</summary>
     public GameQuirks Quirks { get; init; } = new();
 }

@@ -44,6 +44,7 @@ internal sealed class SimulatedWorld
     private readonly IReadOnlyList<Vector3D> _lamps;
     private readonly MotionMeter _motion;
     private readonly Func<EgoWatch> _newWatch;
+    private readonly ReplayedTraffic? _replayed;
     private readonly int _lastHandleInTraffic;
 
     public SimulatedWorld(SimulationOptions options)
@@ -81,7 +82,7 @@ internal sealed class SimulatedWorld
         ModelCatalogue catalogue = ModelCatalogue.Shared;
         Population population = new(seed, catalogue, handles);
         Placing placing = new(site.Lanes, seed);
-        bool isWarm = options.IsWarm && options.Stage is null;
+        bool isWarm = options.IsWarm && options.Stage is null && options.Replay is null;
         int? visit = isWarm ? place : null;
         (LanePath Path, double Distance) startOfEgo =
             options.Stage is { } setting ? StageStart.Of(site.Lanes, setting)
@@ -160,6 +161,12 @@ internal sealed class SimulatedWorld
             TimeSeconds += StageStart.SecondsToGreen(stage, startOfEgo.Path, control, TimeSeconds);
             Stage = new WorldStage(stage, catalogue, handles, new StagedGround(site.Lanes, site.Terrain.HeightAt), _traffic, _walking);
             Stage.Enter(_vehicles, _people, () => Advance(MaxTick));
+        }
+
+        if (options.Replay is { } replay)
+        {
+            _replayed = new ReplayedTraffic(replay, catalogue, handles.Next, new StagedGround(site.Lanes, site.Terrain.HeightAt));
+            _replayed.MoveTo(TimeSeconds, 0, Ego);
         }
 
         if (isWarm)
@@ -266,10 +273,18 @@ internal sealed class SimulatedWorld
         {
             double step = seconds / steps;
             _motion.Begin();
-            _traffic.Tick(step, TimeSeconds, _walking.OnRoad());
-            impacts.AddRange(_traffic.Crashes?.Impacts ?? []);
-            _walking.Tick(step, _traffic, Ego.Pose.Position, _traffic.Radius);
-            Stage?.TickPeople(step);
+            if (_replayed is { } replayed)
+            {
+                replayed.MoveTo(TimeSeconds + step, step, Ego);
+            }
+            else
+            {
+                _traffic.Tick(step, TimeSeconds, _walking.OnRoad());
+                impacts.AddRange(_traffic.Crashes?.Impacts ?? []);
+                _walking.Tick(step, _traffic, Ego.Pose.Position, _traffic.Radius);
+                Stage?.TickPeople(step);
+            }
+
             _motion.End(step);
             TimeSeconds += step;
         }
@@ -290,6 +305,11 @@ internal sealed class SimulatedWorld
                 _people
                     .Where(walker => (walker.Pose.Position - place).LengthSquared < squared)
                     .Select(walker => new MeshInstance(walker.Look, walker.Pose, walker.Handle))
+            )
+            .Concat(
+                ReplayedBodies
+                    .Where(body => (body.Pose.Position - place).LengthSquared < squared)
+                    .SelectMany(body => body.Instances(IsDark))
             )
             .Concat(
                 _loose.Where(vehicle => (vehicle.Prop.Pose.Position - place).LengthSquared < squared).Select(vehicle => vehicle.Instance)
@@ -356,6 +376,7 @@ internal sealed class SimulatedWorld
             .. vehicles
                 .Concat(riders)
                 .Concat(walkers)
+                .Concat(ReplayedBodies.Where(body => IsNear(body.Pose)).SelectMany(body => body.Entities(IsDark)))
                 .Concat(props)
                 .Concat(_signalProps.States.Where(signal => IsNear(signal.Pose)))
                 .Where(entity => entity.Handle != HiddenHandle)
@@ -364,6 +385,8 @@ internal sealed class SimulatedWorld
 
         bool IsNear(Pose pose) => (pose.Position - place).LengthSquared < squared;
     }
+
+    private IEnumerable<ReplayedBody> ReplayedBodies => _replayed?.Present.Where(body => body.Handle != HiddenHandle) ?? [];
 
     /// <summary>The handle of the vehicle nearest to a position, without the ego; 0 if there is none.</summary>
     public int VehicleNearest(Vector3D place) =>

@@ -26,6 +26,8 @@ internal sealed class FailingFiles(string directory, int failingWrite, int failu
             }
         );
 
+    public FileDigest DigestOf(string name) => _files.DigestOf(name);
+
     public void Append(string name, IReadOnlyList<string> lines, bool isDurable)
     {
         FailIfDue();

@@ -25,6 +25,8 @@ internal sealed class MemorySink : IFrameSink
 
     public int FirstObjectId { get; set; } = 1;
 
+    public int FirstEventId => 1;
+
     public void Open(SessionStart start) => Start = start;
 
     public bool TryEnqueue(CapturedFrame frame)

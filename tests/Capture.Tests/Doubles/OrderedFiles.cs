@@ -22,6 +22,8 @@ internal sealed class OrderedFiles(string directory, int failingSync = int.MaxVa
         return _files.WriteWhole(name, content);
     }
 
+    public FileDigest DigestOf(string name) => _files.DigestOf(name);
+
     public void Append(string name, IReadOnlyList<string> lines, bool isDurable)
     {
         Calls.Add(FormattableString.Invariant($"{name} +{lines.Count}{(isDurable ? "" : " not durable")}"));

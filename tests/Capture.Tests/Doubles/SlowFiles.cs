@@ -19,6 +19,8 @@ internal sealed class SlowFiles(string directory) : ISessionFiles
         return _files.WriteWhole(name, content);
     }
 
+    public FileDigest DigestOf(string name) => _files.DigestOf(name);
+
     public void Append(string name, IReadOnlyList<string> lines, bool isDurable) => _files.Append(name, lines, isDurable);
 
     public void Sync() => _files.Sync();

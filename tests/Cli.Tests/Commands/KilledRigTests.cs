@@ -78,6 +78,7 @@ public sealed class KilledRigTests : IDisposable
             "--masks",
             "--depth",
             "--normals",
+            "--flow",
             "--no-report",
             "--resume",
             "--sync",

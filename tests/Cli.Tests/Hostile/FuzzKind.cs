@@ -1,11 +1,11 @@
 using Harvester.Cli.Commands.Tapes;
 using Harvester.Datasets.Boxes;
 using Harvester.Datasets.Diagnosis;
+using Harvester.Datasets.Logs;
 using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
-using Harvester.Datasets.Sharding;
-using Harvester.Datasets.Validation;
 using Harvester.Exports.Formats;
+using Harvester.Exports.Formats.MotionScenarios;
 using Harvester.Exports.Pairs;
 using Harvester.Exports.Validation;
 using Harvester.Reports.Comparison;
@@ -14,7 +14,6 @@ using Harvester.Runs.Plans;
 using Harvester.Runs.Relabelling;
 using Harvester.Runs.Sheets;
 using Harvester.Sessions.Labels;
-using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Reading.Images;
 using static Harvester.Cli.Tests.Hostile.FuzzReads;
@@ -126,6 +125,8 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
                 "validate {0}/session",
                 Relabel
             )),
+        new("flow", "session/flow-forward/00000001.png", ValidatePictures, "validate {0}/session", Relabel),
+        new("flow-flags", "session/flow-backward-flags/00000001.png", ValidatePictures, "validate {0}/session", Relabel),
         new(
             "map",
             "maps/0.png",
@@ -215,6 +216,24 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             "relabel {0}/people --roads {0}/straight.csv --paint {0}/paint.csv --no-report --out {0}/out",
             "harvest --roads {0}/straight.csv --paint {0}/paint.csv --frames 1 --size 64x48 --no-report --out {0}/out",
             "drive --roads {0}/straight.csv --paint {0}/paint.csv --distance 1 --out {0}/out"
+        ),
+        new(
+            "log-gpudrive",
+            "gpudrive/train/0000_0000.json",
+            folder => GpuDriveReader.Read(In(folder, "gpudrive/train/0000_0000.json")),
+            "log import {0}/gpudrive/train/0000_0000.json --out {0}/out"
+        ),
+        new(
+            "log-womd",
+            "womd/train.tfrecord-00000-of-00001",
+            folder => WomdReader.Read(In(folder, "womd/train.tfrecord-00000-of-00001")).ToList(),
+            "log import {0}/womd/train.tfrecord-00000-of-00001 --out {0}/out"
+        ),
+        new(
+            "traffic",
+            "logs/0000/traffic.json",
+            folder => TrafficFile.Read(In(folder, "logs/0000/traffic.json")),
+            "harvest --log {0}/logs/0000 --frames 1 --size 64x48 --no-report --out {0}/out"
         ),
         new("places", "places.csv", folder => PlaceList.Read(In(folder, "places.csv")), $"{Sheet} --list {{0}}/places.csv"),
         new(

@@ -18,9 +18,13 @@ internal static class FuzzMakers
         .. DatasetFormats
             .All.Where(format => format.HasMap)
             .Select(format => $"export {{0}}/session --format {format.Name} --roads {{0}}/straight.csv --out {{0}}/{format.Name}"),
+        "log import {0}/gpudrive/train/0000_0000.json --out {0}/logs",
     ];
 
-    /// <summary>The options with which a harvest has the maps of all channels that are one image for each frame.</summary>
+    /// <summary>The options with which a harvest has flow, and the maps of all channels that are one image for each frame.</summary>
     public static string MapOptions { get; } =
-        string.Join(" ", FrameChannels.All.OfType<MapChannel>().Select(channel => channel.Switch.Option));
+        string.Join(
+            " ",
+            FrameChannels.All.Where(channel => channel is MapChannel or FlowChannel).Select(channel => channel.Switch!.Option)
+        );
 }

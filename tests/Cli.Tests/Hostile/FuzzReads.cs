@@ -2,6 +2,7 @@ using Harvester.Cli.Commands;
 using Harvester.Datasets.Faces;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads;
+using Harvester.Datasets.Sharding;
 using Harvester.Datasets.Statistics;
 using Harvester.Datasets.Validation;
 using Harvester.Exports.Assembly;

@@ -65,6 +65,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         // The smallest images in which paint can be measured.
         "harvest --out {inputs}/lines --frames 1 --size 320x240 --seed 5 --roads {inputs}/roads.csv",
         $"harvest --out {{inputs}}/pairs --frames 2 {Pairs} {Small}",
+        "export {inputs}/session --format gpudrive --roads {inputs}/roads.csv --out {inputs}/gpudrive",
         "export {inputs}/session --format coco --out {inputs}/coco-1 --shard 1/2",
         "export {inputs}/session --format coco --out {inputs}/coco-2 --shard 2/2",
     ];
@@ -80,6 +81,14 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("harvest-shard", $"harvest --out {{root}}/out --frames 2 --shard 2/2 {Unchecked}")
         {
             Only = ["out/session.json", "out/labels.jsonl"],
+            IsKilled = true,
+        },
+        new(
+            "harvest-events",
+            $"harvest --out {{root}}/out --frames 2 --resume --no-report --no-scenes --events --keep-around 1s {Unchecked}"
+        )
+        {
+            Only = ["out/events.jsonl", "out/session.json", "out/manifest.jsonl"],
             IsKilled = true,
         },
         new("harvest-pairs", $"harvest --out {{root}}/out --frames 1 --resume --no-report {Pairs} {Unchecked}")
@@ -123,6 +132,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("export-openlane-v2", "export {inputs}/session --format openlane-v2 --roads {inputs}/roads.csv --out {root}/out"),
         new("export-gpudrive", "export {inputs}/session --format gpudrive --roads {inputs}/roads.csv --out {root}/out"),
         new("export-womd", "export {inputs}/session --format womd --roads {inputs}/roads.csv --out {root}/out"),
+        new("log-import", "log import {inputs}/gpudrive/train/0000_0000.json --out {root}/out"),
         new("export-motchallenge", "export {inputs}/session --format motchallenge --out {root}/out"),
         new("export-imagefolder", "export {inputs}/session --format imagefolder --out {root}/out"),
         new("export-shard", "export {inputs}/session --format yolo --out {root}/out --shard 1/2 --resume"),

@@ -6,8 +6,8 @@ namespace Harvester.Exports.Tests.MotionScenarios;
 /// <summary>Frames of TFRecord.</summary>
 public sealed class TfRecordTests
 {
-    /// <summary>The check value of CRC-32C, that of the digits 1 to 9, is 0xE3069283 (RFC 3720 has the polynomial); TFRecord rotates it right by 15
-    /// bits and adds 0xA282EAD8; here little-endian.</summary>
+    /// <summary>The check value of CRC-32C, that of the digits 1 to 9, is 0xE3069283 (RFC 3720 has the polynomial); TFRecord rotates it
+    /// right by 15 bits and adds 0xA282EAD8; here little-endian.</summary>
     private const string CheckValue = "e5b08ac7";
 
     [Fact]
@@ -27,7 +27,8 @@ public sealed class TfRecordTests
         TfRecord.Write(stream, []);
         stream.Position = 0;
 
-        Assert.Equal(["one"u8.ToArray(), []], TfRecord.Read(stream));
+        byte[][] expected = ["one"u8.ToArray(), []];
+        Assert.Equal(expected, TfRecord.Read(stream).ToArray());
     }
 
     [Theory]

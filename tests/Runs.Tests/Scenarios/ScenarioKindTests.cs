@@ -13,12 +13,14 @@ public class ScenarioKindTests(ITestOutputHelper output)
 {
     private const double Required = 0.95;
 
-    public static TheoryData<string> Files => [.. Directory.GetFiles("scenarios", "*.json").Order(StringComparer.Ordinal)];
+    private static string[] Paths => [.. Directory.GetFiles("scenarios", "*.json").Order(StringComparer.Ordinal)];
+
+    public static TheoryData<string> Files => [.. Paths];
 
     [Fact]
     public void Library_has_24_kinds_that_differ_and_can_be_judged()
     {
-        string[] kinds = [.. Files.Select(file => Template((string)file[0]).Middle.Kind)];
+        string[] kinds = [.. Paths.Select(file => Template(file).Middle.Kind)];
         Assert.True(kinds.Distinct().Count() >= 24);
         Assert.Equal(kinds.Order(StringComparer.Ordinal), ScenarioOracle.Kinds.Order(StringComparer.Ordinal));
     }
@@ -47,9 +49,9 @@ public class ScenarioKindTests(ITestOutputHelper output)
     public void Kinds_happen_on_the_roads_of_the_game()
     {
         RoadNetwork roads = RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!).Network;
-        foreach (object[] file in Files)
+        foreach (string file in Paths)
         {
-            Check((string)file[0], roads, Seeds().Take(3));
+            Check(file, roads, Seeds().Take(3));
         }
     }
 

@@ -136,6 +136,8 @@ public sealed class CalibrationCheckTests
 
         public int FirstObjectId => 1;
 
+        public int FirstEventId => 1;
+
         public void Open(SessionStart start) => Start = start;
 
         public bool TryEnqueue(CapturedFrame frame)

@@ -14,6 +14,8 @@ internal sealed class TruthSink(StreetOfFaces game) : IFrameSink
 
     public int FirstObjectId => 1;
 
+    public int FirstEventId => 1;
+
     public void Open(SessionStart start) { }
 
     public bool TryEnqueue(CapturedFrame frame)

@@ -28,6 +28,8 @@ internal sealed class MarkingJudge(SimulatedGame game) : IFrameSink
 
     public int FirstObjectId => 1;
 
+    public int FirstEventId => 1;
+
     /// <summary>Points of markings from 5 to 50 m that are labelled as painted and not hidden.</summary>
     public int Points { get; private set; }
 

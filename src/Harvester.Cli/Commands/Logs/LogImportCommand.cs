@@ -76,7 +76,7 @@ internal static class LogImportCommand
     private static IEnumerable<LogReading> Read(string path)
     {
         using IEnumerator<LogReading> scenarios = (
-            path.EndsWith(".json", StringComparison.OrdinalIgnoreCase) ? Single(path) : WomdReader.Read(path)
+            path.EndsWith(".json", StringComparison.OrdinalIgnoreCase) ? GpuDriveReader.ReadAll(path) : WomdReader.Read(path)
         ).GetEnumerator();
         while (true)
         {
@@ -94,11 +94,6 @@ internal static class LogImportCommand
 
             yield return scenarios.Current;
         }
-    }
-
-    private static IEnumerable<LogReading> Single(string path)
-    {
-        yield return GpuDriveReader.Read(path);
     }
 
     private static string Write(LogReading reading, string folder, FileInfo file)
@@ -121,13 +116,15 @@ internal static class LogImportCommand
             .. roads.ShortLanes > 0 ? [Counted.Of(roads.ShortLanes, "short lane")] : Array.Empty<string>(),
         ];
         const double share = 0.95;
+        double within = deviations[(int)(share * (deviations.Length - 1))];
+        string lanes = Counted.Of(roads.Lanes, "lane");
         return string.Create(
                 CultureInfo.InvariantCulture,
-                $"{Counted.Of(reading.Log.Tracks.Count, "track")}, {Counted.Of(reading.Log.Times.Count, "step")}, {Counted.Of(roads.Lanes, "lane")} "
+                $"{Counted.Of(reading.Log.Tracks.Count, "track")}, {Counted.Of(reading.Log.Times.Count, "step")}, {lanes} "
             )
             + string.Create(
                 CultureInfo.InvariantCulture,
-                $"({share:P0} of their points within {deviations[(int)(share * (deviations.Length - 1))]:0.000} m of the roads' middles, all within "
+                $"({share:P0} of their points within {within:0.000} m of the roads' middles, all within "
             )
             + string.Create(CultureInfo.InvariantCulture, $"{deviations[^1]:0.000} m), {Counted.Of(lights, "lane")} with lights")
             + (leftOut.Length > 0 ? $"; left out: {string.Join(", ", leftOut)}" : "");

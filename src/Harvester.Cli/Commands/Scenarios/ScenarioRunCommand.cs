@@ -62,6 +62,9 @@ internal sealed class ScenarioRunCommand
             DefaultValueFactory = _ => "on",
         };
 
+    private Option<bool> Crashes { get; } =
+        new("--crashes") { Description = "Let vehicles brake only as hard as tyres allow, and collide; otherwise they stop at once" };
+
     private Option<ImageSize> Size { get; } = WithDefault(CameraOptions.SizeOfHarvest(), new ImageSize(800, 600));
     private Option<ImageFormat?> Format { get; } = ImageFormatOption.Format("Image format: png, bmp or jpg (lossy) [default: png]");
     private Option<int?> Quality { get; } = ImageFormatOption.Quality();
@@ -78,6 +81,7 @@ internal sealed class ScenarioRunCommand
         );
     private Option<string> DetailOf { get; } = DetailOption.Create();
     private MomentOptions Moment { get; } = new();
+    private EventChoice EventsOf { get; } = new();
     private Option<bool> NoReport { get; } = ReportOption.Create();
 
     public static Command Create(Terminal terminal) => new ScenarioRunCommand().Build(terminal);
@@ -96,6 +100,7 @@ internal sealed class ScenarioRunCommand
             Roads,
             Near,
             Brake,
+            Crashes,
             Size,
             Format,
             Quality,
@@ -104,6 +109,7 @@ internal sealed class ScenarioRunCommand
             NoReport,
         };
         Moment.AddTo(command);
+        EventsOf.AddTo(command);
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(
             (parsed, cancellation) =>
@@ -163,7 +169,7 @@ internal sealed class ScenarioRunCommand
             },
         };
         ImageFormat format = parsed.GetValue(Format) ?? ImageFormat.Png;
-        HarvestPlan plan = ScenarioHarvest.Of(
+        HarvestPlan ordinary = ScenarioHarvest.Of(
             planned,
             folder,
             new HarvestOptions
@@ -172,12 +178,15 @@ internal sealed class ScenarioRunCommand
                 Format = format,
                 JpegQuality = ImageFormatOption.QualityOf(parsed, Quality, format),
                 RateHz = parsed.GetValue(Hz),
+                Events = EventsOf.Parse(parsed),
                 MaxCalibrationErrorPixels = 1,
             },
             parsed.GetValue(Roads)?.FullName,
             parsed.GetValue(Near)
-        ) with
+        );
+        HarvestPlan plan = ordinary with
         {
+            Variety = ordinary.Variety with { HasCrashes = parsed.GetValue(Crashes) },
             Overwrite = parsed.GetValue(Overwrite),
             Resume = parsed.GetValue(Resume),
             Weather = Moment.Weather(parsed),

@@ -63,6 +63,11 @@ internal sealed class CsvDatasetCheck
                 dataset.Has(CsvDriveTable.FileName)
                     ? check.TableProblems(CsvDriveTable.FileName, CsvDriveTable.Columns, check.DriveProblem)
                     : []
+            )
+            .Concat(
+                dataset.Has(CsvEventTable.FileName)
+                    ? check.TableProblems(CsvEventTable.FileName, CsvEventTable.Columns, check.EventProblem)
+                    : []
             );
     }
 
@@ -184,6 +189,12 @@ internal sealed class CsvDatasetCheck
             name => Number(row[name]) is < 0 or > 1
         )
             ? "a pedal or flag is not 0 to 1."
+        : null;
+
+    private string? EventProblem(Dictionary<string, string> row) =>
+        !_sizes.ContainsKey(row["frame"]) ? $"frame {row["frame"]} is not in {Frames}."
+        : !(Number(row["event"]) >= 1) ? $"'{row["event"]}' is not the number of an event."
+        : row["kind"].Length == 0 ? "the event has no kind."
         : null;
 
     /// <summary>Unknown values are empty fields.</summary>

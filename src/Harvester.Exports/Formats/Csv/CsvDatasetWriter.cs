@@ -3,6 +3,7 @@ using System.Text.Json;
 using CsvHelper;
 using CsvHelper.Configuration;
 using Harvester.Geometry;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Text;
@@ -10,7 +11,7 @@ using Harvester.Sessions.Text;
 namespace Harvester.Exports.Formats.Csv;
 
 /// <summary>
-/// Writes the CSV tables frames.csv, objects.csv and ignore_regions.csv (RFC 4180 with LF), for recorded drives drive.csv, and the images.
+/// Writes the CSV tables frames.csv, objects.csv and ignore_regions.csv (RFC 4180 with LF), for recorded drives drive.csv, with events events.csv, and the images.
 /// See docs/exports/csv.md.
 /// </summary>
 internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
@@ -93,6 +94,11 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
             output.Part(CsvDriveTable.Part, Line(CsvDriveTable.Fields(frame, drive, image)));
         }
 
+        foreach (EventMark mark in frame.Label.Events ?? [])
+        {
+            output.Part(CsvEventTable.Part, Line(CsvEventTable.Fields(frame, mark)));
+        }
+
         Dictionary<int, double?> visible = VisibleFractions(frame.LabelText);
         foreach (ExportObject item in frame.Objects)
         {
@@ -125,6 +131,15 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
                     new AggregateFile(
                         CsvDriveTable.FileName,
                         [AggregateSection.Literal(Line(CsvDriveTable.Columns) + "\n"), AggregateSection.Lines(CsvDriveTable.Part)]
+                    ),
+                ]
+                : Array.Empty<AggregateFile>(),
+            .. parts.ContainsKey(CsvEventTable.Part)
+                ?
+                [
+                    new AggregateFile(
+                        CsvEventTable.FileName,
+                        [AggregateSection.Literal(Line(CsvEventTable.Columns) + "\n"), AggregateSection.Lines(CsvEventTable.Part)]
                     ),
                 ]
                 : Array.Empty<AggregateFile>(),

@@ -28,15 +28,23 @@ internal sealed record McapChannel(int Id, string Topic, string Schema)
 
     public static McapChannel Imu { get; } = new(11, "/imu", "gtaharvest.Imu");
 
+    public static McapChannel Events { get; } = new(12, "/events", "gtaharvest.OpenEvents");
+
     /// <summary>The channels of every file, by number.</summary>
     public static McapChannel[] OfSessions { get; } = [Image, Calibration, Transforms, Objects, Lanes, Annotations, Indicators];
 
     /// <summary>The further channels of a file with a recorded drive, by number.</summary>
     public static McapChannel[] OfDrives { get; } = [Action, AnsweredIndicators, Tick, Imu];
 
+    /// <summary>The further channels of a file with events.</summary>
+    public static McapChannel[] OfEvents { get; } = [Events];
+
     /// <summary>All channels, by number.</summary>
-    public static McapChannel[] All { get; } = [.. OfSessions, .. OfDrives];
+    public static McapChannel[] All { get; } = [.. OfSessions, .. OfDrives, .. OfEvents];
 
     /// <summary>Whether a channel, by its number, is one of a recorded drive.</summary>
-    public static bool IsOfDrive(int id) => id >= Action.Id;
+    public static bool IsOfDrive(int id) => id >= Action.Id && id < Events.Id;
+
+    /// <summary>Whether a channel, by its number, is that of events.</summary>
+    public static bool IsOfEvents(int id) => id == Events.Id;
 }

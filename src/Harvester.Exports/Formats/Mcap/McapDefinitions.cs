@@ -12,6 +12,9 @@ internal sealed record McapDefinitions(IReadOnlyList<McapChannel> Channels, IRea
     public static McapDefinitions OfDrives { get; } =
         new(McapChannel.OfDrives, [.. NamesOf(McapChannel.OfDrives).Except(OfSessions.Schemas)]);
 
+    /// <summary>Those that events add.</summary>
+    public static McapDefinitions OfEvents { get; } = new(McapChannel.OfEvents, NamesOf(McapChannel.OfEvents));
+
     /// <summary>These and others.</summary>
     public McapDefinitions With(McapDefinitions others) => new([.. Channels, .. others.Channels], [.. Schemas, .. others.Schemas]);
 

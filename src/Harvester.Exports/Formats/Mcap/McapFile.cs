@@ -17,6 +17,7 @@ internal sealed class McapFile
     private long _position;
     private uint _crc;
     private bool _hasDrive;
+    private bool _hasEvents;
 
     private McapFile(Stream stream) => _stream = stream;
 
@@ -36,11 +37,18 @@ internal sealed class McapFile
         {
             ChunkEntry entry = ChunkEntry.Of(chunk, file._position);
 
-            // The channels of drives are defined where they are first used, because only the chunks tell of a drive.
+            // The channels of drives and events are defined where they are first used, because only the chunks tell of them.
             if (!file._hasDrive && entry.Messages.Any(McapChannel.IsOfDrive))
             {
                 file._hasDrive = true;
                 file.Define(McapDefinitions.OfDrives);
+                entry = ChunkEntry.Of(chunk, file._position);
+            }
+
+            if (!file._hasEvents && entry.Messages.Any(McapChannel.IsOfEvents))
+            {
+                file._hasEvents = true;
+                file.Define(McapDefinitions.OfEvents);
                 entry = ChunkEntry.Of(chunk, file._position);
             }
 
@@ -76,6 +84,7 @@ internal sealed class McapFile
         long start = _position;
         _crc = 0;
         McapDefinitions definitions = _hasDrive ? McapDefinitions.OfSessions.With(McapDefinitions.OfDrives) : McapDefinitions.OfSessions;
+        definitions = _hasEvents ? definitions.With(McapDefinitions.OfEvents) : definitions;
         (McapOpcode Kind, long Start, long Length)[] groups =
         [
             Group(McapOpcode.Schema, [definitions.SchemaRecords()]),

@@ -48,6 +48,11 @@ internal sealed class McapWriter : IDatasetWriter
             all.AddRange(DriveMessages.Of(drive, nanoseconds, Nanoseconds));
         }
 
+        if (label.Events is { } events)
+        {
+            all.Add(new(McapChannel.Events, EventMessage.Of(events, nanoseconds)));
+        }
+
         output.StagedPart(
             $"{frame.Split}/{frame.SequenceIndex:D4}.mcap",
             frame.Name + ".chunk",

@@ -23,6 +23,7 @@ internal static class MessageSchemas
         DriveAction.Descriptor,
         Gtaharvest.DriveTick.Descriptor,
         Imu.Descriptor,
+        OpenEvents.Descriptor,
     }.ToDictionary(message => message.FullName, StringComparer.Ordinal);
 
     /// <summary>Full names of the messages of the channels, each once.</summary>

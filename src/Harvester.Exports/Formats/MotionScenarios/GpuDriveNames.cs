@@ -14,7 +14,7 @@ internal static class GpuDriveNames
 
     /// <summary>The words for lights, by WOMD's numbers.</summary>
     public static IReadOnlyList<string> Lights { get; } =
-        ["unknown", "arrow_stop", "arrow_caution", "arrow_go", "stop", "caution", "go", "flashing_stop", "flashing_caution"];
+    ["unknown", "arrow_stop", "arrow_caution", "arrow_go", "stop", "caution", "go", "flashing_stop", "flashing_caution"];
 
     /// <summary>The words for what moves.</summary>
     public static IReadOnlyDictionary<string, LogKind> Kinds { get; } =

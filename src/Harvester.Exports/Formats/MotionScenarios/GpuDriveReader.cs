@@ -27,6 +27,14 @@ internal static class GpuDriveReader
         }
     }
 
+    /// <summary>The scenario of a file, read when it is asked for.</summary>
+    /// <exception cref="DatasetFormatException">As for <see cref="Read"/>.</exception>
+    /// <exception cref="IOException">The file cannot be read.</exception>
+    public static IEnumerable<LogReading> ReadAll(string path)
+    {
+        yield return Read(path);
+    }
+
     private static LogReading Of(JsonFields fields, JsonElement root)
     {
         var draft = new LogDraft();
@@ -52,7 +60,9 @@ internal static class GpuDriveReader
 
         if (fields.Has("tl_states"))
         {
-            foreach (JsonProperty lane in root.GetProperty("tl_states").EnumerateObject())
+            JsonElement lights = root.GetProperty("tl_states");
+            LogLimits.Require(lights.ValueKind == JsonValueKind.Object, "'tl_states' is no object.");
+            foreach (JsonProperty lane in lights.EnumerateObject())
             {
                 AddSignals(draft, lane);
             }
@@ -143,9 +153,7 @@ internal static class GpuDriveReader
             );
             List<LogSignal> signals = draft.Signals[steps[i].GetInt32()];
             LogLimits.Require(signals.Count < LogLimits.Features, "tl_states has too many lanes.");
-            signals.Add(
-                new LogSignal(id, (LogLight)light, LogDraft.Point(NumberOf(x[i], "x"), NumberOf(y[i], "y"), NumberOf(z[i], "z")))
-            );
+            signals.Add(new LogSignal(id, (LogLight)light, LogDraft.Point(NumberOf(x[i], "x"), NumberOf(y[i], "y"), NumberOf(z[i], "z"))));
         }
     }
 

@@ -30,7 +30,10 @@ internal sealed class LogDraft
     public void Add(int id, LogKind? kind, IReadOnlyList<LogState?> states)
     {
         int index = _listed++;
-        LogLimits.Require(_listed <= LogLimits.Tracks, FormattableString.Invariant($"it has more than {LogLimits.Tracks} tracks, the limit."));
+        LogLimits.Require(
+            _listed <= LogLimits.Tracks,
+            FormattableString.Invariant($"it has more than {LogLimits.Tracks} tracks, the limit.")
+        );
         LogLimits.Require(
             (long)_listed * states.Count <= LogLimits.States,
             FormattableString.Invariant($"it has more than {LogLimits.States} states of tracks, the limit.")
@@ -99,9 +102,14 @@ internal sealed class LogDraft
     /// <exception cref="DatasetFormatException">Its parts do not fit.</exception>
     public LogReading Finish(string id, IReadOnlyList<double> times, int ego)
     {
-        LogLimits.Require(times.Count is > 0 and <= LogLimits.Steps, FormattableString.Invariant($"it has {times.Count} steps, which are not 1 to {LogLimits.Steps}."));
         LogLimits.Require(
-            times.Zip(times.Skip(1)).All(static pair => pair.Second > pair.First) && Math.Abs(times[0]) <= LogLimits.Coordinate && Math.Abs(times[^1]) <= LogLimits.Coordinate,
+            times.Count is > 0 and <= LogLimits.Steps,
+            FormattableString.Invariant($"it has {times.Count} steps, which are not 1 to {LogLimits.Steps}.")
+        );
+        LogLimits.Require(
+            times.Zip(times.Skip(1)).All(static pair => pair.Second > pair.First)
+                && Math.Abs(times[0]) <= LogLimits.Coordinate
+                && Math.Abs(times[^1]) <= LogLimits.Coordinate,
             "the times of its steps do not rise."
         );
         LogLimits.Require(_tracks.All(track => track.States.Count == times.Count), "a track has not as many states as there are steps.");
@@ -110,10 +118,7 @@ internal sealed class LogDraft
             FormattableString.Invariant($"the recording car is track {ego}, which is not among its vehicles with a valid state.")
         );
         LogLimits.Require(_tracks[_indices[ego]].Kind == LogKind.Vehicle, "the recording car is no vehicle.");
-        return new LogReading(
-            new MotionLog(id, times, _tracks, _indices[ego], [.. _features.Select(WithoutStrangers)], Signals),
-            _leftOut
-        );
+        return new LogReading(new MotionLog(id, times, _tracks, _indices[ego], [.. _features.Select(WithoutStrangers)], Signals), _leftOut);
     }
 
     /// <summary>A lane of which others that are named are on no list is at the border of the map.</summary>

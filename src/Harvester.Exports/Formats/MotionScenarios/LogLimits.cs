@@ -6,7 +6,7 @@ namespace Harvester.Exports.Formats.MotionScenarios;
 internal static class LogLimits
 {
     /// <summary>Largest JSON file, bytes.</summary>
-    public const int JsonBytes = 48 << 20;
+    public const int JsonBytes = 32 << 20;
 
     /// <summary>Greatest number of steps: 20 minutes.</summary>
     public const int Steps = 12_000;

@@ -11,7 +11,8 @@ internal static class MotionActors
     /// <summary>The key of the car that carries the camera.</summary>
     public const string Ego = "ego";
 
-    /// <summary>The car that carries the camera, then all others. Parked bicycles are left out: the formats have no class for them.</summary>
+    /// <summary>The car that carries the camera, then all others. Parked bicycles, which have no class in the formats, are left
+    /// out.</summary>
     public static IEnumerable<MotionActor> Of(RecordedScene scene)
     {
         EgoState ego = scene.Snapshot.Ego;
@@ -28,10 +29,12 @@ internal static class MotionActors
             .ToLookup(entity => entity.VehicleHandle!.Value);
         foreach (EntityState entity in entities)
         {
-            if (KindOf(entity, riders[entity.Handle].Any()) is { } kind && !(IsRider(entity) && present.Contains(entity.VehicleHandle!.Value)))
+            if (
+                KindOf(entity, riders[entity.Handle].Any()) is { } kind
+                && !(IsRider(entity) && present.Contains(entity.VehicleHandle!.Value))
+            )
             {
-                Cuboid box = riders[entity.Handle]
-                    .Aggregate(BoxOf(entity), static (whole, rider) => Enclosing(whole, BoxOf(rider)));
+                Cuboid box = riders[entity.Handle].Aggregate(BoxOf(entity), static (whole, rider) => Enclosing(whole, BoxOf(rider)));
                 yield return new MotionActor(
                     FormattableString.Invariant($"{entity.Handle} {entity.Model}"),
                     scene.Ids.TryGetValue(entity.Handle, out int id) ? id : null,

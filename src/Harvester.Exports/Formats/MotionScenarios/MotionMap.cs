@@ -105,8 +105,10 @@ internal static class MotionMap
     {
         int? road = lane.Link ?? lane.Predecessors.Concat(lane.Successors).FirstOrDefault(next => next.Link is not null)?.Link;
         return road is { } link
-            && ((map.Network.Nodes[map.Network.Links[link].From].Flags & map.Network.Nodes[map.Network.Links[link].To].Flags)
-                & RoadNodeFlags.Highway) != 0;
+            && (
+                (map.Network.Nodes[map.Network.Links[link].From].Flags & map.Network.Nodes[map.Network.Links[link].To].Flags)
+                & RoadNodeFlags.Highway
+            ) != 0;
     }
 
     /// <summary>Of two lanes with opposite directions, the one whose edge is the line between them.</summary>
@@ -124,12 +126,13 @@ internal static class MotionMap
     /// <summary>WOMD's number of a line's paint; 0 if none was seen along most of it.</summary>
     private static int TypeOfPaint(MarkingPaint? paint) =>
         paint is not { } known ? 0
-        : known.Colour == MarkingColour.White ? known.Style switch
-        {
-            MarkingStyle.Dashed => 1,
-            MarkingStyle.Solid => 2,
-            _ => 3,
-        }
+        : known.Colour == MarkingColour.White
+            ? known.Style switch
+            {
+                MarkingStyle.Dashed => 1,
+                MarkingStyle.Solid => 2,
+                _ => 3,
+            }
         : known.Style switch
         {
             MarkingStyle.Dashed => 4,

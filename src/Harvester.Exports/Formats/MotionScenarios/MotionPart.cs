@@ -83,14 +83,7 @@ internal static class MotionPart
             actor.Text("key"),
             actor.Has("id") ? actor.Integer("id") : null,
             (LogKind)actor.Integer("kind"),
-            new LogState(
-                actor.Vector("centre"),
-                size[0],
-                size[1],
-                size[2],
-                actor.Number("heading"),
-                new Vector2D(velocity[0], velocity[1])
-            )
+            new LogState(actor.Vector("centre"), size[0], size[1], size[2], actor.Number("heading"), new Vector2D(velocity[0], velocity[1]))
         );
     }
 

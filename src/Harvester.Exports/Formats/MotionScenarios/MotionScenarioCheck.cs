@@ -14,7 +14,7 @@ internal static class MotionScenarioCheck
 
     /// <summary>Checks a dataset of GPUDrive's.</summary>
     public static IEnumerable<SessionProblem> GpuDriveProblems(DatasetContent dataset) =>
-        Problems(dataset, static path => [GpuDriveReader.Read(path)])
+        Problems(dataset, GpuDriveReader.ReadAll)
             .Concat(
                 Strays(
                     dataset,
@@ -30,11 +30,17 @@ internal static class MotionScenarioCheck
     private static IEnumerable<SessionProblem> Problems(DatasetContent dataset, Func<string, IEnumerable<LogReading>> read)
     {
         string[] columns = MotionScenarioWriter.FrameColumns.Split(',');
-        foreach ((int number, string[] words, string? problem) in Rows(dataset, MotionScenarioWriter.Frames, MotionScenarioWriter.FrameColumns))
+        foreach (
+            (int number, string[] words, string? problem) in Rows(dataset, MotionScenarioWriter.Frames, MotionScenarioWriter.FrameColumns)
+        )
         {
-            if (problem is not null || !dataset.Splits.Contains(words[0]) || Numbers.Parse([words[Array.IndexOf(columns, "time_seconds")]]) is null)
+            if (
+                problem is not null
+                || !dataset.Splits.Contains(words[0])
+                || Numbers.Parse([words[Array.IndexOf(columns, "time_seconds")]]) is null
+            )
             {
-                yield return new SessionProblem(MotionScenarioWriter.Frames, number, problem ?? "its split or time is invalid.");
+                yield return new SessionProblem(MotionScenarioWriter.Frames, LineOf(number), problem ?? "its split or time is invalid.");
             }
             else
             {
@@ -43,11 +49,17 @@ internal static class MotionScenarioCheck
         }
 
         var files = new Dictionary<string, List<(int Number, string[] Words)>>(StringComparer.Ordinal);
-        foreach ((int number, string[] words, string? problem) in Rows(dataset, MotionScenarioWriter.Scenarios, MotionScenarioWriter.ScenarioColumns))
+        foreach (
+            (int number, string[] words, string? problem) in Rows(
+                dataset,
+                MotionScenarioWriter.Scenarios,
+                MotionScenarioWriter.ScenarioColumns
+            )
+        )
         {
             if (problem is not null)
             {
-                yield return new SessionProblem(MotionScenarioWriter.Scenarios, number, problem);
+                yield return new SessionProblem(MotionScenarioWriter.Scenarios, LineOf(number), problem);
                 continue;
             }
 
@@ -67,6 +79,9 @@ internal static class MotionScenarioCheck
             }
         }
     }
+
+    /// <summary>The line of a problem; null for one of the file.</summary>
+    private static int? LineOf(int number) => number == 0 ? null : number;
 
     private static IEnumerable<SessionProblem> FileProblems(
         DatasetContent dataset,

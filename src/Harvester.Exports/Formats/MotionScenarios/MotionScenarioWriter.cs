@@ -101,7 +101,10 @@ internal sealed class MotionScenarioWriter(ExportOptions options, bool isWomd) :
             isWomd
                 ? scenarios
                     .GroupBy(scenario => scenario.Split)
-                    .Select(split => new AggregateFile(RecordsOf(split.Key), [.. split.Select(scenario => Record(scenario, RecordsOf(split.Key)))]))
+                    .Select(split => new AggregateFile(
+                        RecordsOf(split.Key),
+                        [.. split.Select(scenario => Record(scenario, RecordsOf(split.Key)))]
+                    ))
                 : scenarios.Select(scenario => new AggregateFile(FileOf(scenario), [Record(scenario, FileOf(scenario))]))
         )
             .Append(new AggregateFile(Frames, [AggregateSection.Literal(FrameColumns + "\n"), AggregateSection.Lines(FramePart)]))
@@ -175,8 +178,7 @@ internal sealed class MotionScenarioWriter(ExportOptions options, bool isWomd) :
             seconds,
             [
                 .. MotionActors.Of(
-                    frame.Scene
-                        ?? throw frame.Problem("it has no scene, which has all that moves around it. Harvest without --no-scenes.")
+                    frame.Scene ?? throw frame.Problem("it has no scene, which has all that moves around it. Harvest without --no-scenes.")
                 ),
             ],
             MotionLights.Of(frame.Label),

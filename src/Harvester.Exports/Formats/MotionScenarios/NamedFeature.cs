@@ -33,4 +33,21 @@ internal sealed record NamedFeature(string Name, LogFeatureKind Kind, int Type, 
 
     /// <summary>Of a stop sign, the lanes that it governs.</summary>
     public IReadOnlyList<string> Lanes { get; init; } = [];
+
+    /// <summary>
+    /// The feature with what the map around another frame says of it: at the border of a map, lanes lack some that lead into them or
+    /// continue them, and paint is seen from some frames only.
+    /// </summary>
+    public NamedFeature With(NamedFeature other) =>
+        this with
+        {
+            Type = Type == 0 ? other.Type : Type,
+            Entries = [.. Entries.Union(other.Entries)],
+            Exits = [.. Exits.Union(other.Exits)],
+            Left = [.. Left.Union(other.Left)],
+            Right = [.. Right.Union(other.Right)],
+            LeftLines = [.. LeftLines.Union(other.LeftLines)],
+            RightLines = [.. RightLines.Union(other.RightLines)],
+            Lanes = [.. Lanes.Union(other.Lanes)],
+        };
 }

@@ -28,7 +28,9 @@ internal static class PredictionTargets
         return Enumerable
             .Range(0, log.Tracks.Count)
             .Where(index => index != log.Ego && log.Tracks[index].States.Skip(present).All(state => state is not null))
-            .Where(index => (log.Tracks[index].States[^1]!.Value.Centre - log.Tracks[index].States[present]!.Value.Centre).Length >= MinPath)
+            .Where(index =>
+                (log.Tracks[index].States[^1]!.Value.Centre - log.Tracks[index].States[present]!.Value.Centre).Length >= MinPath
+            )
             .OrderBy(index => (log.Tracks[index].States[present]!.Value.Centre - ego.Centre).Length)
             .Take(Count)
             .Order();

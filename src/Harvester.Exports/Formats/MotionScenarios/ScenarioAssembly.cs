@@ -20,11 +20,7 @@ internal sealed class ScenarioAssembly
         {
             foreach (NamedFeature feature in moment.Features)
             {
-                // A line whose paint was seen from one frame keeps it.
-                if (!_features.TryGetValue(feature.Name, out NamedFeature? known) || (known.Type == 0 && feature.Type != 0))
-                {
-                    _features[feature.Name] = feature;
-                }
+                _features[feature.Name] = _features.TryGetValue(feature.Name, out NamedFeature? known) ? known.With(feature) : feature;
             }
 
             _moments.Add(moment with { Features = [] });
@@ -53,7 +49,9 @@ internal sealed class ScenarioAssembly
         if (count == 0)
         {
             throw new DatasetFormatException(
-                FormattableString.Invariant($"scenario {name}: its frames are more than {ScenarioWindow.MaxGap} s apart, too far to interpolate.")
+                FormattableString.Invariant(
+                    $"scenario {name}: its frames are more than {ScenarioWindow.MaxGap} s apart, too far to interpolate."
+                )
             );
         }
 
@@ -87,9 +85,7 @@ internal sealed class ScenarioAssembly
         }
 
         double gap = after == 0 ? double.PositiveInfinity : _moments[after].Seconds - _moments[after - 1].Seconds;
-        return gap <= ScenarioWindow.MaxGap
-            ? (_moments[after - 1], _moments[after], (seconds - _moments[after - 1].Seconds) / gap)
-            : null;
+        return gap <= ScenarioWindow.MaxGap ? (_moments[after - 1], _moments[after], (seconds - _moments[after - 1].Seconds) / gap) : null;
     }
 
     private IEnumerable<LogTrack> TracksOf((MotionMoment Before, MotionMoment After, double Part)?[] steps)
@@ -102,7 +98,11 @@ internal sealed class ScenarioAssembly
                 continue;
             }
 
-            Dictionary<string, LogState> after = place.After.Actors.ToDictionary(actor => actor.Key, actor => actor.State, StringComparer.Ordinal);
+            Dictionary<string, LogState> after = place.After.Actors.ToDictionary(
+                actor => actor.Key,
+                actor => actor.State,
+                StringComparer.Ordinal
+            );
             foreach (MotionActor actor in place.Before.Actors)
             {
                 if (after.TryGetValue(actor.Key, out LogState next))
@@ -117,13 +117,18 @@ internal sealed class ScenarioAssembly
             }
         }
 
-        ILookup<string, MotionActor> actors = _moments.SelectMany(moment => moment.Actors).ToLookup(actor => actor.Key, StringComparer.Ordinal);
+        ILookup<string, MotionActor> actors = _moments
+            .SelectMany(moment => moment.Actors)
+            .ToLookup(actor => actor.Key, StringComparer.Ordinal);
         var taken = new HashSet<int>();
         int nextOwn = FirstOwnId + 1;
         foreach (string key in states.Keys.Order(StringComparer.Ordinal))
         {
             int? known = actors[key].Select(actor => actor.Id).FirstOrDefault(id => id is not null);
-            int id = key == MotionActors.Ego ? FirstOwnId : known is { } given && taken.Add(given) ? given : nextOwn++;
+            int id =
+                key == MotionActors.Ego ? FirstOwnId
+                : known is { } given && taken.Add(given) ? given
+                : nextOwn++;
             yield return new LogTrack(id, actors[key].First().Kind, states[key]);
         }
     }

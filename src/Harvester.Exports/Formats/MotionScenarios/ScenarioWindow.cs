@@ -32,8 +32,7 @@ internal static class ScenarioWindow
     /// <summary>The scenario to which a frame belongs.</summary>
     /// <param name="seconds">Time since the first frame of the place, 0 or more.</param>
     /// <returns>Its number; null if the place lasts longer than scenarios can be numbered.</returns>
-    public static int? Of(double seconds) =>
-        Math.Floor((seconds + SameTime) / Length) is var window && window <= Last ? (int)window : null;
+    public static int? Of(double seconds) => Math.Floor((seconds + SameTime) / Length) is var window && window <= Last ? (int)window : null;
 
     /// <summary>The scenarios with steps that a frame takes part in: its own, and the one before or after it.</summary>
     public static IEnumerable<int> WithStepsNear(double seconds)

@@ -11,7 +11,7 @@ namespace Harvester.Exports.Formats.MotionScenarios;
 internal static class TfRecord
 {
     /// <summary>Largest size of a record that is read, bytes: many times that of a scenario of WOMD.</summary>
-    public const int MaxBytes = 12 << 20;
+    public const int MaxBytes = 8 << 20;
 
     private const int LengthBytes = sizeof(ulong);
     private const int CrcBytes = sizeof(uint);
@@ -49,7 +49,10 @@ internal static class TfRecord
             }
 
             ulong length = BinaryPrimitives.ReadUInt64LittleEndian(head);
-            if (got < head.Length || Checksum(head.AsSpan(0, LengthBytes)) != BinaryPrimitives.ReadUInt32LittleEndian(head.AsSpan(LengthBytes)))
+            if (
+                got < head.Length
+                || Checksum(head.AsSpan(0, LengthBytes)) != BinaryPrimitives.ReadUInt32LittleEndian(head.AsSpan(LengthBytes))
+            )
             {
                 throw new DatasetFormatException(
                     FormattableString.Invariant($"record {number} in it is damaged, or it is no TFRecord file without compression.")

@@ -38,6 +38,10 @@ internal static class WomdReader
         var draft = new LogDraft();
         foreach (Track track in scenario.Tracks)
         {
+            LogLimits.Require(
+                track.States.Count <= LogLimits.Steps,
+                FormattableString.Invariant($"a track has more than {LogLimits.Steps} states, the limit.")
+            );
             draft.Add(
                 track.Id,
                 Enum.IsDefined((LogKind)track.ObjectType) ? (LogKind)track.ObjectType : null,

@@ -11,7 +11,12 @@ internal static class WomdScenario
     /// <summary>The message of a log.</summary>
     public static byte[] Bytes(MotionLog log)
     {
-        var scenario = new Scenario { ScenarioId = log.Id, SdcTrackIndex = log.Ego, CurrentTimeIndex = PredictionTargets.PresentOf(log) };
+        var scenario = new Scenario
+        {
+            ScenarioId = log.Id,
+            SdcTrackIndex = log.Ego,
+            CurrentTimeIndex = PredictionTargets.PresentOf(log),
+        };
         scenario.TimestampsSeconds.Add(log.Times);
         scenario.Tracks.Add(log.Tracks.Select(TrackOf));
         scenario.TracksToPredict.Add(

@@ -20,6 +20,8 @@ internal sealed class OpenLabelCheck
     private readonly Dictionary<int, FrameIntervals> _seen = [];
     private readonly FrameIntervals _frames = new();
     private readonly HashSet<int> _listed = [];
+    private readonly Dictionary<string, string> _actions = [];
+    private readonly Dictionary<string, FrameIntervals> _seenActions = [];
     private ImageSize? _size;
     private int _count;
 
@@ -81,6 +83,15 @@ internal sealed class OpenLabelCheck
         {
             yield return new SessionProblem(_name, null, $"it has {_count} frames, but {_images} has {images} images.");
         }
+        else if (
+            _actions
+                .Keys.Union(_seenActions.Keys)
+                .FirstOrDefault(id => _actions.GetValueOrDefault(id) != $"{_seenActions.GetValueOrDefault(id)}") is
+            { } other
+        )
+        {
+            yield return new SessionProblem(_name, null, $"action {other} is not in the frames of its frame_intervals.");
+        }
         else if (_seen.Keys.FirstOrDefault(id => !_listed.Contains(id)) is var lost and > 0)
         {
             yield return new SessionProblem(_name, null, $"object {lost} is in frames, but not in the list of objects.");
@@ -100,6 +111,19 @@ internal sealed class OpenLabelCheck
                 double[] matrix = camera.Numbers("camera_matrix", 12);
                 _size = camera.Checked(() => new ImageSize(camera.Integer("width_px"), camera.Integer("height_px")));
                 JsonFields systems = head.Fields("coordinate_systems");
+                if (head.Has("actions"))
+                {
+                    JsonFields actions = head.Fields("actions");
+                    foreach (string id in actions.Names)
+                    {
+                        _actions[id] = actions.Fields(id).RawText("frame_intervals");
+                        if (actions.Fields(id).Text("name").Length == 0 || actions.Fields(id).Text("type").Length == 0)
+                        {
+                            return $"action {id} has no name or no type.";
+                        }
+                    }
+                }
+
                 return head.Fields("metadata").Text("schema_version") != OpenLabelStream.SchemaVersion
                         ? $"schema_version is not {OpenLabelStream.SchemaVersion}."
                     : systems.Fields(OpenLabelStream.World).Text("parent").Length > 0
@@ -132,6 +156,12 @@ internal sealed class OpenLabelCheck
                 JsonFields frame = document.Fields(key);
                 string image = frame.Fields("frame_properties").Fields("streams").Fields(OpenLabelStream.Camera).Text("uri");
                 JsonFields objects = frame.Fields("objects");
+                foreach (string id in frame.Has("actions") ? frame.Fields("actions").Names : [])
+                {
+                    _seenActions.TryAdd(id, new FrameIntervals());
+                    _seenActions[id].Add(_count - 1);
+                }
+
                 foreach (string id in objects.Names)
                 {
                     if (!int.TryParse(id, out int number) || number < 1)

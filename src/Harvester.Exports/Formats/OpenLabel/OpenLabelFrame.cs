@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.Json;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Events;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading.Json;
 using Harvester.Sessions.Text;
@@ -49,8 +50,27 @@ internal static class OpenLabelFrame
             WriteLanes(json, label.Lanes?.Lines ?? []);
             WriteIgnored(json, frame.Ignored);
             json.WriteEndObject();
+            WriteActions(json, label.Events ?? []);
             json.WriteEndObject();
         });
+
+    /// <summary>The open events, as actions that the frame has; nothing without one.</summary>
+    private static void WriteActions(Utf8JsonWriter json, IReadOnlyList<EventMark> marks)
+    {
+        if (marks.Count == 0)
+        {
+            return;
+        }
+
+        json.WriteStartObject("actions");
+        foreach (EventMark mark in marks)
+        {
+            json.WriteStartObject(Numbers.Text(mark.Id));
+            json.WriteEndObject();
+        }
+
+        json.WriteEndObject();
+    }
 
     private static void WriteProperties(Utf8JsonWriter json, FrameLabel label, string image)
     {

@@ -18,6 +18,7 @@ internal sealed class OpenLabelWriter : IDatasetWriter
     private const string FramesPrefix = "frames ";
     private const string StreamPrefix = "stream ";
     private const string ObjectsPrefix = "objects ";
+    private const string ActionsPrefix = "actions ";
 
     public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
@@ -31,6 +32,11 @@ internal sealed class OpenLabelWriter : IDatasetWriter
 
         output.Part(FramesPrefix + sequence, $"\"{frame.FrameInSequence}\":{OpenLabelFrame.Text(frame, image)}");
         output.Part(ObjectsPrefix + sequence, ObjectsPart(frame));
+        if (frame.Label.Events is { Count: > 0 } events)
+        {
+            output.Part(ActionsPrefix + sequence, OpenLabelActions.PartOf(frame.FrameInSequence, events));
+        }
+
         return new WrittenObjects(frame.Objects.Count, frame.Ignored.Count);
     }
 
@@ -43,6 +49,13 @@ internal sealed class OpenLabelWriter : IDatasetWriter
                 [
                     AggregateSection.Literal(OpenLabelStream.Head),
                     AggregateSection.Joined(StreamPrefix + sequence, ""),
+                    .. parts.ContainsKey(ActionsPrefix + sequence)
+                        ?
+                        [
+                            AggregateSection.Literal("},\"actions\":{"),
+                            AggregateSection.Summary(ActionsPrefix + sequence, OpenLabelActions.Write),
+                        ]
+                        : Array.Empty<AggregateSection>(),
                     AggregateSection.Literal("},\"frames\":{\n"),
                     AggregateSection.Joined(FramesPrefix + sequence, ",\n"),
                     AggregateSection.Literal("\n},\n"),

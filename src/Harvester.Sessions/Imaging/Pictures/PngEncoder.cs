@@ -6,8 +6,9 @@ using Harvester.Geometry.PixelMaps;
 namespace Harvester.Sessions.Imaging.Pictures;
 
 /// <summary>
-/// Writes PNG images (ISO/IEC 15948): 8-bit red, green, blue, grey of 16 or 8 bits, and 8 bits with a palette. Rows of colours are filtered
-/// with Sub and those of maps with Up, the cheapest of the filters that help. One encoder serves one thread; its buffers are reused.
+/// Writes PNG images (ISO/IEC 15948): red, green and blue of 8 or 16 bits, grey of 16 or 8 bits, and 8 bits with a palette. Rows of colours
+/// are filtered with Sub and those of maps with Up, the cheapest of the filters that help. One encoder serves one thread; its buffers are
+/// reused.
 /// </summary>
 #pragma warning disable CA1001 // A memory stream holds nothing to dispose.
 public sealed class PngEncoder
@@ -16,6 +17,7 @@ public sealed class PngEncoder
     private const byte FilterSub = 1;
     private const byte FilterUp = 2;
     private const byte BitsOfGrey = 16;
+    private const byte BitsOfDeepColour = 16;
     private const byte BitsOfColour = 8;
     private const byte ColourTypeGrey = 0;
     private const byte ColourTypeRgb = 2;
@@ -108,6 +110,21 @@ public sealed class PngEncoder
     public void WriteGrey8(ImageSize size, Action<int, byte[]> readRow, Stream target) =>
         Write(target, size, BitsOfColour, ColourTypeGrey, size.Width, readRow ?? throw new ArgumentNullException(nameof(readRow)));
 
+    /// <summary>Writes a colour image of 16 bits per component, most significant byte first, that need not be in memory.</summary>
+    /// <param name="size">Its size.</param>
+    /// <param name="readRow">Fills all bytes of a row, six per pixel, by its number from the top.</param>
+    /// <param name="target">Receives the image.</param>
+    /// <exception cref="IOException">The stream cannot be written.</exception>
+    public void WriteDeepColour(ImageSize size, Action<int, byte[]> readRow, Stream target) =>
+        Write(
+            target,
+            size,
+            BitsOfDeepColour,
+            ColourTypeRgb,
+            size.Width * 2 * PixelBuffer.BytesPerPixel,
+            readRow ?? throw new ArgumentNullException(nameof(readRow))
+        );
+
     /// <summary>Writes a map of small numbers with a palette: 8 bits per pixel.</summary>
     /// <param name="map">The map.</param>
     /// <param name="palette">The colour of each number; at most 256.</param>
@@ -187,15 +204,19 @@ public sealed class PngEncoder
             WriteChunk(target, "PLTE", palette, palette.Length);
         }
 
-        Compress(size.Height, stride, colourType, readRow);
+        Compress(size.Height, stride, colourType == ColourTypeRgb ? stride / size.Width : 0, readRow);
         WriteChunk(target, "IDAT", _compressed.GetBuffer(), (int)_compressed.Length);
         WriteChunk(target, "IEND", [], 0);
     }
 
-    private void Compress(int rows, int stride, byte colourType, Action<int, byte[]> readRow)
+    /// <param name="rows">Number of rows.</param>
+    /// <param name="stride">Bytes of a row.</param>
+    /// <param name="pixel">Bytes of a pixel whose rows are filtered with Sub; 0 for Up.</param>
+    /// <param name="readRow">Fills a row.</param>
+    private void Compress(int rows, int stride, int pixel, Action<int, byte[]> readRow)
     {
         _filtered = _filtered.Length == stride + 1 ? _filtered : new byte[stride + 1];
-        _filtered[0] = colourType == ColourTypeRgb ? FilterSub : FilterUp;
+        _filtered[0] = pixel > 0 ? FilterSub : FilterUp;
         byte[] above = new byte[stride];
         byte[] current = new byte[stride];
         _compressed.SetLength(0);
@@ -203,11 +224,11 @@ public sealed class PngEncoder
         for (int row = 0; row < rows; row++)
         {
             readRow(row, current);
-            if (colourType == ColourTypeRgb)
+            if (pixel > 0)
             {
                 // Sub: each byte minus that of the pixel on its left; the first pixel has none.
-                Buffer.BlockCopy(current, 0, _filtered, 1, PixelBuffer.BytesPerPixel);
-                RowDifference.Write(current, PixelBuffer.BytesPerPixel, current, 0, _filtered, PixelBuffer.BytesPerPixel + 1);
+                Buffer.BlockCopy(current, 0, _filtered, 1, pixel);
+                RowDifference.Write(current, pixel, current, 0, _filtered, pixel + 1);
             }
             else
             {

@@ -11,7 +11,7 @@ using Harvester.Sessions.Reading.Files;
 namespace Harvester.Sessions.Reading.Images;
 
 /// <summary>
-/// Reads PNG images (ISO/IEC 15948) of the kinds in sessions and datasets, without interlacing: 8-bit RGB, and greyscale with 16 or 8 bits.
+/// Reads PNG images (ISO/IEC 15948) of the kinds in sessions and datasets, without interlacing: RGB and greyscale with 16 or 8 bits.
 /// </summary>
 public static class PngDecoder
 {
@@ -24,6 +24,7 @@ public static class PngDecoder
     private const byte ColourTypeRgb = 2;
     private const byte ColourTypePalette = 3;
     private const int BytesPerGreyPixel = 2;
+    private const int ComponentsOfColour = 3;
 
     /// <summary>
     /// Reads an image. The checksums of the header and of the compressed data are verified; <c>harvester validate</c> verifies those of
@@ -50,17 +51,23 @@ public static class PngDecoder
         byte[] bytes = new byte[size.PixelCount * BytesPerGreyPixel];
         Read(path, 16, ColourTypeGrey, "a 16-bit greyscale", size, BytesPerGreyPixel, bytes);
         var map = new InstanceMap(size);
-        ReadOnlySpan<ushort> numbers = MemoryMarshal.Cast<byte, ushort>(bytes);
-        if (BitConverter.IsLittleEndian)
-        {
-            BinaryPrimitives.ReverseEndianness(numbers, map.Ids);
-        }
-        else
-        {
-            numbers.CopyTo(map.Ids);
-        }
-
+        Take(bytes, map.Ids);
         return map;
+    }
+
+    /// <summary>Reads a colour image of 16 bits per component, such as a map of flow.</summary>
+    /// <returns>Red, green and blue of each pixel, row by row.</returns>
+    /// <exception cref="DatasetFormatException">The file is not such an image, or is damaged; the message refers to the file as
+    /// "it".</exception>
+    /// <exception cref="IOException">The file cannot be read.</exception>
+    public static ushort[] ReadDeepColour(string path)
+    {
+        ImageSize size = ImageHeader.Read(path).Size;
+        ushort[] components = new ushort[checked(size.PixelCount * ComponentsOfColour)];
+        byte[] bytes = new byte[checked(components.Length * 2)];
+        Read(path, 16, ColourTypeRgb, "a 16-bit colour", size, ComponentsOfColour * 2, bytes);
+        Take(bytes, components);
+        return components;
     }
 
     /// <summary>Reads an 8-bit label map, grey or with a palette.</summary>
@@ -79,6 +86,20 @@ public static class PngDecoder
         }
 
         return map;
+    }
+
+    /// <summary>Takes numbers of which the most significant byte is the first.</summary>
+    private static void Take(byte[] bytes, ushort[] numbers)
+    {
+        ReadOnlySpan<ushort> stored = MemoryMarshal.Cast<byte, ushort>(bytes);
+        if (BitConverter.IsLittleEndian)
+        {
+            BinaryPrimitives.ReverseEndianness(stored, numbers);
+        }
+        else
+        {
+            stored.CopyTo(numbers);
+        }
     }
 
     private static void Read(string path, byte bitDepth, byte colourType, string kind, ImageSize size, int bytesPerPixel, byte[] pixels)

@@ -1,0 +1,21 @@
+using Harvester.Geometry;
+
+namespace Harvester.Capture.Events;
+
+/// <summary>A road user at one reading.</summary>
+/// <param name="Seconds">The game's time, seconds.</param>
+/// <param name="Pose">Position of the model's origin and orientation, metres, world.</param>
+/// <param name="Box">Its footprint.</param>
+/// <param name="Velocity">Metres per second, world.</param>
+/// <param name="YawRate">Turning rate, rad/s, positive to the left; 0 for people, whose facing does not steer them.</param>
+internal sealed record UserReading(double Seconds, Pose Pose, GroundBox Box, Vector3D Velocity, double YawRate)
+{
+    /// <summary>Horizontal velocity, m/s.</summary>
+    public Vector2D Ground => new(Velocity.X, Velocity.Y);
+
+    /// <summary>Horizontal speed, m/s.</summary>
+    public double Speed => Ground.Length;
+
+    /// <summary>How its footprint goes on.</summary>
+    public GroundMotion Motion => new(Box, new Vector2D(Pose.Position.X, Pose.Position.Y), Ground, YawRate);
+}
