@@ -128,7 +128,7 @@ public sealed class FlowMakerTests
             {
                 (double shownX, double shownY) = ((column + 0.5 - 80) / Focal, (row + 0.5 - 60) / Focal);
 
-                // The radius before the lens by fixed-point iteration, r = r' / (1 - 0.2 r²), which converges for r' < 0.6.
+                // The radius before the lens by fixed-point iteration, r = r' / (1 - 0.2 r²), which converges for r' < 0.8.
                 double shown = Math.Sqrt((shownX * shownX) + (shownY * shownY));
                 double radius = shown;
                 for (int i = 0; i < 100; i++)
