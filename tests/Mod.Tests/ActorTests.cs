@@ -17,7 +17,7 @@ public sealed class ActorTests
     private static readonly Vector3D[] Path = [new(100, 50, 30), new(100, 110, 30), new(160, 110, 30)];
 
     /// <summary>A game in which the stage has used every native that it uses.</summary>
-    public static ScriptDriver Playing()
+    internal static ScriptDriver Playing()
     {
         var driver = new ScriptDriver();
         IStage stage = driver.Script.Actors;
