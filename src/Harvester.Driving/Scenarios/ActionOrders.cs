@@ -45,11 +45,12 @@ internal sealed class ActionOrders(BoundScenario bound, IStage stage)
             case ScenarioActionKind.CutIn:
             {
                 LaneTrack track = bound.Place.Track;
-                stage.SetIndicators(
-                    actor.Handle,
-                    track.Locate(actor.State!.Pose.Position).Right > 0 ? StageIndicators.Left : StageIndicators.Right
-                );
-                MoveOver(actor, track, 0, speed, action);
+                (double egoAt, double offset) = track.Locate(actor.State!.Pose.Position);
+                stage.SetIndicators(actor.Handle, offset > 0 ? StageIndicators.Left : StageIndicators.Right);
+
+                // Who comes on drives against the ego's lane.
+                bool comesOn = actor.Track.DirectionAt(actor.At).Dot(track.DirectionAt(egoAt)) < 0;
+                MoveOver(actor, comesOn ? track.Reversed() : track, 0, speed, action);
                 break;
             }
 

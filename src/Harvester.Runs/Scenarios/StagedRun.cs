@@ -16,6 +16,9 @@ public sealed class StagedRun
     /// <summary>Around actors no vehicle is parked within this distance, metres.</summary>
     private const double ParkedRoom = 14;
 
+    /// <summary>Nor is one as far ahead of an actor that parks, metres.</summary>
+    private const double ParkingWay = 56;
+
     private readonly PlannedScenario _planned;
     private ScenarioPlayer? _player;
 
@@ -64,7 +67,7 @@ public sealed class StagedRun
             Stage = new StageSetting(Bound.Ego, PathFollower.HeadingOf(new Vector2D(forward.X, forward.Y)), Bound.Scenario.Ego.Speed)
             {
                 Way = Bound.Place.Track.Path(0, Bound.Place.Track.To),
-                ClearOfParked = [.. Bound.Actors.Select(actor => (actor.Ground, ParkedRoom))],
+                ClearOfParked = [.. Bound.Actors.SelectMany(ZonesOf)],
                 Green = Bound.Green,
             },
         };
@@ -94,6 +97,16 @@ public sealed class StagedRun
         if (!game.IsFrozen)
         {
             _player?.Tick();
+        }
+    }
+
+    private IEnumerable<(Vector3D Middle, double Radius)> ZonesOf(BoundActor actor)
+    {
+        yield return (actor.Ground, ParkedRoom);
+        bool parks = Bound.Scenario.Events.Any(each => each.Actor == actor.Actor.Id && each.Action.Kind == ScenarioActionKind.Park);
+        for (double ahead = ParkedRoom; parks && ahead <= ParkingWay; ahead += ParkedRoom)
+        {
+            yield return (actor.Track.PositionAt(ahead), ParkedRoom);
         }
     }
 }
