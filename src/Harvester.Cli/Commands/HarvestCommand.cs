@@ -7,6 +7,7 @@ using Harvester.Cli.Terminals;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
+using Harvester.Runs.Faults;
 using Harvester.Runs.Harvesting;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
