@@ -24,6 +24,6 @@ public sealed partial class PrintedCommandTests
     }
 
     // data/NAME.EXTENSION or examples/... as a word of a command line that begins with harvester.
-    [GeneratedRegex(@"(?<=^ *(?:\+ "" *)?harvester [^\n]* )(?:data|examples)/[\w/-]+\.\w+", RegexOptions.Multiline)]
+    [GeneratedRegex(@"(?<=^ *(?:\+ "" *)?harvester [^\n]* )(?:data|examples)/[\w/-]+(?:\.\w+)+", RegexOptions.Multiline)]
     private static partial Regex RepositoryFile();
 }

@@ -37,7 +37,7 @@ public sealed class ActorTests
     }
 
     [Fact]
-    public void Car_appears_when_its_models_are_streamed_in_and_drives_along_its_path_by_tasks()
+    public void Car_appears_when_streamed_in_and_drives_its_path_by_tasks()
     {
         using var driver = new ScriptDriver();
         IStage stage = driver.Script.Actors;

@@ -36,7 +36,7 @@ internal sealed class CollisionWatch : IEventWatch
         }
     }
 
-    private static bool IsContact(GroundBox a, GroundBox b) => a.IsLevelWith(b) && a.Gap(b) <= EventRules.ContactMetres;
+    private static bool IsContact(BodyBox a, BodyBox b) => a.IsLevelWith(b) && a.Gap(b) <= EventRules.ContactMetres;
 
     private static bool IsBegun(RoadUser first, RoadUser second) =>
         first.Before is { } firstBefore
@@ -75,7 +75,7 @@ internal sealed class CollisionWatch : IEventWatch
 
     private static EventContact ContactOf(RoadUser first, RoadUser second)
     {
-        (GroundBox a, GroundBox b) = (first.Now.Box, second.Now.Box);
+        (BodyBox a, BodyBox b) = (first.Now.Box, second.Now.Box);
         Vector2D place = a.Common(b);
         double height = (Math.Max(a.Bottom, b.Bottom) + Math.Min(a.Top, b.Top)) / 2;
         return new EventContact(

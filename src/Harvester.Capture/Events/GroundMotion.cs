@@ -7,7 +7,7 @@ namespace Harvester.Capture.Events;
 /// <param name="Origin">The point that has the velocity and about which the body turns: the model's origin, metres, world.</param>
 /// <param name="Velocity">Horizontal velocity, m/s, world.</param>
 /// <param name="YawRate">Turning rate of body and velocity, rad/s, positive to the left.</param>
-internal readonly record struct GroundMotion(GroundBox Box, Vector2D Origin, Vector2D Velocity, double YawRate)
+internal readonly record struct GroundMotion(BodyBox Box, Vector2D Origin, Vector2D Velocity, double YawRate)
 {
     /// <summary>Turns by less than this count as straight, radians: the displacement differs by less than a micrometre.</summary>
     private const double Straight = 1e-7;
@@ -23,7 +23,7 @@ internal readonly record struct GroundMotion(GroundBox Box, Vector2D Origin, Vec
 
     /// <summary>The footprint after a time.</summary>
     /// <param name="seconds">Seconds, 0 or more.</param>
-    public GroundBox After(double seconds)
+    public BodyBox After(double seconds)
     {
         double turn = YawRate * seconds;
 

@@ -70,7 +70,7 @@ internal sealed class RoadUser
             }
         }
 
-        var box = GroundBox.Of(pose, Entity.ModelMin, Entity.ModelMax);
+        var box = BodyBox.Of(pose, Entity.ModelMin, Entity.ModelMax);
         _readings.Add(new UserReading(seconds, pose, box, velocity, IsPerson ? 0 : YawRate(seconds, box.Forward)));
         while (_readings[0].Seconds < seconds - KeptSeconds)
         {

@@ -8,7 +8,7 @@ namespace Harvester.Capture.Events;
 /// <param name="Box">Its footprint.</param>
 /// <param name="Velocity">Metres per second, world.</param>
 /// <param name="YawRate">Turning rate, rad/s, positive to the left; 0 for people, whose facing does not steer them.</param>
-internal sealed record UserReading(double Seconds, Pose Pose, GroundBox Box, Vector3D Velocity, double YawRate)
+internal sealed record UserReading(double Seconds, Pose Pose, BodyBox Box, Vector3D Velocity, double YawRate)
 {
     /// <summary>Horizontal velocity, m/s.</summary>
     public Vector2D Ground => new(Velocity.X, Velocity.Y);

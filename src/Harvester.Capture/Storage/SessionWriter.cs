@@ -22,7 +22,7 @@ public sealed class SessionWriter : IFrameSink
     private readonly SessionContent _before;
     private readonly List<KeyValuePair<string, string>> _kept = [];
     private FrameStore? _store;
-    private SessionHeader? _header;
+    private HeaderFile? _header;
     private SpaceWatch? _space;
     private BlockingCollection<CapturedFrame>? _queue;
     private Thread? _thread;
@@ -146,7 +146,7 @@ public sealed class SessionWriter : IFrameSink
             start.Options.ViewsPerMoment,
             Replays ? _before.Events : 0
         );
-        _header = new SessionHeader(_origin, _files, _store, _before, start);
+        _header = new HeaderFile(_origin, _files, _store, _before, start);
         _space = new SpaceWatch(Folder, start.Options.MinFreeBytes, _disk);
         // The pictures of one moment may take more memory than all other frames in the queue.
         _queue = new BlockingCollection<CapturedFrame>(start.Options.Pairs.IsAny ? 1 : start.Options.QueueCapacity);

@@ -154,7 +154,7 @@ internal static class TrafficFile
         int ego = file.Integer("ego");
         int index = Array.FindIndex(tracks, track => track.Id == ego);
         Require(
-            index >= 0 && tracks[index].Kind == LogKind.Vehicle,
+            index >= 0 && tracks[index].Kind == TrafficLogKind.Vehicle,
             FormattableString.Invariant($"ego is {ego}, which is no vehicle of tracks.")
         );
         List<LogSignal>[] signals = [.. times.Select(_ => new List<LogSignal>())];
@@ -183,7 +183,7 @@ internal static class TrafficFile
         Require(Array.Exists(states, state => state is not null), "a track has no state.");
         return new LogTrack(
             track.Integer("id"),
-            Enum.GetValues<LogKind>().Where(kind => NameOf(kind) == track.Text("kind")).Cast<LogKind?>().FirstOrDefault()
+            Enum.GetValues<TrafficLogKind>().Where(kind => NameOf(kind) == track.Text("kind")).Cast<TrafficLogKind?>().FirstOrDefault()
                 ?? throw new DatasetFormatException("the kind of a track is not vehicle, pedestrian or cyclist."),
             states
         );
@@ -241,11 +241,11 @@ internal static class TrafficFile
         }
     }
 
-    private static string NameOf(LogKind kind) =>
+    private static string NameOf(TrafficLogKind kind) =>
         kind switch
         {
-            LogKind.Pedestrian => "pedestrian",
-            LogKind.Cyclist => "cyclist",
+            TrafficLogKind.Pedestrian => "pedestrian",
+            TrafficLogKind.Cyclist => "cyclist",
             _ => "vehicle",
         };
 

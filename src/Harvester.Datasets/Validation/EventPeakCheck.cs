@@ -23,7 +23,9 @@ internal static class EventPeakCheck
     /// </summary>
     private const double DistanceError = 0.02;
 
-    /// <summary>Error of a speed whose components are rounded to 0.1 mm/s, and of a quotient of two over the window, m/s and m/s².</summary>
+    /// <summary>
+    /// Error of a speed whose components are rounded to 0.1 mm/s, and of a quotient of two over the window, m/s and m/s².
+    /// </summary>
     private const double SpeedError = 0.001;
 
     private const int Corners = 4;
@@ -149,7 +151,9 @@ internal static class EventPeakCheck
         return Enumerable.Range(0, Corners).Max(i => Outside(corners[i], corners[(i + 1) % Corners], place)) - Contact;
     }
 
-    /// <summary>By how much the projections of two polygons on the normals of the first overlap at least; negative if one parts them.</summary>
+    /// <summary>
+    /// By how much the projections of two polygons on the normals of the first overlap at least; negative if one parts them.
+    /// </summary>
     private static double Depth(Vector2D[] polygon, Vector2D[] other) =>
         Enumerable.Range(0, Corners).Min(i => -other.Min(point => Outside(polygon[i], polygon[(i + 1) % Corners], point)));
 

@@ -86,7 +86,9 @@ internal sealed class EventSpeedCheck
         _events.TryGetValue(id, out DrivingEvent[]? events)
         && (events.Length > MaxEvents || Array.Exists(events, each => Explains(each, seconds)));
 
-    /// <summary>Whether an event says what the deceleration up to a moment is: hard braking then, or a collision up to a second before.</summary>
+    /// <summary>
+    /// Whether an event says what the deceleration up to a moment is: hard braking then, or a collision up to a second before.
+    /// </summary>
     private static bool Explains(DrivingEvent each, double seconds) =>
         seconds >= each.BeginSeconds - TimeTolerance
         && seconds <= each.EndSeconds + (each.Kind == EventKind.Collision ? 1 + Window : 0) + TimeTolerance;

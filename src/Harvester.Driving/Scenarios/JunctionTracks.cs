@@ -85,9 +85,8 @@ internal static class JunctionTracks
             };
         }
 
-        throw new UnfitPlaceException(
-            $"No road from the {actor.Start.Approach.ToString().ToLowerInvariant()} is long enough for '{actor.Id}' and meets the ego's way."
-        );
+        string side = actor.Start.Approach.ToString().ToLowerInvariant();
+        throw new UnfitPlaceException($"No road from the {side} is long enough for '{actor.Id}' and meets the ego's way.");
     }
 
     /// <summary>Where a track first comes to the ego's, as distances along both; null if it does not near the junction.</summary>

@@ -101,10 +101,8 @@ internal static class PlaceNeeds
         );
         foreach (ScenarioApproach approach in wanted.Approaches)
         {
-            Need(
-                JunctionTracks.ApproachesFrom(place, approach).Any(),
-                $"No road comes into the junction ahead {(approach == ScenarioApproach.Oncoming ? "from the other side" : $"from the {approach.ToString().ToLowerInvariant()}")}."
-            );
+            string side = approach == ScenarioApproach.Oncoming ? "other side" : approach.ToString().ToLowerInvariant();
+            Need(JunctionTracks.ApproachesFrom(place, approach).Any(), $"No road comes into the junction ahead from the {side}.");
         }
     }
 

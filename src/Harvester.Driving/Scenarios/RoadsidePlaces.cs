@@ -3,8 +3,8 @@ using Harvester.Sessions.Scenarios;
 namespace Harvester.Driving.Scenarios;
 
 /// <summary>
-/// Places beside a carriageway. A street is taken to have a strip for parked vehicles beside its lanes, and a pavement behind the kerb: road
-/// data has neither.
+/// Places beside a carriageway. A street is taken to have a strip for parked vehicles beside its lanes, and a pavement behind the kerb:
+/// road data has neither.
 /// </summary>
 internal static class RoadsidePlaces
 {

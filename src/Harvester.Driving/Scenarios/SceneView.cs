@@ -50,7 +50,9 @@ internal sealed record SceneView(BoundScenario Bound, double Seconds, EgoState E
         return closing > 0 ? Math.Max(0, room) / closing : double.PositiveInfinity;
     }
 
-    /// <summary>Whether the ego's rectangle on the ground touches an actor's, with a margin for bodies that stop before they overlap.</summary>
+    /// <summary>
+    /// Whether the ego's rectangle on the ground touches an actor's, with a margin for bodies that stop before they overlap.
+    /// </summary>
     public bool IsTouching(StagedActor actor)
     {
         const double margin = 0.2;

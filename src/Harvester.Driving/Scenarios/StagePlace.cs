@@ -73,7 +73,9 @@ public sealed class StagePlace
             .FirstOrDefault();
     }
 
-    /// <summary>How far to the right of the track the carriageway ends, metres; negative for the left side; null if that is unknown.</summary>
+    /// <summary>
+    /// How far to the right of the track the carriageway ends, metres; negative for the left side; null if that is unknown.
+    /// </summary>
     /// <param name="at">Metres from the ego's start.</param>
     /// <param name="side">-1 for the left side, 1 for the right.</param>
     public double? EdgeAt(double at, int side)

@@ -25,7 +25,9 @@ internal sealed class ChangedFrames : IDisposable
     /// <summary>Number of the first frame whose image differs from that of the base; null if none does.</summary>
     public int? FirstImage { get; private set; }
 
-    /// <summary>Compares the frame with the number of a frame of the base; null if this run lacks it. Frames are asked for in order.</summary>
+    /// <summary>
+    /// Compares the frame with the number of a frame of the base; null if this run lacks it. Frames are asked for in order.
+    /// </summary>
     public (LabelLine Line, bool Label, bool Image)? Compare(SessionReader original, LabelLine line)
     {
         int frame = line.Label!.Frame;

@@ -156,9 +156,9 @@ public sealed class FlowMaker
             return 0;
         }
 
-        // The images of the points of a line of sight lie on a line, on which the inverse depth is about linear. An error of the whole depth
-        // or more says that the pixel may show what is behind the surface, up to infinity; towards the camera it then counts in inverse
-        // depth. A point that the error brings behind the other camera may be anywhere.
+        // The images of the points of a line of sight lie on a line, on which the inverse depth is about linear. An error of the whole
+        // depth or more says that the pixel may show what is behind the surface, up to infinity; towards the camera it then counts in
+        // inverse depth. A point that the error brings behind the other camera may be anywhere.
         bool isBounded = error < depth;
         Vector3D nearer = (line * (isBounded ? depth - error : depth * depth / (depth + error))) + translation;
         Vector3D farther = isBounded ? (line * (depth + error)) + translation : line;

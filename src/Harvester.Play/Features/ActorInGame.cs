@@ -8,7 +8,9 @@ namespace Harvester.Play.Features;
 /// <param name="isVehicle">Whether it drives.</param>
 internal sealed class ActorInGame(IActorGame game, bool isVehicle)
 {
-    /// <summary>The game's flags of driving: for other vehicles, for people, at lights; backwards; straight to the place, off the lanes.</summary>
+    /// <summary>
+    /// The game's flags of driving: for other vehicles, for people, at lights; backwards; straight to the place, off the lanes.
+    /// </summary>
     private const int StopsForVehicles = 1;
     private const int StopsForPeople = 2;
     private const int StopsAtLights = 128;

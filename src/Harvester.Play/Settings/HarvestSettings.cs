@@ -27,7 +27,9 @@ public static class HarvestSettings
     /// </summary>
     private const double RateByHandHz = 2;
 
-    /// <summary>Readings per second in which events are looked for: a reading of everything near costs the game a few milliseconds.</summary>
+    /// <summary>
+    /// Readings per second in which events are looked for: a reading of everything near costs the game a few milliseconds.
+    /// </summary>
     public const double EventRateHz = 10;
 
     /// <summary>The options of a file; missing and invalid values have their defaults.</summary>

@@ -10,8 +10,8 @@ public static partial class ChangeText
 {
     /// <summary>What the text may be, for messages.</summary>
     public const string Form =
-        "MOMENT: CHANGE, where MOMENT is 'frame N' or a game time as '12.5s', and CHANGE is 'ID brakes A', 'ID brakes A for S', 'ID drives V', "
-        + "'without ID' or 'weather NAME'; ID is the number of an object in the labels or 'ego', A is in m/s², S in seconds, V in m/s";
+        "MOMENT: CHANGE, where MOMENT is 'frame N' or a game time as '12.5s', and CHANGE is 'ID brakes A', 'ID brakes A for S', "
+        + "'ID drives V', 'without ID' or 'weather NAME'; ID is the number of an object in the labels or 'ego', A is in m/s², S in seconds, V in m/s";
 
     /// <summary>Tyres brake no harder, m/s².</summary>
     private const double MaxDeceleration = 9;
@@ -24,7 +24,12 @@ public static partial class ChangeText
     public static IReadOnlyList<TimedChange>? Read(string text)
     {
         ArgumentNullException.ThrowIfNull(text);
-        TimedChange?[] changes = text.Length > Longest ? [null] : [.. text.Replace('_', ' ').Split(';', StringSplitOptions.TrimEntries).Select(ReadOne)];
+        if (text.Length > Longest)
+        {
+            return null;
+        }
+
+        TimedChange?[] changes = [.. text.Replace('_', ' ').Split(';', StringSplitOptions.TrimEntries).Select(ReadOne)];
         List<TimedChange> read = [.. changes.OfType<TimedChange>()];
         return read.Count == changes.Length ? read : null;
     }
@@ -88,7 +93,8 @@ public static partial class ChangeText
             : null;
 
     [GeneratedRegex(
-        @"^(?:frame (?<frame>\d+)|(?<time>[\d.]+) ?s): (?:without (?<without>(?<id>\d+))|weather (?<weather>\w+)|(?<id>(?<ego>ego)|\d+) (?<verb>brakes|drives) (?<value>[\d.]+)(?: for (?<for>[\d.]+) ?s?)?)$",
+        @"^(?:frame (?<frame>\d+)|(?<time>[\d.]+) ?s): (?:without (?<without>(?<id>\d+))|weather (?<weather>\w+)"
+            + @"|(?<id>(?<ego>ego)|\d+) (?<verb>brakes|drives) (?<value>[\d.]+)(?: for (?<for>[\d.]+) ?s?)?)$",
         RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture,
         matchTimeoutMilliseconds: 1000
     )]

@@ -14,7 +14,9 @@ public sealed record EventOptions
     /// <summary>Greatest value of <see cref="KeepAroundSeconds"/>: frames wait for so long.</summary>
     public const double MaxKeepSeconds = 60;
 
-    /// <summary>Maximum readings per second of the game's time, greater than 0; a game that ticks more slowly is read in every tick.</summary>
+    /// <summary>
+    /// Maximum readings per second of the game's time, greater than 0; a game that ticks more slowly is read in every tick.
+    /// </summary>
     public double RateHz
     {
         get;

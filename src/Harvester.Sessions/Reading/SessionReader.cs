@@ -115,7 +115,9 @@ public sealed class SessionReader
     internal IEnumerable<LabelLine> ReadLines(Func<FrameLabel, JsonFields, IReadOnlyList<string>> check) =>
         ReadAhead.Select(ReadTexts().Index(), line => ReadLine(line.Index + 1, line.Item, check));
 
-    /// <summary>The lines of the events, with their numbers from 1; empty if the session has none. An unfinished last line is left out.</summary>
+    /// <summary>
+    /// The lines of the events, with their numbers from 1; empty if the session has none. An unfinished last line is left out.
+    /// </summary>
     public IEnumerable<EventLine> ReadEventLines()
     {
         string path = PathOf(FramePaths.Events);

@@ -12,7 +12,9 @@ public enum ScenarioConditionKind
     /// <summary>Time until the ego and an actor meet if both go on as they do, seconds; at most the value.</summary>
     TimeToCollision,
 
-    /// <summary>Time until the ego comes to an actor or, without one, to the junction, at its present speed, seconds; at most the value.</summary>
+    /// <summary>
+    /// Time until the ego comes to an actor or, without one, to the junction, at its present speed, seconds; at most the value.
+    /// </summary>
     EgoArrival,
 
     /// <summary>Distance of the ego from the junction's entry, metres; at most the value.</summary>

@@ -3,7 +3,9 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Sessions.Scenarios;
 
-/// <summary>Writes a scenario as <see cref="ScenarioParser"/> reads it, with the values of its parameters in place of their names.</summary>
+/// <summary>
+/// Writes a scenario as <see cref="ScenarioParser"/> reads it, with the values of its parameters in place of their names.
+/// </summary>
 public static class ScenarioJson
 {
     /// <summary>The text of a file.</summary>

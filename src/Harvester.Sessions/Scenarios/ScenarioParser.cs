@@ -65,7 +65,7 @@ public sealed class ScenarioParser
             Try(() => NameOf(_file, "name"), ""),
             Try(() => NameOf(_file, "kind"), ""),
             actors,
-            Items("events", item => EventParser.Read(item, [.. actors.Select(actor => actor.Id)]))
+            Items("events", item => ScenarioEventParser.Read(item, [.. actors.Select(actor => actor.Id)]))
         )
         {
             Description = Try(() => _file.Text("description", ""), ""),

@@ -18,8 +18,8 @@ internal readonly record struct BodyContact(Vector2D Point, Vector2D Normal, dou
             return null;
         }
 
-        // Separating axes: rectangles that overlap do so on the directions of all their sides. The least overlap is across the side that was
-        // entered last, as long as bodies move little between two looks.
+        // Separating axes: rectangles that overlap do so on the directions of all their sides. The least overlap is across the side that
+        // was entered last, as long as bodies move little between two looks.
         double depth = double.PositiveInfinity;
         Vector2D normal = default;
         foreach (Vector2D axis in (ReadOnlySpan<Vector2D>)[first.Forward, first.Left, second.Forward, second.Left])

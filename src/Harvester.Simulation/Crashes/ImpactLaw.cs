@@ -31,7 +31,9 @@ internal static class ImpactLaw
         return SlowRestitution + ((FastRestitution - SlowRestitution) * share);
     }
 
-    /// <summary>The impulse on the second body, N s; its opposite acts on the first. Zero if the bodies do not approach each other.</summary>
+    /// <summary>
+    /// The impulse on the second body, N s; its opposite acts on the first. Zero if the bodies do not approach each other.
+    /// </summary>
     /// <param name="first">One body.</param>
     /// <param name="second">The other body.</param>
     /// <param name="contact">Their contact.</param>
@@ -63,8 +65,8 @@ internal static class ImpactLaw
         double stuckNormal = ((tt * approach) + (nt * slide)) / determinant;
         double stuckAlong = -((nn * slide) + (nt * approach)) / determinant;
 
-        // P = (1 + e) P1 + (P2 - P1), with no restitution along the tangent. Outside Coulomb's cone |P_t| <= μ P_n, the second part is scaled
-        // so that P lies on the cone: κ = μ (1 + e) P1 / (|P2_t| - μ (P2_n - P1)).
+        // P = (1 + e) P1 + (P2 - P1), with no restitution along the tangent. Outside Coulomb's cone |P_t| <= μ P_n, the second part is
+        // scaled so that P lies on the cone: κ = μ (1 + e) P1 / (|P2_t| - μ (P2_n - P1)).
         double share = 1;
         if (Math.Abs(stuckAlong) > friction * (((1 + restitution) * stop) + stuckNormal - stop))
         {

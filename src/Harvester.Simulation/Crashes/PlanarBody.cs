@@ -4,7 +4,9 @@ namespace Harvester.Simulation.Crashes;
 
 /// <summary>A rigid body on the ground: a rectangle whose centre of mass is its middle.</summary>
 /// <param name="mass">Kilograms, greater than 0.</param>
-/// <param name="yawInertia">Moment of inertia about the vertical axis through the middle, kg m²; infinite for a body that never turns.</param>
+/// <param name="yawInertia">
+/// Moment of inertia about the vertical axis through the middle, kg m²; infinite for a body that never turns.
+/// </param>
 /// <param name="halfLength">Metres along its direction.</param>
 /// <param name="halfWidth">Metres across it.</param>
 internal sealed class PlanarBody(double mass, double yawInertia, double halfLength, double halfWidth)

@@ -5,7 +5,9 @@ namespace Harvester.Simulation.Crashes;
 /// <summary>Masses of vehicles and people.</summary>
 internal static class VehicleMass
 {
-    /// <summary>Mass of a person, also of a driver or rider, kg: the driver of a vehicle's mass in running order (EU Regulation 1230/2012).</summary>
+    /// <summary>
+    /// Mass of a person, also of a driver or rider, kg: the driver of a vehicle's mass in running order (EU Regulation 1230/2012).
+    /// </summary>
     public const double Person = 75;
 
     private static readonly Dictionary<string, VehicleShape> ShapeOf = VehicleRow

@@ -151,7 +151,9 @@ public sealed class SimulatedGame
 
     internal SimulatedWorld World => _world;
 
-    /// <summary>The impacts of the last tick in which the world moved: who hit whom, where, and the impulse; empty without crashes.</summary>
+    /// <summary>
+    /// The impacts of the last tick in which the world moved: who hit whom, where, and the impulse; empty without crashes.
+    /// </summary>
     internal IReadOnlyList<Impact> Impacts => _world.Impacts;
 
     /// <summary>Balls that are shown in addition to the world.</summary>

@@ -12,7 +12,9 @@ internal static class DoorModel
 
     private const double Thickness = 0.06;
 
-    /// <summary>Its hinges are at this fraction of the vehicle's length, from its rear; its lower and upper edge at these of its height.</summary>
+    /// <summary>
+    /// Its hinges are at this fraction of the vehicle's length, from its rear; its lower and upper edge at these of its height.
+    /// </summary>
     private const double Hinge = 0.66;
     private const double Lower = 0.2;
     private const double Upper = 0.92;

@@ -3,7 +3,9 @@ using Harvester.Geometry;
 namespace Harvester.Simulation.Settings;
 
 /// <summary>Where the ego begins a scenario, and what is cleared around it beforehand.</summary>
-/// <param name="Ground">Where the ego stands, on the ground, metres, world: the lane nearest to it that leads in its direction is taken.</param>
+/// <param name="Ground">
+/// Where the ego stands, on the ground, metres, world: the lane nearest to it that leads in its direction is taken.
+/// </param>
 /// <param name="HeadingDegrees">Direction in which it looks, degrees counter-clockwise from north.</param>
 /// <param name="Speed">Its speed at the beginning, m/s.</param>
 public sealed record StageSetting(Vector3D Ground, double HeadingDegrees, double Speed)

@@ -5,7 +5,9 @@ namespace Harvester.Simulation.Settings;
 /// <param name="Handle">The entity that is meant; 0 for the ego, and for the weather.</param>
 public sealed record WorldChange(WorldChangeKind Kind, int Handle = 0)
 {
-    /// <summary>For <see cref="WorldChangeKind.Brake"/> the deceleration, m/s²; for <see cref="WorldChangeKind.Drive"/> the speed, m/s.</summary>
+    /// <summary>
+    /// For <see cref="WorldChangeKind.Brake"/> the deceleration, m/s²; for <see cref="WorldChangeKind.Drive"/> the speed, m/s.
+    /// </summary>
     public double Value { get; init; }
 
     /// <summary>For <see cref="WorldChangeKind.Brake"/>: how long the driver brakes and stands, seconds; null for ever.</summary>

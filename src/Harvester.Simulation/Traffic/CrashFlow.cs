@@ -5,8 +5,8 @@ using Harvester.Simulation.Streets;
 namespace Harvester.Simulation.Traffic;
 
 /// <summary>
-/// Lets bodies collide: after vehicles have moved as their drivers want, those that touch exchange impulses and become wrecks, and people who
-/// are struck are thrown.
+/// Lets bodies collide: after vehicles have moved as their drivers want, those that touch exchange impulses and become wrecks, and people
+/// who are struck are thrown.
 /// </summary>
 internal sealed class CrashFlow
 {

@@ -13,7 +13,9 @@ internal sealed class StagedTraffic(BodyIndex<Vehicle> vehicles, BodyIndex<Footp
     /// <summary>The ground.</summary>
     public StagedGround Ground => ground;
 
-    /// <summary>Moves a staged vehicle as ordered. Without collisions, it stops where it meets a body, and moves on as soon as that leads away.</summary>
+    /// <summary>
+    /// Moves a staged vehicle as ordered. Without collisions, it stops where it meets a body, and moves on as soon as that leads away.
+    /// </summary>
     public void Move(Vehicle vehicle, StagedMotion motion, double seconds, BodyIndex<IPerson> people)
     {
         Vector3D before = vehicle.Pose.Position;

@@ -32,8 +32,8 @@ internal sealed class TrafficFlow
     private readonly HardBraking? _hardBraking;
 
     /// <summary>
-    /// Starts with vehicles that are on lanes and clear of each other and of obstacles; the first is the ego. Without crashes, a vehicle stops
-    /// at once before it moves into another.
+    /// Starts with vehicles that are on lanes and clear of each other and of obstacles; the first is the ego. Without crashes, a vehicle
+    /// stops at once before it moves into another.
     /// </summary>
     public TrafficFlow(
         LaneGraph lanes,

@@ -4,7 +4,9 @@ using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 
-/// <summary>What a driver shows to others: brake lights, indicators before and in turns at junctions, and hazard lights after an impact.</summary>
+/// <summary>
+/// What a driver shows to others: brake lights, indicators before and in turns at junctions, and hazard lights after an impact.
+/// </summary>
 internal sealed class VehicleSignals
 {
     /// <summary>Weaker deceleration comes from the engine, without the pedal, m/s².</summary>

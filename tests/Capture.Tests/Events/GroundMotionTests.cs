@@ -13,8 +13,8 @@ public class GroundMotionTests
         var random = new Random(1);
         for (int i = 0; i < 300; i++)
         {
-            GroundBox a = RandomBox(random, 0);
-            GroundBox b = RandomBox(random, 6);
+            BodyBox a = RandomBox(random, 0);
+            BodyBox b = RandomBox(random, 6);
             Vector2D[] ofA = PointsOf(a);
             Vector2D[] ofB = PointsOf(b);
             double least = ofA.Min(p => ofB.Min(q => (p - q).Length));
@@ -60,8 +60,8 @@ public class GroundMotionTests
     public void After_a_quarter_turn_a_body_is_on_its_circle()
     {
         // 10 m/s and π/4 rad/s: a circle of radius 40/π m around a place to the left.
-        var box = new GroundBox(new Vector2D(0, 0), new Vector2D(0, 1), 2, 1, 0, 1);
-        GroundBox after = new GroundMotion(box, new Vector2D(0, 0), new Vector2D(0, 10), Math.PI / 4).After(2);
+        var box = new BodyBox(new Vector2D(0, 0), new Vector2D(0, 1), 2, 1, 0, 1);
+        BodyBox after = new GroundMotion(box, new Vector2D(0, 0), new Vector2D(0, 10), Math.PI / 4).After(2);
 
         Assert.Equal(-40 / Math.PI, after.Centre.X, 9);
         Assert.Equal(40 / Math.PI, after.Centre.Y, 9);
@@ -71,8 +71,8 @@ public class GroundMotionTests
     [Fact]
     public void Common_place_of_overlapping_rectangles_lies_in_both()
     {
-        var a = new GroundBox(new Vector2D(0, 0), new Vector2D(0, 1), 2, 1, 0, 1);
-        var b = new GroundBox(new Vector2D(0, 3), new Vector2D(0, 1), 2, 1, 0, 1);
+        var a = new BodyBox(new Vector2D(0, 0), new Vector2D(0, 1), 2, 1, 0, 1);
+        var b = new BodyBox(new Vector2D(0, 3), new Vector2D(0, 1), 2, 1, 0, 1);
 
         Vector2D place = a.Common(b);
 
@@ -92,10 +92,10 @@ public class GroundMotionTests
         Assert.Equal((2, 28_000), (contradicting.Min, contradicting.Max));
     }
 
-    private static GroundBox RandomBox(Random random, double away)
+    private static BodyBox RandomBox(Random random, double away)
     {
         double heading = random.NextDouble() * 2 * Math.PI;
-        return new GroundBox(
+        return new BodyBox(
             new Vector2D((random.NextDouble() * 6) + away, random.NextDouble() * 6),
             new Vector2D(Math.Sin(heading), Math.Cos(heading)),
             0.5 + (2.5 * random.NextDouble()),
@@ -107,7 +107,7 @@ public class GroundMotionTests
 
     private static GroundMotion RandomMotion(Random random, double away)
     {
-        GroundBox box = RandomBox(random, away);
+        BodyBox box = RandomBox(random, away);
         return new GroundMotion(
             box,
             box.Centre - (box.Forward * 0.3),
@@ -117,7 +117,7 @@ public class GroundMotionTests
     }
 
     /// <summary>Points in a grid over a rectangle, with its edges.</summary>
-    private static Vector2D[] PointsOf(GroundBox box) =>
+    private static Vector2D[] PointsOf(BodyBox box) =>
         [
             .. from along in Enumerable.Range(0, 21)
             from across in Enumerable.Range(0, 21)

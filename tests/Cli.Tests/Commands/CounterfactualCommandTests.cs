@@ -18,7 +18,7 @@ public sealed class CounterfactualCommandTests : IDisposable
 
     [Fact]
     [Trait("Category", "Heavy")]
-    public void Runs_agree_to_the_byte_until_the_change_and_differ_as_intended_after_it()
+    public void Runs_agree_until_the_change_and_differ_after_it()
     {
         int id = ObjectAhead();
         Make("frame 3: ego brakes 7", $"frame 3: without {id}", $"frame 3: {id} drives 1; frame 5: weather rain").AssertDone();

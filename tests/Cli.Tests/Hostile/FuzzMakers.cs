@@ -14,7 +14,8 @@ internal static class FuzzMakers
         .. DatasetFormats
             .All.Where(format => !format.HasMap && format.Name is not ("coco-keypoints" or "jta"))
             .Select(format => $"export {{0}}/session --format {format.Name} --out {{0}}/{format.Name}"),
-        "counterfactual --out {0}/set --frames 2 --places 1 --change frame_0:_weather_rain --roads {0}/straight.csv --size 64x48 --no-report",
+        "counterfactual --out {0}/set --frames 2 --places 1 --change frame_0:_weather_rain --roads {0}/straight.csv --size 64x48 "
+            + "--no-report",
         .. DatasetFormats
             .All.Where(format => format.HasMap)
             .Select(format => $"export {{0}}/session --format {format.Name} --roads {{0}}/straight.csv --out {{0}}/{format.Name}"),

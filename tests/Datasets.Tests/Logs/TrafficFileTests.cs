@@ -65,8 +65,8 @@ public sealed class TrafficFileTests : IDisposable
             "a log",
             [0, 0.1, 0.2],
             [
-                new LogTrack(7, LogKind.Vehicle, [state, null, state with { Heading = -3 }]),
-                new LogTrack(8, LogKind.Pedestrian, [null, state, state]),
+                new LogTrack(7, TrafficLogKind.Vehicle, [state, null, state with { Heading = -3 }]),
+                new LogTrack(8, TrafficLogKind.Pedestrian, [null, state, state]),
             ],
             0,
             [],

@@ -66,7 +66,8 @@ public sealed class FlowMakerTests
         (double sine, double cosine) = (Math.Sin(5 * Math.PI / 180), Math.Cos(5 * Math.PI / 180));
         FlowField flow = Flow(North, rolled, WallDepths(7), WallDepths(7));
 
-        // Right becomes (cos t, 0, -sin t): x' = x cos t - z sin t with z up, so with y down u' = u cos t + v sin t, v' = v cos t - u sin t.
+        // Right becomes (cos t, 0, -sin t): x' = x cos t - z sin t with z up, so with y down u' = u cos t + v sin t, v' = v cos t - u sin
+        // t.
         AssertFlow(
             flow,
             (column, row) =>
@@ -145,7 +146,7 @@ public sealed class FlowMakerTests
     }
 
     [Fact]
-    public void Point_behind_a_nearer_surface_is_covered_and_one_beyond_the_edge_leaves()
+    public void Point_behind_a_surface_is_covered_and_one_outside_leaves()
     {
         // The camera moves 1 m to the right; the wall at 10 m moves by -f / 10 = -12.87 pixels. In the second picture the columns below 60
         // show an object at 5 m.

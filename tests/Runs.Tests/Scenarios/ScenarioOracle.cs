@@ -188,7 +188,9 @@ internal static class ScenarioOracle
         return false;
     }
 
-    /// <summary>Straight across the ego's line, less than two seconds before or after the ego would be there, without having stopped.</summary>
+    /// <summary>
+    /// Straight across the ego's line, less than two seconds before or after the ego would be there, without having stopped.
+    /// </summary>
     private static string? Runs(SeenPlace[] other, int direction) =>
         direction * other[0].Right > -8 ? "it does not come from the side"
         : !CrossesBefore(other, direction, out SeenPlace at) ? "it did not cross the ego's line"

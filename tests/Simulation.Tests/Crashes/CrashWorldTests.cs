@@ -15,7 +15,7 @@ public sealed class CrashWorldTests
     private static readonly DrivingControls FullThrottle = new(0, 1, 0);
 
     [Fact]
-    public void Ego_pushes_a_parked_car_and_reports_the_collision_in_its_tick()
+    public void Ego_pushes_a_parked_car_and_reports_it_in_its_tick()
     {
         SimulatedGame game = Game(seed: 2, parked: 1);
         EntityState parked = ParkedCar(game);

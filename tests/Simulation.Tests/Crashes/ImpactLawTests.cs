@@ -109,7 +109,7 @@ public sealed class ImpactLawTests
     }
 
     [Fact]
-    public void Contact_of_two_aligned_rectangles_is_in_the_middle_of_their_overlap()
+    public void Contact_of_aligned_rectangles_is_amid_their_overlap()
     {
         BodyContact contact = Contact(Body(1, 4, 2, default, 0, default), Body(1, 4, 2, new(3.9, 0.5), 0, default));
         Assert.Equal(0.1, contact.Depth, 9);

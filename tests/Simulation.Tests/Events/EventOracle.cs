@@ -252,7 +252,9 @@ internal sealed class EventOracle
         }
     }
 
-    /// <summary>Joins the ticks of the same participants unless a second passes between them, or one of them was someone else before.</summary>
+    /// <summary>
+    /// Joins the ticks of the same participants unless a second passes between them, or one of them was someone else before.
+    /// </summary>
     private IEnumerable<TrueEvent> Joined(EventKind kind, IEnumerable<(int First, int Second, int Tick)> found)
     {
         foreach (var pair in found.GroupBy(each => (each.First, each.Second)))

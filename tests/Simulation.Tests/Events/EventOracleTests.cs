@@ -16,7 +16,7 @@ public class EventOracleTests(ITestOutputHelper output)
 
     [Fact]
     [Trait("Category", "Heavy")]
-    public void Events_are_those_of_the_oracle_and_collisions_begin_at_its_tick()
+    public void Events_are_those_of_the_oracle()
     {
         var found = new Dictionary<EventKind, (int Detected, int True, int Right, int Recalled)>();
         foreach (int seed in Enumerable.Range(7001, 6))

@@ -59,10 +59,9 @@ public sealed class RayFlowTests(ITestOutputHelper output)
         );
         errors.Sort();
         (double ofPixel, double ofLabel) = ((double)within / errors.Count, (double)withinLabel / errors.Count);
+        (double median, double high) = (errors[errors.Count / 2], errors[errors.Count * 95 / 100]);
         output.WriteLine(
-            FormattableString.Invariant(
-                $"{seed}: {errors.Count} pixels, median {errors[errors.Count / 2]:0.0000}, 95 % {errors[errors.Count * 95 / 100]:0.000} px; "
-            )
+            FormattableString.Invariant($"{seed}: {errors.Count} pixels, median {median:0.0000}, 95 % {high:0.000} px; ")
                 + FormattableString.Invariant($"within the estimate of the pixel {ofPixel:0.0000}, of the label {ofLabel:0.0000}; ")
                 + FormattableString.Invariant(
                     $"labels {labelled.Min():0.00} to {labelled.Max():0.00} px; with flow, people apart, {(double)valid / shown:0.0000}"

@@ -33,9 +33,10 @@ internal static class ScenarioShowCommand
         terminal.WriteQuoting($"{scenario.Name} ({scenario.Kind}): {scenario.Description}");
         foreach (ScenarioParameter parameter in template.Parameters)
         {
+            double drawn = scenario.Values[parameter.Name];
             terminal.WriteQuoting(
                 FormattableString.Invariant(
-                    $"  {parameter.Name}  {parameter.Min:0.###} to {parameter.Max:0.###}, with seed {seed}: {scenario.Values[parameter.Name]:0.###}"
+                    $"  {parameter.Name}  {parameter.Min:0.###} to {parameter.Max:0.###}, with seed {seed}: {drawn:0.###}"
                 )
             );
         }

@@ -11,8 +11,8 @@ using Harvester.Sessions.Text;
 namespace Harvester.Exports.Formats.Csv;
 
 /// <summary>
-/// Writes the CSV tables frames.csv, objects.csv and ignore_regions.csv (RFC 4180 with LF), for recorded drives drive.csv, with events events.csv, and the images.
-/// See docs/exports/csv.md.
+/// Writes the CSV tables frames.csv, objects.csv and ignore_regions.csv (RFC 4180 with LF), for recorded drives drive.csv, with events
+/// events.csv, and the images. See docs/exports/csv.md.
 /// </summary>
 internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
 {

@@ -1,8 +1,8 @@
 using Google.Protobuf;
 using Harvester.Datasets.Logs;
-using Harvester.Exports.Formats.MotionScenarios.Womd;
 using Harvester.Geometry;
 using Harvester.Sessions.Reading.Files;
+using Womd;
 
 namespace Harvester.Exports.Formats.MotionScenarios;
 

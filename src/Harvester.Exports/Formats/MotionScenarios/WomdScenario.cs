@@ -1,7 +1,7 @@
 using Google.Protobuf;
 using Harvester.Datasets.Logs;
-using Harvester.Exports.Formats.MotionScenarios.Womd;
 using Harvester.Geometry;
+using Womd;
 
 namespace Harvester.Exports.Formats.MotionScenarios;
 

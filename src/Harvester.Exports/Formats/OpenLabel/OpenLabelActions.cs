@@ -44,9 +44,8 @@ internal static class OpenLabelActions
             string.Join(
                 ",",
                 actions.Select(action =>
-                    FormattableString.Invariant(
-                        $"\"{action.Key}\":{{\"name\":\"{action.Key}\",\"type\":\"{action.Value.Kind}\",\"frame_intervals\":{action.Value.Frames}}}"
-                    )
+                    FormattableString.Invariant($"\"{action.Key}\":{{\"name\":\"{action.Key}\",\"type\":\"{action.Value.Kind}\",")
+                    + $"\"frame_intervals\":{action.Value.Frames}}}"
                 )
             )
         );

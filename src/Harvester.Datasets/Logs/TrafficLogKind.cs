@@ -1,7 +1,7 @@
 namespace Harvester.Datasets.Logs;
 
 /// <summary>What moves in a log of traffic. The numbers are those of WOMD's object types.</summary>
-internal enum LogKind
+internal enum TrafficLogKind
 {
     /// <summary>A car, truck, bus, trailer or motorcycle, with its rider.</summary>
     Vehicle = 1,

@@ -9,7 +9,7 @@ namespace Harvester.Capture.Events;
 /// <param name="HalfWidth">Half the width of the model's box, metres.</param>
 /// <param name="Bottom">Lowest height of the box, metres, world.</param>
 /// <param name="Top">Greatest height of the box, metres, world.</param>
-internal readonly record struct GroundBox(Vector2D Centre, Vector2D Forward, double HalfLength, double HalfWidth, double Bottom, double Top)
+internal readonly record struct BodyBox(Vector2D Centre, Vector2D Forward, double HalfLength, double HalfWidth, double Bottom, double Top)
 {
     private const int CornerCount = 4;
 
@@ -23,7 +23,7 @@ internal readonly record struct GroundBox(Vector2D Centre, Vector2D Forward, dou
     /// <param name="pose">Pose of the model.</param>
     /// <param name="min">Rear, left, lower corner, model frame, metres.</param>
     /// <param name="max">Front, right, upper corner, model frame, metres.</param>
-    public static GroundBox Of(Pose pose, Vector3D min, Vector3D max)
+    public static BodyBox Of(Pose pose, Vector3D min, Vector3D max)
     {
         Vector3D centre = pose.ToWorld((min + max) * 0.5);
         Vector3D half = (max - min) * 0.5;
@@ -35,7 +35,7 @@ internal readonly record struct GroundBox(Vector2D Centre, Vector2D Forward, dou
 
         // Half the height of an oriented box: the sum of its half extents times the vertical components of its axes.
         double height = (Math.Abs(axes.Right.Z) * half.X) + (Math.Abs(axes.Forward.Z) * half.Y) + (Math.Abs(axes.Up.Z) * half.Z);
-        return new GroundBox(new Vector2D(centre.X, centre.Y), forward, half.Y, half.X, centre.Z - height, centre.Z + height);
+        return new BodyBox(new Vector2D(centre.X, centre.Y), forward, half.Y, half.X, centre.Z - height, centre.Z + height);
     }
 
     /// <summary>A corner, 0 to 3 counter-clockwise from the front right one, metres, world.</summary>
@@ -54,10 +54,10 @@ internal readonly record struct GroundBox(Vector2D Centre, Vector2D Forward, dou
     }
 
     /// <summary>Whether both have a height in common, so that neither passes above the other.</summary>
-    public bool IsLevelWith(GroundBox other) => Bottom <= other.Top && other.Bottom <= Top;
+    public bool IsLevelWith(BodyBox other) => Bottom <= other.Top && other.Bottom <= Top;
 
     /// <summary>Horizontal distance between two rectangles, metres; 0 if they overlap.</summary>
-    public double Gap(GroundBox other)
+    public double Gap(BodyBox other)
     {
         if (Overlaps(other))
         {
@@ -75,7 +75,7 @@ internal readonly record struct GroundBox(Vector2D Centre, Vector2D Forward, dou
     }
 
     /// <summary>Whether two rectangles overlap: no direction of a side of either separates them.</summary>
-    public bool Overlaps(GroundBox other)
+    public bool Overlaps(BodyBox other)
     {
         Vector2D offset = other.Centre - Centre;
         double reach = Radius + other.Radius;
@@ -87,7 +87,7 @@ internal readonly record struct GroundBox(Vector2D Centre, Vector2D Forward, dou
     }
 
     /// <summary>Middle of what two rectangles have in common; the middle between their nearest points if they do not overlap.</summary>
-    public Vector2D Common(GroundBox other)
+    public Vector2D Common(BodyBox other)
     {
         // The other rectangle, cut off at each side of this one (Sutherland and Hodgman 1974).
         List<Vector2D> polygon = [.. Enumerable.Range(0, CornerCount).Select(other.Corner)];
@@ -110,7 +110,7 @@ internal readonly record struct GroundBox(Vector2D Centre, Vector2D Forward, dou
 
     private double DistanceTo(Vector2D place) => (place - NearestTo(place)).Length;
 
-    private Vector2D Nearest(GroundBox other)
+    private Vector2D Nearest(BodyBox other)
     {
         (Vector2D Mine, Vector2D Theirs) best = (Centre, other.Centre);
         for (int corner = 0; corner < CornerCount; corner++)
@@ -155,7 +155,7 @@ internal readonly record struct GroundBox(Vector2D Centre, Vector2D Forward, dou
         return kept;
     }
 
-    private bool IsParted(GroundBox other, Vector2D offset, Vector2D axis) => Math.Abs(offset.Dot(axis)) > Reach(axis) + other.Reach(axis);
+    private bool IsParted(BodyBox other, Vector2D offset, Vector2D axis) => Math.Abs(offset.Dot(axis)) > Reach(axis) + other.Reach(axis);
 
     /// <summary>Half the length of the rectangle's projection on an axis, metres.</summary>
     private double Reach(Vector2D axis) => (Math.Abs(Forward.Dot(axis)) * HalfLength) + (Math.Abs(Right.Dot(axis)) * HalfWidth);

@@ -5,7 +5,7 @@ using Harvester.Sessions.Text;
 namespace Harvester.Sessions.Scenarios;
 
 /// <summary>Reads what an actor does, and when.</summary>
-internal static class EventParser
+internal static class ScenarioEventParser
 {
     private const int MaxConditions = 20;
     private const int MaxPoints = 1000;

@@ -10,7 +10,7 @@ namespace Harvester.Capture.Storage;
 /// <param name="store">Writes the texts.</param>
 /// <param name="before">What a resumed session holds.</param>
 /// <param name="start">How the harvest began.</param>
-internal sealed class SessionHeader(SessionOrigin origin, ISessionFiles files, FrameStore store, SessionContent before, SessionStart start)
+internal sealed class HeaderFile(SessionOrigin origin, ISessionFiles files, FrameStore store, SessionContent before, SessionStart start)
 {
     /// <summary>Whether all is written that a session needs before its first frame.</summary>
     public bool HasBegun { get; private set; }
