@@ -20,7 +20,7 @@ public sealed class ActorTests
     internal static ScriptDriver Playing()
     {
         var driver = new ScriptDriver();
-        IStage stage = driver.Script.Actors;
+        var stage = new ScriptStage(driver);
         int car = stage.Spawn(Car).Handle;
         int person = stage.Spawn(Person).Handle;
         stage.Follow(car, new StageOrder(Path, 10, 2));
@@ -40,7 +40,7 @@ public sealed class ActorTests
     public void Car_appears_when_streamed_in_and_drives_its_path_by_tasks()
     {
         using var driver = new ScriptDriver();
-        IStage stage = driver.Script.Actors;
+        var stage = new ScriptStage(driver);
         StageSpawn spawn = stage.Spawn(Car);
         Assert.Null(spawn.Reason);
         stage.Follow(spawn.Handle, new StageOrder(Path, 10, 2));
@@ -83,7 +83,7 @@ public sealed class ActorTests
     public void Orders_change_speed_doors_and_indicators()
     {
         using var driver = new ScriptDriver();
-        IStage stage = driver.Script.Actors;
+        var stage = new ScriptStage(driver);
         int handle = stage.Spawn(Car).Handle;
         stage.Follow(handle, new StageOrder(Path, 10, 2) { IgnoresLights = true, IgnoresOthers = true });
         driver.Tick(EnoughTicks);
@@ -115,7 +115,7 @@ public sealed class ActorTests
     public void Person_walks_and_runs_straight_to_the_places_of_the_path()
     {
         using var driver = new ScriptDriver();
-        IStage stage = driver.Script.Actors;
+        var stage = new ScriptStage(driver);
         int handle = stage.Spawn(Person).Handle;
         stage.Follow(handle, new StageOrder([new(90, 50, 30), new(90, 40, 30)], 1.4, 1));
         driver.Tick(EnoughTicks);
@@ -129,7 +129,7 @@ public sealed class ActorTests
     public void Actor_waits_a_moment_for_the_camera_to_look_elsewhere()
     {
         using var driver = new ScriptDriver(prepare: game => game.SeesEverything = true);
-        _ = driver.Script.Actors.Spawn(Person);
+        _ = new ScriptStage(driver).Spawn(Person);
         driver.Tick(EnoughTicks);
         Assert.Single(driver.Game.LeftBehind, left => left.StartsWith("model", StringComparison.Ordinal));
         driver.Game.SeesEverything = false;
@@ -144,7 +144,7 @@ public sealed class ActorTests
     public void Model_that_the_game_has_not_is_refused(string model, StageKind kind)
     {
         using var driver = new ScriptDriver();
-        StageSpawn spawn = driver.Script.Actors.Spawn(Car with { Kind = kind, Model = model });
+        StageSpawn spawn = new ScriptStage(driver).Spawn(Car with { Kind = kind, Model = model });
         Assert.Equal((0, $"The game has no model '{model}'."), (spawn.Handle, spawn.Reason));
     }
 
@@ -154,9 +154,9 @@ public sealed class ActorTests
     public void Nothing_is_left_where_the_game_has_no_room(bool forPeds)
     {
         using var driver = new ScriptDriver(prepare: game => (game.PedPoolIsFull, game.VehiclePoolIsFull) = (forPeds, !forPeds));
-        int handle = driver.Script.Actors.Spawn(Car).Handle;
+        int handle = new ScriptStage(driver).Spawn(Car).Handle;
         driver.Tick(EnoughTicks);
-        Assert.Null(driver.Script.Actors.StateOf(handle));
+        Assert.Null(new ScriptStage(driver).StateOf(handle));
         Assert.Empty(driver.Game.LeftBehind);
         Assert.Contains(driver.Game.Notifications, message => message.Contains("did not make the actor 'adder'", StringComparison.Ordinal));
     }
@@ -180,14 +180,14 @@ public sealed class ActorTests
         using var driver = new ScriptDriver();
         int faults = 0;
         driver.Game.Fault = native => native == failing && faults++ == 0 ? new InvalidOperationException("A fault of the game.") : null;
-        IStage stage = driver.Script.Actors;
+        var stage = new ScriptStage(driver);
         int car = stage.Spawn(Car).Handle;
         stage.Follow(car, new StageOrder(Path, 10, 2));
         _ = stage.Spawn(Person);
         driver.Tick(EnoughTicks);
         try
         {
-            driver.Script.Actors.Stop();
+            new ScriptStage(driver).Stop();
         }
         catch (InvalidOperationException)
         {
@@ -203,7 +203,7 @@ public sealed class ActorTests
     public void Unloading_the_script_removes_all_actors()
     {
         using var driver = new ScriptDriver();
-        IStage stage = driver.Script.Actors;
+        var stage = new ScriptStage(driver);
         _ = stage.Spawn(Car);
         _ = stage.Spawn(Person);
         driver.Tick(EnoughTicks);
@@ -216,7 +216,7 @@ public sealed class ActorTests
     public void Unloading_while_models_are_streamed_releases_them()
     {
         using var driver = new ScriptDriver();
-        _ = driver.Script.Actors.Spawn(Car);
+        _ = new ScriptStage(driver).Spawn(Car);
         driver.Tick();
         Assert.NotEmpty(driver.Game.LeftBehind);
         driver.Reload();
@@ -235,10 +235,10 @@ public sealed class ActorTests
                 Pose = new Pose(Path[0], Axes.FromHeading(0)),
             }
         );
-        driver.Script.Actors.DriveEgo(new StageOrder(Path, 10, 2));
+        new ScriptStage(driver).DriveEgo(new StageOrder(Path, 10, 2));
         driver.Tick();
         Assert.Equal(new Vector3D(100, 92, 30), Assert.Single(driver.Game.Tasks).Value.Place);
-        driver.Script.Actors.Stop();
+        new ScriptStage(driver).Stop();
         Assert.Contains(Hash.CLEAR_PED_TASKS, driver.Game.Calls);
     }
 }

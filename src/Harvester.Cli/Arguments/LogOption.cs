@@ -59,8 +59,7 @@ internal sealed class LogOption
             throw new UsageException(
                 FormattableString.Invariant(
                     $"The log lasts {seconds:0.0} s, which are {lasting} frames at {plan.Options.RateHz} Hz, not {plan.Frames}. Lower "
-                )
-                    + "--frames, or omit it."
+                ) + "--frames, or omit it."
             );
         }
 

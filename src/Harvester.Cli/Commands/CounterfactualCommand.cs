@@ -23,8 +23,7 @@ internal sealed class CounterfactualCommand
         + "  frame 20: weather rain          it rains; with --crashes the road is slippery, too\n"
         + "Spaces may be underscores. A command that was stopped continues when it is given again.\n\n"
         + "Examples:\n"
-        + "  harvester counterfactual --out brake --near 0,0 --frames 60 --crashes --change \"frame 20: ego brakes 6\"\n"
-        + "  harvester pairs brake --out sets";
+        + "  harvester counterfactual --out brake --near 0,0 --frames 60 --crashes --change \"frame 20: ego brakes 6\"";
 
     private readonly HarvestCommand _harvest = new();
 

@@ -68,6 +68,14 @@ internal static class OptionGroups
         new("Bridge", ["--bridge", "--role", "--folder", "--at", "--token", "--patience"]),
     ];
 
+    public static IReadOnlyList<OptionGroup> OfScenario { get; } =
+    [
+        new("Output", ["--out", "--overwrite", "--resume", "--seed", "--seeds", "--no-report"]),
+        new("Images", ["--size", "--image-format", "--quality", "--hz", "--detail"]),
+        new("World", ["--roads", "--near", "--brake", "--crashes", "--weather", "--time", "--date"]),
+        new("Events", ["--events", "--keep-around", "--keep-kinds"]),
+    ];
+
     public static IReadOnlyList<OptionGroup> OfServe { get; } =
     [
         new("Connection", ["--folder", "--address", "--port", "--token", "--once"]),

@@ -3,6 +3,7 @@ using System.Text.Json;
 using Harvester.Datasets.Derivation;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading;
 using Harvester.Sessions.Reading.Files;
 using Harvester.Sessions.Reading.Json;
@@ -12,8 +13,6 @@ namespace Harvester.Datasets.Sharding;
 /// <summary>Merges the shards of a session; the result is byte-identical to that of a single run.</summary>
 public static class SessionMerger
 {
-    private static readonly string[] DepthKinds = ["sparse", "completed", "error"];
-
     /// <summary>Whether a folder is a session or a shard of one.</summary>
     public static bool IsSession(string folder) => File.Exists(Path.Combine(folder, SessionInfo.FileName));
 
@@ -204,10 +203,7 @@ public static class SessionMerger
             [
                 fields.Text("image"),
                 fields.OptionalText("mask"),
-                fields.Has("classMap") ? fields.Fields("classMap").Text("file") : null,
-                .. fields.Has("depth") ? DepthKinds.Select(fields.Fields("depth").OptionalText) : [],
-                .. fields.Has("lidar") ? fields.List("lidar").Select(sweep => sweep.Text("file")) : [],
-                .. fields.Has("pairs") ? fields.List("pairs").Select(pair => pair.OptionalText("file")) : [],
+                .. FrameChannels.All.Where(channel => fields.Has(channel.Key)).SelectMany(channel => channel.Read(fields)?.Files ?? []),
             ];
         }
         catch (Exception e) when (e is JsonException or DatasetFormatException)

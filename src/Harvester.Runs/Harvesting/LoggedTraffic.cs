@@ -48,8 +48,8 @@ public static class LoggedTraffic
         return new ReplayTrack(
             track.Kind switch
             {
-                LogKind.Pedestrian => ReplayKind.Pedestrian,
-                LogKind.Cyclist => ReplayKind.Cyclist,
+                TrafficLogKind.Pedestrian => ReplayKind.Pedestrian,
+                TrafficLogKind.Cyclist => ReplayKind.Cyclist,
                 _ => ReplayKind.Vehicle,
             },
             new Vector3D(size.Width, size.Length, size.Height),

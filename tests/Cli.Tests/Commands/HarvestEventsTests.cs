@@ -11,7 +11,7 @@ public sealed class HarvestEventsTests : IDisposable
     /// <summary>A drive with events of all kinds that ordinary traffic has.</summary>
     private static readonly string[] Busy =
     [
-        .. "--frames 160 --size 32x24 --hz 4 --places 1 --traffic 3 --pedestrians 4 --wander 2 --lane-changes 4 --seed 2".Split(' '),
+        .. "--frames 160 --size 64x48 --hz 4 --places 1 --traffic 3 --pedestrians 4 --wander 2 --lane-changes 4 --seed 2".Split(' '),
         .. "--events --no-report --no-scenes --range 40 --max-camera-error 0".Split(' '),
     ];
 
@@ -99,12 +99,13 @@ public sealed class HarvestEventsTests : IDisposable
     {
         string session = _folder.PathOf("session");
         CliRun
-            .Of("harvest", "--out", session, "--frames", "1", "--size", "32x24", "--seed", "2", "--events", "--no-report", "--no-scenes")
+            .Of("harvest", "--out", session, "--frames", "1", "--size", "64x48", "--seed", "2", "--events", "--no-report", "--no-scenes")
             .AssertDone();
         string line =
             "{\"id\":1,\"kind\":\"hardBraking\",\"beginSeconds\":1,\"peakSeconds\":1,\"endSeconds\":2,\"end\":\"over\",\"firstFrame\":null,"
             + "\"lastFrame\":null,\"participants\":[{\"object\":null,\"class\":null,\"model\":\"blista\",\"position\":[0,0,0],"
-            + "\"right\":[1,0,0],\"forward\":[0,1,0],\"up\":[0,0,1],\"modelMin\":[-1,-2,0],\"modelMax\":[1,2,1],\"velocity\":[0,5,0],\"yawRate\":0}],"
+            + "\"right\":[1,0,0],\"forward\":[0,1,0],\"up\":[0,0,1],"
+            + "\"modelMin\":[-1,-2,0],\"modelMax\":[1,2,1],\"velocity\":[0,5,0],\"yawRate\":0}],"
             + "\"measures\":{\"deceleration\":6,\"speedBefore\":8,\"speedAfter\":5}}\n";
         string file = Path.Combine(session, "events.jsonl");
         File.WriteAllText(file, line);

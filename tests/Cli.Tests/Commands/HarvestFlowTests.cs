@@ -91,6 +91,7 @@ public sealed class HarvestFlowTests : IDisposable
         string session = Harvest("damaged", "--frames", "2", "--places", "1");
         FlowFiles maps = FlowOf(new SessionReader(session).ReadLabels().Last())!.Maps;
         File.Copy(Path.Combine(session, maps.Motion), Path.Combine(session, maps.Forward), overwrite: true);
+        File.Delete(Path.Combine(session, "manifest.jsonl"));
 
         CliRun validated = CliRun.Of("validate", session);
 
@@ -110,6 +111,7 @@ public sealed class HarvestFlowTests : IDisposable
         FlowFiles maps = FlowOf(label)!.Maps;
         string classes = label.Channels.Get<ClassMapLabel>()!.File;
         File.Copy(Path.Combine(session, classes), Path.Combine(session, maps.BackwardFlags), overwrite: true);
+        File.Delete(Path.Combine(session, "manifest.jsonl"));
 
         CliRun validated = CliRun.Of("validate", session);
 

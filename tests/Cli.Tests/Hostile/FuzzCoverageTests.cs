@@ -9,8 +9,10 @@ public sealed class FuzzCoverageTests
     private static readonly Dictionary<string, string> NotFuzzed = new()
     {
         ["calibrate"] = "It reads no file.",
+        ["counterfactual"] = "Its options are those of harvest; the file that it writes is damaged for pairs.",
         ["plan init"] = "It reads no file.",
         ["plan run"] = "The plan is read as by plan check.",
+        ["scenario run"] = "The scenario is read as by scenario check.",
         ["serve"] = "Its roads are read as by roads info; what clients send is damaged by the tests of the bridge.",
         ["supervise"] = "The sign of life that it reads is damaged by HeartbeatReaderTests.",
         ["view"] = "It does not end by itself; the readers of labels and of a session's roads show frames as it does.",

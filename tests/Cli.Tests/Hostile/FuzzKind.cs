@@ -192,6 +192,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             folder => PlanFile.Read(In(folder, "staged.json")),
             "scenario check {0}/scenario.json",
             "scenario show {0}/scenario.json",
+            "scenario export {0}/scenario.json --out {0}/out.xosc",
             "plan check {0}/staged.json"
         ),
         new("experiment-rig", "rig.json", folder => PlanFile.Read(In(folder, "plan.json")), "plan check {0}/plan.json"),

@@ -108,7 +108,7 @@ public sealed class McapDriveTests : ExportTests
             }
         }
 
-        Assert.Equal(McapChannel.All.Length, defined.Count);
+        Assert.Equal(McapChannel.OfSessions.Length + McapChannel.OfDrives.Length, defined.Count);
         Assert.Equal(2, Messages("/imu").Count);
     }
 

@@ -48,7 +48,7 @@ public sealed class ScenarioAssemblyTests
                 new MotionActor(
                     MotionActors.Ego,
                     null,
-                    LogKind.Vehicle,
+                    TrafficLogKind.Vehicle,
                     new LogState(new Vector3D(seconds, 0, 0), 4, 2, 1, heading, new Vector2D(1, 0))
                 ),
             ],

@@ -52,7 +52,7 @@ public sealed class PlanParserTests
     [InlineData("""{"name":"p"}""", "places must be a list of 1 to 1000 objects.")]
     [InlineData(
         """{"name":"p","places":[{"name":"a"}]}""",
-        "places[0].name must be followed by a place: 'a' needs x and y, space, spread or path."
+        "places[0].name must be followed by a place: 'a' needs x and y, space, spread, path or scenario."
     )]
     [InlineData("""{"name":"p","places":[{"name":"a","x":1}]}""", "places[0].y is missing.")]
     [InlineData(

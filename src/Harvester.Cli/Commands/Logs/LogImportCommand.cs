@@ -17,8 +17,7 @@ internal static class LogImportCommand
     public const string Examples =
         "Examples:\n"
         + "  harvester log import scenario.json --out logs\n"
-        + "  harvester log import training.tfrecord-00000-of-01000 --out logs\n"
-        + "  harvester harvest --log logs/0000 --out session";
+        + "  harvester log import training.tfrecord-00000-of-01000 --out logs";
 
     private const string Notes =
         "FILE is a scenario of GPUDrive (.json) or a file of the Waymo Open Motion Dataset, which may have many. Each scenario becomes a\n"

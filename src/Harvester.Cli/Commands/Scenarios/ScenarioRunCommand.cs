@@ -110,7 +110,7 @@ internal sealed class ScenarioRunCommand
         };
         Moment.AddTo(command);
         EventsOf.AddTo(command);
-        HelpWithNotes.AddTo(command, Notes);
+        HelpWithNotes.AddTo(command, Notes, OptionGroups.OfScenario);
         command.SetAction(
             (parsed, cancellation) =>
                 Task.FromResult(Run(terminal, ScenarioCommand.Read(parsed.GetRequiredValue(file)), parsed, cancellation))

@@ -17,12 +17,12 @@ internal static class GpuDriveNames
     ["unknown", "arrow_stop", "arrow_caution", "arrow_go", "stop", "caution", "go", "flashing_stop", "flashing_caution"];
 
     /// <summary>The words for what moves.</summary>
-    public static IReadOnlyDictionary<string, LogKind> Kinds { get; } =
-        new Dictionary<string, LogKind>(StringComparer.Ordinal)
+    public static IReadOnlyDictionary<string, TrafficLogKind> Kinds { get; } =
+        new Dictionary<string, TrafficLogKind>(StringComparer.Ordinal)
         {
-            ["vehicle"] = LogKind.Vehicle,
-            ["pedestrian"] = LogKind.Pedestrian,
-            ["cyclist"] = LogKind.Cyclist,
+            ["vehicle"] = TrafficLogKind.Vehicle,
+            ["pedestrian"] = TrafficLogKind.Pedestrian,
+            ["cyclist"] = TrafficLogKind.Cyclist,
         };
 
     /// <summary>The words for parts of the map.</summary>

@@ -44,7 +44,8 @@ internal static class GpuDriveReader
         {
             LogState?[] states = StatesOf(item);
             LogLimits.Require(states.Length == (steps ??= states.Length), "its objects have different numbers of steps.");
-            draft.Add(IntegerOf(item, "id"), GpuDriveNames.Kinds.TryGetValue(TextOf(item, "type"), out LogKind kind) ? kind : null, states);
+            bool isKnown = GpuDriveNames.Kinds.TryGetValue(TextOf(item, "type"), out TrafficLogKind kind);
+            draft.Add(IntegerOf(item, "id"), isKnown ? kind : null, states);
         }
 
         foreach (JsonElement item in ListOf(root, "roads"))

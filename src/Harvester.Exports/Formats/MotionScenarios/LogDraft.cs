@@ -27,7 +27,7 @@ internal sealed class LogDraft
     /// <param name="kind">What it is; null if a log has no such thing.</param>
     /// <param name="states">Its states.</param>
     /// <exception cref="DatasetFormatException">Its number stands twice, or there are too many.</exception>
-    public void Add(int id, LogKind? kind, IReadOnlyList<LogState?> states)
+    public void Add(int id, TrafficLogKind? kind, IReadOnlyList<LogState?> states)
     {
         int index = _listed++;
         LogLimits.Require(
@@ -117,7 +117,7 @@ internal sealed class LogDraft
             _indices.ContainsKey(ego),
             FormattableString.Invariant($"the recording car is track {ego}, which is not among its vehicles with a valid state.")
         );
-        LogLimits.Require(_tracks[_indices[ego]].Kind == LogKind.Vehicle, "the recording car is no vehicle.");
+        LogLimits.Require(_tracks[_indices[ego]].Kind == TrafficLogKind.Vehicle, "the recording car is no vehicle.");
         return new LogReading(new MotionLog(id, times, _tracks, _indices[ego], [.. _features.Select(WithoutStrangers)], Signals), _leftOut);
     }
 

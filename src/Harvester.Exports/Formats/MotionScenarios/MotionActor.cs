@@ -7,4 +7,4 @@ namespace Harvester.Exports.Formats.MotionScenarios;
 /// <param name="Id">Its id in labels; null if it has none.</param>
 /// <param name="Kind">What it is.</param>
 /// <param name="State">Its box and velocity.</param>
-internal sealed record MotionActor(string Key, int? Id, LogKind Kind, LogState State);
+internal sealed record MotionActor(string Key, int? Id, TrafficLogKind Kind, LogState State);

@@ -19,7 +19,7 @@ internal static class MotionActors
         yield return new MotionActor(
             Ego,
             null,
-            LogKind.Vehicle,
+            TrafficLogKind.Vehicle,
             StateOf(Cuboid.FromModel(ego.ModelMin, ego.ModelMax, ego.Pose), ego.Velocity)
         );
         EntityState[] entities = [.. scene.Snapshot.Entities, .. scene.Snapshot.Distant];
@@ -47,13 +47,14 @@ internal static class MotionActors
 
     private static bool IsRider(EntityState entity) => entity is { Class: ObjectClass.Rider, VehicleHandle: not null };
 
-    private static LogKind? KindOf(EntityState entity, bool hasRider) =>
+    private static TrafficLogKind? KindOf(EntityState entity, bool hasRider) =>
         entity.Class switch
         {
-            ObjectClass.Car or ObjectClass.Truck or ObjectClass.Bus or ObjectClass.Trailer or ObjectClass.Motorcycle => LogKind.Vehicle,
-            ObjectClass.Bicycle when hasRider || entity.HasRider == true => LogKind.Cyclist,
-            ObjectClass.Pedestrian => LogKind.Pedestrian,
-            ObjectClass.Rider => LogKind.Cyclist,
+            ObjectClass.Car or ObjectClass.Truck or ObjectClass.Bus => TrafficLogKind.Vehicle,
+            ObjectClass.Trailer or ObjectClass.Motorcycle => TrafficLogKind.Vehicle,
+            ObjectClass.Bicycle when hasRider || entity.HasRider == true => TrafficLogKind.Cyclist,
+            ObjectClass.Pedestrian => TrafficLogKind.Pedestrian,
+            ObjectClass.Rider => TrafficLogKind.Cyclist,
             _ => null,
         };
 

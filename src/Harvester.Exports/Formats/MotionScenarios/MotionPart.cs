@@ -82,7 +82,7 @@ internal static class MotionPart
         return new MotionActor(
             actor.Text("key"),
             actor.Has("id") ? actor.Integer("id") : null,
-            (LogKind)actor.Integer("kind"),
+            (TrafficLogKind)actor.Integer("kind"),
             new LogState(actor.Vector("centre"), size[0], size[1], size[2], actor.Number("heading"), new Vector2D(velocity[0], velocity[1]))
         );
     }

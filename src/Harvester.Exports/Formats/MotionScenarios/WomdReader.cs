@@ -44,7 +44,7 @@ internal static class WomdReader
             );
             draft.Add(
                 track.Id,
-                Enum.IsDefined((LogKind)track.ObjectType) ? (LogKind)track.ObjectType : null,
+                Enum.IsDefined((TrafficLogKind)track.ObjectType) ? (TrafficLogKind)track.ObjectType : null,
                 [.. track.States.Select(StateOf)]
             );
         }
