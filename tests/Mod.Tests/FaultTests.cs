@@ -55,7 +55,8 @@ public sealed class FaultTests
     [Fact]
     public void Every_native_of_the_mod_is_called_by_a_fault_scenario()
     {
-        Assert.Empty(Enum.GetValues<Hash>().Except(Played.Value).Except(HidingTests.OwnNatives).Except(RigTests.OwnNatives));
+        Hash[] elsewhere = [.. HidingTests.OwnNatives, .. RigTests.OwnNatives, .. ActorTests.OwnNatives];
+        Assert.Empty(Enum.GetValues<Hash>().Except(Played.Value).Except(elsewhere));
     }
 
     [Fact]
