@@ -1,12 +1,13 @@
 using GTA.Hosting;
 using Harvester.Capture.Ports;
+using Harvester.Play.Features;
 
 namespace Harvester.Mod.Tests;
 
 /// <summary>The stage of a script, used on the script's thread, as the script itself uses it in a tick.</summary>
 internal sealed class ScriptStage(ScriptDriver driver) : IStage
 {
-    private IStage Stage => driver.Script.Actors;
+    private StagedActors Stage => driver.Script.Actors;
 
     public StageSpawn Spawn(StageActor actor) => ScriptThread.Run(() => Stage.Spawn(actor));
 

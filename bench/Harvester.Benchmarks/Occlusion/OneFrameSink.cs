@@ -11,6 +11,8 @@ internal sealed class OneFrameSink : IFrameSink
 
     public int FirstObjectId => 1;
 
+    public int FirstEventId => 1;
+
     public bool HasRoom => _frame is null;
 
     public string? Fault => null;

@@ -13,6 +13,7 @@ namespace Harvester.Capture.Harvesting;
 /// Harvests frames in turn: takes a frame, labels what is visible in its image only, and hands it to the sink. While the image of a frame
 /// is still being drawn, the next frames are taken; frames reach the sink in their order.
 /// </summary>
+#pragma warning disable CA1001 // The queue is disposed when the work of Run ends.
 internal sealed class FrameHarvester(
     HarvestOptions options,
     IFrameSink sink,
@@ -20,6 +21,7 @@ internal sealed class FrameHarvester(
     HarvestCounters counters,
     MotionRecorder? motion
 )
+#pragma warning restore CA1001
 {
     private readonly PictureQueue _drawing = new(options.Pairs.IsAny ? 0 : Math.Max(PictureQueue.UsualCapacity, options.ViewsPerMoment));
     private readonly List<DrivingEvent> _lostEvents = [];

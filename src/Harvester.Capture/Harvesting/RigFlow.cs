@@ -223,7 +223,7 @@ internal sealed class RigFlow : ICaptureFlow
         return moment with { Camera = camera, Entities = [.. byRange[true]], Distant = [.. byRange[false]] };
     }
 
-    private IEnumerable<WorkStep> Measure(SceneSnapshot moment, IReadOnlyList<FrameDraft> views)
+    private IEnumerable<WorkStep> Measure(SceneSnapshot moment, List<FrameDraft> views)
     {
         var sweeps = new List<LidarSweep>();
         var swept = new WorkResult<LidarSweep>();

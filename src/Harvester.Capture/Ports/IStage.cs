@@ -1,5 +1,3 @@
-using Harvester.Geometry;
-
 namespace Harvester.Capture.Ports;
 
 /// <summary>

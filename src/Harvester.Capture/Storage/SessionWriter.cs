@@ -1,7 +1,6 @@
 using System.Collections.Concurrent;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
-using Harvester.Sessions.Faces;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;

@@ -1,4 +1,3 @@
-using System.Diagnostics.CodeAnalysis;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Files;

@@ -1,4 +1,3 @@
-using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 

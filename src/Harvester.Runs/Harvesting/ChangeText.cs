@@ -30,7 +30,7 @@ public static partial class ChangeText
             return null;
         }
 
-        TimedChange?[] changes = [.. text.Replace('_', ' ').Split(';', StringSplitOptions.TrimEntries).Select(ReadOne)];
+        TimedChange?[] changes = [.. text.Replace('_', ' ').Split(';').Select(part => ReadOne(part.Trim(' ')))];
         List<TimedChange> read = [.. changes.OfType<TimedChange>()];
         return read.Count == changes.Length ? read : null;
     }

@@ -5,7 +5,6 @@ using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Capture.Surveys;
 using Harvester.Datasets.Faces;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry;

@@ -1,5 +1,4 @@
 using Harvester.Geometry;
-using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 

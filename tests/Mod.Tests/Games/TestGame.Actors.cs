@@ -11,7 +11,6 @@ internal sealed partial class TestGame
 {
     public const string Walker = "a_m_y_business_01";
     private const int Civilian = 4;
-    private const int LeftIndicator = 1;
 
     /// <summary>Whether the camera sees every place.</summary>
     public bool SeesEverything { get; set; }

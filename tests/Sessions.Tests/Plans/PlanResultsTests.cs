@@ -66,7 +66,7 @@ public sealed class PlanResultsTests : IDisposable
         }
 
         Assert.False(Directory.Exists(_results.FolderOf(First)));
-        Assert.Equal(["1", "2", "3"], new[] { "", "-2", "-3" }.Select(number => TextAside(First.Id + number)));
+        Assert.Equal(["1", "2", "3"], [TextAside(First.Id), TextAside($"{First.Id}-2"), TextAside($"{First.Id}-3")]);
     }
 
     private string TextAside(string name) => File.ReadAllText(Path.Combine(_folder, "unfinished", name, "attempt.txt"));

@@ -20,7 +20,7 @@ public class ScenarioParserTests
         Assert.Equal((drawn.Values["gap"] * 2) - 1, drawn.Actors[0].Start.MetresAhead, 12);
         Assert.Equal(drawn.Values["speed"], drawn.Ego.Speed);
         Assert.InRange(drawn.Values["gap"], 10, 20);
-        Assert.Contains(drawn.Values["speed"], new[] { 8.0, 10.0 });
+        Assert.True(drawn.Values["speed"] is 8 or 10);
     }
 
     [Fact]

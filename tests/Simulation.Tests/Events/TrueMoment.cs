@@ -1,5 +1,4 @@
 using Harvester.Capture.Ports;
-using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Simulation.Tests.Events;
