@@ -15,7 +15,11 @@ internal static class RoadsidePlaces
     private const double Pavement = 3.3;
 
     /// <summary>Metres to the right of the ego's track where an actor at the roadside begins; null if the edge is unknown there.</summary>
-    public static double? OffsetOf(StagePlace place, ScenarioStart start) => OffsetOf(place, start.MetresAhead, start.Side, start.Strip);
+    /// <exception cref="UnfitPlaceException">Another lane lies between the ego's and the roadside on the right.</exception>
+    public static double? OffsetOf(StagePlace place, ScenarioStart start) =>
+        start.Side > 0 && place.LaneAt(start.MetresAhead)?.RightNeighbour is not null
+            ? throw new UnfitPlaceException("Another lane lies between the ego's and the roadside.")
+            : OffsetOf(place, start.MetresAhead, start.Side, start.Strip);
 
     /// <summary>The same for any distance.</summary>
     public static double? OffsetOf(StagePlace place, double at, int side, ScenarioStrip strip) =>

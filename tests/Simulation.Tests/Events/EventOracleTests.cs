@@ -35,6 +35,16 @@ public class EventOracleTests(ITestOutputHelper output)
                     sum.Right + detected.Count(each => expected.Exists(other => AreSame(each, other))),
                     sum.Recalled + expected.Count(each => detected.Exists(other => AreSame(each, other)))
                 );
+                foreach (TrueEvent alone in detected.Where(each => !expected.Exists(other => AreSame(each, other))))
+                {
+                    output.WriteLine($"{seed}: only detected: {alone}");
+                }
+
+                foreach (TrueEvent alone in expected.Where(each => !detected.Exists(other => AreSame(each, other))))
+                {
+                    output.WriteLine($"{seed}: only of the oracle: {alone}");
+                }
+
                 if (kind == EventKind.Collision)
                 {
                     Assert.Equal(expected.Order().Select(each => each.Begin), detected.Order().Select(each => each.Begin));
