@@ -53,7 +53,7 @@ public sealed record ChangeSet(IReadOnlyList<ChangedRun> Changes)
 
             return new ChangeSet([.. changes.Select(RunOf)]);
         }
-        catch (DatasetFormatException e)
+        catch (Exception e) when (e is JsonException or DatasetFormatException)
         {
             throw new DatasetFormatException($"{path}: {e.Message}", e);
         }

@@ -16,9 +16,10 @@ internal static class FuzzMakers
             .Select(format => $"export {{0}}/session --format {format.Name} --out {{0}}/{format.Name}"),
         "counterfactual --out {0}/set --frames 2 --places 1 --change frame_0:_weather_rain --roads {0}/straight.csv --size 64x48 "
             + "--no-report",
+        "harvest --out {0}/moving --frames 2 --hz 10 --places 1 --roads {0}/straight.csv --seed 5 --size 64x48 --no-report",
         .. DatasetFormats
             .All.Where(format => format.HasMap)
-            .Select(format => $"export {{0}}/session --format {format.Name} --roads {{0}}/straight.csv --out {{0}}/{format.Name}"),
+            .Select(format => $"export {{0}}/moving --format {format.Name} --roads {{0}}/straight.csv --out {{0}}/{format.Name}"),
         "log import {0}/gpudrive/train/0000_0000.json --out {0}/logs",
     ];
 
