@@ -11,8 +11,8 @@ public static partial class ChangeText
     /// <summary>What the text may be, for messages.</summary>
     public const string Form =
         "MOMENT: CHANGE, where MOMENT is 'frame N' or a game time as '12.5s', and CHANGE is 'ID brakes A', 'ID brakes A for S', "
-        + "'ID drives V', 'without ID' or 'weather NAME'; ID is the number of an object in the labels or 'ego', A is in m/s², S in seconds, "
-        + "V in m/s";
+        + "'ID drives V', 'without ID' or 'weather NAME'; ID is the number of an object in the labels or 'ego', A is in m/s², "
+        + "S in seconds, V in m/s";
 
     /// <summary>Tyres brake no harder, m/s².</summary>
     private const double MaxDeceleration = 9;
