@@ -158,7 +158,6 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("roads-photograph", "roads photograph --roads {inputs}/roads.csv --near=0,-50 --range 20 --out {root}/above")
         {
             Only = ["above/depth-completed/", "above/session.json"],
-            IsKilled = true,
         },
         new("roads-paint", "roads paint {inputs}/lines --roads {inputs}/roads.csv --out {root}/paint.csv"),
         new("spaces-gallery", "spaces gallery {inputs}/session/scenes/spaces.csv --out {root}/gallery.html"),
