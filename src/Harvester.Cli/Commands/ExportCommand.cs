@@ -94,7 +94,8 @@ internal sealed class ExportCommand
     private Option<PartSelection?> Parts { get; } =
         ValueParsers.OptionalChoice<PartSelection>(
             "--parts",
-            "How signs and traffic lights are exported, see below [default: faces; all in webdataset and csv]"
+            "How signs and traffic lights are exported, see below [default: faces; all in "
+                + $"{string.Join(", ", DatasetFormats.All.Where(format => format.DefaultParts == PartSelection.All).Select(format => format.Name))}]"
         );
 
     private Option<BoxKind?> Boxes { get; } =

@@ -1,4 +1,5 @@
 using Harvester.Exports.Formats;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Cli.Tests.Hostile;
 
@@ -26,6 +27,21 @@ public sealed class FuzzCoverageTests
         string[] fuzzed = [.. commands.Where(command => lines.Any(line => line.StartsWith(command + " ", StringComparison.Ordinal)))];
 
         Assert.Equal(commands.Except(fuzzed).Order(), NotFuzzed.Keys.Order());
+    }
+
+    [Fact]
+    public void Every_channel_with_a_switch_has_files_to_damage()
+    {
+        string[] files = [.. FuzzKind.All.Select(kind => kind.File)];
+
+        Assert.All(
+            FrameChannels.All.Where(channel => channel.Switch is not null),
+            channel =>
+                Assert.Contains(
+                    files,
+                    file => channel.Folders.Any(folder => file.StartsWith($"session/{folder}/", StringComparison.Ordinal))
+                )
+        );
     }
 
     [Fact]

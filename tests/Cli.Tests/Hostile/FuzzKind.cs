@@ -125,6 +125,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
                 "validate {0}/session",
                 Relabel
             )),
+        new("depth", "session/depth/00000000.png", ValidatePictures, "validate {0}/session", Relabel),
         new("flow", "session/flow-forward/00000001.png", ValidatePictures, "validate {0}/session", Relabel),
         new("flow-flags", "session/flow-backward-flags/00000001.png", ValidatePictures, "validate {0}/session", Relabel),
         new(

@@ -23,10 +23,7 @@ internal static class FuzzMakers
         "log import {0}/gpudrive/train/0000_0000.json --out {0}/logs",
     ];
 
-    /// <summary>The options with which a harvest has flow, and the maps of all channels that are one image for each frame.</summary>
+    /// <summary>The options with which a harvest has the files of all channels that are switched on by their names.</summary>
     public static string MapOptions { get; } =
-        string.Join(
-            " ",
-            FrameChannels.All.Where(channel => channel is MapChannel or FlowChannel).Select(channel => channel.Switch!.Option)
-        );
+        string.Join(" ", FrameChannels.All.Select(channel => channel.Switch?.Option).OfType<string>());
 }
