@@ -1,8 +1,6 @@
-using Harvester.Capture.Ports;
 using Harvester.Driving.Controllers;
 using Harvester.Driving.Scenarios;
 using Harvester.Geometry;
-using Harvester.Geometry.Roads;
 using Harvester.Sessions.Scenarios;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Game;
