@@ -12,6 +12,7 @@ using Harvester.Reports.Comparison;
 using Harvester.Reports.Faces;
 using Harvester.Runs.Plans;
 using Harvester.Runs.Relabelling;
+using Harvester.Runs.Scenarios;
 using Harvester.Runs.Sheets;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading.Files;
@@ -195,6 +196,12 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             "scenario show {0}/scenario.json",
             "scenario export {0}/scenario.json --out {0}/out.xosc",
             "plan check {0}/staged.json"
+        ),
+        new(
+            "open-scenario",
+            "scenario.xosc",
+            folder => OpenScenarioReader.Read(InputFile.ReadAllText(In(folder, "scenario.xosc")), "fuzz"),
+            "scenario import {0}/scenario.xosc --out {0}/out.json"
         ),
         new("experiment-rig", "rig.json", folder => PlanFile.Read(In(folder, "plan.json")), "plan check {0}/plan.json"),
         Compared("kitti-compared", "kitti/training/label_2/000000.txt", ComparedKitti.Open, "--kitti {0}/kitti"),

@@ -66,6 +66,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         "harvest --out {inputs}/lines --frames 1 --size 320x240 --seed 5 --roads {inputs}/roads.csv",
         $"harvest --out {{inputs}}/pairs --frames 2 {Pairs} {Small}",
         "export {inputs}/session --format gpudrive --roads {inputs}/roads.csv --out {inputs}/gpudrive",
+        "scenario export {inputs}/scenario.json --out {inputs}/scenario.xosc",
         "export {inputs}/session --format coco --out {inputs}/coco-1 --shard 1/2",
         "export {inputs}/session --format coco --out {inputs}/coco-2 --shard 2/2",
     ];
@@ -110,6 +111,8 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
             Only = ["out/scenario.json"],
             IsKilled = true,
         },
+        new("scenario-export", "scenario export {inputs}/scenario.json --out {root}/scenario.xosc"),
+        new("scenario-import", "scenario import {inputs}/scenario.xosc --out {root}/scenario.json"),
         new("pairs", "pairs {inputs}/pairs --out {root}/out --images copy --resume"),
         new("pairs-webdataset", "pairs {inputs}/pairs --out {root}/out --format webdataset --resume"),
         new("relabel", "relabel {inputs}/session --out {root}/out --resume --range 60"),
