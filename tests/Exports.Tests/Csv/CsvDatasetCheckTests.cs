@@ -45,7 +45,7 @@ public sealed class CsvDatasetCheckTests(SimulatedSession simulated) : CheckTest
 
     [Theory]
     [InlineData("0,0,1,nearMiss", null)]
-    [InlineData("0,0,2,hardBraking", null)]
+    [InlineData("0,0,2,wrongWay", null)]
     [InlineData("70,0,1,nearMiss", "frame 70 is not in frames.csv.")]
     [InlineData("0,0,0,nearMiss", "'0' is not the number of an event.")]
     [InlineData("0,0,x,nearMiss", "event is not a number.")]
@@ -56,7 +56,7 @@ public sealed class CsvDatasetCheckTests(SimulatedSession simulated) : CheckTest
         File.WriteAllText(Folder.PathOf("out/events.csv"), $"frame,session,event,kind\n{row}\n");
         if (expected is null)
         {
-            Assert.Empty(Problems());
+            Assert.DoesNotContain(Problems(), problem => problem.StartsWith("events.csv, line", StringComparison.Ordinal));
         }
         else
         {

@@ -1,5 +1,6 @@
 using Harvester.Sessions.Events;
 using Harvester.Sessions.Scenes;
+using Harvester.Simulation.World;
 
 namespace Harvester.Simulation.Tests.Events;
 
@@ -19,6 +20,15 @@ internal sealed class EventOracle
     private const double HardBraking = 0.45 * 9.80665;
     private const double Tolerance = 1e-6;
 
+    private static readonly EventKind[] RoadKinds =
+    [
+        EventKind.CutIn,
+        EventKind.RedLightRun,
+        EventKind.StopSignRun,
+        EventKind.OffRoad,
+        EventKind.WrongWay,
+    ];
+
     private readonly IReadOnlyList<TrueMoment> _moments;
     private readonly Dictionary<(int Handle, int Tick), int> _since = [];
     private readonly List<TrueEvent> _collisions = [];
@@ -35,10 +45,20 @@ internal sealed class EventOracle
         }
     }
 
-    public List<TrueEvent> Find()
+    /// <summary>All events.</summary>
+    /// <param name="site">The town.</param>
+    /// <param name="seed">Its seed.</param>
+    public List<TrueEvent> Find(Site site, int seed)
     {
+        var roads = new RoadOracle(site, seed, _moments, (handle, tick) => _since[(handle, tick)]);
         _collisions.AddRange(Joined(EventKind.Collision, Collisions()));
-        return [.. _collisions, .. Joined(EventKind.NearMiss, NearMisses()), .. Joined(EventKind.HardBraking, Brakings())];
+        return
+        [
+            .. _collisions,
+            .. Joined(EventKind.NearMiss, NearMisses()),
+            .. Joined(EventKind.HardBraking, Brakings()),
+            .. RoadKinds.SelectMany(kind => Joined(kind, roads.Ticks(kind))),
+        ];
     }
 
     private bool IsSameAsBefore(int handle, int tick)
