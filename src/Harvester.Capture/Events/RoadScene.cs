@@ -1,4 +1,3 @@
-using Harvester.Geometry;
 using Harvester.Geometry.Maps;
 
 namespace Harvester.Capture.Events;

@@ -12,16 +12,17 @@ internal static class FuzzTexts
         + "mark,stopLine,0.05,4,0.3,-10,30,4.8,-10,30,4.8,-9.5,30,0.3,-9.5,30\nend,1,2,1\n";
 
     /// <summary>Events of road users that are in no label.</summary>
-    public static string Events { get; } = string.Concat(
-        Event(1, "hardBraking", Participant("null", "null"), "\"deceleration\":6,\"speedBefore\":8,\"speedAfter\":5"),
-        Event(2, "offRoad", Participant("1000", "\"truck\""), "\"fromRoad\":3.5,\"speed\":5"),
-        Event(
-            3,
-            "cutIn",
-            Participant("1001", "\"car\"") + "," + Participant("null", "null"),
-            "\"gap\":5,\"timeGapSeconds\":1,\"closingSpeed\":-0.5"
-        )
-    );
+    public static string Events { get; } =
+        string.Concat(
+            Event(1, "hardBraking", Participant("null", "null"), "\"deceleration\":6,\"speedBefore\":8,\"speedAfter\":5"),
+            Event(2, "offRoad", Participant("1000", "\"truck\""), "\"fromRoad\":3.5,\"speed\":5"),
+            Event(
+                3,
+                "cutIn",
+                Participant("1001", "\"car\"") + "," + Participant("null", "null"),
+                "\"gap\":5,\"timeGapSeconds\":1,\"closingSpeed\":-0.5"
+            )
+        );
 
     private static readonly (string Name, string Content)[] All =
     [

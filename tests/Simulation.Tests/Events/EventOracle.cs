@@ -20,15 +20,6 @@ internal sealed class EventOracle
     private const double HardBraking = 0.45 * 9.80665;
     private const double Tolerance = 1e-6;
 
-    private static readonly EventKind[] RoadKinds =
-    [
-        EventKind.CutIn,
-        EventKind.RedLightRun,
-        EventKind.StopSignRun,
-        EventKind.OffRoad,
-        EventKind.WrongWay,
-    ];
-
     private readonly IReadOnlyList<TrueMoment> _moments;
     private readonly Dictionary<(int Handle, int Tick), int> _since = [];
     private readonly List<TrueEvent> _collisions = [];
@@ -57,7 +48,7 @@ internal sealed class EventOracle
             .. _collisions,
             .. Joined(EventKind.NearMiss, NearMisses()),
             .. Joined(EventKind.HardBraking, Brakings()),
-            .. RoadKinds.SelectMany(kind => Joined(kind, roads.Ticks(kind))),
+            .. RoadOracle.Kinds.SelectMany(kind => Joined(kind, roads.Ticks(kind))),
         ];
     }
 

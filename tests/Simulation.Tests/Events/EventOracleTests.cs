@@ -16,6 +16,8 @@ public class EventOracleTests(ITestOutputHelper output)
     private const int SeedInCI = 7001;
     private const double SecondsInCI = 15;
     private const int ScenariosInCI = 2;
+    private const int SignsInCI = 2;
+    private const int Signs = 6;
     private const double Seconds = 45;
     private const double Required = 0.98;
     private const int LeastOfAKind = 10;
@@ -105,6 +107,7 @@ public class EventOracleTests(ITestOutputHelper output)
         {
             // Every second drive has collisions with consequences; in the others, bodies pass into each other.
             yield return ($"drive {seed}", ProvokedDrive.Of(seed, isInCI ? SecondsInCI : Seconds, hasCrashes: isInCI || seed % 2 == 0));
+            yield return ($"stop signs {seed}", ProvokedDrive.PastStopSigns(seed, isInCI ? SignsInCI : Signs));
             foreach ((string file, bool hasCrashes) in Provoking.Take(isInCI ? ScenariosInCI : Provoking.Length))
             {
                 ScenarioTemplate template = ScenarioParser.Read(File.ReadAllText($"scenarios/{file}.json")).Template!;

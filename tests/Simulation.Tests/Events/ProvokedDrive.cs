@@ -1,11 +1,15 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
+using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Runs.Scenarios;
 using Harvester.Sessions.Events;
 using Harvester.Sessions.Scenarios;
 using Harvester.Simulation.Game;
+using Harvester.Simulation.Models;
 using Harvester.Simulation.Settings;
+using Harvester.Simulation.Streets;
+using Harvester.Simulation.World;
 
 namespace Harvester.Simulation.Tests.Events;
 
@@ -20,6 +24,10 @@ internal sealed class ProvokedDrive
 
     /// <summary>Frames per second: hardly any, because the events of a frame are those that the world tells at its ticks.</summary>
     private const double FrameRate = 0.1;
+
+    /// <summary>Distances of the ego from the line of a stop sign at which it starts, metres.</summary>
+    private const double FarBefore = 30;
+    private const double CloseBefore = 6;
 
     private static readonly DrivingControls[] Provocations =
     [
@@ -86,6 +94,40 @@ internal sealed class ProvokedDrive
         );
     }
 
+    /// <summary>
+    /// Passes stop signs of the town at full throttle, by turns from a start far before the line, so that the ego never stands near it, and
+    /// from one close before it.
+    /// </summary>
+    /// <param name="seed">Seed of the town.</param>
+    /// <param name="signs">Greatest number of signs.</param>
+    public static ProvokedDrive PastStopSigns(int seed, int signs)
+    {
+        const double seconds = 6;
+        Site site = SiteCache.Shared.Town(seed);
+        var scenery = new Scenery(seed, site, ModelCatalogue.Shared, new HandleCounter());
+        scenery.AddStopSigns(site.Plan, site.Signals.Has);
+        RoadArm[] arms = [.. scenery.StopArms.Select(each => each.Arm).Where(IsStraightBefore).Take(signs)];
+        var game = new SimulatedGame(new SimulationOptions { Seed = seed, TrafficDensity = 0.5 });
+        double time = 0;
+        int passed = 0;
+        return Recorded(
+            seed,
+            game,
+            () =>
+            {
+                if (passed < arms.Length && time >= passed * seconds)
+                {
+                    Place(game, arms[passed], passed % 2 == 0 ? FarBefore : CloseBefore);
+                    passed++;
+                }
+
+                game.Ports.Car!.Drive(new DrivingControls(0, 1, 0));
+                time += TickSeconds;
+                return time < arms.Length * seconds;
+            }
+        );
+    }
+
     /// <summary>Plays a scenario, in a town where it can happen; the ego takes no notice of its actors.</summary>
     /// <exception cref="ScenarioUnfitException">It cannot happen in the town of the seed.</exception>
     public static ProvokedDrive Staged(ScenarioTemplate template, int seed, bool hasCrashes = false)
@@ -114,6 +156,23 @@ internal sealed class ProvokedDrive
                 return !staged.IsOver;
             }
         );
+    }
+
+    private static bool IsStraightBefore(RoadArm arm)
+    {
+        const double straight = 0.9999;
+        return arm.Road.Length > arm.Trim + FarBefore
+            && arm.Road.Curve.TangentAt(arm.DistanceAt(arm.Trim)).Dot(arm.Road.Curve.TangentAt(arm.DistanceAt(arm.Trim + FarBefore)))
+                > straight;
+    }
+
+    /// <summary>Places the ego before the line of an arm, on the leftmost lane of its traffic.</summary>
+    private static void Place(SimulatedGame game, RoadArm arm, double before)
+    {
+        double distance = arm.DistanceAt(arm.Trim + before);
+        Vector3D along = arm.Road.Curve.TangentAt(distance) * (arm.AtStart ? -1 : 1);
+        Vector3D place = arm.Road.Curve.OffsetAt(distance, arm.Road.Layout.LaneCentre(!arm.AtStart, 0));
+        game.Ports.Car!.Reset(place, Math.Atan2(-along.X, along.Y) * 180 / Math.PI);
     }
 
     /// <summary>Harvests a game that is steered in each tick until that ends the drive.</summary>

@@ -17,6 +17,10 @@ internal sealed class RoadOracle
     private const double Shoulder = 2.5;
     private const double Tolerance = 1e-6;
 
+    /// <summary>The kinds that it knows.</summary>
+    public static IReadOnlyList<EventKind> Kinds { get; } =
+    [EventKind.CutIn, EventKind.RedLightRun, EventKind.StopSignRun, EventKind.OffRoad, EventKind.WrongWay];
+
     private readonly IReadOnlyList<TrueMoment> _moments;
     private readonly Func<int, int, int> _since;
     private readonly TownLanes _lanes;
