@@ -96,6 +96,15 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             "masks import {0}/session {0}/maps",
             Export("csv")
         ),
+        new(
+            "events",
+            "eventful/events.jsonl",
+            ReadEvents,
+            "validate {0}/eventful",
+            "validate {0}/eventful --schema --quick",
+            "stats {0}/eventful",
+            "repair {0}/eventful --out {0}/out"
+        ),
         new("scene", "session/scenes/00000000.json", ValidateSession, "validate {0}/session", Relabel, MapOfSession),
         Roads("roads", "session/scenes/roads.csv", "validate {0}/session", Relabel) with
         {

@@ -20,6 +20,7 @@ internal static class FuzzMakers
         .. DatasetFormats
             .All.Where(format => format.HasMap)
             .Select(format => $"export {{0}}/moving --format {format.Name} --roads {{0}}/straight.csv --out {{0}}/{format.Name}"),
+        "harvest --out {0}/eventful --frames 2 --hz 10 --places 1 --events --roads {0}/straight.csv --seed 5 --size 64x48 --no-report",
         "log import {0}/gpudrive/train/0000_0000.json --out {0}/logs",
     ];
 
