@@ -23,10 +23,12 @@ internal static class FuzzMakers
         "log import {0}/gpudrive/train/0000_0000.json --out {0}/logs",
     ];
 
-    /// <summary>The options with which a harvest has flow, and the maps of all channels that are one image for each frame.</summary>
+    /// <summary>
+    /// The options with which a harvest has flow, an inertial unit, and the maps of all channels that are one image for each frame.
+    /// </summary>
     public static string MapOptions { get; } =
         string.Join(
             " ",
-            FrameChannels.All.Where(channel => channel is MapChannel or FlowChannel).Select(channel => channel.Switch!.Option)
+            FrameChannels.All.Where(channel => channel is MapChannel or FlowChannel or ImuChannel).Select(channel => channel.Switch!.Option)
         );
 }
