@@ -38,6 +38,12 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
     /// <summary>Whether frames without known lanes are left out.</summary>
     public bool LeavesOutUnknownLanes { get; init; }
 
+    /// <summary>Whether it requires the flow from the frame before; frames without are left out.</summary>
+    public bool NeedsFlow { get; init; }
+
+    /// <summary>Whether it requires the samples of the inertial unit.</summary>
+    public bool NeedsImu { get; init; }
+
     /// <summary>Whether its objects have one 2D box, of a kind that can be chosen.</summary>
     public bool HasBoxes { get; init; }
 

@@ -2,6 +2,7 @@ using System.Text;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Reading.Files;
 
 namespace Harvester.Exports;
@@ -44,6 +45,24 @@ public sealed class FrameOutput
 
         _folder.Transfer(path, frame.ImagePath, _transfer);
         _files.Add(new(path, _imageDigest(frame)));
+    }
+
+    /// <summary>Adds the image of the frame before, of the same view, in the format of the export.</summary>
+    /// <param name="path">Path in the dataset, with forward slashes.</param>
+    /// <param name="frame">The frame.</param>
+    /// <param name="flow">The flow between both.</param>
+    /// <exception cref="DatasetFormatException">The image must be converted and cannot be read.</exception>
+    internal void ImageBefore(string path, ExportFrame frame, FlowLabel flow)
+    {
+        string name = frame.ImageBefore(flow);
+        if (frame.IsImageConverted)
+        {
+            File(path, stream => _encoder!.Write(frame.ReadImage(name), stream));
+            return;
+        }
+
+        _folder.Transfer(path, frame.PathOf(name), _transfer);
+        _files.Add(new(path, FileDigest.OfFile(frame.PathOf(name))));
     }
 
     /// <summary>The bytes that <see cref="Image"/> would write.</summary>

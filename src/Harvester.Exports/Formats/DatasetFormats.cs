@@ -3,6 +3,8 @@ using Harvester.Exports.Formats.Cityscapes;
 using Harvester.Exports.Formats.Coco;
 using Harvester.Exports.Formats.Csv;
 using Harvester.Exports.Formats.DeepDriving;
+using Harvester.Exports.Formats.Euroc;
+using Harvester.Exports.Formats.Flow;
 using Harvester.Exports.Formats.ImageFolder;
 using Harvester.Exports.Formats.Jta;
 using Harvester.Exports.Formats.Kitti;
@@ -56,6 +58,25 @@ public static class DatasetFormats
             ListsObjects = false,
             HasPoints = true,
             Check = KittiOdometryCheck.Problems,
+        },
+        new("kitti-flow", "KITTI 2015 optical flow: pairs of images", _ => new FlowWriter(FlowLayout.Kitti))
+        {
+            ListsObjects = false,
+            NeedsFlow = true,
+            Check = FlowExportCheck.KittiProblems,
+        },
+        new("middlebury-flow", "Middlebury optical flow: pairs of images and .flo", _ => new FlowWriter(FlowLayout.Middlebury))
+        {
+            ListsObjects = false,
+            NeedsFlow = true,
+            Check = FlowExportCheck.MiddleburyProblems,
+        },
+        new("euroc", "EuRoC visual-inertial sequences: images, samples of the inertial unit, states", _ => new EurocWriter())
+        {
+            ListsObjects = false,
+            NeedsImu = true,
+            KeepsSequences = true,
+            Check = EurocCheck.Problems,
         },
         new("coco", "COCO instances", options => new CocoWriter(options))
         {

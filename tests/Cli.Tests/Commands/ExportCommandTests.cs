@@ -232,14 +232,15 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData(
         "--images",
         "copy",
-        "kitti, kitti-tracking, kitti-odometry, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, semantic, "
-            + "bdd100k, motchallenge, openlabel, nuscenes, tusimple, culane, openlane, openlane-v2, imagefolder, csv"
+        "kitti, kitti-tracking, kitti-odometry, kitti-flow, middlebury-flow, euroc, coco, coco-panoptic, coco-keypoints, jta, yolo, "
+            + "yolo-segment, voc, cityscapes, semantic, bdd100k, motchallenge, openlabel, nuscenes, tusimple, culane, openlane, "
+            + "openlane-v2, imagefolder, csv"
     )]
     [InlineData(
         "--split-block",
         "10",
-        "kitti, coco, coco-panoptic, coco-keypoints, yolo, yolo-segment, voc, cityscapes, semantic, bdd100k, deepdriving, tusimple, "
-            + "culane, openlane, webdataset, imagefolder, csv"
+        "kitti, kitti-flow, middlebury-flow, coco, coco-panoptic, coco-keypoints, yolo, yolo-segment, voc, cityscapes, semantic, bdd100k, "
+            + "deepdriving, tusimple, culane, openlane, webdataset, imagefolder, csv"
     )]
     public void Export_refuses_an_option_that_has_no_effect_on_the_format(string option, string value, string formats)
     {

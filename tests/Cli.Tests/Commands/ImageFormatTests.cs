@@ -10,7 +10,7 @@ namespace Harvester.Cli.Tests.Commands;
 public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture<HarvestedFormats>, IDisposable
 {
     /// <summary>What the paths of pictures that are no camera images contain.</summary>
-    private static readonly string[] Maps = ["gtFine", "panoptic_", "/classes/", "/drivable/", "maps/"];
+    private static readonly string[] Maps = ["gtFine", "panoptic_", "/classes/", "/drivable/", "maps/", "flow_", "obj_map", "other-masks"];
 
     private readonly TemporaryFolder _folder = new();
 
@@ -137,7 +137,9 @@ public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture
                 .Where(image => !image.Contains("laneseg_label", StringComparison.Ordinal)),
         ];
         Assert.Equal(
-            format is "webdataset" or "mcap" or "pcd" or "ply" or "gpudrive" or "womd" ? 0 : HarvestedFormats.Frames,
+            format is "webdataset" or "mcap" or "pcd" or "ply" or "gpudrive" or "womd" ? 0
+                : DatasetFormats.Find(format)!.NeedsFlow ? 2 * FlowsIn("png")
+                : HarvestedFormats.Frames,
             images.Length
         );
         Assert.All(images, image => Assert.EndsWith(".jpg", image, StringComparison.Ordinal));
@@ -183,6 +185,8 @@ public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture
         CliRun validate = CliRun.Of("validate", Out);
         Assert.True(validate.ExitCode == ExitCode.Done, validate.Out);
     }
+
+    private int FlowsIn(string format) => Directory.GetFiles(Path.Combine(harvested.SessionOf(format), "flow-forward")).Length;
 
     private static bool IsImage(string path) =>
         Path.GetExtension(path) is ".png" or ".bmp" or ".jpg" && !Maps.Any(part => path.Contains(part, StringComparison.Ordinal));

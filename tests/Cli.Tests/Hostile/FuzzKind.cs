@@ -136,8 +136,15 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
                 Relabel
             )),
         new("depth", "session/depth/00000000.png", ValidatePictures, "validate {0}/session", Relabel),
-        new("flow", "session/flow-forward/00000001.png", ValidatePictures, "validate {0}/session", Relabel),
-        new("flow-flags", "session/flow-backward-flags/00000001.png", ValidatePictures, "validate {0}/session", Relabel),
+        new("flow", "session/flow-forward/00000001.png", ValidatePictures, "validate {0}/session", Relabel, Export("kitti-flow")),
+        new(
+            "flow-flags",
+            "session/flow-forward-flags/00000001.png",
+            ValidatePictures,
+            "validate {0}/session",
+            Relabel,
+            Export("middlebury-flow")
+        ),
         new(
             "map",
             "maps/0.png",
@@ -158,6 +165,10 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Dataset("jta-camera", "jta", "cameras/train/seq_0.json"),
         Dataset("kitti", "kitti", "training/label_2/000000.txt"),
         Dataset("kitti-tracking", "kitti-tracking", "training/label_02/0000.txt"),
+        Dataset("kitti-flow", "kitti-flow", "training/flow_occ/000001_10.png"),
+        Dataset("middlebury-flow", "middlebury-flow", "other-gt-flow/000001/flow10.flo"),
+        Dataset("euroc", "euroc", "train/0000/mav0/imu0/data.csv"),
+        Dataset("euroc-states", "euroc", "train/0000/mav0/state_groundtruth_estimate0/data.csv"),
         Dataset("voc", "voc", "Annotations/00000000.xml"),
         Dataset("yolo", "yolo", "labels/train/00000000.txt"),
         Dataset("outlines", "yolo-segment", "labels/train/00000000.txt"),

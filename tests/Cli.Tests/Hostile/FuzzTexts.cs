@@ -198,7 +198,8 @@ internal static class FuzzTexts
             "rig.json",
             """
             {"name": "pair", "cameras": [{"name": "LEFT", "position": [0, 1.7, 1.5], "verticalFovDegrees": 39, "width": 64, "height": 48}],
-             "lidars": [{"name": "TOP", "model": "HDL-32E", "position": [0, 0.94, 1.84], "rateHz": 20}]}
+             "lidars": [{"name": "TOP", "model": "HDL-32E", "position": [0, 0.94, 1.84], "rateHz": 20}],
+             "radars": [{"name": "AHEAD", "position": [0, 3.9, 0.5], "clutter": 2}]}
 
             """
         ),

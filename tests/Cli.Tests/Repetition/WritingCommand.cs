@@ -59,6 +59,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
     public static IReadOnlyList<string> Inputs { get; } =
     [
         $"harvest --out {{inputs}}/session --frames 2 {Small}",
+        $"harvest --out {{inputs}}/moving --frames 2 --flow --imu {Small}",
         $"harvest --out {{inputs}}/part-1 --frames 2 --shard 1/2 {Small}",
         $"harvest --out {{inputs}}/part-2 --frames 2 --shard 2/2 {Small}",
         "harvest --out {inputs}/people --frames 1 --pedestrians 5 --size 64x48 --masks --seed 2 --roads {inputs}/roads.csv",
@@ -127,6 +128,9 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("relabel-overwrite", "relabel {inputs}/session --out {root}/out --range 60 --images copy --overwrite", Former),
         new("merge", "merge {inputs}/part-1 {inputs}/part-2 --out {root}/out --resume"),
         new("export-kitti", "export {inputs}/session --format kitti --out {root}/out"),
+        new("export-kitti-flow", "export {inputs}/moving --format kitti-flow --out {root}/out"),
+        new("export-middlebury-flow", "export {inputs}/moving --format middlebury-flow --out {root}/out"),
+        new("export-euroc", "export {inputs}/moving --format euroc --out {root}/out"),
         new("export-coco", "export {inputs}/session --format coco --out {root}/out --image-format bmp"),
         new("export-coco-keypoints", "export {inputs}/people --format coco-keypoints --out {root}/out"),
         new("export-jta", "export {inputs}/people --format jta --out {root}/out"),
