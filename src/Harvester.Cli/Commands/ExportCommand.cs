@@ -94,7 +94,7 @@ internal sealed class ExportCommand
     private Option<PartSelection?> Parts { get; } =
         ValueParsers.OptionalChoice<PartSelection>(
             "--parts",
-            "How signs and traffic lights are exported, see below [default: faces; all in webdataset and csv]"
+            "How signs and traffic lights are exported, see below [default: faces; all in webdataset, csv and parquet]"
         );
 
     private Option<BoxKind?> Boxes { get; } =

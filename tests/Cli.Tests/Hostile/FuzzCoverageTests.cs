@@ -33,6 +33,6 @@ public sealed class FuzzCoverageTests
     {
         string[] folders = [.. FuzzKind.All.Select(kind => kind.File.Split('/')[0])];
 
-        Assert.Empty(DatasetFormats.All.Select(format => format.Name).Except(folders));
+        Assert.Empty(DatasetFormats.All.Where(format => format.Program is null).Select(format => format.Name).Except(folders));
     }
 }
