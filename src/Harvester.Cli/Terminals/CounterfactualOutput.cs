@@ -59,11 +59,12 @@ internal sealed class CounterfactualOutput : IDisposable
     private bool Check()
     {
         OutputDisk.Check(_folder, "--out");
-        if (!Directory.Exists(_folder) || !Directory.EnumerateFileSystemEntries(_folder).Any())
+        if (!Directory.Exists(_folder) || UnfinishedMark.IsAllOf(_folder))
         {
             return false;
         }
 
+        DeleteLeftovers();
         if (UnfinishedMark.CommandIn(_folder) is { } unfinished)
         {
             return unfinished == _command
@@ -78,5 +79,20 @@ internal sealed class CounterfactualOutput : IDisposable
                 ? $"'{_folder}' already has counterfactuals. Name another folder with --out."
                 : $"'{_folder}' is not empty. Name another folder with --out."
         );
+    }
+
+    /// <summary>Deletes what a stopped command left of the description and of the locks of the sessions.</summary>
+    private void DeleteLeftovers()
+    {
+        if (!UnfinishedMark.IsIn(_folder) && !ChangeSet.IsIn(_folder))
+        {
+            return;
+        }
+
+        AtomicFile.DeleteLeftovers(_folder, name => name == ChangeSet.FileName);
+        foreach (string session in Directory.GetDirectories(_folder))
+        {
+            FolderLock.Take(session).Dispose();
+        }
     }
 }

@@ -88,7 +88,7 @@ public sealed class CounterfactualCommandTests : IDisposable
         CliRun.Of(["counterfactual", "--out", Set, .. Options, .. changes.SelectMany(change => new[] { "--change", change })]);
 
     private static string[] Options =>
-        [.. $"--seed 11 --places 1 --frames {Frames} --size 96x72 --range 120 --crashes --no-report".Split(' ')];
+        [.. $"--seed 11 --places 1 --frames {Frames} --size 96x72 --range 120 --crashes --masks --no-report".Split(' ')];
 
     /// <summary>Number of a car in traffic that is labelled in all frames.</summary>
     private int ObjectAhead()

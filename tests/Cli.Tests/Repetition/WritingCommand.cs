@@ -156,7 +156,10 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("roads-map-nuscenes", "roads map {inputs}/roads.csv --format nuscenes --out {root}/map.json"),
         new("roads-map-argoverse2", "roads map {inputs}/roads.csv --format argoverse2 --out {root}/map.json"),
         new("roads-nodes", "roads nodes {inputs}/roads.csv --out {root}/nodes.csv"),
-        new("roads-photograph", "roads photograph --roads {inputs}/roads.csv --near=0,-50 --range 20 --out {root}/above"),
+        new("roads-photograph", "roads photograph --roads {inputs}/roads.csv --near=0,-50 --range 20 --out {root}/above")
+        {
+            Only = ["above/depth-completed/", "above/session.json"],
+        },
         new("roads-paint", "roads paint {inputs}/lines --roads {inputs}/roads.csv --out {root}/paint.csv"),
         new("spaces-gallery", "spaces gallery {inputs}/session/scenes/spaces.csv --out {root}/gallery.html"),
         new("contact-sheet", $"{Sheet} --list {{inputs}}/places.csv", $"{Sheet} --at 0,-150"),
