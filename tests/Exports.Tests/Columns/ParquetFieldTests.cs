@@ -36,7 +36,9 @@ public sealed class ParquetFieldTests(SimulatedSession simulated) : ExportTests
 
         foreach (DocumentedTable table in DocumentedTable.All)
         {
-            Assert.InRange(new LabelOracle(lines).Compare(table, Rows(table.Name)), Lines / 2, int.MaxValue);
+            List<Dictionary<string, object?>> rows = Rows(table.Name);
+            Assert.InRange(new LabelOracle(lines).Compare(table, rows), Lines / 2, int.MaxValue);
+            Assert.All(table.Columns, column => Assert.Contains(rows, row => row[column.Name] is not null));
         }
     }
 
