@@ -20,7 +20,7 @@ public sealed class VideoTests(SimulatedSession simulated) : ExportTests
     private const string Sequence = "out/train/sequence-0000";
 
     [FfmpegFact]
-    public void Lossless_video_has_every_bit_of_the_images_and_masks_in_the_order_of_the_labels()
+    public void Lossless_video_has_every_bit_of_images_and_masks()
     {
         Folder.Export("video-lossless", simulated.Open());
 
@@ -43,7 +43,7 @@ public sealed class VideoTests(SimulatedSession simulated) : ExportTests
     }
 
     [FfmpegFact]
-    public void Compressed_video_has_a_frame_for_each_label_that_looks_like_its_image()
+    public void Frame_k_of_a_compressed_video_shows_the_image_of_label_k()
     {
         Folder.Export("video", simulated.Open());
 
