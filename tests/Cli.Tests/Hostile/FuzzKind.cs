@@ -72,7 +72,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
                 "roads paint {0}/session --out {0}/out.csv",
                 MapOfSession,
                 "pairs {0}/session --format csv --out {0}/out",
-                .. DatasetFormats.All.Select(format => Export(format.Name)),
+                .. DatasetFormats.All.Where(format => format.Program is null).Select(format => Export(format.Name)),
             ]
         ),
         new(
@@ -158,6 +158,8 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Dataset("dataset-manifest", "csv", "manifest.jsonl"),
         Dataset("csv-frames", "csv", "frames.csv"),
         Dataset("csv-objects", "csv", "objects.csv"),
+        Dataset("parquet-frames", "parquet", "frames.parquet"),
+        Dataset("parquet-objects", "parquet", "objects.parquet"),
         Dataset("coco", "coco", "annotations/instances_train.json"),
         Dataset("panoptic", "coco-panoptic", "annotations/panoptic_train.json"),
         Dataset("keypoints", "coco-keypoints", "annotations/person_keypoints_train.json"),

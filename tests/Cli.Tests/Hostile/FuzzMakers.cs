@@ -12,7 +12,7 @@ internal static class FuzzMakers
         "harvest --out {0}/people --frames 1 --pedestrians 5 --roads {0}/straight.csv --seed 2 --size 64x48 --masks --no-report",
         .. "coco-keypoints jta".Split(' ').Select(format => $"export {{0}}/people --format {format} --out {{0}}/{format}"),
         .. DatasetFormats
-            .All.Where(format => !format.HasMap && format.Name is not ("coco-keypoints" or "jta"))
+            .All.Where(format => !format.HasMap && format.Program is null && format.Name is not ("coco-keypoints" or "jta"))
             .Select(format => $"export {{0}}/session --format {format.Name} --out {{0}}/{format.Name}"),
         "counterfactual --out {0}/set --frames 2 --places 1 --change frame_0:_weather_rain --roads {0}/straight.csv --size 64x48 "
             + "--no-report",

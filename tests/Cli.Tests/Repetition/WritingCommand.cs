@@ -137,6 +137,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("export-webdataset", "export {inputs}/session --format webdataset --out {root}/out"),
         new("export-nuscenes", "export {inputs}/session --format nuscenes --out {root}/out"),
         new("export-openlane-v2", "export {inputs}/session --format openlane-v2 --roads {inputs}/roads.csv --out {root}/out"),
+        new("export-parquet", "export {inputs}/session --format parquet --out {root}/out"),
         new("export-gpudrive", "export {inputs}/session --format gpudrive --roads {inputs}/roads.csv --out {root}/out"),
         new("export-womd", "export {inputs}/session --format womd --roads {inputs}/roads.csv --out {root}/out"),
         new("log-import", "log import {inputs}/gpudrive/train/0000_0000.json --out {root}/out"),
