@@ -26,7 +26,7 @@ public class ScenarioKindTests(ITestOutputHelper output)
 
     [Fact]
     [Trait("Category", "Heavy")]
-    public void Kinds_happen_in_generated_towns() => CheckAll(null, step: 1, 3001, 3002, 3003);
+    public void Kinds_happen_in_generated_towns() => CheckAll(null, step: 1, 3001, 4102, 3003);
 
     [Fact]
     public void Actors_that_do_nothing_are_not_taken_for_what_is_described()
